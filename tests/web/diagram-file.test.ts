@@ -99,6 +99,7 @@ describe('a diagram as JSON', () => {
       ],
       [{ ...file, edges: [{ ...edge, vertices: [-2, 0] }] }, 'vertices of edges[0]: -2 is no index from -1 to 0.'],
       [{ ...file, edges: [{ ...edge, circles: [0, -1] }] }, 'circles of edges[0]: -1 is no index from 0 to 3.'],
+      [{ ...file, hidden: [{ circle: 4, by: 0 }] }, 'circle of hidden[0]: 4 is no index from 0 to 3.'],
       [{ ...file, hidden: [{ circle: 3, by: -1 }] }, 'by of hidden[0]: -1 is no index from 0 to 3.'],
       [{ ...file, hull: [0.5] }, 'hull: 0.5 is no index from 0 to 3.'],
     ]

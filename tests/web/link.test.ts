@@ -196,6 +196,7 @@ describe('what is no link', () => {
     [{ edits: [{ 0: '-', 1: 1 }] }, 'the edits are invalid'],
     [{ edits: ['-1'] }, 'the edits are invalid'],
     [{ edits: [['*', 1]] }, 'the edits are invalid'],
+    [{ edits: [[['-'], 1]] }, 'the edits are invalid'],
     [{ edits: [['toString', 1]] }, 'the edits are invalid'],
     [{ edits: [['+', 1, 2]] }, 'the edits are invalid'],
     [{ edits: [['-', 0.5]] }, 'the edits are invalid'],

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import {
   CircleVoronoiError,
   ERROR_CODES,
@@ -196,10 +196,27 @@ describe('the WebAssembly', () => {
     ['a module', () => new WebAssembly.Module(bytes)],
     ['a response', () => response('application/wasm')],
     ['a response of another type', () => response('application/octet-stream')],
+    ['a response without a type', () => new Response(bytes)],
     ['a promise of any of them', () => Promise.resolve(response('application/wasm'))],
   ])('loads from %s', async (_, wasm) => {
     const loaded = await loadCircleVoronoi({ wasm: wasm() as NonNullable<LoadOptions['wasm']> })
     expect(loaded.compute(THREE).certificate.certified).toBe(true)
+  })
+
+  it('fetches a file where the platform has no node:fs', async () => {
+    vi.spyOn(process, 'getBuiltinModule').mockReturnValue(undefined as never)
+    const fetched: string[] = []
+    vi.stubGlobal('fetch', async (url: URL) => {
+      fetched.push(url.href)
+      return response('application/wasm')
+    })
+    try {
+      expect((await loadCircleVoronoi({ wasm: file })).compute(THREE).certificate.certified).toBe(true)
+    } finally {
+      vi.restoreAllMocks()
+      vi.unstubAllGlobals()
+    }
+    expect(fetched).toEqual([file.href])
   })
 
   it('is apart for each of two loads at a time', async () => {
@@ -212,6 +229,7 @@ describe('the WebAssembly', () => {
   it.each<[string, () => LoadOptions['wasm'], string]>([
     ['a missing file', () => new URL('missing.wasm', file), 'missing.wasm'],
     ['an answer that is none', () => new Response('', { status: 404, statusText: 'Not Found' }), '404 Not Found'],
+    ['an answer of a server that gives no words', () => new Response('', { status: 503 }), 'the answer is 503.'],
     ['bytes that are none', () => Uint8Array.of(1, 2, 3, 4), 'what was given'],
     ['another module', () => Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0), 'this module'],
     ['no address', () => 'circle-voronoi.wasm', 'what was given'],

@@ -149,7 +149,19 @@ describe('a maximum distance', () => {
     )
   })
 
-  it('is a number, and none of a power diagram', () => {
+  it('moves the centroid of a cut disc away from the cut, in any direction', () => {
+    // Discs of radius 5, cut 3 from the center of the first one.
+    const moment = (2 / 3) * 4 ** 3
+    const area = 25 * (Math.PI - Math.acos(3 / 5)) + 3 * 4
+    for (const angle of [0, 0.4, 1, 2, 3, 4, 5.5]) {
+      const [x, y] = [Math.cos(angle), Math.sin(angle)]
+      const centroids = library.compute([0, 6].map((far) => [far * x, far * y, 1])).cellCentroids({ maxDistance: 4 })
+      expect(centroids[0]).toBeCloseTo((-moment / area) * x, 9)
+      expect(centroids[1]).toBeCloseTo((-moment / area) * y, 9)
+    }
+  })
+
+  it('is a finite number', () => {
     const diagram = library.compute([[0, 0, 1]])
     for (const maxDistance of [Number.NaN, Number.POSITIVE_INFINITY, '1' as unknown as number]) {
       expect(() => diagram.cellArea(0, { maxDistance })).toThrow(expect.objectContaining({ code: 'badOption' }))

@@ -47,6 +47,11 @@ const power = computeComparison(CIRCLES, 'power')
 const d = diagram as unknown as Record<string, (...args: unknown[]) => unknown>
 const l = library as unknown as Record<string, (...args: unknown[]) => unknown>
 const editor = library.edit(CIRCLES)
+const trace = library.trace(CIRCLES)
+const PENTAGRAM = [0, 2, 4, 1, 3].map((k) => ({
+  x: Math.cos((2 * Math.PI * k) / 5),
+  y: Math.sin((2 * Math.PI * k) / 5),
+}))
 const e = editor as unknown as Record<string, (...args: unknown[]) => unknown>
 const untyped = (f: unknown) => f as (...args: unknown[]) => unknown
 const box = { minX: 0, minY: 0, maxX: 9, maxY: 9 }
@@ -219,6 +224,32 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   ['badArgument', 'cellOutline takes a number as the index of a circle, not "0".', () => d.cellOutline?.('0')],
   ['badArgument', 'closestPair takes a diagram of the metric circles, not of power.', () => closestPair(power)],
+  [
+    'badArgument',
+    'clearestPath takes a diagram of the metric circles, not of power.',
+    () => clearestPath(power, { x: 3, y: 0 }, { x: 0, y: 4 }),
+  ],
+  [
+    'badOption',
+    'cellArea takes no maximum distance of a power diagram, which has no distances.',
+    () => power.cellArea(0, { maxDistance: 1 }),
+  ],
+  [
+    'badOption',
+    'There is no option digits of cellCentroids; its options are bounds, region and maxDistance.',
+    () => d.cellCentroids?.({ digits: 1 }),
+  ],
+  [
+    'badArgument',
+    'indexOf takes a number as the id of a circle, not "0".',
+    () => untyped(editor.snapshot().indexOf.bind(editor.snapshot()))('0'),
+  ],
+  ['badArgument', 'at takes a number as the number of events, not "3".', () => untyped(trace.at.bind(trace))('3')],
+  [
+    'badArgument',
+    'event takes a number as the index of an event, not "3".',
+    () => untyped(trace.event.bind(trace))('3'),
+  ],
   ['badArgument', 'update takes a diagram that compute made here.', () => power.update()],
   ['badArgument', 'apply takes a diagram that is a snapshot of an editor.', () => d.apply?.({ revision: 1 })],
   ['badArgument', 'indexOf takes a diagram that is a snapshot of an editor.', () => diagram.indexOf(0)],
@@ -267,9 +298,18 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badOption',
+    'Bounds are a ConvexPolygon, or a box of four numbers: { minX, minY, maxX, maxY } or an array.',
+    () => {
+      diagram.render({ bounds: [0, 0, 9, 9] })
+      d.render?.({ bounds: [0, 0, 9, 9, 9] })
+    },
+  ],
+  [
+    'badOption',
     'The box is empty, or a coordinate is not finite, or beyond 1e152.',
     () => diagram.render({ bounds: [0, 0, 0, 9] }),
   ],
+  ['badOption', 'The polygon winds more than once, or has no area.', () => ConvexPolygon.from(PENTAGRAM)],
   ['badOption', 'The tolerance is a finite number above 0, not 0.', () => diagram.render({ tolerance: 0 })],
   [
     'badOption',
@@ -302,6 +342,11 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   ['badInput', 'The circles are neither a typed array nor a list, but 5.', () => l.compute?.(5)],
   ['badInput', 'The circles are neither a typed array nor a list, but "0,0,1".', () => l.compute?.('0,0,1')],
+  [
+    'badInput',
+    `The circles are neither a typed array nor a list, but "${'0'.repeat(40)}…".`,
+    () => l.compute?.('0'.repeat(41)),
+  ],
   ['badInput', 'Three numbers per circle are needed, but there are 4.', () => library.compute(new Float32Array(4))],
   [
     'badInput',
@@ -313,6 +358,13 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
       ]),
   ],
   ['badInput', 'Circle 0 does not have three numbers x, y and r.', () => l.compute?.([0, 0, 1])],
+  ...[
+    ['0', 0, 1],
+    [0, '0', 1],
+    [0, 0, '1'],
+  ].map(
+    (circle) => ['badInput', 'Circle 0 does not have three numbers x, y and r.', () => l.compute?.([circle])] as const,
+  ),
 ]
 
 describe('is refused with a sentence', () => {

@@ -624,6 +624,20 @@ describe('fitted areas', () => {
     }
   })
 
+  it('take as many steps as the module can count, and no number beyond', () => {
+    const fitted = (maxSteps: number) =>
+      fitAreas(
+        [
+          [1, 1],
+          [8, 8],
+        ],
+        [1, 1],
+        { region: hall, shares: true, maxSteps },
+      )
+    expect(fitted(2 ** 31 - 1).error).toBeLessThan(1e-9)
+    expect(problemOf(() => fitted(2 ** 31))).toBe('badOption: maxSteps is a whole number, not 2147483648.')
+  })
+
   it('stop before the next step when their signal says so', () => {
     const sites = circles(20, 8)
     const areas = sites.map(() => 72 / 20)

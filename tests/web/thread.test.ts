@@ -2,9 +2,10 @@
 // Both ends of a thread: how it is started, in Node and in a browser, and what it answers.
 import { readFileSync } from 'node:fs'
 import { afterEach, describe, expect, it, vi } from 'vitest'
+import type { Diagram } from '../../web/lib/index.ts'
 import { answerRequests } from '../../web/lib/threads/answer-requests.ts'
 import { startThread } from '../../web/lib/threads/thread.ts'
-import type { ComputeRequest, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
+import type { ComputeRequest, EditorCalls, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -182,15 +183,31 @@ describe('what a thread answers', () => {
   function answering() {
     const said: [reply: Reply, transfer: ArrayBuffer[] | undefined][] = []
     const port = {
-      onmessage: (_: { data: Start | Request }): unknown => undefined,
+      onmessage: (_: { data: Start | Request | EditorCalls }): unknown => undefined,
       postMessage: (reply: Reply, transfer?: ArrayBuffer[]) => said.push([reply, transfer]),
     }
     const original = process.getBuiltinModule
     vi.spyOn(process, 'getBuiltinModule').mockImplementation(((name: string) =>
       name === 'node:worker_threads' ? { parentPort: port } : original(name)) as typeof original)
     answerRequests()
-    return { said, port, ask: (data: Start | Request) => port.onmessage({ data }) }
+    return { said, port, ask: (data: Start | Request | EditorCalls) => port.onmessage({ data }) }
   }
+
+  it('is what came of each call of an editor, with the memory of its snapshots', async () => {
+    const { said, ask } = answering()
+    await ask({ module: await module })
+    const circle = [20, 0, 1]
+    const methods = [['edit', THREE], ['insert', circle], ['remove', 7], ['size'], ['snapshot']] as const
+    await ask({ calls: methods.map(([method, ...args]) => ({ method, args })) })
+    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
+    if (!('results' in reply)) throw new Error('They are no results.')
+    const values = reply.results.map((result) => ('value' in result ? result.value : result.error.code))
+    expect(values.slice(0, 4)).toEqual([undefined, expect.anything(), 'unknownCircle', 4])
+    const snapshot = values[4] as Diagram
+    expect(snapshot.circles).toEqual(Float64Array.of(...THREE, ...circle))
+    expect(transfer).toContain(snapshot.circles.buffer)
+    expect(transfer).toContain(snapshot.edges.buffer)
+  })
 
   it('is the diagram, with the memory of all its arrays', async () => {
     const { said, ask } = answering()

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import fc from 'fast-check'
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import createModule from '../../web/lib/generated/circle-voronoi.js'
 import { type Diagram, NONE, TRACE_KINDS, type Trace, type TraceState } from '../../web/lib/index.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
+import { Editor } from '../../web/lib/wasm/module-editor.ts'
 import { instantiate } from '../../web/lib/wasm/wasm.ts'
 import { library, seededRandom } from './library.ts'
 
@@ -195,6 +196,18 @@ describe('a trace', () => {
       expect(faces.every((event) => event > round)).toBe(true)
     }
     expect(begun).toHaveLength(2)
+  })
+
+  it('disposes of its editor, also where the edits are refused', () => {
+    const dispose = vi.spyOn(Editor.prototype, 'dispose')
+    try {
+      library.trace([[0, 0, 1]], { edits: [] })
+      expect(dispose).toHaveBeenCalledTimes(1)
+      expect(() => library.trace([[0, 0, 1]], { edits: [{ kind: 'remove', id: 7 }] })).toThrow('no circle')
+      expect(dispose).toHaveBeenCalledTimes(2)
+    } finally {
+      dispose.mockRestore()
+    }
   })
 
   it('refuses what makes no sense', () => {

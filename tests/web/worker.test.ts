@@ -299,7 +299,9 @@ describe('a fit in a worker', async () => {
   it('that does not converge has the weights that it reached', async () => {
     const fit = worker.fitAreas(SITES, [4, 12], { region: square })
     const error = { code: 'notConverged', circle: undefined, message: 'No.', weights: Float64Array.of(0, 1) } as const
-    ;(await asked(1)).say({ error })
+    const thread = await asked(1)
+    expect(thread.requests[0]).toMatchObject({ tellsProgress: false })
+    thread.say({ error })
     expect(await reasonOf(fit)).toMatchObject({ code: 'notConverged', message: 'No.', weights: error.weights })
   })
 
