@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { movedApart } from '../../web/lib/curves/bisector.ts'
 import { reversed, segment } from '../../web/lib/curves/curve.ts'
 import {
   type BoundedCurve,
@@ -98,6 +99,14 @@ describe('bisector', () => {
     const branch = bisector(Float64Array.of(0, 0, 1, 0.5, 0, 0.5), 0, 1)
     expect(branch.b).toBeGreaterThan(0)
     expect(Number.isFinite(parameterAt(branch, 2, 0))).toBe(true)
+  })
+
+  it('stays where it is, if it is straight, when circles too near to tell apart are moved apart', () => {
+    const near = bisector(Float64Array.of(0, 0, 0, 2 ** -1000, 0, 0), 0, 1)
+    const apart = movedApart(near, 1)
+    expect(apart.unit).toBeGreaterThan(near.unit)
+    expect(apart.unit * apart.apex).toBe(near.unit * near.apex)
+    expect(movedApart(near, 2 ** -1000)).toBe(near)
   })
 
   it('tells the sides of a needle thinner than rounding apart', () => {

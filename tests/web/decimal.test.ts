@@ -18,6 +18,14 @@ const numbers = fc.oneof(
 )
 
 describe('the text of a number with few digits', () => {
+  it('may be as long as it will, and of commands alone', () => {
+    const text = new DecimalText(2)
+    for (let k = 0; k < 40_000; k++) text.add('Z')
+    expect(`${text}`).toBe('Z'.repeat(40_000))
+    for (let k = 0; k < 9_000; k++) text.addNumber(12.25)
+    expect(`${text}`).toBe('Z'.repeat(40_000) + '12.25'.repeat(9_000))
+  })
+
   it('is the shortest of the number rounded', () => {
     fc.assert(
       fc.property(numbers, digits, (value, count) => {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { randomCircles } from '../../web/app/random-circles.ts'
-import { ConvexPolygon, convexHull, Diagram, type Point } from '../../web/lib/index.ts'
+import { ConvexPolygon, convexHull, Diagram, edgeAt, exportBox, type Point } from '../../web/lib/index.ts'
+import { exportTolerance } from '../../web/lib/regions/export-box.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink } from './recording-sink.ts'
@@ -83,6 +84,23 @@ describe.each(SETS)('%s', (_, circles) => {
   })
 })
 
+it('draws nothing of an arc beyond a side between its ends', () => {
+  // The edge of the first two circles bends around the first one, from x = -4 past its tip at x = 0.5 and back.
+  const diagram = library.compute([
+    [0, 0, 0],
+    [10, 0, 9],
+    [-8, 0, 0],
+  ])
+  const e = [0, 1, 2].find((e) => edgeAt(diagram, e).left + edgeAt(diagram, e).right === 1) as number
+  const reachOf = (maxX: number) => {
+    const sink = new RecordingSink()
+    diagram.edgePath(e, { context: sink, bounds: [-20, -30, maxX, 30] })
+    return Math.max(...sink.points.map(({ x }) => x))
+  }
+  expect(reachOf(20)).toBeCloseTo(0.5, 2)
+  expect(reachOf(0.3)).toBeLessThanOrEqual(0.3 + 1e-9)
+})
+
 it('draws the same curve when magnified ten million times', () => {
   const circles = dataSet('introduction')
   const diagram = library.compute(circles)
@@ -157,6 +175,19 @@ describe('an SVG path', () => {
 
   it('of one circle is the default box, with room for a twentieth', () => {
     expect(library.compute(Float64Array.of(1, 2, 10)).cellPath(0)).toBe('M-10,-9L12,-9L12,13L-10,13L-10,-9Z')
+  })
+
+  it('of points at one place is within a box around it', () => {
+    expect(exportBox(Float64Array.of(3, 4, 0))).toEqual({ minX: 2, minY: 3, maxX: 4, maxY: 5 })
+    expect(exportBox(new Float64Array())).toEqual({ minX: 0, minY: 0, maxX: 1, maxY: 1 })
+    // A margin of a twentieth would be lost by rounding.
+    const far = exportBox(Float64Array.of(1e18, 0, 1))
+    expect([far.minX < 1e18 - 1, far.maxX > 1e18 + 1]).toEqual([true, true])
+  })
+
+  it('errs by a hundred-thousandth of the longer side of the box', () => {
+    expect(exportTolerance({ minX: 0, minY: 0, maxX: 10, maxY: 1 })).toBeCloseTo(1e-4, 15)
+    expect(exportTolerance({ minX: 0, minY: 0, maxX: 1, maxY: 10 })).toBeCloseTo(1e-4, 15)
   })
 
   it('of a hidden circle, or of no circles, is empty', () => {

@@ -2,6 +2,7 @@
 // Circles a power of two times as large have the same diagram and geometry, bit for bit, times that power: from the
 // smallest to the largest numbers that `compute` takes.
 import { describe, expect, it } from 'vitest'
+import { unitFor } from '../../web/lib/base/scale.ts'
 import {
   type Box,
   clearestPath,
@@ -140,6 +141,11 @@ describe.each([-900, -700, -400, -255, 255, 300, 498])('2^%d times as large', (e
       expect(wrong).toBe(-1)
     }
   })
+})
+
+it('the unit of a size is 1 unless products of sizes could overflow, and for no size', () => {
+  expect([1, 2 ** 199, 2 ** -199, 0, Number.POSITIVE_INFINITY, Number.NaN].map(unitFor)).toEqual([1, 1, 1, 1, 1, 1])
+  expect([1.5 * 2 ** 200, 1.5 * 2 ** -201, 2 ** -1074].map(unitFor)).toEqual([2 ** 200, 2 ** -201, 2 ** -1074])
 })
 
 describe('the cells of circles with anything between their sizes', () => {

@@ -135,6 +135,8 @@ describe('parts that do not fit together', () => {
         false,
       )
     }
+    const mirrored = vertexCircles.map((_, k) => vertexCircles[k + 2 - 2 * (k % 3)] as number)
+    expect(isLinked({ vertexCircles: mirrored as typeof vertexCircles })).toBe(false)
     for (let e = 0; e < edges.length; e += 4) {
       const swapped = edges.slice()
       swapped.set([edges[e + 1] as number, edges[e] as number], e)
