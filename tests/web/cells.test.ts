@@ -3,12 +3,14 @@
 import { Delaunay } from 'd3-delaunay'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { reversed } from '../../web/lib/curves/curve.ts'
 import {
   type Bounds,
   type Box,
   ConvexPolygon,
   clipCurve,
   type Diagram,
+  edgeAt,
   edgeCurve,
   NONE,
   type Point,
@@ -314,6 +316,21 @@ describe('clip', () => {
         }
       }),
     )
+  })
+
+  it('leaves an edge in one piece that begins or ends on a side', () => {
+    // The vertex is the middle of the longest side of a right triangle, and the tip of the edge that begins there.
+    const diagram = library.compute(Float64Array.of(0, 0, 0, 2, 0, 0, 0, 2, 0))
+    const e = [0, 1, 2].find((e) => edgeAt(diagram, e).left + edgeAt(diagram, e).right === 3) as number
+    const curve = edgeCurve(diagram, e)
+    for (const given of [curve, reversed(curve)]) {
+      const pieces = clipCurve(given, { bounds: { minX: 1, minY: 0, maxX: 3, maxY: 4 } })
+      expect(pieces).toHaveLength(1)
+      const xs = pieces.flatMap(({ start, end }) => [start.x, end.x]).sort()
+      expect(xs[0]).toBeCloseTo(1, 12)
+      expect(xs[1]).toBeCloseTo(3, 12)
+      expect(clipCurve(given, { bounds: { minX: -1, minY: -1, maxX: 1, maxY: 4 } })).toEqual([])
+    }
   })
 
   it('cuts an arc that leaves and comes back into two', () => {
