@@ -2,6 +2,7 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { movedApart } from '../../web/lib/curves/bisector.ts'
+import { carlson } from '../../web/lib/curves/carlson.ts'
 import { reversed, segment } from '../../web/lib/curves/curve.ts'
 import {
   type BoundedCurve,
@@ -309,4 +310,14 @@ describe('arcLength', () => {
       { numRuns: 30 },
     )
   })
+})
+
+it("Carlson's integrals of an arc are right to rounding, for half angles from 0.3 to nearly a quarter turn", () => {
+  for (let h = 0.3; h < 1.57; h += 0.01) {
+    const [sine, cosine] = [Math.sin(h), Math.cos(h)]
+    const [first, second] = carlson(cosine, 1, 1)
+    // DLMF 19.25: h = sin h R_F, h - sin h cos h = 2 / 3 sin^3 h R_D.
+    expect(Math.abs((sine * first) / h - 1)).toBeLessThan(2e-15)
+    expect(Math.abs(((2 / 3) * sine ** 3 * second) / (h - sine * cosine) - 1)).toBeLessThan(1e-14)
+  }
 })
