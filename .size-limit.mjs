@@ -49,7 +49,7 @@ export default [
     limit: '251.5 kB',
     path: ['dist/element/index.js', 'dist/element/painter.js', `${LIB}/generated/circle-voronoi.wasm`],
     // What the first figure does not need is fetched when asked for.
-    ignore: ['circle-voronoi', 'player', 'german', 'svg-drawing', 'link'].map((name) => `./${name}-*`),
+    ignore: ['circle-voronoi', 'player', 'german', 'link'].map((name) => `./${name}-*`),
     gzip: true,
     modifyEsbuildConfig: (config) => ({ ...config, format: 'esm', splitting: true, loader: { '.wasm': 'copy' } }),
   },

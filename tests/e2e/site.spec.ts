@@ -141,6 +141,8 @@ test.describe('kept by the browser', () => {
       await page.reload()
       await expect(page).toHaveTitle(/^Next/)
       await expect(app.status).toContainText('edges')
+      // The page opens the panel again that was open.
+      await expect(page.getByLabel('Open …')).toBeVisible()
       await openFile(app, 'two.csv', '0,0,1\n6,0,1\n')
       await expect(app.status).toContainText('2 circles')
 

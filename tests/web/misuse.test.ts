@@ -437,6 +437,20 @@ describe('circles', () => {
     expect(library.compute(circles()).edges).toEqual(diagram.edges)
   })
 
+  it('are those of data as it is while three functions go through it', () => {
+    const data = [1, 2, 3, 4, 5, 6]
+    const found = library.from(
+      data,
+      (x, i) => {
+        if (i === 1) data.length = 3
+        return 9 * x
+      },
+      () => 0,
+      () => 1,
+    )
+    expect([...found.circles]).toEqual([9, 0, 1, 18, 0, 1, 27, 0, 1])
+  })
+
   it('may be found in data by three functions', () => {
     const cities = [
       { name: 'a', at: [0, 0], size: 1 },

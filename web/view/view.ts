@@ -15,6 +15,7 @@ import {
 } from './overlay.ts'
 import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
+import { SvgDrawing, svgOf } from './painter/svg-drawing.ts'
 import type { Answer, Edited, Painter, PainterScene } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, Found, Marks, Questions, Touching, Trial } from './protocol.ts'
@@ -318,7 +319,6 @@ export class View {
     const frame = { ...camera, width, height }
     const elements = await this.#scene.ask('svg', frame, 1, this.#style)
     if (elements === undefined) throw notDrawn()
-    const { SvgDrawing, svgOf } = await import('./painter/svg-drawing.ts')
     const above = new SvgDrawing()
     this.#drawAbove(above, frame, 1)
     return svgOf(width, height, [elements, String(above)])

@@ -105,8 +105,8 @@ bool repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& j
   return true;
 }
 
-/// Flips a dual, repairs it if `mayRepair`, judges it, and tells all that. Does not judge it if too much is left to
-/// repair.
+/// Flips a dual, repairs it if `mayRepair`, judges it, and tells the observer of each change. The dual is not judged if
+/// too much is left to repair.
 Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceTeller& teller, Journal& journal,
                          Threads threads) {
   teller.tellChanges();
@@ -174,7 +174,7 @@ constexpr std::int64_t kMostAngularSamples = 4'000'000;
 
 constexpr std::size_t kLargestPatch = 256;
 
-/// In how many random orders circles are inserted: where a near tie misleads one of them, most others are right.
+/// The number of random orders of insertion that are tried. If a near tie misleads one order, most others are right.
 constexpr std::uint64_t kOrders = 9;
 
 /// A dual, and what is known of its proof.

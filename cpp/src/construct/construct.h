@@ -35,13 +35,13 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
 /// Flips from the Delaunay triangulation of the centers, judged.
 Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads);
 
-/// The certified dual of a few circles, none of which hides another: by insertion, in another order if the
-/// first is not certified. Nothing if they are too many, or no order is certified.
+/// Returns the certified dual of a few circles, none of which hides another. It is built by insertion, in another order
+/// if the first dual is not certified. Returns nothing if there are too many circles, or no dual is certified.
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts);
 
-/// The first that leads to a certified dual: flips, with local repair where they leave little wrong; insertion,
-/// in a few random orders. If none does, the last one, with its verdict. Uses up the triangulation of the sites, which
-/// flips change in place.
+/// Returns the first certified dual of these: by flips, with local repair if they leave little wrong, and then by
+/// insertion in a few random orders. If none is certified, returns the last one, with its verdict. Uses up the
+/// triangulation of the sites, which flips change in place.
 Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal,
                                     Threads threads = Threads());
 

@@ -33,7 +33,8 @@ std::vector<int> orderInRounds(std::size_t count) {
   return order;
 }
 
-/// For seed 0 that in rounds, which is the fastest; for others a shuffle, as rounds of few circles differ little.
+/// Returns the order of insertion for a seed. Seed 0 gives the order in rounds, which is the fastest. Other seeds
+/// shuffle the circles, because rounds of few circles would hardly differ.
 std::vector<int> insertionOrder(std::size_t count, std::uint64_t seed) {
   std::vector<int> order = orderInRounds(count);
   if (seed != 0) {

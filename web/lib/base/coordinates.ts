@@ -55,21 +55,17 @@ export function coordinatesFrom<Datum>(
   ) {
     refuse(`The circles are neither a typed array nor a list, but ${shown(data)}.`)
   }
-  const list = Array.isArray(data) ? (data as readonly Datum[]) : [...data]
-  const numbers = new Float64Array(3 * list.length)
-  for (let i = 0; i < list.length; i++) {
-    const datum = list[i] as Datum
-    const x: unknown = fx(datum, i, data)
-    const y: unknown = fy(datum, i, data)
-    const r: unknown = fr(datum, i, data)
+  const numbers: number[] = []
+  let i = 0
+  for (const datum of data) {
+    const [x, y, r]: readonly unknown[] = [fx(datum, i, data), fy(datum, i, data), fr(datum, i, data)]
     if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
       refuse(`Circle ${i} does not have three numbers x, y and r.`, i)
     }
-    numbers[3 * i] = x
-    numbers[3 * i + 1] = y
-    numbers[3 * i + 2] = r
+    numbers.push(x, y, r)
+    i += 1
   }
-  return numbers
+  return new Float64Array(numbers)
 }
 
 /** The accessors of an object or an array; of anything else nothing, which is refused. */

@@ -27,7 +27,7 @@ export function circleAt(circles: Float64Array, i: number): Circle {
   return circleOf(circles, i)
 }
 
-/** The same of checked arguments. */
+/** Does what `circleAt` does, for arguments that have been checked. */
 export function circleOf(circles: Float64Array, i: number): Circle {
   return { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) }
 }
@@ -47,7 +47,7 @@ export function vertexAt(diagram: DiagramData, v: number): Vertex {
   return vertexOf(diagram, v)
 }
 
-/** The same of checked arguments. */
+/** Does what `vertexAt` does, for arguments that have been checked. */
 export function vertexOf({ vertices }: DiagramData, v: number): Vertex {
   return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), r: at(vertices, 3 * v + 2) }
 }
@@ -68,7 +68,7 @@ export function edgeAt(diagram: DiagramData, e: number): Edge {
   return edgeOf(diagram, e)
 }
 
-/** The same of checked arguments. */
+/** Does what `edgeAt` does, for arguments that have been checked. */
 export function edgeOf({ edges }: DiagramData, e: number): Edge {
   return {
     left: at(edges, 4 * e),

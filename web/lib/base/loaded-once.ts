@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Loads what `load` loads once, with the first arguments. What fails is tried again when it is asked for again. */
+/** Returns a function that calls `load` once, with its first arguments. After a failure, the next call tries again. */
 export function loadedOnce<Args extends readonly unknown[], Loaded>(
   load: (...args: Args) => Promise<Loaded>,
 ): (...args: Args) => Promise<Loaded> {

@@ -21,7 +21,7 @@ export function distanceFrom(diagram: DiagramData, circle: number, x: number, y:
   return distanceOf(diagram, circle, x, y)
 }
 
-/** The same of checked arguments. */
+/** Does what `distanceFrom` does, for arguments that have been checked. */
 export function distanceOf({ circles, metric }: DiagramData, circle: number, x: number, y: number): number {
   const toCenter = hypotenuse(x - at(circles, 3 * circle), y - at(circles, 3 * circle + 1))
   const r = at(circles, 3 * circle + 2)

@@ -133,7 +133,7 @@ export function traceArc(
   addArc(sink, curve, tolerance)
 }
 
-/** The same of checked arguments. */
+/** Does what `traceArc` does, for arguments that have been checked. */
 export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: BoundedCurve, tolerance: number): void {
   const { bisector, to: last } = curve
   let { from, start } = curve
@@ -195,7 +195,7 @@ export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   return polylineOf(curve, tolerance)
 }
 
-/** The same of checked arguments. */
+/** Does what `polyline` does, for arguments that have been checked. */
 export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, from: first, to, start, end } = curve
   if (isNearlyStraight(bisector.a, first, to, tolerance / bisector.unit)) return [start, end]

@@ -77,7 +77,7 @@ export function bisector(circles: Float64Array, left: number, right: number, met
   return bisectorOf(circles, left, right, metric)
 }
 
-/** The same of checked arguments. */
+/** Does what `bisector` does, for arguments that have been checked. */
 export function bisectorOf(circles: Float64Array, left: number, right: number, metric: Metric): Bisector {
   return measureBisector(blankBisector(), circles, left, right, metric)
 }
@@ -147,7 +147,7 @@ export function pointAt(bisector: Bisector, s: number): Point {
   return pointOf(bisector, s)
 }
 
-/** The same of checked arguments. */
+/** Does what `pointAt` does, for arguments that have been checked. */
 export function pointOf(bisector: Bisector, s: number): Point {
   const { apex, a, b } = bisector
   return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
@@ -174,7 +174,7 @@ export function parameterAt(bisector: Bisector, x: number, y: number): number {
   return parameterOf(bisector, x, y)
 }
 
-/** The same of checked arguments. */
+/** Does what `parameterAt` does, for arguments that have been checked. */
 export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const { origin, unit, across, apex, a, b } = bisector
   const dx = (x - origin.x) / unit

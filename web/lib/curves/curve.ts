@@ -73,7 +73,7 @@ export function edgeCurve(diagram: DiagramData, edge: number): EdgeCurve {
   return curveOf(diagram, edge)
 }
 
-/** The same of checked arguments. `room`: what becomes the bisector and the ends. */
+/** Does what `edgeCurve` does, for arguments that have been checked. `room` holds the bisector and the ends of the result. */
 export function curveOf(
   { circles, metric, vertices, edges }: DiagramData,
   edge: number,
@@ -102,8 +102,9 @@ const room = roomForCurve()
 let borrowers = 0
 
 /**
- * Borrows the curve of a side, with its cell on the left but for `left` and `right`, until `returnCurve`. Its objects are
- * reused, because drawing needs each curve once. A context that draws another cell from its own callbacks gets new ones.
+ * Borrows the curve of a side, with its cell on the left, until `returnCurve`. Only `left` and `right` of its bisector are
+ * those of the edge. The objects of the curve are reused, because drawing needs each curve once. A context that draws another
+ * cell from its own callbacks gets new objects.
  */
 export function borrowCurve(diagram: DiagramData, side: number): EdgeCurve {
   const curve = curveOf(diagram, side >> 1, borrowers === 0 ? room : roomForCurve())

@@ -33,7 +33,7 @@ export function outlineArea(outline: Outline): number {
   return areaOf(outline)
 }
 
-/** The same of checked arguments. */
+/** Does what `outlineArea` does, for arguments that have been checked. */
 export function areaOf(outline: Outline): number {
   const unit = unitFor(extentOf(outline))
   return momentsOf(outline, unit).area * unit * unit
@@ -54,7 +54,7 @@ export function outlineCentroid(outline: Outline): Point {
   return centroidOf(outline)
 }
 
-/** The same of checked arguments. */
+/** Does what `outlineCentroid` does, for arguments that have been checked. */
 export function centroidOf(outline: Outline): Point {
   const reference = referenceOf(outline)
   const extent = extentOf(outline)
@@ -85,7 +85,7 @@ export function outlinePerimeter(outline: Outline): number {
   return perimeterOf(outline)
 }
 
-/** The same of checked arguments. */
+/** Does what `outlinePerimeter` does, for arguments that have been checked. */
 export function perimeterOf(outline: Outline): number {
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
 }
@@ -110,7 +110,7 @@ export function curveLength(curve: BoundedCurve): number {
   return lengthOfCurve(curve)
 }
 
-/** The same of a checked argument. */
+/** Does what `curveLength` does, for arguments that have been checked. */
 function lengthOfCurve({ bisector, from, to, start, end }: BoundedCurve): number {
   const { unit, a, b } = bisector
   const chord = lengthOf(between(start, end))

@@ -15,7 +15,7 @@ export interface SharedPiece extends OutlinePiece {
   readonly forward: BoundedCurve
 }
 
-/** The same of checked arguments. */
+/** Does what `Diagram.cellOutline` does, for arguments that have been checked. */
 export function outlineOf(cells: Cells, circle: number, limits: Limits): readonly (readonly SharedPiece[])[] {
   if (!cells.exists(circle)) return []
   const { region, maxDistance } = limits
