@@ -25,20 +25,20 @@
 namespace circle_voronoi {
 namespace {
 
-using Circles = std::span<const Circle>;
+using CircleSpan = std::span<const Circle>;
 
 template <class Item>
 Item& pick(std::vector<Item>& items, Random& random) {
   return items[random.below(items.size())];
 }
 
-std::int32_t anyCircle(Circles circles, Random& random) {
+std::int32_t anyCircle(CircleSpan circles, Random& random) {
   return static_cast<std::int32_t>(random.below(circles.size()));
 }
 
 // Each corrupts a diagram; false: there is nothing in it that could be corrupted this way.
 
-bool flipEdges(Diagram& diagram, Circles circles, Random& random) {
+bool flipEdges(Diagram& diagram, CircleSpan circles, Random& random) {
   if (diagram.edges.empty()) return false;
   Dual dual = test::dualOf(diagram, circles.size());
   if (test::flipRandomEdges(dual, 1 + static_cast<int>(random.below(6)), random) == 0) return false;
@@ -46,14 +46,14 @@ bool flipEdges(Diagram& diagram, Circles circles, Random& random) {
   return true;
 }
 
-bool replaceCircleOfVertex(Diagram& diagram, Circles circles, Random& random) {
+bool replaceCircleOfVertex(Diagram& diagram, CircleSpan circles, Random& random) {
   if (diagram.vertices.empty()) return false;
   CircleIndex& index = pick(diagram.vertexCircles, random)[random.below(3)];
   const std::int32_t other = anyCircle(circles, random);
   return other != std::exchange(index, other);
 }
 
-bool turnTripleRound(Diagram& diagram, Circles circles, Random& random) {
+bool turnTripleRound(Diagram& diagram, CircleSpan circles, Random& random) {
   if (diagram.vertices.empty()) return false;
   const std::size_t vertex = random.below(diagram.vertices.size());
   auto& [i, j, k] = diagram.vertexCircles[vertex];
@@ -62,7 +62,7 @@ bool turnTripleRound(Diagram& diagram, Circles circles, Random& random) {
   return true;
 }
 
-bool indexOutOfRange(Diagram& diagram, Circles circles, Random& random) {
+bool indexOutOfRange(Diagram& diagram, CircleSpan circles, Random& random) {
   const std::int32_t index = random.below(2) == 0 ? -7 : static_cast<std::int32_t>(circles.size());
   std::vector<CircleIndex*> all;
   for (auto& triple : diagram.vertexCircles) {
@@ -75,33 +75,33 @@ bool indexOutOfRange(Diagram& diagram, Circles circles, Random& random) {
   return true;
 }
 
-bool vertexOutOfRange(Diagram& diagram, Circles, Random& random) {
+bool vertexOutOfRange(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   Edge& edge = pick(diagram.edges, random);
   (random.below(2) == 0 ? edge.start : edge.end) = static_cast<std::int32_t>(diagram.vertices.size());
   return true;
 }
 
-bool forgetHidden(Diagram& diagram, Circles, Random& random) {
+bool forgetHidden(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.hidden.empty()) return false;
   diagram.hidden.erase(diagram.hidden.begin() + static_cast<std::ptrdiff_t>(random.below(diagram.hidden.size())));
   return true;
 }
 
-bool hideTwice(Diagram& diagram, Circles, Random& random) {
+bool hideTwice(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.hidden.empty()) return false;
   diagram.hidden.push_back(pick(diagram.hidden, random));
   return true;
 }
 
-bool replaceHider(Diagram& diagram, Circles circles, Random& random) {
+bool replaceHider(Diagram& diagram, CircleSpan circles, Random& random) {
   if (diagram.hidden.empty()) return false;
   HiddenCircle& hidden = pick(diagram.hidden, random);
   const std::int32_t other = anyCircle(circles, random);
   return other != hidden.circle && other != std::exchange(hidden.by, other);
 }
 
-bool hideVisible(Diagram& diagram, Circles, Random& random) {
+bool hideVisible(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   const Edge& edge = pick(diagram.edges, random);
   diagram.hidden.push_back({edge.left, edge.right});
@@ -109,7 +109,7 @@ bool hideVisible(Diagram& diagram, Circles, Random& random) {
 }
 
 /// Takes a hidden circle from the list and gives it a cell between others.
-bool showHidden(Diagram& diagram, Circles circles, Random& random) {
+bool showHidden(Diagram& diagram, CircleSpan circles, Random& random) {
   if (diagram.hidden.empty() || diagram.edges.empty()) return false;
   const std::size_t place = random.below(diagram.hidden.size());
   const auto [circle, by] = diagram.hidden[place];
@@ -130,7 +130,7 @@ bool showHidden(Diagram& diagram, Circles circles, Random& random) {
   return true;
 }
 
-bool duplicateVertex(Diagram& diagram, Circles, Random& random) {
+bool duplicateVertex(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.vertices.empty()) return false;
   const std::size_t vertex = random.below(diagram.vertices.size());
   diagram.vertices.push_back(Vertex(diagram.vertices[vertex]));
@@ -138,13 +138,13 @@ bool duplicateVertex(Diagram& diagram, Circles, Random& random) {
   return true;
 }
 
-bool dropVertex(Diagram& diagram, Circles, Random&) {
+bool dropVertex(Diagram& diagram, CircleSpan, Random&) {
   if (diagram.vertices.empty()) return false;
   diagram.vertices.pop_back();
   return true;
 }
 
-bool crossEdges(Diagram& diagram, Circles, Random& random) {
+bool crossEdges(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.size() < 2) return false;
   VertexIndex& i = pick(diagram.edges, random).end;
   VertexIndex& j = pick(diagram.edges, random).end;
@@ -153,51 +153,51 @@ bool crossEdges(Diagram& diagram, Circles, Random& random) {
   return true;
 }
 
-bool dropEdge(Diagram& diagram, Circles, Random& random) {
+bool dropEdge(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   diagram.edges.erase(diagram.edges.begin() + static_cast<std::ptrdiff_t>(random.below(diagram.edges.size())));
   return true;
 }
 
-bool repeatEdge(Diagram& diagram, Circles, Random& random) {
+bool repeatEdge(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   diagram.edges.push_back(Edge(pick(diagram.edges, random)));
   return true;
 }
 
-bool swapEnds(Diagram& diagram, Circles, Random& random) {
+bool swapEnds(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   Edge& edge = pick(diagram.edges, random);
   std::swap(edge.start, edge.end);
   return edge.start != edge.end;
 }
 
-bool swapSides(Diagram& diagram, Circles, Random& random) {
+bool swapSides(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   Edge& edge = pick(diagram.edges, random);
   std::swap(edge.left, edge.right);
   return edge.start != edge.end;
 }
 
-bool reverseHull(Diagram& diagram, Circles, Random&) {
+bool reverseHull(Diagram& diagram, CircleSpan, Random&) {
   if (diagram.hull.size() < 3) return false;
   std::ranges::reverse(diagram.hull);
   return true;
 }
 
-bool dropFromHull(Diagram& diagram, Circles, Random& random) {
+bool dropFromHull(Diagram& diagram, CircleSpan, Random& random) {
   diagram.hull.erase(diagram.hull.begin() + static_cast<std::ptrdiff_t>(random.below(diagram.hull.size())));
   return true;
 }
 
-bool swapInHull(Diagram& diagram, Circles, Random& random) {
+bool swapInHull(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.hull.size() < 3) return false;
   std::swap(pick(diagram.hull, random), pick(diagram.hull, random));
   return true;
 }
 
 /// Where a circle is on the hull three times, what lies between two visits changes places: the steps stay the same.
-bool swapLoopsOfHull(Diagram& diagram, Circles, Random&) {
+bool swapLoopsOfHull(Diagram& diagram, CircleSpan, Random&) {
   std::map<std::int32_t, std::vector<std::ptrdiff_t>> visits;
   for (std::size_t i = 0; i < diagram.hull.size(); ++i)
     visits[diagram.hull[i]].push_back(static_cast<std::ptrdiff_t>(i));
@@ -210,7 +210,7 @@ bool swapLoopsOfHull(Diagram& diagram, Circles, Random&) {
   return false;
 }
 
-bool moveVertex(Diagram& diagram, Circles circles, Random& random) {
+bool moveVertex(Diagram& diagram, CircleSpan circles, Random& random) {
   if (diagram.vertices.empty()) return false;
   const std::size_t vertex = random.below(diagram.vertices.size());
   Vertex& v = diagram.vertices[vertex];
@@ -222,7 +222,7 @@ bool moveVertex(Diagram& diagram, Circles circles, Random& random) {
   return true;
 }
 
-bool changeRadius(Diagram& diagram, Circles, Random& random) {
+bool changeRadius(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.vertices.empty()) return false;
   Vertex& v = pick(diagram.vertices, random);
   v.r = v.r == 0 ? 1 : -v.r;
@@ -230,7 +230,7 @@ bool changeRadius(Diagram& diagram, Circles, Random& random) {
 }
 
 /// The disc that touches the same circles clockwise.
-bool moveVertexToOtherDisc(Diagram& diagram, Circles circles, Random& random) {
+bool moveVertexToOtherDisc(Diagram& diagram, CircleSpan circles, Random& random) {
   std::vector<std::pair<std::size_t, Vertex>> others;
   for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
     const auto& [i, j, k] = diagram.vertexCircles[vertex];
@@ -242,14 +242,14 @@ bool moveVertexToOtherDisc(Diagram& diagram, Circles circles, Random& random) {
   return true;
 }
 
-bool makeVertexInfinite(Diagram& diagram, Circles, Random& random) {
+bool makeVertexInfinite(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.vertices.empty()) return false;
   Vertex& v = pick(diagram.vertices, random);
   v.x = random.below(2) == 0 ? std::nan("") : HUGE_VAL;
   return true;
 }
 
-bool exchangeNextSides(Diagram& diagram, Circles, Random& random) {
+bool exchangeNextSides(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   SideIndex& i = pick(diagram.links.nextSide, random);
   SideIndex& j = pick(diagram.links.nextSide, random);
@@ -258,21 +258,21 @@ bool exchangeNextSides(Diagram& diagram, Circles, Random& random) {
   return true;
 }
 
-bool turnSidesOfVertex(Diagram& diagram, Circles, Random& random) {
+bool turnSidesOfVertex(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.vertices.empty()) return false;
   auto& sides = pick(diagram.links.vertexSides, random);
   std::rotate(sides.begin(), sides.begin() + 1, sides.end());
   return true;
 }
 
-bool replaceFirstSide(Diagram& diagram, Circles, Random& random) {
+bool replaceFirstSide(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.edges.empty()) return false;
   SideIndex& first = pick(diagram.links.firstSide, random);
   const SideIndex other = static_cast<std::int32_t>(random.below(2 * diagram.edges.size()));
   return other != std::exchange(first, other);
 }
 
-bool forgetSides(Diagram& diagram, Circles, Random&) {
+bool forgetSides(Diagram& diagram, CircleSpan, Random&) {
   if (diagram.edges.empty()) return false;
   diagram.links.nextSide.clear();
   diagram.links.vertexSides.clear();
@@ -282,7 +282,7 @@ bool forgetSides(Diagram& diagram, Circles, Random&) {
 
 struct Corruption {
   std::string_view name;
-  bool (*apply)(Diagram&, Circles, Random&);
+  bool (*apply)(Diagram&, CircleSpan, Random&);
   std::set<Flaw> expected;
   bool isOfSides = false;  ///< of how they are linked; after others they are linked anew, as far as they can be
 };
@@ -328,7 +328,7 @@ struct Outcome {
   std::map<Flaw, int> flaws;
 };
 
-std::string whatIsWrong(const Diagram& diagram, const Diagram& right, Circles circles, bool isDegenerate) {
+std::string whatIsWrong(const Diagram& diagram, const Diagram& right, CircleSpan circles, bool isDegenerate) {
   std::string problem = test::structureProblem(diagram, circles.size());
   if (!problem.empty()) return problem;
   return isDegenerate ? test::differenceAfterMerging(diagram, right, circles) : test::difference(diagram, right);

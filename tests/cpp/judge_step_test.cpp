@@ -16,8 +16,6 @@
 namespace circle_voronoi {
 namespace {
 
-using Verdict = StepVerdict;
-
 std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
   return buildState(circles, test::firstIds(circles.size()), false).value();
 }
@@ -57,7 +55,7 @@ TEST(JudgeStep, AgreesWithTheJudgeOfTheWhole) {
       }
       const bool isRight = isWholeRight(*state);
       if (isFlipped) {
-        EXPECT_EQ(judge.judge(*state, kNone) == Verdict::right, isRight) << family.name << ", trial " << trial;
+        EXPECT_EQ(judge.judge(*state, kNone) == StepVerdict::right, isRight) << family.name << ", trial " << trial;
         (isRight ? right : wrong) += 1;
       }
       state->takeBack(mark);
@@ -98,7 +96,7 @@ TEST(JudgeStep, SeesThatACircleHasMovedTooFar) {
           return inner;
         }());
       const bool isRight = isWholeRight(*state);
-      EXPECT_EQ(judge.judge(*state, slot) == Verdict::right, isRight) << family.name << ", trial " << trial;
+      EXPECT_EQ(judge.judge(*state, slot) == StepVerdict::right, isRight) << family.name << ", trial " << trial;
       (isRight ? right : wrong) += 1;
       state->takeBack(mark);
     }
@@ -116,12 +114,12 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
   StepJudge judge;
   EditState::Mark mark = state->beginStep();
   state->detach(inner);
-  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
   state->attach(inner, first);
-  EXPECT_EQ(judge.judge(*state, kNone), Verdict::right);
+  EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::right);
   state->detach(inner);
   state->attach(inner, second);
-  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
   state->takeBack(mark);
 
   // A circle taken away though it hides others.
@@ -130,16 +128,16 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
   ASSERT_TRUE(shrinker.takeOut(*state, first));
   --state->visibleCount;
   state->removeSite(first);
-  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
   state->takeBack(mark);
 
   // A visible circle that is not in the dual.
   mark = state->beginStep();
   state->detach(inner);
   state->isHidden[inner] = 0;
-  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
   ++state->visibleCount;
-  EXPECT_EQ(judge.judge(*state, kNone), Verdict::broken);
+  EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::broken);
   state->takeBack(mark);
   EXPECT_TRUE(isWholeRight(*state));
 }

@@ -45,8 +45,6 @@ const Options kWeights = [] {
 /// Two whose bisector bends around the first, and one that the second hides.
 const Circles kNegative = {{0, 0, -3}, {6, 0, -1}, {6.5, 0, -2}};
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 Circles withMore(Circles circles, double more) {
   for (Circle& c : circles) c.r += more;
   return circles;
@@ -67,7 +65,7 @@ Listed listed(const Diagram& diagram) {
   }
   for (const auto& [left, right, start, end] : diagram.edges) {
     const auto named = [&](VertexIndex v) {
-      return v == kNone ? std::array<CircleIndex, 3>{} : diagram.vertexCircles[at(v)];
+      return v == kNone ? std::array<CircleIndex, 3>{} : diagram.vertexCircles[static_cast<std::size_t>(v)];
     };
     const auto [a, b, c] = named(left < right ? start : end);
     const auto [d, e, f] = named(left < right ? end : start);
@@ -259,7 +257,7 @@ TEST(Weights, TheHullIsOfGrownCircles) {
   Circles circles = test::onDyadicGrid(generate(Family::logUniform, 100, 7));
   const Diagram known = compute(circles).value();
   double least = INFINITY;
-  for (const CircleIndex i : known.hull) least = std::min(least, circles[at(i)].r);
+  for (const CircleIndex i : known.hull) least = std::min(least, circles[static_cast<std::size_t>(i)].r);
   circles = withMore(circles, -least);
   const Circles weights = withMore(circles, -512);
   const Diagram diagram = compute(weights, kWeights).value();
