@@ -5,6 +5,7 @@ import {
   ConvexPolygon,
   convexHull,
   type Diagram,
+  distanceFrom,
   type Metric,
   NONE,
   outlineArea,
@@ -36,6 +37,12 @@ function areas(diagram: Diagram, region: ConvexPolygon): number[] {
 }
 
 describe.each(['circles', 'centers', 'power'] as const)('by %s', (metric) => {
+  it('distances are those of the metric', () => {
+    const diagram = computeComparison(Float64Array.of(0, 0, 2, 9, 1, 1), metric)
+    const distance = { circles: 3, centers: 5, power: 21 }[metric]
+    expect(distanceFrom(diagram, 0, 3, -4)).toBe(distance)
+  })
+
   it('cells are of what is nearest, and fill a box', () => {
     fc.assert(
       fc.property(anyCircles, unit, unit, (circles, across, up) => {

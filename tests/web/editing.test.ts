@@ -341,10 +341,11 @@ describe('Editing', () => {
   })
 
   it('cancels nothing of what came before a gesture that has done nothing', async () => {
-    const { editing, circles } = await started()
+    const { editing, circles, problems } = await started()
+    await editing.cancel(editing.beginGesture())
     await editing.edit(moved(1, 8))
     await editing.cancel(editing.beginGesture())
-    expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
+    expect([circles(), problems]).toEqual([[0, 0, 1, 8, 0, 1], []])
   })
 
   it('has the circles of the editor after any edits, undone and done again', async () => {

@@ -182,6 +182,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badArgument', 'clipCurve takes a curve, not undefined.', () => untyped(clipCurve)(undefined, box)],
   ['badArgument', 'polyline takes a curve, not undefined.', () => untyped(polyline)()],
   ['badArgument', 'pointAt takes a bisector, not undefined.', () => untyped(pointAt)()],
+  ['badArgument', 'pointAt takes a bisector, not "x".', () => untyped(pointAt)('x', 1)],
   [
     'badArgument',
     'bezierPointAt takes a rational Bezier curve, not undefined.',
@@ -380,10 +381,12 @@ describe('is refused with a sentence', () => {
   })
 
   it.each([largestEmptyDiscCenteredIn, largestEmptyDiscCenteredInHull, largestEmptyDiscInside])(
-    '%o of a power diagram',
+    '%o of a power diagram, and of what is no diagram',
     (query) => {
-      const ask = query as (diagram: Diagram, bounds: unknown) => unknown
+      const ask = query as (diagram: unknown, bounds: unknown) => unknown
       expect(() => ask(power, box)).toThrow(expect.objectContaining({ code: 'badArgument' }))
+      const says = `${query.name} takes a Diagram, not 5; new Diagram(data) makes one of plain data.`
+      expect(() => ask(5, box)).toThrow(says)
     },
   )
 
