@@ -259,6 +259,14 @@ TEST(Cells, AnEdgeMayTouchTheBoundary) {
   EXPECT_EQ(area(outline(diagram, 0, test::regionOf(Box{0, 0, 2, 2}))), 0);
 }
 
+TEST(Cells, OneFillsABoxWhoseCornerHasAllOtherCells) {
+  const std::vector<Circle> points = {
+      {9, 0, 0}, {0, 0, 0}, {-0x1.2cp-294, -0x1.2cp-294, 0}, {-0x1.2cp-502, 0x1.4p-505, 0}};
+  const Diagram diagram = diagramOf(points);
+  // Seen from the box, all edges meet in its corner.
+  expectPartition(diagram, test::regionOf(Box{-2.9e64, -2.2e64, 0, 0}));
+}
+
 /// The distance from the center of circle i at which its cell ends in a direction: where another circle becomes as
 /// near, for one at d from the center and with a radius larger by s at (d^2 - s^2) / (2 (d u + s)), or at the box.
 double reach(const std::vector<Circle>& circles, std::size_t i, Vector u, const Box& box) {

@@ -282,6 +282,13 @@ describe('the outline of a cell', () => {
       expect(outlineArea(diagram.cellOutline(i, { bounds: box })) > 0).toBe(diagram.cell(i) !== undefined)
     }
   })
+
+  it('fills a box whose corner has all other cells', () => {
+    const tiny = -300 * 2 ** -302
+    const tinier = [-300 * 2 ** -510, 160 * 2 ** -512]
+    const diagram = library.compute(Float64Array.of(9, 0, 0, 0, 0, 0, tiny, tiny, 0, ...tinier, 0))
+    expectPartition(diagram, { minX: -2.9e64, minY: -2.2e64, maxX: 0, maxY: 0 })
+  })
 })
 
 describe('clip', () => {

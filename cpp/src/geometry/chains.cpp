@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "scale.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -12,8 +14,9 @@ void append(std::vector<OutlinePiece>& loop, const Ring::Element& element) {
   loop.push_back({segment(element.start, element.end), kNone, kNone, element.r});
 }
 
-/// A place in one of the largest gaps between entries and exits: of several the one that is deepest inside or outside.
-/// One alone may lie on the boundary of both the ring and what is cut.
+/// Returns a place in one of the largest gaps between entries and exits: of several places the one that is deepest
+/// inside or outside. The largest gap alone may lie on the boundary of both the ring and what is cut. In a gap that is
+/// only rounding, it is not known on which side of the entry or exit a place is.
 double clearPlace(const Ring& ring, const std::vector<Chain>& chains, const std::function<double(Point)>& depth) {
   struct Gap {
     double size;
@@ -32,7 +35,7 @@ double clearPlace(const Ring& ring, const std::vector<Chain>& chains, const std:
   std::ranges::partial_sort(gaps, tried, std::ranges::greater(), &Gap::size);
   double best = -1;
   double place = 0;
-  for (auto gap = gaps.begin(); gap != tried; ++gap) {
+  for (auto gap = gaps.begin(); gap != tried && (gap == gaps.begin() || gap->size > kRounding * ring.total()); ++gap) {
     for (const double share : {0.5, 0.3, 0.8}) {
       const double ahead = gap->start + share * gap->size;
       const double candidate = ahead < ring.total() ? ahead : ahead - ring.total();

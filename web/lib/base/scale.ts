@@ -3,6 +3,9 @@
 import { cross, dot, length } from './point.ts'
 import type { Vector } from './types.ts'
 
+/** Parameters of curves and places on them may be off by this share, by rounding. */
+export const ROUNDING = 2 ** -40
+
 const view = new DataView(new ArrayBuffer(8))
 
 /** Whether a sum of two products has neither overflown nor lost what counts. */

@@ -4,7 +4,7 @@ import { checkDiagram, checkMetric } from '../base/check.ts'
 import { at, circleOf, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
 import { distanceOf } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
-import { largestOf, lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
+import { largestOf, lengthOf, measuredIn, ROUNDING, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
 import { curveOf } from '../curves/curve.ts'
@@ -13,8 +13,7 @@ import { partsInside } from '../regions/clip.ts'
 import { type ConvexPolygon, type RegionOptions, regionOf } from '../regions/convex-polygon.ts'
 import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
 
-/** Parameters may be off by rounding, and so may the order of depths. */
-const ROUNDING = 2 ** -40
+/** The order of depths may be off by that, by rounding. */
 const ROUNDING_OF_DEPTH = 2 ** -48
 /** Where a disc touches a circle and a side, the two distances differ by less than this share. */
 const ROUNDING_OF_PLACE = 2 ** -31

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
+import { ROUNDING } from '../base/scale.ts'
 import type { Circle, Point } from '../base/types.ts'
 import { type BoundedCurve, curveOf, reversed, seenFrom, segment } from '../curves/curve.ts'
 import { isKeptWhole, keptParts, type Limits, reachFrom } from './cell-limits.ts'
@@ -163,8 +164,9 @@ function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain
 }
 
 /**
- * A place in one of the largest gaps between entries and exits, and whether it is inside the cell: of several that where
- * the cell's own circle and the others differ most. One alone may lie on the boundary of both the region and the cell.
+ * Returns a place in one of the largest gaps between entries and exits, and whether it is inside the cell: of several places
+ * the one where the cell's own circle and the others differ most. The largest gap alone may lie on the boundary of both the
+ * region and the cell. In a gap that is only rounding, it is not known on which side of the entry or exit a place is.
  */
 function clearPlace(
   cells: Cells,
@@ -178,10 +180,11 @@ function clearPlace(
     start,
     size: (places[i + 1] ?? (places[0] as number) + ring.total) - start,
   }))
+  const largest = gaps.sort((one, other) => other.size - one.size).slice(0, tried)
   const neighbors = cells.neighbors(circle)
   let best = -1
   let clear = { place: 0, isInside: false }
-  for (const { start, size } of gaps.sort((one, other) => other.size - one.size).slice(0, tried)) {
+  for (const { start, size } of largest.filter(({ size }, k) => k === 0 || size > ROUNDING * ring.total)) {
     for (const share of [0.5, 0.3, 0.8]) {
       const place = (start + share * size) % ring.total
       const lead = leadAt(cells, circle, neighbors, ring.at(place))

@@ -2,16 +2,14 @@
 
 import { at } from '../base/diagram-data.ts'
 import { between, cross, dot } from '../base/point.ts'
-import { lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
+import { lengthOf, measuredIn, ROUNDING, turn, unitFor } from '../base/scale.ts'
 import type { Circle, Point, Vector } from '../base/types.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 
 /** In place of a side of a region: the circle that limits it. */
 export const CIRCLE_OF_RING = -2
 
-/** Points nearer to each other than this share of the radius are one but for rounding. */
-const ROUNDING = 2 ** -40
-/** A ring of that size is made of such points alone. */
+/** A ring of that share of its radius is made of points alone that are one but for rounding. */
 const NOTHING = 2 ** -30
 
 const AXES: readonly Vector[] = [
