@@ -267,6 +267,13 @@ TEST(Cells, OneFillsABoxWhoseCornerHasAllOtherCells) {
   expectPartition(diagram, test::regionOf(Box{-2.9e64, -2.2e64, 0, 0}));
 }
 
+TEST(Cells, FillABoxWithASideOnTheirEdgeToACircleFarAway) {
+  // By rounding, the edge crosses the side many times, and there the lead over the circle far away is 1e84 or so.
+  const std::vector<Circle> circles = {{0x1.64p+334, 0, 0x1.4p+30}, {-0x1.28p+25, -0x1p+28, 8}, {0, 0, 8}};
+  const Diagram diagram = diagramOf(circles);
+  expectPartition(diagram, test::regionOf(Box{-0x1.ab4p+333, -0x1.ab4p+333, 0x1.64p+333, 0x1.64p+333}));
+}
+
 /// The distance from the center of circle i at which its cell ends in a direction: where another circle becomes as
 /// near, for one at d from the center and with a radius larger by s at (d^2 - s^2) / (2 (d u + s)), or at the box.
 double reach(const std::vector<Circle>& circles, std::size_t i, Vector u, const Box& box) {

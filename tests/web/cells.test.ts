@@ -289,6 +289,12 @@ describe('the outline of a cell', () => {
     const diagram = library.compute(Float64Array.of(9, 0, 0, 0, 0, 0, tiny, tiny, 0, ...tinier, 0))
     expectPartition(diagram, { minX: -2.9e64, minY: -2.2e64, maxX: 0, maxY: 0 })
   })
+
+  it('fills a box with a side on its edge to a circle far away', () => {
+    const far = 356 * 2 ** 326
+    const diagram = library.compute(Float64Array.of(far, 0, 1.25 * 2 ** 30, -296 * 2 ** 17, -(2 ** 28), 8, 0, 0, 8))
+    expectPartition(diagram, { minX: -1.2 * far, minY: -1.2 * far, maxX: far / 2, maxY: far / 2 })
+  })
 })
 
 describe('clip', () => {

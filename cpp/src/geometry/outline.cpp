@@ -30,7 +30,7 @@ class Clipper {
       return {};
     }
     if (isClosed) return {std::move(chains_.front().pieces)};
-    Outline loops = joined(ring_, std::move(chains_), [&](Point p) { return lead(p); });
+    Outline loops = joined(ring_, std::move(chains_), [&](Point p) { return depth(p); });
     if (loops.size() < 2 || !ring_.isCircle()) return loops;
     // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
     const auto areaOf = [](const std::vector<OutlinePiece>& loop) { return area({loop}); };
@@ -83,14 +83,19 @@ class Clipper {
   /// Where a chain begins or ends. Rounding may end it at a vertex next to the boundary.
   double place(std::int32_t cut, Point p) const { return cut == kNone ? ring_.placeNear(p) : ring_.placeNear(p, cut); }
 
-  /// How much nearer the circle is to a point than its nearest neighbor.
-  double lead(Point p) const {
+  /// Returns how much nearer the circle is to a point than any neighbor, as a share of the distance of their centers.
+  /// The lead over a far neighbor is rounded to more than the whole lead over a near one.
+  double depth(Point p) const {
     double least = kInfinite;
     for (const SideIndex side : diagram_.sides(circle_)) {
-      least = std::min(least, circle_voronoi::lead(diagram_, circle_, diagram_.neighborOf(side), p));
+      const CircleIndex neighbor = diagram_.neighborOf(side);
+      least = std::min(least,
+                       lead(diagram_, circle_, neighbor, p) / lengthOf(between(circleAt(neighbor), circleAt(circle_))));
     }
     return least;
   }
+
+  const Circle& circleAt(CircleIndex i) const { return diagram_.circles[static_cast<std::size_t>(i)]; }
 
   const Diagram& diagram_;
   CircleIndex circle_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import { ROUNDING } from '../base/scale.ts'
+import { between } from '../base/point.ts'
+import { lengthOf, ROUNDING } from '../base/scale.ts'
 import type { Circle, Point } from '../base/types.ts'
 import { type BoundedCurve, curveOf, reversed, seenFrom, segment } from '../curves/curve.ts'
 import { isKeptWhole, keptParts, type Limits, reachFrom } from './cell-limits.ts'
@@ -165,8 +166,8 @@ function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain
 
 /**
  * Returns a place in one of the largest gaps between entries and exits, and whether it is inside the cell: of several places
- * the one where the cell's own circle and the others differ most. The largest gap alone may lie on the boundary of both the
- * region and the cell. In a gap that is only rounding, it is not known on which side of the entry or exit a place is.
+ * the deepest one, inside or outside. The largest gap alone may lie on the boundary of both the region and the cell. In a gap
+ * that is only rounding, it is not known on which side of the entry or exit a place is.
  */
 function clearPlace(
   cells: Cells,
@@ -187,19 +188,27 @@ function clearPlace(
   for (const { start, size } of largest.filter(({ size }, k) => k === 0 || size > ROUNDING * ring.total)) {
     for (const share of [0.5, 0.3, 0.8]) {
       const place = (start + share * size) % ring.total
-      const lead = leadAt(cells, circle, neighbors, ring.at(place))
-      if (Math.abs(lead) <= best) continue
-      best = Math.abs(lead)
-      clear = { place, isInside: lead > 0 }
+      const depth = depthAt(cells, circle, neighbors, ring.at(place))
+      if (Math.abs(depth) <= best) continue
+      best = Math.abs(depth)
+      clear = { place, isInside: depth > 0 }
     }
   }
   return clear
 }
 
-/** How much nearer the circle is to a point than its nearest neighbor. */
-function leadAt(cells: Cells, circle: number, neighbors: Int32Array, { x, y }: Point): number {
+/**
+ * Returns how much nearer the circle is to a point than any neighbor, as a share of the distance of their centers. The lead
+ * over a far neighbor is rounded to more than the whole lead over a near one.
+ */
+function depthAt(cells: Cells, circle: number, neighbors: Int32Array, { x, y }: Point): number {
+  const { circles } = cells.diagram
+  const center = circleOf(circles, circle)
   let least = Number.POSITIVE_INFINITY
-  for (const neighbor of neighbors) least = Math.min(least, cells.lead(circle, neighbor, x, y))
+  for (const neighbor of neighbors) {
+    const apart = lengthOf(between(circleOf(circles, neighbor), center))
+    least = Math.min(least, cells.lead(circle, neighbor, x, y) / apart)
+  }
   return least
 }
 
