@@ -174,9 +174,6 @@ constexpr std::int64_t kMostAngularSamples = 4'000'000;
 
 constexpr std::size_t kLargestPatch = 256;
 
-/// The number of random orders of insertion that are tried. If a near tie misleads one order, most others are right.
-constexpr std::uint64_t kOrders = 9;
-
 /// A dual, and what is known of its proof.
 struct Unjudged {
   Dual dual;
@@ -184,9 +181,9 @@ struct Unjudged {
 };
 
 /// Builds the dual by insertion, and by flips where a near tie misled it.
-std::optional<Unjudged> inserted(std::span<const Circle> circles, std::uint64_t seed, Counts& counts) {
+std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts) {
   Predicates predicates(circles);
-  auto result = insertAll(circles, predicates, seed);
+  auto result = insertAll(circles, predicates);
   Proof proof;
   if (result) {
     FaceDiscs discs(circles, result->dual, predicates);
@@ -203,21 +200,16 @@ std::optional<Unjudged> inserted(std::span<const Circle> circles, std::uint64_t 
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts) {
   if (circles.size() > kLargestPatch) return std::nullopt;
   const OrderedCircles ordered = order(circles);
-  const auto isRight = [&](Unjudged& candidate) {
-    Predicates predicates(ordered.circles);
-    const bool right = judge(ordered.circles, candidate.dual, predicates, std::move(candidate.proof)).isRight();
-    addCounts(predicates, counts);
-    return right;
-  };
-  for (std::uint64_t seed = 0; seed < kOrders; ++seed) {
-    auto solved = inserted(ordered.circles, seed, counts);
-    if (!solved || !isRight(*solved)) continue;
-    for (int& corner : solved->dual.origin) {
-      if (corner != kPointAtInfinity) corner = ordered.indices[corner];
-    }
-    return std::move(solved->dual);
+  auto solved = inserted(ordered.circles, counts);
+  if (!solved) return std::nullopt;
+  Predicates predicates(ordered.circles);
+  const Verdict verdict = judge(ordered.circles, solved->dual, predicates, std::move(solved->proof));
+  addCounts(predicates, counts);
+  if (!verdict.isRight()) return std::nullopt;
+  for (int& corner : solved->dual.origin) {
+    if (corner != kPointAtInfinity) corner = ordered.indices[corner];
   }
-  return std::nullopt;
+  return std::move(solved->dual);
 }
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
@@ -286,20 +278,18 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
     return result;
   }
   Construction result = flippedFromCenters(sites, true, observer, journal, threads);
-  int round = 1;
-  for (std::uint64_t seed = 0; seed < kOrders && !result.isRight(); ++seed) {
-    journal.stats.way = Way::insert;
-    auto anew = [&] {
-      const Stopwatch watch = journal.enter(Stage::flip);
-      return inserted(sites.circles, seed, journal.stats.counts);
-    }();
-    if (!anew) continue;
-    result.dual = std::move(anew->dual);
-    FaceTeller teller(result.dual, sites.circles, observer);
-    teller.tellRound(round++);
-    result.verdict = judged(result.dual, std::move(anew->proof), sites.circles, journal, threads);
-    teller.tellChanges();
-  }
+  if (result.isRight()) return result;
+  journal.stats.way = Way::insert;
+  auto anew = [&] {
+    const Stopwatch watch = journal.enter(Stage::flip);
+    return inserted(sites.circles, journal.stats.counts);
+  }();
+  if (!anew) return result;
+  result.dual = std::move(anew->dual);
+  FaceTeller teller(result.dual, sites.circles, observer);
+  teller.tellRound(1);
+  result.verdict = judged(result.dual, std::move(anew->proof), sites.circles, journal, threads);
+  teller.tellChanges();
   return result;
 }
 

@@ -35,12 +35,12 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
 /// Flips from the Delaunay triangulation of the centers, judged.
 Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads);
 
-/// Returns the certified dual of a few circles, none of which hides another. It is built by insertion, in another order
-/// if the first dual is not certified. Returns nothing if there are too many circles, or no dual is certified.
+/// Returns the certified dual of a few circles, none of which hides another, built by insertion. Returns nothing if
+/// there are too many circles, or if the judge rejects the dual.
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts);
 
 /// Returns the first certified dual of these: by flips, with local repair if they leave little wrong, and then by
-/// insertion in a few random orders. If none is certified, returns the last one, with its verdict. Uses up the
+/// insertion. If none is certified, returns the last one, with its verdict. Uses up the
 /// triangulation of the sites, which flips change in place.
 Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal,
                                     Threads threads = Threads());

@@ -33,17 +33,6 @@ std::vector<int> orderInRounds(std::size_t count) {
   return order;
 }
 
-/// Returns the order of insertion for a seed. Seed 0 gives the order in rounds, which is the fastest. Other seeds
-/// shuffle the circles, because rounds of few circles would hardly differ.
-std::vector<int> insertionOrder(std::size_t count, std::uint64_t seed) {
-  std::vector<int> order = orderInRounds(count);
-  if (seed != 0) {
-    const auto keyOf = [seed](int i) { return mix((seed << 32) + static_cast<std::uint64_t>(i)); };
-    std::sort(order.begin(), order.end(), [&](int i, int j) { return keyOf(i) < keyOf(j); });
-  }
-  return order;
-}
-
 /// In a cell with no more edges all are looked at.
 constexpr std::size_t kFewSectors = 16;
 
@@ -101,8 +90,8 @@ class Inserter : private DualKeeper {
     dual_.twin.reserve(6 * circles.size());
   }
 
-  std::optional<Inserted> run(std::uint64_t seed) && {
-    std::vector<int> order = insertionOrder(circles_.size(), seed);
+  std::optional<Inserted> run() && {
+    std::vector<int> order = orderInRounds(circles_.size());
     if (order.empty()) return Inserted{};
     // The largest first: no other hides it, so that there are always two as soon as it does not hide all.
     const auto largest =
@@ -348,8 +337,8 @@ class Inserter : private DualKeeper {
 
 }  // namespace
 
-std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates, std::uint64_t seed) {
-  return Inserter(circles, predicates).run(seed);
+std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates) {
+  return Inserter(circles, predicates).run();
 }
 
 }  // namespace circle_voronoi

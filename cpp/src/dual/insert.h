@@ -24,9 +24,7 @@ struct Inserted {
 /// sampling in computational geometry, II", 1989). A new circle cuts an edge of the cell that its center lies in, and
 /// flips take the edges away that its cell has all of. A circle that is inside another gets no cell, or loses it.
 ///
-/// If more than three circles touch one disc, or nearly do, a circle may come to a wrong place, so the result must be
-/// judged. Each seed gives another order, which may succeed where the first fails. Returns nothing if a hidden circle
-/// could not be removed.
-std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates, std::uint64_t seed = 0);
+/// The result must be judged. Returns nothing if a hidden circle could not be removed.
+std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates);
 
 }  // namespace circle_voronoi

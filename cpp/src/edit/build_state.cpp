@@ -17,8 +17,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Coordinates may grow by 2^24 before everything is scaled anew. Lengths below 2^-100 of the whole are then decided
-/// in integers, which would do for those below 2^-124 only.
+/// Coordinates may grow by a factor of 2^24 before everything is scaled again. The price is that lengths below 2^-100
+/// of the whole are decided in integers, instead of only those below 2^-124.
 constexpr double kRoom = 0x1p24;
 constexpr double kLargestScaled = 0x1p80;
 
@@ -28,7 +28,7 @@ struct Scaled {
   bool isExact;
 };
 
-/// The circles in a unit that leaves room to grow, if that rounds none of them.
+/// Scales the circles. The unit leaves room to grow if this rounds none of them.
 Result<Scaled> scale(std::span<const Circle> circles, bool weights) {
   auto validated = validate(circles, weights);
   if (!validated) return validated.error();
@@ -46,7 +46,8 @@ Result<Scaled> scale(std::span<const Circle> circles, bool weights) {
   return Scaled{std::move(scaled), unit, false};
 }
 
-/// The faces of a dual that is right, and its proof. Vertices first, so that their numbers have no gaps.
+/// Copies the faces of a correct dual, and its proof, to a state. Vertices come first, so that their numbers have no
+/// gaps.
 void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
   state.faceCount = dual.faceCount();
   state.facePlaces = Places(state.faceCount);
@@ -160,7 +161,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   state->visibleCount = static_cast<int>(sites.circles.size());
   state->sitePlaces = Places(state->circleCount);
   state->sizeToPlaces();
-  std::vector<int> slots(circles.size(), kNone);  // of each index
+  std::vector<int> slots(circles.size(), kNone);  // the slot of each index
   int slot = 0;
   for (; slot < state->visibleCount; ++slot) slots[sites.indices[slot]] = slot;
   for (const HiddenCircle& hidden : sites.hidden) slots[hidden.circle] = slot++;

@@ -12,8 +12,8 @@
 
 namespace circle_voronoi {
 
-/// Makes the state of an editor with these circles, whose ids increase.
-/// Errors: those of `compute`, by ids, except for vertices (vertexError).
+/// Makes the state of an editor with these circles. Their ids must increase.
+/// Errors: those of `compute`, with ids instead of indices, except for vertices (vertexError).
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
                                               bool weights);
 
@@ -24,7 +24,7 @@ std::optional<Circle> scaledExactly(const Circle& circle, double unit);
 /// Returns false, and changes nothing, if the unit would round a circle.
 bool rescale(EditState& state, double unit);
 
-/// Rescales a state so that these circles, which are larger than it can hold, have room. Returns whether it did.
+/// Rescales a state to make room for circles that are larger than it can hold. Returns whether it did.
 bool makeRoom(EditState& state, std::span<const Circle> circles);
 
 /// Returns the circles of a vertex, starting with the lowest id, so that its disc has the same bits however it was

@@ -26,7 +26,7 @@ void reserveAdded(Change& change, std::size_t vertices, std::size_t edges) {
   change.edges.reserve(edges);
 }
 
-/// Adds a vertex that is there now; an error if no double can hold it.
+/// Adds a vertex of the new diagram. Returns an error if a number of it exceeds the largest double.
 std::optional<Error> addVertex(Change& change, const EditState& state, int face) {
   const auto [i, j, k] = slotsOfVertex(state, face);
   const std::array<CircleId, 3> ids = {state.sites[i].id, state.sites[j].id, state.sites[k].id};
@@ -38,7 +38,7 @@ std::optional<Error> addVertex(Change& change, const EditState& state, int face)
   return std::nullopt;
 }
 
-/// Adds an edge that is there now.
+/// Adds an edge of the new diagram.
 void addEdge(Change& change, const EditState& state, int h) {
   const int t = state.dual.twin[h];
   const auto vertexOf = [&](int face) { return state.dual.isFinite(face) ? face : kNone; };
@@ -47,9 +47,10 @@ void addEdge(Change& change, const EditState& state, int h) {
       {state.idOf(state.dual.origin[h]), state.idOf(state.dual.origin[t]), vertexOf(t / 3), vertexOf(h / 3)});
 }
 
-/// What follows the side that goes to infinity in the face of h, an edge between two circles there.
+/// A step of the hull, given by h, an edge between two circles in a face at infinity. It leads from the side of h,
+/// which goes to infinity, to the side that follows around the same cell.
 struct HullStep {
-  int toInfinity;    ///< the half-edge from infinity to the circle
+  int toInfinity;    ///< the half-edge from infinity to the circle of the cell
   int fromInfinity;  ///< the half-edge of the side that follows
 };
 
@@ -58,7 +59,7 @@ HullStep hullStep(const Dual& dual, int h) {
   return {toInfinity, dual.twin[Dual::previous(dual.twin[toInfinity])]};
 }
 
-/// The half-edge between two circles in a face at infinity.
+/// Returns the half-edge between the two circles of a face at infinity.
 int hullEdge(const Dual& dual, int face) {
   int h = 3 * face;
   while (dual.origin[Dual::previous(h)] != kPointAtInfinity) ++h;
@@ -124,7 +125,7 @@ void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
     const bool isNew = !was || saved.wasVisible();
     const int hider = state.sites[saved.slot].hider;
     if (isNew) change.hidden.push_back(id);
-    // What an edit releases is not used again in it, so a slot is the same circle.
+    // An edit does not reuse slots that it releases, so a slot still stands for the same circle.
     if (isNew || saved.site.hider != hider) change.hiders.push_back({id, state.sites[hider].id});
   }
   addCircles(change, state);
@@ -146,8 +147,8 @@ std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& s
   return std::nullopt;
 }
 
-/// Returns whether the edge on a half-edge of a face that was saved, which had a twin then, is another now: a face
-/// beside it has changed, or it has another twin.
+/// Returns whether half-edge k of a saved face belongs to another edge now: a face beside it has changed, or it has
+/// another twin.
 bool isOtherEdge(const EditState& state, const EditState::SavedFace& saved, std::size_t k) {
   const int t = state.dual.twin[3 * saved.face + static_cast<int>(k)];
   if (saved.isChanged || t != saved.twin[k]) return true;
@@ -183,7 +184,7 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
       const int t = dual.twin[h];
       if (!state.isInUse(saved.face) || !isOtherEdge(state, saved, k)) continue;
       if (!state.isEdge(h)) {
-        // At infinity, or a part of one that the other half adds.
+        // An edge at infinity has no number. Any other edge is added by its other half.
         if (dual.origin[h] == kPointAtInfinity || dual.target(h) == kPointAtInfinity) state.edgeNumber[h] = kNone;
         continue;
       }
@@ -198,7 +199,7 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
   for (; reused < change.removedEdges.size(); ++reused) state.edgePlaces.release(change.removedEdges[reused]);
 }
 
-/// The steps of the hull that have changed: each depends on its own face at infinity and the one before.
+/// Records the steps of the hull that have changed. Each depends on its own face at infinity and on the one before.
 void ChangeRecorder::recordHull(Change& change, const EditState& state) {
   const Dual& dual = state.dual;
   const auto isOther = [&](int h) {
@@ -221,7 +222,7 @@ void ChangeRecorder::recordHull(Change& change, const EditState& state) {
 Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditState& after) {
   Change change;
   change.way = EditWay::whole;
-  // All faces have three half-edges, and each edge has two.
+  // Each face has three half-edges, and each edge has two.
   const auto faces = static_cast<std::size_t>(before.faceCount);
   const auto facesAfter = static_cast<std::size_t>(after.faceCount);
   reserveRemoved(change, faces, 3 * faces / 2);

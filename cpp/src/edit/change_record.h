@@ -21,9 +21,9 @@ class ChangeRecorder {
 
  private:
   struct Mark {
-    bool isListed = false;  ///< in `marked_`
+    bool isListed = false;  ///< whether the slot is in `marked_`
     bool isMoved = false;
-    bool hasCell = false;  ///< among those of the change
+    bool hasCell = false;  ///< whether the circle is in Change::cells
   };
 
   Mark& markOf(int slot);

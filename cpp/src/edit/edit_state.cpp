@@ -9,7 +9,7 @@ void EditState::sizeToPlaces() {
   proof.resize(3 * faces);
   edgeNumber.resize(3 * faces, kNone);
   discs.resize(static_cast<int>(faces));
-  // By its size faces are counted: should memory run out in between, the others are no smaller.
+  // The size of `origin` counts the faces. So if memory runs out in between, the arrays above are no smaller.
   dual.origin.resize(3 * faces, kPointAtInfinity);
   savedFaceAt_.resize(faces, kNone);
   const auto slots = static_cast<std::size_t>(sitePlaces.count());
@@ -24,7 +24,7 @@ void EditState::sizeToPlaces() {
 
 int EditState::addFace() {
   const int face = facePlaces.take();
-  // What was sized last, should memory have run out in between.
+  // Of the arrays of faces, this one is resized last. So all have room if it has, even if memory ran out in between.
   if (face >= static_cast<int>(savedFaceAt_.size())) sizeToPlaces();
   willChange(face);
   ++faceCount;
@@ -71,7 +71,7 @@ int EditState::addSite(const Circle& scaled) {
 void EditState::removeSite(int slot) {
   willChangeSite(slot);
   sitePlaces.release(slot);
-  sites[slot].id = kNone;  // a list that it still has is for the judge to see
+  sites[slot].id = kNone;  // if it still has a list, the judge rejects the step
   --circleCount;
 }
 

@@ -24,9 +24,9 @@ namespace circle_voronoi {
 /// The data that an editor keeps about the circle in a slot, besides the circle itself. A hidden circle is in the list
 /// of one visible circle that contains it.
 struct Site {
-  CircleId id;              ///< kNone: the slot is free
-  int hider = kNone;        ///< for a hidden circle the slot in whose list it is
-  int firstHidden = kNone;  ///< for a visible circle the first of its list
+  CircleId id;              ///< kNone if the slot is free
+  int hider = kNone;        ///< for a hidden circle, the slot in whose list it is
+  int firstHidden = kNone;  ///< for a visible circle, the first slot in its list
   int next = kNone;
   int previous = kNone;
 
@@ -47,18 +47,18 @@ class EditState final : public DualKeeper {
   std::vector<Circle> circles;
   std::vector<Site> sites;
   std::vector<char> isHidden;
-  std::vector<int> edgeOf;  ///< for a visible circle a half-edge that starts from it, if there is one
+  std::vector<int> edgeOf;  ///< for a visible circle, a half-edge that starts from it, if there is one
 
   // For each face or half-edge.
   Dual dual;  ///< of the visible circles; a face that is not in use has no twins
   Predicates predicates;
   FaceDiscs discs;
   std::vector<HalfEdgeProof> proof;
-  std::vector<int> edgeNumber;  ///< the same of both halves; kNone at infinity
+  std::vector<int> edgeNumber;  ///< the same for both halves; kNone at infinity
 
-  double unit = 1;        ///< a circle of the input = one of `circles` * unit
+  double unit = 1;        ///< the circles of the input are `circles` times this
   bool hasScale = false;  ///< whether a number of the input was not 0 when the unit was chosen
-  /// The input, if the unit rounds some of it; otherwise empty.
+  /// The circles of the input by slot, if the unit rounds some of them; otherwise empty.
   std::vector<Circle> inexact;
   bool weights = false;  ///< whether radii are additive weights
   IdTable ids;
@@ -76,7 +76,7 @@ class EditState final : public DualKeeper {
   bool isInUse(int face) const { return dual.twin[3 * face] != kNone; }
   /// Returns whether a face is a vertex of the diagram.
   bool isVertex(int face) const { return isInUse(face) && dual.isFinite(face); }
-  /// Returns whether a half-edge stands for an edge of the diagram: of two twins one does, whose origin is the left
+  /// Returns whether a half-edge represents an edge of the diagram. One of two twins does, and its origin is the left
   /// circle.
   bool isEdge(int h) const {
     return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kPointAtInfinity &&
@@ -86,7 +86,8 @@ class EditState final : public DualKeeper {
     const Circle& c = circles[slot];
     return inexact.empty() ? Circle{c.x * unit, c.y * unit, c.r * unit} : inexact[slot];
   }
-  /// Returns whether one circle hides another: it contains it. Of identical circles the one with the lower id hides.
+  /// Returns whether one circle hides another, that is, contains it. Of identical circles, the one with the lower id
+  /// hides the other.
   bool hides(int slot, int other) {
     return predicates.contains(circles[slot], circles[other]) &&
            !(circles[slot] == circles[other] && sites[slot].id > sites[other].id);
@@ -113,21 +114,22 @@ class EditState final : public DualKeeper {
   /// Adds a circle with a new id. Returns its slot.
   int addSite(const Circle& scaled);
   void removeSite(int slot);
-  /// Puts a circle into the list of a circle that contains it, or takes it out.
+  /// Puts a circle into the list of a visible circle that contains it.
   void attach(int slot, int hider);
+  /// Takes a hidden circle out of its list.
   void detach(int slot);
 
   // --- taking back ---
 
   struct SavedFace {
     int face;
-    int before;  ///< the place in the log where it was saved before, or kNone
+    int before;  ///< the place in the log where the face was saved before, or kNone
     std::array<int, 3> origin;
     std::array<int, 3> twin;
     std::array<int, 3> edgeNumber;
     std::array<HalfEdgeProof, 3> proof;
     FaceDisc disc;
-    bool isChanged = false;  ///< for the judge of the step: whether it has other corners, or another disc
+    bool isChanged = false;  ///< whether its corners or its disc have changed; set by judge and recorder
 
     bool wasInUse() const { return twin[0] != kNone; }
     bool wasVertex() const {
@@ -144,11 +146,11 @@ class EditState final : public DualKeeper {
 
     bool wasVisible() const { return site.id != kNone && !isHidden; }
   };
-  /// The former state of what has changed since the diagram was kept: each face and each site once per step.
+  /// The former state of what has changed since the diagram was kept. Each step saves a face or site at most once.
   std::vector<SavedFace> faceLog;
   std::vector<SavedSite> siteLog;
 
-  /// Begins a step: from now on every change is saved anew.
+  /// A state within the log that `takeBack` can return to.
   struct Mark {
     std::size_t faces;
     std::size_t sites;
@@ -159,6 +161,7 @@ class EditState final : public DualKeeper {
     int visibleCount;
     int faceCount;
   };
+  /// Begins a step: from now on, faces and sites are saved again before they change.
   Mark beginStep();
   void takeBack(const Mark& mark) noexcept;
   const SavedFace* savedInStep(int face) const { return find(faceLog, savedFaceAt_[face], stepFaces_); }
@@ -171,15 +174,16 @@ class EditState final : public DualKeeper {
   std::size_t stepFaces() const { return stepFaces_; }
   std::size_t stepSites() const { return stepSites_; }
 
-  /// Gives all corners of the faces that have changed in this step a half-edge again.
+  /// Sets `edgeOf` for all corners of the faces that have changed in this step.
   void noteEdges();
 
-  /// Makes the present state the one to come back to. Call `prepareToKeep` first: it allocates the memory for that.
+  /// Allocates the memory that `keep` needs.
   void prepareToKeep();
+  /// Makes the current state the one that `takeAllBack` returns to. Call `prepareToKeep` first.
   void keep() noexcept;
   void takeAllBack() noexcept;
 
-  /// Makes room for all faces and slots that the places count.
+  /// Resizes the arrays to hold all faces and slots that the places count.
   void sizeToPlaces();
 
  private:
@@ -190,7 +194,7 @@ class EditState final : public DualKeeper {
     return at != kNone && static_cast<std::size_t>(at) >= from ? &log[static_cast<std::size_t>(at)] : nullptr;
   }
 
-  std::vector<int> savedFaceAt_;  ///< of each face the last place in the log, or kNone
+  std::vector<int> savedFaceAt_;  ///< for each face its last place in the log, or kNone
   std::vector<int> savedSiteAt_;
   std::size_t stepFaces_ = 0;
   std::size_t stepSites_ = 0;

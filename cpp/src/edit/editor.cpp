@@ -24,7 +24,7 @@ Error unknownCircle(CircleId id, std::size_t edit) {
           static_cast<std::int64_t>(edit)};
 }
 
-/// More edits than this share of the circles, and a few, are done by computing all.
+/// A batch of more than kFewEdits edits plus 1 / kManyShare of the circles computes the whole diagram.
 constexpr std::size_t kFewEdits = 32;
 constexpr std::size_t kManyShare = 25;
 
@@ -37,13 +37,13 @@ class DiagramEditor::Editor {
   const EditState& state() const { return *state_; }
   const Locator& locator() const { return locator_; }
 
-  /// The slot of a circle, or kNone. One that was removed in the same batch has none.
+  /// Returns the slot of a circle, or kNone. A circle that was removed in the same batch has none.
   int slotOf(CircleId id) const {
     const int slot = state_->ids.slotOf(id);
     return slot != kNone && state_->sites[slot].id == id ? slot : kNone;
   }
 
-  /// All that follows is told to `observer`, as are all faces before.
+  /// Sets the observer, and tells it all faces before anything else.
   void observe(const Observer& observer) {
     stopTelling();
     observer_ = observer;
@@ -57,22 +57,23 @@ class DiagramEditor::Editor {
     events_.clear();
   }
 
-  /// Tells what was done.
+  /// Passes the events so far to the observer.
   void handOut() {
     std::vector<TraceEvent> events;
     events.swap(events_);
     for (const TraceEvent& event : events) observer_(event);
   }
 
-  /// An exception of the observer is passed on to the caller, once all is done.
+  /// Applies edits, then tells the observer. If the observer throws, the exception reaches the caller, but the edits
+  /// are done.
   Result<Change> edited(std::span<const Edit> edits, CircleId hint) {
     auto change = guarded([&] { return apply(edits, hint); });
-    if (!change) events_.clear();  // what is refused was never done
+    if (!change) events_.clear();  // refused edits were never done
     handOut();
     return change;
   }
 
-  /// Throws only if there is no memory, and then nothing has changed.
+  /// Applies edits. Throws only if memory runs out, and then nothing has changed.
   Result<Change> apply(std::span<const Edit> edits, CircleId hint) {
     if (auto error = refusalOf(edits)) return *std::move(error);
     if (edits.size() > static_cast<std::size_t>(std::numeric_limits<CircleId>::max() - state_->nextId)) {
@@ -105,7 +106,7 @@ class DiagramEditor::Editor {
     if (!teller_) return;
     teller_->setShrinking(kPointAtInfinity);
     teller_->tellChanges();
-    events_.clear();  // it was never done
+    events_.clear();  // the edit was never done
   }
 
   void beginTelling() {
@@ -115,7 +116,7 @@ class DiagramEditor::Editor {
     teller_->tellChanges();
   }
 
-  /// All faces, after an edit that is done: without memory it ends the telling.
+  /// Tells all faces after an edit is done. The edit stays valid if memory runs out, but then the telling ends.
   void tellAnew() noexcept {
     if (!observer_) return;
     try {
@@ -125,7 +126,7 @@ class DiagramEditor::Editor {
     }
   }
 
-  /// Tells of an edit that is done by computing everything.
+  /// Tells of an edit that computes the whole diagram.
   void tellEdit(const Edit& edit, CircleId id, const Circle& circle) {
     if (!observer_) return;
     const TraceKind kind = edit.kind == Edit::Kind::insert   ? TraceKind::circleInserted
@@ -134,7 +135,7 @@ class DiagramEditor::Editor {
     events_.push_back({kind, {circle.x, circle.y, circle.r}, {id, kNone, kNone}, kNone});
   }
 
-  /// Tells what is left to tell of it.
+  /// Tells the changes of an edit that were not told yet.
   void tellRest() {
     if (!teller_) return;
     for (const auto& saved : state_->faceLog) teller_->lookAt(saved.face);
@@ -197,7 +198,8 @@ class DiagramEditor::Editor {
     return recorder_.record(*state_, way);
   }
 
-  /// Gives the state a larger unit if an edit is beyond the one it has. Who watches was told of discs in that unit.
+  /// Gives the state a larger unit if an edit exceeds the current one. Does nothing if there is an observer, because it
+  /// was told of discs in the current unit.
   void makeRoomFor(std::span<const Edit> edits) {
     if (teller_) return;
     std::vector<Circle> large;
@@ -259,7 +261,7 @@ class DiagramEditor::Editor {
     return change;
   }
 
-  /// Notes where circles are now; for want of memory not.
+  /// Tells the locator where circles are now. If memory runs out, empties the locator instead.
   void note(const Change& change) noexcept {
     try {
       for (const auto* list : {&change.replaced, &change.inserted, &change.shown}) {
@@ -280,8 +282,8 @@ class DiagramEditor::Editor {
   std::unique_ptr<Stepper> stepper_;
   ChangeRecorder recorder_;
   Observer observer_;
-  std::vector<TraceEvent> events_;  ///< what is to be told once the edit is done
-  /// By ids, in the unit of the input.
+  std::vector<TraceEvent> events_;  ///< to be told once the edit is done
+  /// Collects events, by ids and in the unit of the input.
   const Observer sink_ = [this](TraceEvent event) {
     event.disc = discOfInput(event.disc, state_->unit);
     for (CircleIndex& circle : event.circles) circle = state_->idOf(circle);

@@ -9,7 +9,7 @@
 namespace circle_voronoi {
 StepVerdict StepJudge::judge(EditState& state, int moved) {
   unsettled_.clear();
-  for (const int slot : touched_) turns_[slot] = 0;  // should memory have run out
+  for (const int slot : touched_) turns_[slot] = 0;  // in case memory ran out the last time
   touched_.clear();
   turns_.resize(state.sites.size());
   hullTurns_ = 0;
@@ -18,11 +18,11 @@ StepVerdict StepJudge::judge(EditState& state, int moved) {
   StepProver prover(state.dual, state.circles, state.predicates, state.discs, state.proof);
   if (const StepVerdict verdict = judgeFaces(state, moved, prover); verdict != StepVerdict::right) return verdict;
   const bool areRight = areEdgesRight(state, prover);
-  // Leaves the counts at zero, whatever was right before.
+  // Call areTurnsRight in any case, because it resets the counts to zero.
   return areTurnsRight(state) && areRight && areCirclesRight(state, moved) ? StepVerdict::right : StepVerdict::wrong;
 }
 
-/// Adjacency, and a disc of each changed face. Their neighbors, whose edges change, count as touched, too.
+/// Checks adjacency and computes the discs of changed faces. Their neighbors, whose edges change, are logged, too.
 StepVerdict StepJudge::judgeFaces(EditState& state, int moved, StepProver& prover) {
   const Dual& dual = state.dual;
   StepVerdict verdict = StepVerdict::right;
@@ -53,8 +53,8 @@ void StepJudge::addTurns(int around, int neighbor, int count) {
   if (neighbor == kPointAtInfinity) hullTurns_ += count;
 }
 
-/// The changed edges: none of two neighbors hides the other, and ends are in order. Counts what turns are no more, and
-/// what are new.
+/// Checks the changed edges: neither circle beside an edge hides the other, and ends are in order. Subtracts the former
+/// contributions of these edges to the turns and adds the new ones.
 bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
   const Dual& dual = state.dual;
   const auto isChanged = [&](int face) {
@@ -76,7 +76,7 @@ bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
       const int h = 3 * saved.face + static_cast<int>(k);
       const int t = dual.twin[h];
       const bool isOther = saved.isChanged || t != saved.twin[k] || isChanged(t / 3);
-      // The other half, if it was touched, too, is or was that of the same edge.
+      // If both faces are in the log, one half of the edge is enough.
       if (!isOther || (h > t && state.savedInStep(t / 3) != nullptr)) continue;
       const int a = dual.origin[h];
       const int b = dual.origin[t];
@@ -93,7 +93,7 @@ bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
   return true;
 }
 
-/// One full turn of each region that there is, and of the hull.
+/// Checks that each visible region, and the hull, still makes one full turn.
 bool StepJudge::areTurnsRight(const EditState& state) {
   for (std::size_t i = state.stepSites(); i < state.siteLog.size(); ++i) {
     const EditState::SavedSite& saved = state.siteLog[i];
@@ -108,7 +108,7 @@ bool StepJudge::areTurnsRight(const EditState& state) {
   return areRight;
 }
 
-/// Each hidden circle is in the list of a visible one that contains it.
+/// Checks that each hidden circle that may have changed is in the list of a visible circle that contains it.
 bool StepJudge::areCirclesRight(EditState& state, int moved) const {
   const auto isRightlyHidden = [&](int slot) {
     const int hider = state.sites[slot].hider;

@@ -21,9 +21,9 @@ enum class StepVerdict {
 /// induction.
 class StepJudge {
  public:
-  /// Finds the discs of all changed faces, too, and notes what the proof keeps of their edges.
+  /// Judges a step. Computes the discs of all changed faces, too, and updates the proof of their edges.
   ///
-  /// `moved`: the slot of a circle that has changed, or kNone.
+  /// `moved` is the slot of a circle that has changed, or kNone.
   StepVerdict judge(EditState& state, int moved);
 
   /// Returns a half-edge of each changed edge of length zero that does not follow the rule for ties (settle_ties.h).
@@ -39,8 +39,8 @@ class StepJudge {
   bool areTurnsRight(const EditState& state);
   void addTurns(int around, int neighbor, int count);
 
-  std::vector<int> turns_;    ///< of each slot what its turns have grown by; zero between judgments
-  std::vector<int> touched_;  ///< the slots that may have others
+  std::vector<int> turns_;    ///< for each slot, the change of its turns; zero between judgments
+  std::vector<int> touched_;  ///< the slots whose turns may have changed
   int hullTurns_ = 0;
   std::vector<int> unsettled_;
 };

@@ -13,8 +13,8 @@ namespace {
 constexpr int kMostRings = 3;
 constexpr double kCirclesABucket = 2;
 
-/// The half-edge from the origin of h in whose sector a point lies. If rounding hides it, that to the nearest
-/// neighbor: if the point is not in the cell, that one is nearer.
+/// Returns the half-edge, from the origin of h, in whose sector a point lies. If rounding hides the sector, returns the
+/// half-edge to the nearest neighbor, which is nearer than the origin if the point is not in the cell.
 int sectorOf(const EditState& state, int h, Point p) {
   const Dual& dual = state.dual;
   const Circle& from = state.circles[dual.origin[h]];

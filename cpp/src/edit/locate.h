@@ -6,7 +6,7 @@
 
 namespace circle_voronoi {
 
-/// A circle and, if there are two visible ones or more, the half-edge from it in whose sector the point lies.
+/// A circle and, if at least two circles are visible, the half-edge from it in whose sector the point lies.
 struct Place {
   int slot = kNone;
   int halfEdge = kNone;
@@ -33,7 +33,7 @@ class Locator {
  private:
   BucketGrid starts_;
   int last_ = kNone;
-  int filledFor_ = 0;  ///< so many circles
+  int filledFor_ = 0;  ///< the number of visible circles at the last `fill`
 };
 
 }  // namespace circle_voronoi

@@ -48,7 +48,7 @@ class Places {
 
  private:
   std::vector<int> free_;
-  std::size_t freeLeft_ = 0;  ///< of them, those that are not taken
+  std::size_t freeLeft_ = 0;  ///< the number of places in free_ that are not taken
   std::vector<int> released_;
   int count_;
   int kept_;

@@ -7,8 +7,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// The radius at which a circle with the center of `c` would touch a disc: its distance from the disc's center, less
-/// the disc's radius.
+/// Returns the radius at which a circle with the center of `c` would touch a disc: the distance between the centers
+/// minus the disc's radius. `origin` is the circle that the disc is relative to.
 double touchingRadius(const Circle& c, const FaceDisc& disc, const Circle& origin) {
   const Vector e = between(c, origin);
   const Vector seen = {disc.v.x + disc.w * e.x, disc.v.y + disc.w * e.y};
@@ -27,7 +27,7 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
   do {
     const int i = static_cast<int>(spokes_.size());
     spokes_.push_back({h, i - 1, i + 1, {}});
-    // Both faces beside each neighbor, and what lies beyond.
+    // The faces beside the spokes, and the faces beyond them.
     state.willChange(h / 3);
     state.willChange(dual.twin[Dual::next(h)] / 3);
     h = dual.around(h);

@@ -8,24 +8,25 @@
 
 namespace circle_voronoi {
 
-/// Takes circles out of a dual. While a circle shrinks, its cell loses one edge after the other, each when the disc of
-/// three successive neighbors comes to touch it, and with the last but two the cell itself: d log d steps for a cell
-/// of d edges. Discs are in floating point, so that ties may mislead: the result is to be judged.
+/// Takes circles out of a dual. While a circle shrinks, its cell loses one edge after another: each when the circle
+/// comes to touch the disc of three successive neighbors. When two edges are left, the cell itself vanishes. This takes
+/// d log d steps for a cell of d edges. Discs are in floating point and ties may mislead, so the caller must judge the
+/// result.
 class CellShrinker {
  public:
-  /// Takes out a visible circle, not the last but one. Whether that went well; if not, the dual is of no use.
+  /// Takes out a visible circle, but not one of the last two. Returns true on success; otherwise the dual is of no use.
   bool takeOut(EditState& state, int slot);
 
  private:
-  /// A half-edge from the circle, between its neighbors in the ring of those that are left.
+  /// A half-edge from the circle, linked to the spokes before and after it among those that are left.
   struct Spoke {
     int halfEdge;
     int before;
     int after;
-    FaceDisc disc;  ///< of the neighbors before, at and after
-    int turn = 0;   ///< counts its events; those before the last are outdated
+    FaceDisc disc;  ///< of the neighbors at the spoke before, at this one and at the one after
+    int turn = 0;   ///< the number of its latest event; earlier ones are outdated
   };
-  /// When an edge vanishes: at which radius of the circle.
+  /// An edge vanishes when the circle has shrunk to radius `r`.
   struct Event {
     double r;
     int spoke;
@@ -34,9 +35,9 @@ class CellShrinker {
     bool operator<(const Event& other) const { return r != other.r ? r < other.r : spoke > other.spoke; }
   };
 
-  /// Finds the event at a spoke anew.
+  /// Computes the event at a spoke again.
   void look(EditState& state, int spoke);
-  /// The spoke of the next event, or kNone.
+  /// Removes the next event and returns its spoke, or kNone if there is none.
   int nextToVanish();
 
   std::vector<Spoke> spokes_;

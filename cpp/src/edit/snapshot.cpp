@@ -15,7 +15,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// The faces in use, without gaps, by sites in place of slots.
+/// Returns the dual of the faces in use, without gaps, with sites in place of slots.
 Dual compacted(const EditState& state, const std::vector<int>& siteOf) {
   std::vector<int> placeOf(static_cast<std::size_t>(state.dual.faceCount()), kNone);
   int count = 0;
@@ -48,7 +48,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
   const auto scaled = validate(circles, state.weights);
   if (!scaled) return scaled.error();
 
-  // Hiders are searched for in spatial order, of which the slots know nothing any more after many edits.
+  // The search for hiders needs spatial order, which the slots have lost after many edits.
   const OrderedCircles ordered = order(scaled.value().circles);
   Sites sites;
   OrderedCircles hidden;
@@ -96,7 +96,7 @@ SnapshotNumbers numbersOf(const EditState& state) {
     numbers.circles.push_back(id);
     if (!state.isVisible(slot)) numbers.hiders.push_back(state.sites[state.sites[slot].hider].id);
   });
-  // The order of topologyOf, which gaps do not change.
+  // This is the order of topologyOf, because gaps do not change it.
   for (int face = 0; face < state.dual.faceCount(); ++face) {
     if (state.isVertex(face)) numbers.vertices.push_back(face);
   }

@@ -13,11 +13,12 @@
 namespace circle_voronoi {
 namespace {
 
-/// Computing everything is quicker than a step that hides or shows more circles than these, or than this share of all.
+/// Computing the whole diagram is faster than a step that hides more than kFew circles plus 1 / kHiddenShare of all, or
+/// shows more than kFew plus 1 / kShownShare.
 constexpr int kFew = 32;
 constexpr int kHiddenShare = 2;
 constexpr int kShownShare = 4;
-/// A sample this large tells the shares apart.
+/// The size of a sample that is large enough to estimate such a share.
 constexpr std::size_t kSample = 128;
 
 /// Returns whether one circle contains another, up to rounding.
@@ -86,7 +87,8 @@ void Stepper::tellCircle(TraceKind kind, int slot, const Circle& circle) {
   if (state_.teller != nullptr) state_.teller->tellCircle(kind, slot, circle);
 }
 
-/// Puts a circle that is not there into the dual, or into the list of one that hides it. Whether that went well.
+/// Puts a circle into the dual, or into the list of a circle that hides it. It must be in neither before. Returns true
+/// on success.
 bool Stepper::put(int slot, int hint) {
   if (state_.visibleCount == 0) return false;
   const Place place = locator_.locate(state_, centerOf(state_.circles[slot]), hint);
@@ -119,7 +121,7 @@ bool Stepper::put(int slot, int hint) {
   return state_.visibleCount > 1;
 }
 
-/// Puts a circle in the place of a visible one that is identical with it but has the higher id.
+/// Replaces a visible circle by an identical one with a lower id, which hides it. Returns true on success.
 bool Stepper::putBefore(int slot, int identical) {
   const int hint = neighborOf(identical);
   if (!takeOut(identical)) return false;
@@ -143,11 +145,11 @@ bool Stepper::takeOut(int slot) {
   return true;
 }
 
-/// The visible circle that hides all that a circle contains: the circle itself, if it is visible.
+/// Returns a visible circle that contains all that a circle contains: the circle itself if it is visible, or its hider.
 int Stepper::hiderBy(int slot) const { return state_.isVisible(slot) ? slot : state_.sites[slot].hider; }
 
-/// Puts the circles in the list of a circle into the list of another, which may be the same. Those that this one does
-/// not hide wait. Returns whether they are few enough.
+/// Moves the circles in the list of `slot` to the list of `hider`, which may be the same circle. The circles that
+/// `hider` does not hide wait. Returns whether these are few enough.
 bool Stepper::releaseHidden(int slot, int hider) {
   const std::size_t most = kFew + static_cast<std::size_t>(state_.circleCount / kShownShare);
   for (int inner = state_.sites[slot].firstHidden; inner != kNone;) {
@@ -165,7 +167,8 @@ bool Stepper::releaseHidden(int slot, int hider) {
   return true;
 }
 
-/// Returns whether a circle covers so many visible ones that everything is to be computed: an estimate by a sample.
+/// Returns whether a circle covers so many visible ones that the whole diagram must be computed. A sample gives an
+/// estimate.
 bool Stepper::coversMany(const Circle& circle) const {
   const std::size_t slots = state_.sites.size();
   const std::size_t sample = std::min(slots, kSample);
@@ -177,7 +180,7 @@ bool Stepper::coversMany(const Circle& circle) const {
   return covered * slots > sample * (kFew + static_cast<std::size_t>(state_.circleCount / kHiddenShare));
 }
 
-/// Puts those that wait, the largest first: none of them hides one before it.
+/// Puts the waiting circles, the largest first, so that none hides one that was put before. Returns true on success.
 bool Stepper::putWaiting(int hint) {
   const auto rank = [&](int slot) { return std::tuple(-state_.circles[slot].r, state_.sites[slot].id); };
   std::sort(waiting_.begin(), waiting_.end(), [&](int a, int b) { return rank(a) < rank(b); });
@@ -187,7 +190,7 @@ bool Stepper::putWaiting(int hint) {
   return isWell;
 }
 
-/// A neighbor of a visible circle, or kNone.
+/// Returns a neighbor of a visible circle, or kNone if there is none.
 int Stepper::neighborOf(int slot) const {
   const int first = state_.edgeOf[slot];
   if (first == kNone) return kNone;
@@ -199,8 +202,8 @@ int Stepper::neighborOf(int slot) const {
   return kNone;
 }
 
-/// Returns whether a visible circle, after a change, would still be nearer to its center than its neighbors are, and
-/// hide none of them.
+/// Returns whether a visible circle that becomes `circle` would still be nearer to its own center than its neighbors
+/// are, and hide none of them.
 bool Stepper::staysNear(int slot, const Circle& circle) const {
   if (state_.visibleCount < 2) return false;
   const Dual& dual = state_.dual;
@@ -217,7 +220,7 @@ bool Stepper::staysNear(int slot, const Circle& circle) const {
   return true;
 }
 
-/// Changes a visible circle in its place in the dual. Whether that went well.
+/// Changes a visible circle in its place in the dual. Returns true on success.
 bool Stepper::move(int slot, const Circle& circle) {
   Dual& dual = state_.dual;
   tellCircle(TraceKind::circleReplaced, slot, circle);
@@ -239,7 +242,7 @@ bool Stepper::move(int slot, const Circle& circle) {
   return releaseHidden(slot, slot) && putWaiting(slot);
 }
 
-/// The way in which the step is certified, if it is.
+/// Returns how the step is certified, after flips or a patch if necessary. Returns nothing if it is not certified.
 std::optional<EditWay> Stepper::certify(int moved) {
   if (isRight(moved)) return EditWay::local;
   if (isBroken_) return std::nullopt;
@@ -250,7 +253,7 @@ std::optional<EditWay> Stepper::certify(int moved) {
   return std::nullopt;
 }
 
-/// Judges the step, and settles its ties.
+/// Judges the step and settles its ties. Returns whether the result is right.
 bool Stepper::isRight(int moved) {
   StepVerdict verdict = judge_.judge(state_, moved);
   if (verdict == StepVerdict::right && !judge_.unsettled().empty()) {
@@ -263,7 +266,7 @@ bool Stepper::isRight(int moved) {
   return verdict == StepVerdict::right && judge_.unsettled().empty();
 }
 
-/// The edges of all faces that have changed in this step.
+/// Returns the half-edges of all faces that have changed in this step.
 std::span<const int> Stepper::changedEdges() {
   edges_.clear();
   for (std::size_t i = state_.stepFaces(); i < state_.faceLog.size(); ++i) {
@@ -273,14 +276,14 @@ std::span<const int> Stepper::changedEdges() {
   return edges_;
 }
 
-/// Replaces what is wrong by a diagram of the circles around, in patches that grow.
+/// Replaces wrong parts by a diagram of the circles around them, in growing patches. Returns true on success.
 bool Stepper::patch(int moved) {
   Counts counts;
   const Dual& dual = state_.dual;
   std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
   for (const int reach : {2, 4, 8}) {
     if (wrong.empty()) break;
-    // All that the repair may change: the patches, and the faces around them.
+    // The repair may change the patches and the faces around them.
     std::vector<int> near = wrong;
     for (int distance = 0; distance <= reach; ++distance) {
       std::vector<int> beyond;

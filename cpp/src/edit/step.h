@@ -20,8 +20,8 @@ class Stepper {
   /// The arguments must outlive this object.
   Stepper(EditState& state, Locator& locator) : state_(state), locator_(locator), inserter_(state.live()) {}
 
-  // Each returns the way in which the edit was certified; nothing if the whole is to be computed, and then the state is
-  // to be taken back.
+  // Each function returns how the edit was certified. It returns nothing if the whole diagram must be computed. Then
+  // the caller must take the state back.
   std::optional<EditWay> insert(const Circle& circle, int hint);
   std::optional<EditWay> remove(int slot);
   std::optional<EditWay> replace(int slot, const Circle& circle);

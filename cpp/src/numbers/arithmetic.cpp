@@ -5,7 +5,7 @@ namespace circle_voronoi {
 
 namespace {
 
-/// A number of which the compiler knows no more than that it is one.
+/// Returns a number but hides its value from the compiler, so that the tests below run when the program runs.
 double unknown(double value) {
   volatile double hidden = value;
   return hidden;
@@ -17,7 +17,7 @@ bool isArithmeticStandard() {
   const double one = unknown(1);
   const double half = unknown(0x1p-53);  // half of the step from 1 to the next number
   const double root = unknown(1 + 0x1p-27);
-  const double square = unknown(1 + 0x1p-26);  // of the root, rounded: the rest is 2^-54
+  const double square = unknown(1 + 0x1p-26);  // the square of `root`, rounded: the exact one is larger by 2^-54
   const double smallest = unknown(std::numeric_limits<double>::min());
 
   const bool isRoundedToNearest = one + half == one && one + 1.5 * half > one;

@@ -4,8 +4,8 @@
 #include <cfloat>
 #include <limits>
 
-// The signs are proofs, and the bits the same everywhere, only where each operation is rounded by itself, to the
-// nearest double. This stops a build that would have it otherwise, wherever the sources are taken.
+// The signs are proofs, and results have the same bits everywhere, only if each operation is rounded by itself to the
+// nearest double. These checks stop a build that would break this, wherever the sources are used.
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
     (defined(__GCC_IEC_559) && !__GCC_IEC_559)
@@ -17,9 +17,9 @@ static_assert(FLT_EVAL_METHOD == 0,
 
 namespace circle_voronoi {
 
-/// Returns whether arithmetic is as it must be, as far as no macro tells: no operation is fused with another or put in
-/// another order, rounding is to nearest, and tiny numbers are not taken for zero. The last two are up to the running
-/// program: one that is linked with -ffast-math, for instance, has tiny numbers taken for zero.
+/// Returns whether arithmetic is standard, as far as no macro tells: operations are neither fused nor reordered,
+/// rounding is to nearest, and tiny numbers are not flushed to zero. The last two depend on the running program: one
+/// that is linked with -ffast-math, for instance, flushes tiny numbers to zero.
 bool isArithmeticStandard();
 
 }  // namespace circle_voronoi

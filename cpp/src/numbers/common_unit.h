@@ -29,7 +29,7 @@ struct OddPart {
   }
 };
 
-/// The largest power of two of which all values given are multiples, and the bits they need in that unit.
+/// The largest power of two that divides all included values, and the number of bits that they need in this unit.
 class CommonUnit {
  public:
   void include(double value) {
@@ -41,13 +41,13 @@ class CommonUnit {
     if (top > top_) top_ = top;
   }
 
-  /// Two to the power of this; 0 if all values are zero.
+  /// Returns the exponent of this power of two; 0 if all values are zero.
   int exponent() const { return top_ < unit_ ? 0 : unit_; }
 
-  /// The bits of the largest magnitude.
+  /// Returns the number of bits of the largest magnitude in this unit.
   int bits() const { return top_ < unit_ ? 0 : top_ - unit_; }
 
-  /// The value in this unit.
+  /// Returns an included value in this unit.
   OddPart in(double value) const {
     OddPart part(value);
     if (part.odd != 0) part.exponent -= unit_;

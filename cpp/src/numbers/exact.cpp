@@ -25,7 +25,7 @@
 namespace circle_voronoi::exact {
 namespace {
 
-/// (x, y, s) space with the cone x^2 + y^2 = s^2.
+/// A vector in (x, y, s) space with the cone x^2 + y^2 = s^2.
 template <class Number>
 struct Numbers {
   Number x, y, s;
@@ -78,7 +78,7 @@ using limbs::SignedWide;
 template <class Number, std::size_t kCount>
 using Differences = std::array<std::array<Number, 3>, kCount>;
 
-/// (x, y, r) of each circle less that of circle o; of infinity nothing.
+/// Returns (x, y, r) of each circle minus that of circle o; zeros for the point at infinity.
 template <class Number, std::size_t kCount, class Convert>
 Differences<Number, kCount> differencesFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
                                             Convert in) {
@@ -100,8 +100,8 @@ auto fixed(const Differences<SignedWide, kCount>& wide) {
   return result;
 }
 
-/// Calls formula(seen, exponent) with the circles given as seen from circle o, in units of two to the power of the
-/// exponent, and in the smallest kind of integers that holds them.
+/// Calls formula(seen, exponent) with the given circles as seen from circle o. Numbers are in units of 2^exponent, and
+/// in the smallest kind of integers that holds them.
 template <std::size_t kCount, class Formula>
 auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles, Formula formula) {
   CommonUnit unit;
@@ -140,13 +140,14 @@ auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
   return all >> kOneLimb == 0 ? seenAs(fixed<1>(differences)) : seenAs(fixed<2>(differences));
 }
 
-/// D of the disc of (o, u, v).
+/// Returns the axis D of the disc of (o, u, v).
 template <class Number>
 auto axisOf(const Seen<Number>& u, const Seen<Number>& v) {
   return times(v.g, u.v) - times(u.g, v.v);
 }
 
-/// The sign of p + q sqrt(d) by that of p^2 - q^2 d. The signs of p and q are asked for only where needed.
+/// Returns the sign of p + q sqrt(d), given `norm`, the sign of p^2 - q^2 d. The functions `p` and `q`, which return
+/// the signs of p and q, are called only where needed.
 template <class P, class Q>
 int signOf(int norm, P p, Q q) {
   if (norm < 0) return q();
@@ -164,7 +165,8 @@ int reachSign(const Numbers<M>& m, const Numbers<D>& d) {
       cone(m, m).sign(), [&] { return planeCross(m, d).sign(); }, [&] { return m.s.sign(); });
 }
 
-/// The squared length of the common tangents of two circles seen from a third.
+/// Returns the squared length of the common tangents of two circles seen from a third; 1 if one is the point at
+/// infinity.
 template <class Number>
 auto tangentSquare(const Seen<Number>& u, const Seen<Number>& v) {
   if (u.isAtInfinity || v.isAtInfinity) return Seen<Number>().g;
@@ -172,10 +174,10 @@ auto tangentSquare(const Seen<Number>& u, const Seen<Number>& v) {
   return cone(w, w);
 }
 
-/// The sign of <M, M>, M as in `overlapSign`. It is g_u g_v g_z times the cross product of two sides of the triangle
-/// W_u, W_v, W_z, so that <M, M> is -(g_u g_v g_z)^2 times the Gram determinant of these sides. A squared side, as
-/// <W_u - W_v, W_u - W_v>, is g_uv / (g_u g_v), g_uv = 1 if one of the two is at infinity. With A = g_uv g_z, B = g_vz
-/// g_u, C = g_zu g_v it follows that
+/// Returns the sign of <M, M>, with M as in `overlapSign`. M is g_u g_v g_z times the cross product of two sides of the
+/// triangle W_u, W_v, W_z, so that <M, M> is -(g_u g_v g_z)^2 times the Gram determinant of these sides. A squared
+/// side, such as <W_u - W_v, W_u - W_v>, is g_uv / (g_u g_v), where g_uv = 1 if one of the two is at infinity.
+/// With A = g_uv g_z, B = g_vz g_u, C = g_zu g_v it follows that
 ///   4 <M, M> = (A + C - B)^2 - 4 A C,
 /// J. Casey's condition that four circles touch one.
 template <class Number>
@@ -188,8 +190,8 @@ int touchSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& 
   return (sum * sum - (twice + twice)).sign();
 }
 
-/// 1 if a circle z overlaps the disc of (o, u, v), 0 if it touches it, -1 if it is clear of it: reachSign with
-/// M = g_z (V x U) + g_v (U x Z) + g_u (Z x V).
+/// Returns 1 if circle z overlaps the disc of (o, u, v), 0 if it touches the disc, -1 if it is clear of the disc. This
+/// is reachSign with M = g_z (V x U) + g_v (U x Z) + g_u (Z x V).
 template <class Number>
 int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z) {
   return signOf(
@@ -201,7 +203,8 @@ int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>
       [&] { return (z.g * planeCross(v.v, u.v) + v.g * planeCross(u.v, z.v) + u.g * planeCross(z.v, v.v)).sign(); });
 }
 
-/// Returns the vector times a power of two, each component right within 2^-51 of the largest, none beyond 2^128.
+/// Returns the vector times a power of two. Each component is right within 2^-51 of the largest, and none exceeds
+/// 2^128.
 template <class Number>
 Numbers<double> normalized(const Numbers<Number>& v) {
   const std::array<LeadingBits, 3> parts = {v.x.leading(), v.y.leading(), v.s.leading()};
@@ -212,11 +215,11 @@ Numbers<double> normalized(const Numbers<Number>& v) {
   return {scaled(parts[0]), scaled(parts[1]), scaled(parts[2])};
 }
 
-/// Returns whether the direction of the disc with the axis D lies to the left of E: the sign of E x e, with p = D.s (D
-/// x E), q = D . E.
+/// Returns whether the direction of the disc with the axis D lies to the left of E. This is the sign of E x e,
+/// with p = D.s (D x E), q = D . E.
 template <class D, class E>
 bool isLeftOf(const Numbers<E>& e, const Numbers<D>& d) {
-  // <D, D> is right within 2^-48, its root within 2^-24; all the rest is less.
+  // <D, D> is right within 2^-48 and its root within 2^-24. All other errors are smaller.
   const Numbers<double> a = normalized(d);
   const Numbers<double> b = normalized(e);
   const double value = a.s * planeCross(a, b) + planeDot(a, b) * std::sqrt(std::max(cone(a, a), 0.0));
@@ -227,7 +230,7 @@ bool isLeftOf(const Numbers<E>& e, const Numbers<D>& d) {
                 [&] { return dot.sign(); }) > 0;
 }
 
-/// mantissa * 2^exponent. Operations are right to 53 bits.
+/// The number mantissa * 2^exponent. Each operation is right to 53 bits.
 class Floating {
  public:
   Floating(double mantissa, int exponent) {
@@ -268,7 +271,8 @@ Floating floating(const Number& value) {
   return Floating(value.leading());
 }
 
-/// p + q root, norm = (p^2 - q^2 root^2) / size: where p and q root cancel, size norm / (p - q root) does not.
+/// Returns p + q root, where norm = (p^2 - q^2 root^2) / size. If p and q root cancel, size norm / (p - q root) does
+/// not.
 template <class P, class Q, class Norm>
 Floating sumOf(const P& p, const Q& q, const Floating& root, const Norm& norm, const Floating& size) {
   const Floating a = floating(p);
@@ -277,14 +281,14 @@ Floating sumOf(const P& p, const Q& q, const Floating& root, const Norm& norm, c
   return norm.sign() == 0 ? Floating(0, 0) : size * floating(norm) / (a + -b);
 }
 
-/// The tangent line that is the inverse of a disc, seen from circle o in units of two to the power of the exponent: its
-/// normal e and its offset t times |D|^2, and that. From o, the center of the disc is e rho, with rho = 1 / (2 t).
+/// The tangent line that is the inverse of a disc, seen from circle o in units of 2^exponent: its normal e = (x, y) and
+/// its offset t, both times `size`, which is |D|^2. From o, the center of the disc is e rho, with rho = 1 / (2 t).
 struct PlacedDisc {
   Floating x, y, offset, size;
   int exponent;
 };
 
-/// Returns a point as a circle of radius 0, of which g is the square of a distance.
+/// Returns a point as a circle of radius 0, so that its g is a squared distance.
 Circle pointAt(Point p) { return {p.x, p.y, 0}; }
 
 PlacedDisc placedDisc(const Face& face, const Circle& o) {
@@ -346,15 +350,15 @@ int directionSign(const Face& face, const Circle& from, int axis) {
 int crossSign(const Face& first, const Face& second, const Circle& from) {
   const auto [u, v] = othersOf(first, &from);
   const auto [y, z] = othersOf(second, &from);
-  // Of y and z one is u or v.
+  // One of y and z is u or v.
   const bool isSecondNew = y == u || y == v;
   return seenFrom(from, std::array{u, v, y, z}, [&](const auto& seen, int) {
     const auto d = axisOf(seen[0], seen[1]);
     const auto e = axisOf(seen[2], seen[3]);
     // Let e1, e2 be the normals of the tangent lines to the left of D and E. Turned so that E lies at the angle 0, e2
     // lies at beta and e1 at delta, with |E| cos beta = -E.s, 0 < beta < pi. Then sin(beta - delta) has the sign of cos
-    // delta - cos beta if 0 < delta < pi, and that of cos delta + cos beta if not. How far one of W_y, W_z reaches
-    // beyond the first line, which touches the other.
+    // delta - cos beta if 0 < delta < pi, and that of cos delta + cos beta if not. The former follows from how far one
+    // of W_y, W_z reaches beyond the first line, which touches the other.
     if (isLeftOf(e, d)) {
       const int sign = overlapSign(seen[0], seen[1], seen[isSecondNew ? 3 : 2]);
       return isSecondNew ? -sign : sign;
@@ -383,8 +387,8 @@ bool contains(const Circle& outer, const Circle& inner) {
   return seenFrom(outer, std::array{&inner}, [](const auto& seen, int) { return seen[0].g.sign(); }) <= 0;
 }
 
-// With d = b - a it is e |d|^2, divided by the square of the length of d in (x, y, s) space. The error is relative to
-// the products, which are at most that square.
+// With d = b - a, the result is e |d|^2, divided by the squared length of d in (x, y, s) space. The error is relative
+// to the products, which are at most this square.
 std::optional<Vector> tangentNormal(const Circle& a, const Circle& b) {
   const auto [x, y, s, g] = seenFrom(a, std::array{&b}, [](const auto& seen, int) {
     const auto& [v, square, isAtInfinity] = seen[0];
@@ -405,8 +409,8 @@ int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
   });
 }
 
-// Along the line the difference of two circles has a length, across it that of their radii. So the cone's product of
-// two differences is the product of their lengths along the line.
+// Along the line, the difference of two circles has some length. Across the line, it is the difference of their radii.
+// So the cone product of two differences is the product of their lengths along the line.
 bool touchesBetween(const Circle& a, const Circle& b, const Circle& c) {
   const auto isSameWay = [](const Circle& from, const Circle& to, const Circle& circle) {
     return seenFrom(from, std::array{&to, &circle}, [](const auto& seen, int) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The disc of a face and what is asked of it in floating point, with an error bound.
+// The disc of a face in floating point, and the quantities derived from it, each with an error bound.
 //
-// u is the unit roundoff; products of (1 + u) are rounded up generously instead of being followed to the last term.
+// u is the unit roundoff. Products of (1 + u) are rounded up generously instead of being followed to the last term.
 // Validation brought the largest coordinate near 2^80, so nothing overflows: the highest power of a length is 6 under a
 // root and 10 in a cross product, 2^(81 * 10) < 2^1024. kUnderflowError covers underflow. Differences that are all
 // short are multiplied by a power of two first (short_lengths.h): signs and directions stay the same, and the error
@@ -20,7 +20,7 @@
 
 namespace circle_voronoi {
 
-/// u - o in (x, y, r) space.
+/// The difference u - o of two circles in (x, y, r) space.
 struct Difference {
   double x, y, s;
 
@@ -42,10 +42,10 @@ inline Difference cross(const Difference& u, const Difference& v) {
 
 inline double sizeSquared(const Difference& u) { return u.x * u.x + u.y * u.y + u.s * u.s; }
 
-/// The length, not below it by more than rounding even where the squares underflow.
+/// Returns the length, too small by no more than rounding even where the squares underflow.
 inline double size(const Difference& u) { return std::sqrt(sizeSquared(u)) + kUnderflowError; }
 
-/// Returns whether a difference is shorter than kShortLength.
+/// Returns whether a difference with this squared length is shorter than kShortLength.
 inline bool isShort(double sizeSquared) { return sizeSquared < kShortLength * kShortLength; }
 
 /// Returns the difference, multiplied by a power of two if it is short.
@@ -53,16 +53,17 @@ inline Difference scaledIfShort(const Difference& u) {
   return isShort(sizeSquared(u)) ? u * scaleOf(largestPart(u)) : u;
 }
 
-/// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,
-/// the direction to the center of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
-/// distance from o, within `error` too when the distance from another circle of the face is derived from it.
+/// The disc of a face as a homogeneous point (x, y : w), w >= 0, relative to a circle o of the face. Seen from any
+/// circle c of the face, the direction to the center of the disc is (x, y) + w (o - c), each component within `error`.
+/// `rho` is w times the distance between the centers of o and of the disc. It is right within `error`, also if the
+/// distance from another circle of the face is derived from it.
 struct HomogeneousDisc {
   double x = 0, y = 0, w = 0, rho = 0;
   double error = kUnknownError;
 };
 
-/// The direction to infinity, normal to the tangent line to the left of a -> b: with d = b - a and g = <d, d> it is
-/// -d.s (d.x, d.y) + sqrt(g) (-d.y, d.x).
+/// Returns the direction to infinity, normal to the tangent line to the left of a -> b. With d = b - a and g = <d, d>
+/// it is -d.s (d.x, d.y) + sqrt(g) (-d.y, d.x). The error is unknown unless g is certainly positive.
 ///
 /// Error: let l = |d|, each component right within u. g <= l^2 is right within 6 u l^2, so sqrt(g) <= l within
 /// 6 u l^2 / sqrt(g) + u l. Each component is a sum of two products of at most l^2: 2 * 4 u l^2, and l times the error
@@ -81,9 +82,10 @@ inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
   return disc;
 }
 
-/// The disc of three circles counter-clockwise, relative to one of them: the `corner` opposite the longest side, from
-/// which both differences are short. Of corners that are as good it is the one whose center is least by x and then y:
-/// so the disc has the same bits whichever circle comes first.
+/// The disc of three circles in counter-clockwise order, relative to the circle with the index `corner` (0 to 2).
+/// `discOf` takes the corner opposite the longest side, because both differences from it are short. Of several such
+/// corners it takes the one whose center is least by x and then y. So the disc has the same bits whichever circle is
+/// passed first.
 struct CornerDisc {
   HomogeneousDisc disc;
   int corner = 0;
@@ -92,7 +94,8 @@ struct CornerDisc {
 /// Returns whether the center that a difference starts from comes before the other, by x and then y.
 inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
 
-/// The corner opposite the longest of three sides of the lengths given, where two or three of these are equal.
+/// Returns the corner opposite the longest side if two or three of the given squared lengths are equal. If the longest
+/// side is not unique, the centers decide (CornerDisc).
 [[gnu::noinline]] inline int cornerOfTie(const Difference& d01, const Difference& d12, const Difference& d20,
                                          double size01, double size12, double size20) {
   const double longest = std::max({size01, size12, size20});
@@ -103,17 +106,21 @@ inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d
   return may1 && (!may0 || !startsBefore(d01)) && (!may2 || startsBefore(d12)) ? 1 : 2;
 }
 
+/// Computes the disc of three circles c0, c1, c2 from d01 = c1 - c0, d12 = c2 - c1 and d20 = c0 - c2. The error is
+/// unknown if rounding hides the result.
+///
 /// Let A and B be the differences from the corner o, C = B - A, <.,.> the cone product, ' negate the third component,
 /// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The center, with
 /// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. Of the two
-/// solutions that of the counter-clockwise disc is
+/// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. Of the two
+/// solutions, the one of the counter-clockwise disc is
 ///   -sign(k) (g22 (g11 - g12) A' + g11 (g22 - g12) B' + N S) / w,  w = 2 |k|.
 ///
 /// Error: let a = |A|, b = |B|, c = |C| >= a, b in (x, y, s) space, T = a b c, Q = a b T. Differences are right within
 /// u relatively.
 /// - g11 <= a^2, g12 <= a b, g22 <= b^2, g33 <= c^2, each within 5 u of that bound.
 /// - g11 - g12 = <A, A - B> <= a c, within 5 u a (a + b) + u a c <= 11 u a c; times g22 within 17 u b^2 a c; times A'
-///   within 19 u Q. The same of the other product; their sum is within 40 u Q.
+///   within 19 u Q. The other product has the same error, so their sum is within 40 u Q.
 /// - N <= a b in each component, within 4 u a b.
 /// - S^2 <= T^2 within 17 u T^2, so S is within 10 u T^2 / S + u S, provided that S^2 > 40 u T^2.
 /// - N S within 10 u Q T / S + 6 u Q, since S <= T. The final sum adds 3 u Q.
@@ -164,19 +171,19 @@ inline CornerDisc discOfSides(const Difference& d01, const Difference& d12, cons
   return result;
 }
 
-/// The disc of three circles counter-clockwise, some of whose sides should not be short: the error of short ones may be
-/// mostly kUnderflowError.
+/// Computes the disc of three circles in counter-clockwise order. At least one side should not be short: otherwise the
+/// error may be mostly kUnderflowError.
 inline CornerDisc discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   return discOfSides(Difference(c1, c0), Difference(c2, c1), Difference(c0, c2));
 }
 
-/// Returns whether `discOf` may have been given circles all of whose sides are short; false if the error is unknown. Of
-/// short sides a b T is below 2^-95 and T / S below 2^24, so the error is below 2^-118.
+/// Returns whether a disc from `discOf` may have only short sides; false if its error is unknown. With short
+/// sides, a b T is below 2^-95 and T / S below 2^24, so the error is below 2^-118.
 inline bool mayBeOfShortSides(const HomogeneousDisc& disc) { return disc.error < 0x1p-110; }
 
-/// The disc that `discOf` gave, or if all sides are short, the disc by scaled sides. Its w is multiplied by the scale,
-/// so that w times a difference is what the scaled w times the scaled difference would be: the error is that of scaled
-/// sides.
+/// Returns the disc that `discOf` gave or, if all sides are short, the disc from scaled sides. The w of the latter is
+/// multiplied by the scale, so that w times a difference equals the scaled w times the scaled difference. So the error
+/// is that of scaled sides.
 [[gnu::noinline, gnu::cold]] inline CornerDisc scaledIfShort(const CornerDisc& disc, const Circle& c0, const Circle& c1,
                                                              const Circle& c2) {
   const Difference d01(c1, c0);
@@ -190,14 +197,14 @@ inline bool mayBeOfShortSides(const HomogeneousDisc& disc) { return disc.error <
   return result;
 }
 
-/// A direction seen from a circle, each component within `error`.
+/// A direction seen from a circle, of any length, with each component right within `error`.
 struct Direction {
   double x, y;
   double error;
 };
 
-/// f x g: with the components of f within e and those of g within h it is right within e (|g.x| + |g.y|) +
-/// h (|f.x| + |f.y|) + 2 e h and 2 u of the products.
+/// Returns f x g. With the components of f within e and those of g within h, the result is right within e (|g.x| +
+/// |g.y|) + h (|f.x| + |f.y|) + 2 e h and 2 u of the products.
 inline Estimate crossOf(const Direction& f, const Direction& g) {
   const double fSize = std::abs(f.x) + std::abs(f.y);
   const double gSize = std::abs(g.x) + std::abs(g.y);
@@ -205,27 +212,28 @@ inline Estimate crossOf(const Direction& f, const Direction& g) {
   return {f.x * g.y - f.y * g.x, error * (1 + 0x1p-40) + kUnderflowError};
 }
 
-/// Returns how far a direction points along (-kAxisY, kAxisX): two products more, with factors that are 1622 together.
+/// Returns how far a direction points along (-kAxisY, kAxisX). This adds two products, whose factors have the sum 1622.
 inline Estimate heightOf(const Direction& f) {
   const double error = f.error + 3 * kUnitRoundoff * (std::abs(f.x) + std::abs(f.y));
   return {exact::kAxisX * f.y - exact::kAxisY * f.x, 1640 * error};
 }
 
-/// Returns how far a circle of a face, no larger than its corner, is from the disc's center, times w.
+/// Returns w times the distance between the centers of a disc and a circle of its face. `corner` is the circle that the
+/// disc is relative to, and `circle` must not be larger.
 inline Estimate distanceOf(const Circle& circle, const HomogeneousDisc& disc, const Circle& corner) {
   return {disc.rho + disc.w * (circle.r - corner.r), disc.error};
 }
 
-/// The squared length of the common tangents of two circles, negative if one contains the other strictly. Where the
-/// difference of the circles is short, that of the scaled difference.
+/// Returns the squared length of the common tangents of two circles; negative if one strictly contains the other. If
+/// the difference of the circles is short, the result is that of the scaled difference.
 inline Estimate tangentLengthSquared(const Circle& a, const Circle& b) {
   const Difference d = scaledIfShort(Difference(a, b));
   const double l = size(d);
   return {cone(d, d), 8 * kUnitRoundoff * l * l + kUnderflowError};
 }
 
-/// Returns how far circle c reaches beyond the tangent line to the left of a -> b, times |d|^2, with the normal of
-/// discAtInfinity. Each of the two differences is scaled by itself if it is short.
+/// Returns how far circle c reaches beyond the tangent line to the left of a -> b, times |d|^2, d = b - a, with the
+/// normal of discAtInfinity. The differences b - a and c - a are scaled separately if they are short.
 ///
 /// Error: let l = |d|, m = |c - a|. e.s times l^2 at most, d.s times l m at most, both within 8 u; the cross product of
 /// at most l m within 4 u, and sqrt(g) <= l within 4 u l^2 / sqrt(g) + u l, their product within 4 u l^2 m (l /

@@ -18,7 +18,7 @@ int signOf(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 int orientation(Point a, Point b, Point c) {
   Estimate estimate = orientationOf(a, b, c);
   if (const int sign = estimate.sign(); sign != 0) return sign;
-  // On a line along an axis.
+  // Both products are exactly zero, as on a line along an axis.
   if ((a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x)) return 0;
   const double largest =
       std::max(std::max(std::abs(a.x - c.x), std::abs(a.y - c.y)), std::max(std::abs(b.x - c.x), std::abs(b.y - c.y)));
@@ -35,7 +35,7 @@ int inCircle(Point a, Point b, Point c, Point d) {
                                    std::abs(c.x - d.x), std::abs(c.y - d.y)});
   const InCircleEstimate estimate(a, b, c, d, largest < kShortLength ? scaleOf(largest) : 1);
   if (const int sign = estimate.coarse().sign(); sign != 0) return sign;
-  // The determinant is at most 12 times the fourth power of one.
+  // The determinant is at most 12 times the fourth power of the largest difference.
   if (haveShortDifferences<12>({a, b, c, d}, largest)) return signOf(estimate.coarse().value);
   if (const int sign = estimate.fine().sign(); sign != 0) return sign;
   return exact::inCircle(a, b, c, d);

@@ -11,19 +11,20 @@ namespace circle_voronoi {
 /// Exact tests of points, fast for the coordinates that people draw: integers and short decimals, whose ties no
 /// floating-point filter decides.
 
-/// 1 if a, b, c are counter-clockwise, -1 if clockwise, 0 if collinear.
+/// Returns 1 if points a, b, c are counter-clockwise, -1 if they are clockwise, 0 if they are collinear.
 int orientation(Point a, Point b, Point c);
 
-/// 1 if d lies inside the circle through a, b, c, which are counter-clockwise; 0 if on it; -1 if outside.
+/// Returns 1 if point d lies inside the circle through a, b, c, which are counter-clockwise; 0 if it lies on the
+/// circle; -1 if it lies outside.
 int inCircle(Point a, Point b, Point c, Point d);
 
-// Estimates of their determinants by J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust
-// geometric predicates", 1997, section 4: errors relative to the determinants' permanents.
+// Error bounds of the floating-point determinants, relative to their permanents: J. R. Shewchuk, "Adaptive precision
+// floating-point arithmetic and fast robust geometric predicates", 1997, section 4.
 inline constexpr double kOrientationError = (3 + 16 * kUnitRoundoff) * kUnitRoundoff;
 inline constexpr double kInCircleError = (10 + 96 * kUnitRoundoff) * kUnitRoundoff;
 
-// `scale` is a power of two by which all differences are multiplied: where they are short (short_lengths.h), their
-// products would underflow.
+// `scale` is a power of two that multiplies all differences. If they are short (short_lengths.h), their products would
+// underflow otherwise.
 
 inline Estimate orientationOf(Point a, Point b, Point c, double scale = 1) {
   const double left = (a.x - c.x) * scale * ((b.y - c.y) * scale);
@@ -31,7 +32,7 @@ inline Estimate orientationOf(Point a, Point b, Point c, double scale = 1) {
   return {left - right, kOrientationError * (std::abs(left) + std::abs(right)) + kUnderflowError};
 }
 
-/// The determinant with two errors, the second one smaller and more costly.
+/// The in-circle determinant with two error bounds. The second is smaller and takes longer to compute.
 class InCircleEstimate {
  public:
   InCircleEstimate(Point a, Point b, Point c, Point d, double scale = 1)
@@ -42,8 +43,9 @@ class InCircleEstimate {
         cx_((c.x - d.x) * scale),
         cy_((c.y - d.y) * scale) {}
 
-  /// Shewchuk's bound is in aa (|bx cy| + |by cx|) + ..., which is at most aa sqrt(bb cc) + ... and so at most
-  /// aa bb + bb cc + cc aa <= (aa + bb + cc)^2 / 3: hardly ever too coarse for points near one another.
+  /// Returns the determinant with a coarse bound. Shewchuk's bound is in aa (|bx cy| + |by cx|) + ..., which is at most
+  /// aa sqrt(bb cc) + ... and so at most aa bb + bb cc + cc aa <= (aa + bb + cc)^2 / 3. This is rarely too coarse for
+  /// points near one another.
   Estimate coarse() const {
     const double size = aa_ + bb_ + cc_;
     return {value_, 0.34 * kInCircleError * size * size + kUnderflowError};

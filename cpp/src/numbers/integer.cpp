@@ -9,7 +9,7 @@ namespace {
 
 int signedAs(int count, bool isNegative) { return isNegative ? -count : count; }
 
-/// -1, 0 or 1 as a is smaller than b, equal or larger.
+/// Returns -1 if a is smaller than b, 0 if they are equal, 1 if a is larger.
 int compare(const Limb* a, int aCount, const Limb* b, int bCount) {
   if (aCount != bCount) return aCount < bCount ? -1 : 1;
   for (int i = aCount - 1; i >= 0; --i) {
@@ -18,7 +18,8 @@ int compare(const Limb* a, int aCount, const Limb* b, int bCount) {
   return 0;
 }
 
-/// aCount >= bCount.
+/// Writes a + b to `out`. Returns its number of limbs.
+/// Precondition: aCount >= bCount.
 int sumOf(const Limb* a, int aCount, const Limb* b, int bCount, Limb* out) {
   Limb carry = 0;
   for (int i = 0; i < aCount; ++i) {
@@ -30,7 +31,8 @@ int sumOf(const Limb* a, int aCount, const Limb* b, int bCount, Limb* out) {
   return aCount + (carry != 0 ? 1 : 0);
 }
 
-/// a > b.
+/// Writes a - b to `out`. Returns its number of limbs.
+/// Precondition: a > b.
 int differenceOf(const Limb* a, int aCount, const Limb* b, int bCount, Limb* out) {
   Limb borrow = 0;
   for (int i = 0; i < aCount; ++i) {

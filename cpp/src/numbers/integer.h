@@ -7,14 +7,14 @@
 
 namespace circle_voronoi {
 
-/// value * 2^exponent, the value right to 51 bits.
+/// The number value * 2^exponent, with a value that is right to 51 bits.
 struct LeadingBits {
   double value = 0;
   int exponent = 0;
 };
 
-/// Arithmetic on integers of any size as limbs, the least first and none leading zero. The size is negated for a
-/// negative number.
+/// Arithmetic on integers of any size. A number is an array of limbs, the least significant first and no leading zeros.
+/// Its size is the count of limbs, negated for a negative number.
 namespace limbs {
 
 using Limb = std::uint64_t;
@@ -22,23 +22,24 @@ __extension__ using Wide = unsigned __int128;
 __extension__ using SignedWide = __int128;
 inline constexpr int kBits = 64;
 
-/// a + b into `out`, which has room for one limb more than either and is neither of them. Returns its size.
+/// Writes a + b to `out`, which has room for one limb more than either has and overlaps neither. Returns its size.
 int sum(const Limb* a, int aSize, const Limb* b, int bSize, Limb* out);
 
-/// a * b into `out`, which has room for the limbs of both and is neither of them. Returns its size.
+/// Writes a * b to `out`, which has room for the limbs of both and overlaps neither. Returns its size.
 int product(const Limb* a, int aSize, const Limb* b, int bSize, Limb* out);
 
-/// value * 2^shift into `out`. Returns its size.
+/// Writes value * 2^shift to `out`, with shift >= 0. Returns its size.
 int assign(std::int64_t value, int shift, Limb* out);
 
 LeadingBits leading(const Limb* a, int size);
 
 }  // namespace limbs
 
-// An integer that is a polynomial of the given degree in numbers that share a unit, without rounding. Nothing is
-// allocated, and nothing overflows. Sums are of equal degrees, as in every sign that does not depend on the unit.
+// Each class below is an integer that is a polynomial of the given degree in numbers that share a unit, without
+// rounding. It allocates no memory and does not overflow. Only integers of equal degree are added, which is enough for
+// every sign that does not depend on the unit.
 
-/// An integer for values of any doubles. The memory is that of the largest such value, the time that of the actual one.
+/// An integer for values of any doubles. It has memory for the largest such value but takes time for the actual one.
 template <int kDegree>
 class Integer {
  public:
@@ -50,7 +51,7 @@ class Integer {
     return *this;
   }
 
-  /// value * 2^shift, shift >= 0.
+  /// Makes value * 2^shift, with shift >= 0.
   explicit Integer(std::int64_t value, int shift = 0) { size_ = limbs::assign(value, shift, limbs_.data()); }
 
   int sign() const { return size_ > 0 ? 1 : size_ < 0 ? -1 : 0; }
@@ -74,9 +75,9 @@ class Integer {
  private:
   template <int>
   friend class Integer;
-  /// Doubles reach from 2^-1074 to 2^1024.
+  /// The number of limbs for degree 1: doubles reach from 2^-1074 to 2^1024.
   static constexpr int kLimbsOfOne = (1024 + 1074) / limbs::kBits + 1;
-  /// For constants and sums.
+  /// Room for constants and sums.
   static constexpr int kLimbsToSpare = 2;
 
   void copy(const Integer& other) {
@@ -90,11 +91,11 @@ class Integer {
   }
 
   int size_ = 0;
-  std::array<limbs::Limb, kDegree * kLimbsOfOne + kLimbsToSpare> limbs_;  // those beyond size_ have no value
+  std::array<limbs::Limb, kDegree * kLimbsOfOne + kLimbsToSpare> limbs_;  // limbs beyond size_ are not set
 };
 
-/// Of integers of at most 64 kLimbs - 3 bits, kLimbs times the degree: two's complement in so many limbs. The bits to
-/// spare are for sums of as many terms as the formulas have. Several times faster.
+/// An integer in two's complement with kLimbs limbs, several times faster than Integer. For numbers of at most 64 n - 3
+/// bits, take n limbs times the degree. The bits to spare are for sums of as many terms as the formulas have.
 template <int kLimbs>
 class FixedInteger {
  public:
@@ -160,7 +161,8 @@ class FixedInteger {
       }
       out[i + kOther] = carry;
     }
-    // A negative factor was taken for one that is greater by two to the power of its bits.
+    // The loop takes a negative factor as unsigned, so as too large by two to the power of its bits. Subtract the
+    // excess.
     result.takeAway(other.limbs_, kLimbs, mask());
     result.takeAway(limbs_, kOther, other.mask());
     return result;
@@ -172,7 +174,7 @@ class FixedInteger {
   using Limb = limbs::Limb;
   using Wide = limbs::Wide;
 
-  /// Of one or two limbs, modulo 2^128.
+  /// Returns a number of one or two limbs modulo 2^128.
   Wide wide() const {
     if constexpr (kLimbs == 1) return static_cast<Wide>(static_cast<std::int64_t>(limbs_[0]));
     return static_cast<Wide>(limbs_[1]) << limbs::kBits | limbs_[0];

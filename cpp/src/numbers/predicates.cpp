@@ -16,7 +16,7 @@ namespace {
 
 using Triple = Predicates::Triple;
 
-/// The circles of a face, rotated so that a point at infinity comes last.
+/// Returns the circles of a face, rotated so that a point at infinity comes last.
 exact::Face facing(std::span<const Circle> circles, const Triple& face) {
   const auto at = [&](int i) { return i == kPointAtInfinity ? nullptr : &circles[i]; };
   if (face[0] == kPointAtInfinity) return {at(face[1]), at(face[2]), nullptr};
@@ -24,7 +24,8 @@ exact::Face facing(std::span<const Circle> circles, const Triple& face) {
   return {at(face[0]), at(face[1]), at(face[2])};
 }
 
-/// Returns the filtered sign of the distance of a disc from the smallest circle of its face.
+/// Returns the sign of the distance of the disc's center from that of the smallest circle of its face, or 0 if rounding
+/// hides it. The disc exists if the sign is positive.
 int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
   return distanceOf(*exact::smallestOf(face), placed.disc, *face[placed.corner]).sign();
 }
@@ -45,7 +46,7 @@ CornerDisc exactDisc(const exact::Face& face) {
   const Circle& o = *exact::smallestOf(face);
   double farthest = 0;
   for (const Circle* c : face) farthest = std::max({farthest, std::abs(c->x - o.x), std::abs(c->y - o.y)});
-  // Seen from another circle, w times the difference of the centers is added.
+  // A direction from another circle adds w times the difference of the centers.
   const double error = 0x1p-45 * (1 + point->w * farthest);
   const auto corner = std::find(face.begin(), face.end(), &o) - face.begin();
   return {{point->v.x, point->v.y, point->w, 1, error}, static_cast<int>(corner)};

@@ -21,10 +21,10 @@ namespace circle_voronoi {
 
 /// How often each stage of a predicate decided.
 struct FilterCounts {
-  std::int64_t filtered = 0;  ///< floating point with an error bound
-  std::int64_t refined = 0;   ///< the same with twice the digits (refined.h)
-  std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centers (equal radii)
-  std::int64_t exact = 0;     ///< exact, in integers
+  std::int64_t filtered = 0;  ///< by floating point with an error bound
+  std::int64_t refined = 0;   ///< by floating point with twice the digits (refined.h)
+  std::int64_t inCircle = 0;  ///< exactly, by the in-circle test of the centers (equal radii)
+  std::int64_t exact = 0;     ///< exactly, by integers
 
   FilterCounts& operator+=(const FilterCounts& other) {
     filtered += other.filtered;
@@ -41,11 +41,11 @@ struct FilterCounts {
 struct FaceDisc {
   Vector v;
   double w = 0;
-  double rho = 0;  ///< of circles: w times the distance of the disc's center from that of circle `origin`
+  double rho = 0;  ///< w times the distance between the centers of the disc and of `origin`; 0 at infinity
   double error = 0;
   int origin = kPointAtInfinity;
   bool exists = false;
-  /// True if double arithmetic alone decided on the disc. Then these are the numbers that vertexOf looks at first.
+  /// True if unscaled double arithmetic decided whether the disc exists. Then vertexOf tries these numbers first.
   bool isFiltered = false;
 
   friend bool operator==(const FaceDisc& a, const FaceDisc& b) {
@@ -66,10 +66,10 @@ class Predicates {
 
   using Triple = std::array<int, 3>;
 
-  /// The disc of three circles counter-clockwise; one of them may be kPointAtInfinity.
+  /// Computes the disc of three circles in counter-clockwise order; one of them may be kPointAtInfinity.
   FaceDisc disc(const Triple& face);
 
-  /// The vertex of a face of circles that has this disc: that of vertexOf, bit for bit.
+  /// Returns the vertex of a face of circles that has this disc, with the same bits as vertexOf.
   std::optional<Vertex> vertex(const Triple& face, const FaceDisc& disc, double unit) const;
 
   /// Returns the direction to a disc from circle `from`, a corner of its face.
@@ -86,8 +86,8 @@ class Predicates {
     return sign;
   }
 
-  /// The sign of the cross product of the directions to the discs of two faces, seen from a corner of both, where the
-  /// filter did not decide: by refined discs, then exactly. The faces share an edge.
+  /// Returns the sign of the cross product of the directions to the discs of two faces that share an edge, seen from a
+  /// corner of both. Use it where the filter did not decide: it tries refined discs, then integers.
   int exactCross(int from, const Triple& first, const Triple& second);
 
   /// Returns the sign of the cross product of the directions to the discs of two faces that share an edge, seen from a
@@ -97,14 +97,14 @@ class Predicates {
     return sign != 0 ? sign : exactCross(from, first, second);
   }
 
-  /// For faces (a, b, c) and (b, a, d) of circles, which have discs, and a bisector that looksFromFirst(a, b): 1 if the
-  /// discs lie in order along it, that of (b, a, d) first when going with a on the left; 0 if they are the same; -1 if
-  /// they are out of order. That is the sign of the cross product of the directions to them from a, without the
-  /// filter.
+  /// Returns 1 if the discs of (a, b, c) and (b, a, d) lie in order along the bisector of a and b, that of (b, a, d)
+  /// first when going with a on the left; 0 if they are the same; -1 if they are out of order. This is the sign of the
+  /// cross product of the directions to them from a. The filter is not tried.
+  /// Precondition: both are faces of circles and have discs, and looksFromFirst(a, b).
   int exactEdgeOrder(int a, int b, int c, int d);
 
-  /// Returns whether a bisector is ordered as seen from its first circle, the larger one: there it spans less than half
-  /// a turn, so that a cross product orders it.
+  /// Returns whether the bisector of a and b is ordered as seen from a. Circle a must not be the smaller one: then the
+  /// bisector spans less than half a turn, so that a cross product orders it.
   bool looksFromFirst(int a, int b) const { return circles_[a].r >= circles_[b].r; }
 
   /// Returns whether the direction from a corner of a face to its disc lies in the lower half of a fixed frame, which
@@ -127,13 +127,14 @@ class Predicates {
     return contains(one, other) ? b : contains(other, one) ? a : kPointAtInfinity;
   }
 
-  /// 1 if circle c crosses the tangent line to the left of a -> b, 0 if it touches it, -1 if it is clear of it.
+  /// Returns 1 if circle c crosses the tangent line to the left of a -> b, 0 if it touches the line, -1 if it is clear
+  /// of the line.
   int tangentSide(int a, int b, int c);
 
   const FilterCounts& counts() const { return counts_; }
 
-  /// Calls function(begin, end, range, predicates) for ranges of the items (Threads::forRanges), each with predicates
-  /// of its own, and adds what they count.
+  /// Calls function(begin, end, range, predicates) for ranges of the items (Threads::forRanges). Each range has
+  /// predicates of its own, and their counts are added to those of this object.
   template <class Function>
   void forRanges(Threads threads, std::size_t items, Function function) {
     std::vector<FilterCounts> counts(threads.rangesOf(items));

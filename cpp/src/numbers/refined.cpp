@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// As in exact.cpp, whose letters these are, circles are seen from a circle o, and discs are tangent lines: that of (o,
-// p, q) has the axis D = P g_q - Q g_p and, with d = g_p g_q g_pq, the direction
+// As in exact.cpp, whose letters are used here, circles are seen from a circle o, and discs are tangent lines. The line
+// of (o, p, q) has the axis D = P g_q - Q g_p and, with d = g_p g_q g_pq, the direction
 //   e |D|^2 = -D.s (D.x, D.y) + sqrt(d) (-D.y, D.x)
 // and, with N = P x Q, the offset t |D|^2 = D.y N.x - D.x N.y + N.s sqrt(d). Its first two terms, the third component
 // of N x D, are alpha P.s + beta Q.s with alpha = g_q (g_p - <P, Q>), beta = g_p (g_q - <P, Q>), as 2 <P, Q> = g_p +
 // g_q - g_pq.
 //
-// The order of two discs, of (o, p, q) and of o, n and p or q: where the first direction lies to the left of the axis E
-// of the second disc, it is that of how far W_n reaches beyond the tangent line with the axis D,
+// The order of two discs, of (o, p, q) and of o, n and p or q, is simple if the first direction lies to the left of the
+// axis E of the second disc. Then it follows from how far W_n reaches beyond the tangent line with the axis D,
 //   a + b sqrt(d),  a = M.x D.y - M.y D.x,  b = M.s,  M = g_n (Q x P) + g_q (P x N) + g_p (N x Q).
-// In a near tie it cancels, and a - b sqrt(d) does not. Their product is |D|^2 <M, M>, so that the sign is that of
-// <M, M> times that of a - b sqrt(d). The norm <M, M> cancels too, but no more than the circles' doubles let it: in the
-// form of exact.cpp it needs nothing but tangent lengths.
+// In a near tie this sum cancels, but a - b sqrt(d) does not. Their product is |D|^2 <M, M>, so the sign of the sum is
+// that of <M, M> times that of a - b sqrt(d). The norm <M, M> cancels too, but no more than the circles' doubles let
+// it: in the form of exact.cpp it needs nothing but tangent lengths.
 //
-// Where all differences of the circles are short, they are multiplied by a power of two first (short_lengths.h).
+// If all differences of the circles are short, they are multiplied by a power of two first (short_lengths.h).
 #include "refined.h"
 
 #include <algorithm>
@@ -40,8 +40,8 @@ Relative operator*(const Relative& a, const Relative& b) {
   return {product(a.number, b.number), (a.error + b.error) * (1 + 0x1p-40) + 9 * u * u};
 }
 
-/// g of two circles or the point at infinity, with which it is 1. The error is unknown unless the value alone is within
-/// 2 u.
+/// Returns g of two circles, or 1 if one of them is the point at infinity. The error is unknown unless the value alone
+/// is right within 2 u.
 Relative tangentSquareOf(const Circle* a, const Circle* b, double scale) {
   if (a == nullptr || b == nullptr) return {};
   const TangentSquare g = tangentSquare(*a, *b, scale);
@@ -49,7 +49,7 @@ Relative tangentSquareOf(const Circle* a, const Circle* b, double scale) {
   return {g.square, isRight ? g.error / g.square.value : kUnknownError};
 }
 
-/// A circle as seen from another: U, its length, g. For the point at infinity U is 0.
+/// A circle as seen from another: U, the length of U, and g. For the point at infinity, U is 0 and g is 1.
 struct Sight {
   Difference v = {0, 0, 0};
   double size = 0;
@@ -64,7 +64,7 @@ struct Sight {
   double g() const { return square.number.value; }
 };
 
-/// By what the differences of circles are to be multiplied. Any of them is at most twice the largest one from `from`.
+/// Returns the factor for the differences of circles. Any difference is at most twice the largest one from `from`.
 double scaleOf(const Circle& from, std::initializer_list<const Circle*> circles) {
   double largest = 0;
   for (const Circle* c : circles) {
@@ -78,14 +78,14 @@ bool areKnown(std::initializer_list<Relative> squares) {
                      [](const Relative& square) { return square.error < kUnknownError; });
 }
 
-/// The axis of the disc of (o, p, q). Its length is at most `size`; its components, and `root`, which is sqrt(d) and at
-/// most that length, are within 6 u of `size`.
+/// The axis D of the disc of (o, p, q), and `root`, which is sqrt(d). The length of D is at most `size`, and `root` is
+/// at most that length. Each number is within 6 u of `size`.
 struct Axis {
   double x, y, s;
   double root;
   double size;
 
-  /// `square` is g of the two circles.
+  /// `square` is g of p and q, seen from each other.
   Axis(const Sight& p, const Sight& q, const Relative& square)
       : x(p.v.x * q.g() - q.v.x * p.g()),
         y(p.v.y * q.g() - q.v.y * p.g()),
@@ -93,24 +93,24 @@ struct Axis {
         root(std::sqrt(p.g() * q.g() * square.number.value)),
         size(p.size * q.g() + q.size * p.g()) {}
 
-  /// e |D|^2.
+  /// Returns e |D|^2.
   ///
   /// Error: let l = |D| and k be `size`. Each component is a sum of two products, of factors that are together at most
-  /// (sqrt(3) + 1) l: within 6 u k times that, 17 u k l. The products and the sum add 3 u l^2, and l <= k. What is
-  /// computed of l may be 14 u k too small.
+  /// (sqrt(3) + 1) l: within 6 u k times that, 17 u k l. The products and the sum add 3 u l^2, and l <= k. The computed
+  /// l may be 14 u k too small.
   Direction direction() const {
     const double length = std::sqrt(x * x + y * y + s * s);
     return {-s * x - root * y, -s * y + root * x, 20 * u * size * (length + 20 * u * size) + kUnderflowError};
   }
 };
 
-/// 4 <M, M>.
+/// Returns 4 <M, M>, given A, B and C (touchSign in exact.cpp).
 ///
 /// Error: let e be the largest relative error of A, B, C, P their sum, S = A + C - B.
 /// - The sums are exact in two parts but for the roundings of the rests: A.rest + C.rest within u of u P, less B.rest
 ///   within u of u P, the rests of both sums within u of 2 u P, all within u of 3 u P: 7 u^2 P. With the errors of A,
 ///   B, C, S is within (e + 7 u^2) P.
-///   That leaves S^2 within that times the sum of it and 2 |S|.
+///   So S^2 is within this bound times the sum of the bound and 2 |S|.
 /// - S's own rest is at most u |S|: 2 u S^2 rounded, its square left out, 3 u S^2 rounded: 6 u^2 S^2.
 /// - 4 A C within 2 e and 9 u^2 of itself.
 /// - The difference of the rests, at most 3 u S^2 + 4 u A C, is rounded, as is its sum with that of the values' sum, 1
@@ -133,7 +133,7 @@ Estimate normOf(const Relative& a, const Relative& b, const Relative& c) {
   return {difference.value + rest, error + kUnderflowError};
 }
 
-/// a - b sqrt(d).
+/// Returns a - b sqrt(d).
 ///
 /// Error: with T = g_n |P| |Q| + g_q |P| |N| + g_p |N| |Q| each component of M is at most T and within 9 u T: the cross
 /// products within 4 u, times g within 3 u more, and two sums. So with k, the axis's size, a is within 15 sqrt(2)
@@ -160,8 +160,8 @@ Direction refinedDirection(const exact::Face& face, const Circle& from) {
   return Axis(p, q, pq).direction();
 }
 
-// Seen from the smallest circle, which it touches if it touches any: with w = 2 t |D|^2 the point (e |D|^2 : w) has the
-// distance |D|^2 / w.
+// The disc is seen from the smallest circle, which it touches if it touches any. With w = 2 t |D|^2,
+// the point (e |D|^2 : w) has the distance |D|^2 / w.
 //
 // Error: let k be the axis's size, P the sum g_p + g_q + g_pq, `whole`.
 // - Twice the differences of g_p and g_q from <P, Q> are sums of the three g, at most P and within 4 u P, so that alpha
@@ -203,15 +203,15 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   return result;
 }
 
-// With d = b - a, e = c - a and the root of g_ab it is e.s |d|^2 - d.s d.e + (d x e) root in the plane. As |d|^2 = g_ab
-// + d.s^2 and 2 <d, e> = g_ab + g_ac - g_bc, the first two are e.s g_ab - d.s <d, e>, which does not cancel where
-// tangents are short.
+// With d = b - a, e = c - a and the root of g_ab, the reach is e.s |d|^2 - d.s d.e + (d x e) root, with products in the
+// plane. As |d|^2 = g_ab + d.s^2 and 2 <d, e> = g_ab + g_ac - g_bc, the first two terms are e.s g_ab - d.s <d, e>,
+// which does not cancel where tangents are short.
 //
 // Error: let P be the sum of the three g, each within 2 u.
 // - 2 e.s g_ab is within 4 u of itself.
 // - The sum of the g is within 4 u P, times d.s within 6 u.
 // - d x e is at most |d| |e|, within 4 u, its double times the root within 7 u of twice that.
-// The sums add 2 u to all. One u more covers what is of higher order.
+// The sums add 2 u to all. One more u covers terms of higher order.
 Estimate refinedReach(const Circle& a, const Circle& b, const Circle& c) {
   const double scale = scaleOf(a, {&b, &c});
   const Sight d(&b, a, scale);

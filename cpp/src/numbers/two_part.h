@@ -6,30 +6,30 @@
 
 namespace circle_voronoi {
 
-/// A number as the sum of a double and what that lacks: twice the digits.
+/// A number with twice the digits of a double: the sum of a double and the rest that it lacks.
 struct TwoPart {
   double value = 0;
   double rest = 0;
 };
 
-/// The product with a power of two, exactly.
+/// Returns the product with a power of two, exactly.
 inline TwoPart operator*(const TwoPart& a, double scale) { return {a.value * scale, a.rest * scale}; }
 
-/// a + b exactly. D. E. Knuth, "The Art of Computer Programming", volume 2, section 4.2.2.
+/// Returns a + b exactly. D. E. Knuth, "The Art of Computer Programming", volume 2, section 4.2.2.
 inline TwoPart sum(double a, double b) {
   const double value = a + b;
   const double part = value - a;
   return {value, (a - (value - part)) + (b - part)};
 }
 
-/// The upper half of the digits.
+/// Returns the upper half of the digits of a number.
 inline double upperHalf(double a) {
   const double c = 0x1.0000002p27 * a;
   return c - (c - a);
 }
 
-/// a b exactly, but for underflow. T. J. Dekker, "A floating-point technique for extending the available precision",
-/// 1971.
+/// Returns a b exactly, except for underflow. T. J. Dekker, "A floating-point technique for extending the available
+/// precision", 1971.
 inline TwoPart product(double a, double b) {
   const double value = a * b;
   const double aHigh = upperHalf(a);
@@ -39,7 +39,7 @@ inline TwoPart product(double a, double b) {
   return {value, ((aHigh * bHigh - value) + aHigh * bLow + aLow * bHigh) + aLow * bLow};
 }
 
-/// a^2 exactly, but for underflow.
+/// Returns a^2 exactly, except for underflow.
 inline TwoPart square(double a) {
   const double value = a * a;
   const double high = upperHalf(a);
@@ -47,23 +47,25 @@ inline TwoPart square(double a) {
   return {value, ((high * high - value) + 2 * high * low) + low * low};
 }
 
-/// a b, for rests within u of their values.
+/// Returns a b, for factors whose rests are within u of their values.
 ///
-/// Error: the product of the rests is at most u^2 a b and is left out. Those with the values are at most u a b each,
-/// and so is the rest of the product of these: their roundings and those of their sums, the last of at most 3 u a b,
-/// are within 7 u^2 a b. Together 8 u^2 a b, and the second order below another u^2 a b.
+/// Error: the product of the rests is at most u^2 a b and is left out. The products of a rest and a value are at most
+/// u a b each, and so is the rest of the product of the values. The roundings of these three and of their sums, the
+/// last of at most 3 u a b, are within 7 u^2 a b. Together this makes 8 u^2 a b. The second order is below another u^2
+/// a b.
 inline TwoPart product(const TwoPart& a, const TwoPart& b) {
   const TwoPart p = product(a.value, b.value);
   return sum(p.value, p.rest + (a.value * b.rest + a.rest * b.value));
 }
 
-/// The squared length of the common tangents of two circles. `error` bounds that of both parts together.
+/// The squared length of the common tangents of two circles. `error` bounds the error of both parts together.
 struct TangentSquare {
   TwoPart square;
   double error = 0;
 };
 
-/// The circles' differences are multiplied by `scale`, a power of two (short_lengths.h). This is exact.
+/// Computes the squared length of the common tangents of circles p and o. Their differences are multiplied by `scale`,
+/// a power of two (short_lengths.h). This is exact.
 ///
 /// Error: let l be the length of the difference in (x, y, s) space. The squares of the rounded differences and their
 /// two sums are exact in two parts; what remains, twice the differences' products with their rests and the rests of the

@@ -14,14 +14,14 @@ namespace circle_voronoi {
 inline double cross(Vector u, Vector v) { return u.x * v.y - u.y * v.x; }
 inline double dot(Vector u, Vector v) { return u.x * v.x + u.y * v.y; }
 
-/// A number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; 0 for the zero vector.
+/// Returns a number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; 0 for the zero vector.
 inline double pseudoAngle(Vector v) {
   const double size = std::abs(v.x) + std::abs(v.y);
   const double along = size > 0 ? v.x / size : 1;
   return v.y >= 0 ? 1 - along : 3 + along;
 }
 
-/// Right to a few units of rounding at any scale.
+/// Returns the length of a vector, right to a few units of rounding at any scale.
 inline double length(Vector v) {
   const double square = dot(v, v);
   if (square >= kShortLength * kShortLength) return std::sqrt(square);
@@ -45,7 +45,7 @@ inline bool isLonger(Vector v, double reach) {
   return dot(v, v) > reach * reach * (1 + 1e-12);
 }
 
-/// From the center of one circle to the center of another.
+/// Returns the vector from the center of one circle to the center of another.
 inline Vector between(const Circle& from, const Circle& to) { return {to.x - from.x, to.y - from.y}; }
 
 }  // namespace circle_voronoi

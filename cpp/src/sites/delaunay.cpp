@@ -3,8 +3,8 @@
 // Divide and conquer (L. Guibas, J. Stolfi, "Primitives for the manipulation of general subdivisions and the
 // computation of Voronoi diagrams", 1985), with cuts across the longer side of each part (R. A. Dwyer, "A faster
 // divide-and-conquer algorithm for constructing Delaunay triangulations", 1987), on triangles with a corner at infinity
-// beyond each side of the hull (J. R. Shewchuk, "Triangle", 1996). To merge two parts is to join them by one edge and
-// then to flip.
+// beyond each side of the hull (J. R. Shewchuk, "Triangle", 1996). Two parts are merged by joining them with one edge
+// and then flipping edges.
 #include "delaunay.h"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ namespace {
 
 enum class Axis { x, y };
 
-/// The order along an axis: by x, then y; or by y, then -x, which is the same turned by a right angle.
+/// Returns whether a comes before b along an axis: by x, then y; or by y, then -x, which is the same order turned by a
+/// right angle.
 template <Axis axis>
 bool isBefore(Point a, Point b) {
   // Without branches, which would often be predicted wrongly.
@@ -33,7 +34,7 @@ bool isBefore(Point a, Point b) {
   return (a.y < b.y) | ((a.y == b.y) & (a.x > b.x));
 }
 
-/// Up to so many sites are sorted rather than cut at a sample's median.
+/// Up to this many sites are sorted, instead of cut at the median of a sample.
 constexpr std::size_t kFew = 12;
 
 struct Site {
@@ -56,7 +57,7 @@ void sortFew(std::span<Item> items, Before before) {
   }
 }
 
-/// About the median of sites along an axis: that of a sample.
+/// Returns about the median of sites along an axis: the median of a sample.
 template <Axis axis>
 Point pivotOf(std::span<const Site> sites) {
   std::array<Point, 27> sample;
@@ -80,12 +81,12 @@ std::size_t bringToFront(std::span<Site> sites, Condition condition) {
 }
 
 struct Cut {
-  std::size_t count;  ///< of the sites before it
+  std::size_t count;  ///< the number of sites before the cut
   Point at;
 };
 
-/// Brings the sites before some pivot to the front, or those up to it if there are none: all of them only if all are
-/// equal.
+/// Moves the sites before some pivot to the front or, if there are none, the sites up to the pivot. These are all sites
+/// only if all are equal.
 template <Axis axis>
 Cut cut(std::span<Site> sites) {
   Point pivot;
@@ -106,7 +107,7 @@ Cut cut(std::span<Site> sites) {
 /// The place where a part of the sites is cut in two. It is not cut if all sites are equal.
 struct Division {
   Axis axis;
-  std::size_t count;  ///< of the sites before the cut
+  std::size_t count;  ///< the number of sites before the cut
   Box before, after;
 };
 
@@ -122,21 +123,21 @@ Division divide(std::span<Site> sites, const Box& box) {
 
 struct HalfEdge {
   int origin;  ///< index of a corner, or kPointAtInfinity
-  int twin;    ///< kNone: the face is not in use
+  int twin;    ///< kNone if the face is not in use
 };
 
-/// A triangulation of some of the points, by its first and last corner along each axis.
+/// A triangulation of some of the points, given by its first and last corner along each axis.
 struct Part {
   int left, right, bottom, top;
 };
 
-/// Memory for items that are set before they are read.
+/// Allocates memory for items that are set before they are read.
 template <class Item>
 std::unique_ptr<Item[]> roomFor(std::size_t count) {
   return std::unique_ptr<Item[]>(new Item[count]);
 }
 
-/// A triangulation in the making. A part of n sites has the corners with the numbers of its sites, and 2 n - 2 faces in
+/// A triangulation in progress. A part of n sites has the corners with the numbers of its sites, and 2 n - 2 faces in
 /// succession: those of its first half, those of its second half, and the two that join them. Equal sites leave some
 /// numbers free. So parts that have no site in common share no memory.
 struct Triangulation {
@@ -152,11 +153,12 @@ struct Triangulation {
   std::size_t halfEdgeCount() const { return halfEdgeCount(representative.size()); }
 
   std::unique_ptr<Point[]> corners;
-  std::unique_ptr<int[]> indices;     ///< of each corner, into the points
-  std::unique_ptr<int[]> toInfinity;  ///< of each first or last corner of a part: its half-edge to infinity, with the
-                                      ///< hull's side that begins there on the left; kNone if it is a part by itself
+  std::unique_ptr<int[]> indices;  ///< the index of the point at each corner
+  /// For each first or last corner of a part, its half-edge to infinity with the side of the hull that begins there on
+  /// the left; kNone if the corner is a part by itself.
+  std::unique_ptr<int[]> toInfinity;
   std::unique_ptr<HalfEdge[]> halfEdges;
-  std::vector<int> representative;  ///< of each point
+  std::vector<int> representative;  ///< of each point (Delaunay::representative)
 };
 
 /// Triangulates parts, one after the other.
@@ -172,11 +174,11 @@ class Triangulator {
         first_(sites),
         progress_(std::move(progress)) {}
 
-  /// Triangulates sites in a box, with the faces from the one given on.
+  /// Triangulates sites in a box, with the faces from `face` on.
   Part build(std::span<Site> sites, const Box& box, int face);
-  /// Adds one corner for sites that are all equal.
+  /// Adds one corner for sites that are all equal, and leaves their faces from `face` on free.
   Part addCorner(std::span<const Site> sites, int face);
-  /// Merges two parts, of which the one comes before the other along an axis, by two faces.
+  /// Merges two parts, of which `a` comes before `b` along an axis, by two faces from `face` on.
   Part merge(Axis axis, const Part& a, const Part& b, int face);
 
   std::int64_t steps() const { return steps_; }
@@ -190,7 +192,7 @@ class Triangulator {
     for (int h = 3 * from; h < 3 * to; ++h) halfEdges_[h] = {kPointAtInfinity, kNone};
   }
 
-  /// Tells, if there has been much to do since it was last told, that the sites before these are triangulated.
+  /// Reports that the sites before these are triangulated, if there were many steps since the last report.
   void tell(std::span<const Site> sites) {
     if (steps_ < stepsToTell_) return;
     stepsToTell_ = steps_ + kStepsPerReport;
@@ -219,7 +221,7 @@ class Triangulator {
     return sign != 0 ? sign : circle_voronoi::orientation(a, b, c);
   }
 
-  /// A corner relative to an origin, and its distance from it, squared.
+  /// A corner relative to an origin, and its squared distance from it.
   struct Lifted {
     double x, y, square;
   };
@@ -229,7 +231,7 @@ class Triangulator {
     return {x, y, x * x + y * y};
   }
 
-  /// Returns whether corners i, j, k are counter-clockwise; b and c are the latter two relative to the first.
+  /// Returns whether corners i, j, k are counter-clockwise. `b` and `c` are corners j and k relative to i.
   bool isLeftTurn(int i, int j, int k, const Lifted& b, const Lifted& c) {
     const double left = b.x * c.y;
     const double right = b.y * c.x;
@@ -239,8 +241,8 @@ class Triangulator {
     return circle_voronoi::orientation(corners_[i], corners_[j], corners_[k]) > 0;
   }
 
-  /// Returns whether corner l lies inside the circle through i, j, k, which are counter-clockwise; b, c and d are the
-  /// latter three relative to the first.
+  /// Returns whether corner l lies inside the circle through i, j, k, which are counter-clockwise. `b`, `c` and `d` are
+  /// corners j, k and l relative to i.
   bool isInCircle(int i, int j, int k, int l, const Lifted& b, const Lifted& c, const Lifted& d) {
     const double determinant =
         c.square * (b.x * d.y - b.y * d.x) - b.square * (c.x * d.y - c.y * d.x) - d.square * (b.x * c.y - b.y * c.x);
@@ -276,7 +278,7 @@ Part Triangulator::addCorner(std::span<const Site> sites, int face) {
   return {corner, corner, corner, corner};
 }
 
-/// Adds the sites one by one.
+/// Triangulates a few sites by adding corners one by one.
 Part Triangulator::buildFew(std::span<Site> sites, int face) {
   sortFew(sites, [](const Site& a, const Site& b) { return isBefore<Axis::x>(a.point, b.point); });
   const int last = face + 2 * static_cast<int>(sites.size()) - 2;
@@ -325,14 +327,14 @@ Part Triangulator::mergeAlong(const Part& a, const Part& b, int face) {
   }
 }
 
-/// Joins two parts at their seam, given the last corner of the one and the first of the other along the axis that the
-/// cut between them divides, and by two faces. In the names here that axis goes from left to right, and so the seam is
-/// closed from below to above.
+/// Joins two parts at their seam by two faces from `face` on. `left` is the last corner of the first part, along the
+/// axis that the cut between them divides, and `right` is the first corner of the second part. In the names here this
+/// axis goes from left to right, so the seam is closed from bottom to top.
 void Triangulator::join(int left, int right, int face) {
   constexpr auto next = &Dual::next;
   constexpr auto previous = &Dual::previous;
 
-  // Down along both hulls to the tangent below both parts.
+  // Go down along both hulls to the tangent below both parts.
   int atLeft = toInfinity_[left];
   int atRight = toInfinity_[right];
   for (bool isBelow = false; !isBelow;) {
@@ -372,8 +374,8 @@ void Triangulator::join(int left, int right, int face) {
     link(below + 2, atRight);
   }
 
-  // Up the seam: its end is the face (left, right, infinity), `above`, between `seam` below, (u, left, infinity) on the
-  // left and (right, w, infinity) on the right. It is linked to them at last.
+  // Go up the seam. Its end is the face (left, right, infinity), `above`, between `seam` below, (u, left, infinity) on
+  // the left and (right, w, infinity) on the right. It is linked to these faces after the loop.
   int seam = below;
   int atU = twinOf(above + 2);
   int atW = twinOf(above + 1);
@@ -381,7 +383,7 @@ void Triangulator::join(int left, int right, int face) {
     ++steps_;
     const Point origin = corners_[left];
     const Lifted r = lift(corners_[right], origin);
-    // On the left, while u makes no empty disc with the seam's end, the hull's side from left to u is flipped away.
+    // On the left, flip the side of the hull from left to u away while u has no empty disc with the seam's end.
     int u = originOf(previous(atU));
     Lifted liftedU = lift(corners_[u], origin);
     const bool isLeftOpen = u != right && isLeftTurn(left, right, u, r, liftedU);
@@ -401,7 +403,7 @@ void Triangulator::join(int left, int right, int face) {
       u = a;
       liftedU = liftedA;
     }
-    // On the right likewise.
+    // Do the same on the right, for w.
     int w = originOf(previous(atW));
     Lifted liftedW = lift(corners_[w], origin);
     const bool isRightOpen = w != left && isLeftTurn(left, right, w, r, liftedW);
@@ -422,7 +424,7 @@ void Triangulator::join(int left, int right, int face) {
       liftedW = liftedA;
     }
     if (!isLeftOpen && !isRightOpen) break;
-    // Of the edges from left and from right to infinity one is flipped, and the seam ends higher.
+    // Flip one of the edges from left and from right to infinity, so that the seam ends higher.
     if (!isRightOpen || (isLeftOpen && !isInCircle(left, right, u, w, r, liftedU, liftedW))) {
       const int top = next(atU);
       link(atU, seam);
@@ -453,11 +455,12 @@ struct Job {
   Box box;
   int face;
   Axis axis = Axis::x;
-  std::size_t first = 0;  ///< the job of its first half, before that of the second; 0 if it is done as a whole
+  std::size_t first = 0;  ///< the job of its first half, followed by that of the second; 0 if it is not divided
   Part part = {};
 };
 
-/// Triangulates all sites: cuts, then parts, then seams, as one thread does that goes down and up again.
+/// Triangulates all sites. One thread works recursively. Several threads make the same cuts first, then the parts, then
+/// the seams. Returns the number of steps.
 std::int64_t triangulate(Triangulation& triangulation, std::span<Site> sites, const Box& box, Threads threads,
                          const Done& progress) {
   if (threads.rangesOf(sites.size()) == 1) {
@@ -467,7 +470,7 @@ std::int64_t triangulate(Triangulation& triangulation, std::span<Site> sites, co
   }
   constexpr std::size_t kFewSites = 1024;
   std::vector<Job> jobs = {{0, sites.size(), box, 0}};
-  std::vector<std::size_t> levels = {0, 1};  // where each begins
+  std::vector<std::size_t> levels = {0, 1};  // the first job of each level
   while (levels.back() - levels.end()[-2] < threads.rangesOf(sites.size()) && levels.back() != levels.end()[-2]) {
     const std::size_t from = levels.end()[-2];
     std::vector<Division> divisions(levels.back() - from);
@@ -503,7 +506,7 @@ std::int64_t triangulate(Triangulation& triangulation, std::span<Site> sites, co
   return steps;
 }
 
-/// The triangulation of points, and the steps that it took.
+/// Returns the triangulation of points, and the number of steps that it took.
 std::pair<Triangulation, std::int64_t> triangulationOf(std::span<const Point> points, Threads threads,
                                                        const Done& progress) {
   Triangulation triangulation(points.size());
@@ -520,7 +523,7 @@ std::pair<Triangulation, std::int64_t> triangulationOf(std::span<const Point> po
   return {std::move(triangulation), steps};
 }
 
-/// Uses up the triangulation but for the representatives.
+/// Makes a dual of a triangulation. Only the representatives of the triangulation are left afterwards.
 Dual takeDual(Triangulation& triangulation, Threads threads) {
   triangulation.corners.reset();
   triangulation.toInfinity.reset();
@@ -565,7 +568,7 @@ std::vector<std::array<int, 2>> edgesOf(const Triangulation& triangulation, cons
   forEachIndex(triangulation.halfEdgeCount(), progress, [&](std::size_t i) {
     const HalfEdge& h = triangulation.halfEdges[i];
     if (h.origin == kPointAtInfinity) return;
-    // Both halves have different origins unless the edge goes to infinity.
+    // Take the half whose origin is lower. No edge to infinity has such a half here.
     const int a = h.origin;
     const int b = triangulation.halfEdges[h.twin].origin;
     if (a < b) edges.push_back({triangulation.indices[a], triangulation.indices[b]});

@@ -22,18 +22,18 @@ namespace {
 constexpr std::int64_t kFewSteps = 1000;
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 
-/// Returns whether the larger of two circles, with the smallest radius subtracted, may contain the center of the other.
+/// Returns whether the larger of two circles, its radius reduced by `smallest`, may contain the center of the other.
 bool mayReach(const Circle& a, const Circle& b, double smallest) {
   return !isLonger(between(a, b), std::max(a.r, b.r) - smallest);
 }
 
-/// Returns whether no circle contains the center of a neighbor in the Delaunay graph, its radius taken less the
-/// smallest one. Then none hides another, for the centers that a disc around a center contains are connected in that
+/// Returns whether no circle, its radius reduced by `smallest`, contains the center of a neighbor in the Delaunay
+/// graph. Then none hides another, because the centers that a disc around a center contains are connected in this
 /// graph.
 bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centers, Threads threads) {
   const auto isCopy = [&](std::size_t i) { return centers.representative[i] != static_cast<int>(i); };
   const Dual& dual = centers.dual;
-  // Most edges twice, which costs less than to tell which half of an edge comes first.
+  // Tests most edges twice. This costs less than finding out which half of an edge comes first.
   const auto isReached = [&](std::size_t h) {
     const int i = dual.origin[h];
     const int j = dual.target(static_cast<int>(h));
@@ -43,7 +43,8 @@ bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& 
          threads.firstWhere(dual.origin.size(), isReached) == dual.origin.size();
 }
 
-/// Applies the same test to successive circles only. It is quick, and rarely passed where circles hide one another.
+/// Returns whether successive circles pass the same test. It is quick, and they rarely pass if circles hide one
+/// another.
 bool lookClear(std::span<const Circle> circles, double smallest) {
   for (std::size_t i = 1; i < circles.size(); ++i) {
     if (mayReach(circles[i - 1], circles[i], smallest)) return false;
@@ -51,7 +52,7 @@ bool lookClear(std::span<const Circle> circles, double smallest) {
   return true;
 }
 
-/// The triangulation of the centers, if it shows that no circle hides another.
+/// Returns the triangulation of the centers if it shows that no circle hides another; otherwise nothing.
 std::optional<Dual> proofOfClearance(std::span<const Circle> circles, Threads threads) {
   double smallest = kInfinite;
   for (const Circle& c : circles) smallest = std::min(smallest, c.r);
@@ -81,11 +82,11 @@ Sites withoutHidden(const OrderedCircles& ordered, const Hiders& found) {
   return visible;
 }
 
-/// Some of the circles that were ordered.
+/// A selection of the ordered circles.
 struct SomeCircles {
   std::vector<Circle> circles;
   std::vector<int> indices;
-  std::vector<int> places;  ///< of each its place in the order
+  std::vector<int> places;  ///< the place of each circle in the order
 
   SomeCircles(const OrderedCircles& ordered, std::vector<int> places_) : places(std::move(places_)) {
     for (const int i : places) {
@@ -96,10 +97,10 @@ struct SomeCircles {
   operator NumberedCircles() const { return {circles, indices}; }
 };
 
-/// The largest circle of each center. Of equal circles it is the first, which hides the others.
+/// The largest circle at each center. Of equal circles, it is the first, which hides the others.
 struct LargestOfEachCenter {
   std::vector<int> places;
-  std::vector<int> which;  ///< of each circle which of them has its center
+  std::vector<int> which;  ///< for each circle, the index in `places` of the largest one at its center
 
   explicit LargestOfEachCenter(std::span<const Circle> circles) {
     for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
@@ -114,7 +115,7 @@ struct LargestOfEachCenter {
   }
 };
 
-/// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
+/// Finds the visible circles by insertion: they keep a cell. Returns nothing if this cannot be proven.
 std::optional<Sites> hideByInsertion(const OrderedCircles& ordered, Threads threads) {
   const LargestOfEachCenter largest(ordered.circles);
   const SomeCircles apart(ordered, largest.places);
@@ -122,7 +123,7 @@ std::optional<Sites> hideByInsertion(const OrderedCircles& ordered, Threads thre
   auto inserted = insertAll(apart.circles, predicatesApart);
   if (!inserted) return std::nullopt;
 
-  // Those that have a cell, numbered anew, and the rest; of these the copies of another share its fate.
+  // Renumber the circles that have a cell, and collect the rest. A copy of another circle gets its hider from that one.
   std::vector<int> numbers(apart.places.size(), kNone);
   std::vector<int> seen;
   std::vector<int> rest;

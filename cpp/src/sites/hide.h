@@ -14,25 +14,27 @@
 
 namespace circle_voronoi {
 
-/// The circles that have a cell, and those that another circle contains: what every construction starts from.
+/// The visible circles, which have a cell, and the hidden circles, which another one contains. Every construction
+/// starts from these.
 struct Sites {
-  std::vector<Circle> circles;       ///< the visible ones, in the order they came
-  std::vector<int> indices;          ///< of each its index in the input
+  std::vector<Circle> circles;       ///< the visible circles, in the order given
+  std::vector<int> indices;          ///< the index of each visible circle in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
-  Dual centers;                      ///< their centers' Delaunay triangulation, if it is known; else empty
-  std::optional<Dual> dual;          ///< the dual of their Voronoi diagram, if it took that to find them
-  Proof proof;                       ///< of `dual`
-  std::int64_t steps = 0;            ///< taken to find them: boxes and circles looked at, edges flipped
-  std::int64_t flips = 0;            ///< of these, the edges that the construction of `dual` flipped
-  FilterCounts signs;                ///< that `dual` and its proof took
+  Dual centers;                      ///< the Delaunay triangulation of their centers if it is known; otherwise empty
+  std::optional<Dual> dual;          ///< the dual of their Voronoi diagram, if `hide` constructed it
+  Proof proof;                       ///< the proof of `dual`
+  std::int64_t steps = 0;            ///< the steps of `hide`: boxes and circles visited, edges flipped
+  std::int64_t flips = 0;            ///< the edges flipped by the construction of `dual`, part of `steps`
+  FilterCounts signs;                ///< the signs computed for `dual` and its proof
 };
 
-/// A search for hiders of ordinary circles takes ten to twenty.
+/// The limit of the search for hiders, in steps per circle. Ordinary circles take ten to twenty.
 inline constexpr std::int64_t kMostStepsACircle = 30;
 
-/// Takes out the hidden circles. Exact: of identical circles the first stays, a tangent circle inside is hidden.
-/// A search for what contains each circle tells them, or, where it takes more steps than those given and 1000, the
-/// construction of their Voronoi diagram (insert.h).
+/// Removes the hidden circles. This is exact: of identical circles the first stays, and a circle that touches another
+/// from inside is hidden. A search finds a circle that contains each hidden one. If it takes more than 1000 steps plus
+/// `mostStepsACircle` for each circle, the construction of the Voronoi diagram finds the hidden circles instead
+/// (insert.h).
 Sites hide(OrderedCircles ordered, std::int64_t mostStepsACircle = kMostStepsACircle, Threads threads = Threads());
 
 }  // namespace circle_voronoi

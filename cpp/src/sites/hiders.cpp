@@ -35,7 +35,8 @@ struct BoxOfCircles {
 
   static BoxOfCircles of(const Circle& c) { return {{c.x, c.y}, {c.x, c.y}, c.r, c.r}; }
 
-  /// Returns whether a circle of this box may contain one of the other: false only if none does, rounding included.
+  /// Returns whether a circle of this box may contain one of the other box. The result is false only if none does,
+  /// rounding included.
   bool mayHide(const BoxOfCircles& other) const {
     const double reach = largest - other.smallest;
     if (reach < 0) return false;
@@ -45,11 +46,11 @@ struct BoxOfCircles {
   }
 };
 
-/// How fast circles grow along a direction. One that hides circle c reaches at least as far against the direction:
-/// r - u . center >= c.r - u . c.center for any unit vector u. With the one along which they grow this decides where a
-/// box does not: where most nearly hide one another, as those do that are tangent to one circle.
+/// How fast circles grow along a direction. A circle that hides circle c reaches at least as far against any direction:
+/// r - u . center >= c.r - u . c.center for any unit vector u. With the direction in which the circles grow, this
+/// decides where a box does not: if most circles almost hide one another, as circles do that touch one common circle.
 class Slope {
-  /// More than the products of a reach lose where they underflow.
+  /// An upper bound on what the products of a reach lose to underflow.
   static constexpr double kUnderflow = 0x1p-1070;
 
  public:
@@ -65,7 +66,7 @@ class Slope {
     for (const Circle& c : circles) most_ = std::max(most_, reach(c));
   }
 
-  /// Returns whether one of the circles may contain c: false only if none does, rounding included.
+  /// Returns whether one of the circles may contain c. The result is false only if none does, rounding included.
   bool mayHide(const Circle& c) const {
     const double size = std::abs(c.r) + std::abs(c.x - origin_.x) + std::abs(c.y - origin_.y) + std::abs(most_);
     return reach(c) <= most_ + (1e-14 * size + kUnderflow);
@@ -80,7 +81,7 @@ class Slope {
 };
 
 /// The precedence of a circle as a hider: larger circles come first, and of equal circles the one with the lower index.
-/// One that contains another comes before it, so the first that contains a circle is visible.
+/// A circle that contains another comes before it, so the first one that contains a given circle is visible.
 struct Rank {
   double r = 0;
   int index = 0;
@@ -90,16 +91,15 @@ struct Rank {
 
 Rank rankOf(NumberedCircles circles, std::size_t i) { return {circles.circles[i].r, circles.indices[i]}; }
 
-/// Boxes over boxes over circles.
+/// A tree of boxes, with circles as its leaves.
 class BoxTree {
  public:
   /// A circle, or a box over kFanOut nodes of the level below.
   struct Node {
     BoxOfCircles box;
     Slope slope;
-    Rank first;  ///< of its circles the one that comes before all others
-    std::array<std::uint8_t, kFanOut>
-        childOrder{};  ///< its children, each before those whose first comes after its own
+    Rank first;                                      ///< the rank of the first of its circles
+    std::array<std::uint8_t, kFanOut> childOrder{};  ///< its children, sorted by `first`
   };
 
   BoxTree(NumberedCircles circles, Threads threads) {
@@ -122,7 +122,7 @@ class BoxTree {
     levels_.push_back(std::move(below));
   }
 
-  /// From the circles up to one root.
+  /// Returns the levels of the tree, from the circles up to one root.
   const std::vector<std::vector<Node>>& levels() const { return levels_; }
 
  private:
@@ -152,8 +152,8 @@ class Search {
   Search(NumberedCircles circles, NumberedCircles inner, const BoxTree& tree, std::vector<int>& hider)
       : circles_(circles), inner_(inner), predicates_(circles.circles), levels_(tree.levels()), hider_(hider) {}
 
-  /// Those of the inner circles from `begin` to before `end`, unless it takes more steps than the limit. Returns the
-  /// steps.
+  /// Finds the hiders of the inner circles from `begin` to before `end`, unless it takes more than `limit` steps.
+  /// Returns the number of steps.
   std::int64_t find(std::size_t begin, std::size_t end, std::int64_t limit) && {
     for (first_ = begin; first_ < end && steps_ <= limit; first_ = last_) {
       last_ = std::min(first_ + kFanOut, end);
@@ -168,7 +168,7 @@ class Search {
  private:
   using Node = BoxTree::Node;
 
-  /// What must come before a circle to hide it and be named.
+  /// Returns the rank before which a circle must come to be a better hider of inner circle j.
   Rank bound(std::size_t j) const {
     return hider_[j] == kNone ? rankOf(inner_, j) : rankOf(circles_, static_cast<std::size_t>(hider_[j]));
   }
@@ -223,7 +223,7 @@ class Search {
   const std::vector<std::vector<Node>>& levels_;
   std::vector<int>& hider_;
   std::int64_t steps_ = 0;
-  // The query: the inner circles from first_ to before last_, their box, and of their bounds the one that comes last.
+  // The query: the inner circles from first_ to before last_, their box, and the last of their bounds.
   std::size_t first_ = 0;
   std::size_t last_ = 0;
   BoxOfCircles query_;
@@ -237,7 +237,7 @@ Hiders findHiders(NumberedCircles circles, NumberedCircles inner, std::int64_t l
   std::vector<int> hider(count, kNone);
   if (circles.circles.empty()) return {std::move(hider), 0};
   const BoxTree tree(circles, threads);
-  // Ranges of groups, so that how many steps there are does not depend on the threads.
+  // Ranges consist of whole groups, so that the number of steps does not depend on the threads.
   const std::size_t groups = (count + kFanOut - 1) / kFanOut;
   std::vector<std::int64_t> steps(threads.rangesOf(groups));
   threads.forRanges(groups, [&](std::size_t begin, std::size_t end, std::size_t range) {

@@ -10,20 +10,21 @@
 
 namespace circle_voronoi {
 
-/// Circles in spatial order, and what tells equal ones apart.
+/// Circles in spatial order, with indices that tell equal circles apart.
 struct NumberedCircles {
   std::span<const Circle> circles;
   std::span<const int> indices;
 };
 
 struct Hiders {
-  std::vector<int> hider;  ///< of each inner circle the one that contains it, or kNone; empty if the search gave up
-  std::int64_t steps = 0;  ///< boxes and circles looked at; the limit if the search gave up
+  std::vector<int> hider;  ///< the place of the hider of each inner circle, or kNone; empty if the search gave up
+  std::int64_t steps = 0;  ///< boxes and circles visited; the limit if the search gave up
 };
 
-/// Which of `circles` contains each of `inner`: the largest, of equal ones the one with the lowest index, of identical
-/// ones only one with a lower index than its own. Both may be the same list. Gives up after `limit` steps: where most
-/// circles all but hide one another, many have to be looked at for each.
+/// Finds a hider in `circles` for each circle of `inner`: the largest circle that contains it, and of equally large
+/// ones that with the lowest index. An identical circle hides it only if its index is lower. Both lists may be the
+/// same. The search gives up after `limit` steps, because it must visit many circles for each one if most almost hide
+/// one another.
 Hiders findHiders(NumberedCircles circles, NumberedCircles inner, std::int64_t limit, Threads threads = Threads());
 
 }  // namespace circle_voronoi

@@ -10,11 +10,12 @@
 namespace circle_voronoi {
 
 struct OrderedCircles {
-  std::vector<Circle> circles;  ///< neighbors near one another
-  std::vector<int> indices;     ///< of each its index in the input
+  std::vector<Circle> circles;  ///< in spatial order
+  std::vector<int> indices;     ///< the index of each circle in the input
 };
 
-/// The circles by the spatial order of their centers (spatial_order.h); those with the same center as they came.
+/// Returns the circles in the spatial order of their centers (spatial_order.h). Circles with the same center keep their
+/// order.
 OrderedCircles order(std::span<const Circle> circles, Threads threads = Threads());
 
 }  // namespace circle_voronoi

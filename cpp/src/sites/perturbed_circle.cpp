@@ -12,8 +12,8 @@ bool isBefore(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 bool isInPerturbedCircle(Point a, Point b, Point c, Point d) {
   if (const int side = inCircle(a, b, c, d); side != 0) return side > 0;
-  // The last point decides, which is lifted most. If it is d, d is outside; if it is a corner, d is inside just where
-  // it lies on the corner's side of the other two. No three of four points on a circle are collinear.
+  // The last point decides, because it is lifted most. If it is d, d is outside. If it is a corner, d is inside if it
+  // lies on the corner's side of the other two, and only then. No three of four points on a circle are collinear.
   const Point& last = isBefore(a, b) ? b : a;
   const Point& lastOfCorners = isBefore(last, c) ? c : last;
   if (isBefore(lastOfCorners, d)) return false;

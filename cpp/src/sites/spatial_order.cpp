@@ -20,14 +20,16 @@ struct Keyed {
   int index = 0;
 };
 
-/// Position along the Hilbert curve of order kHilbertBits (H. S. Warren, "Hacker's Delight", section 16-2).
+/// Returns the position of a cell along the Hilbert curve of order kHilbertBits (H. S. Warren, "Hacker's Delight",
+/// section 16-2).
 std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0;
   for (int bit = kHilbertBits - 1; bit >= 0; --bit) {
     const std::uint32_t right = (x >> bit) & 1;
     const std::uint32_t upper = (y >> bit) & 1;
     key = (key << 2) | ((3 * right) ^ upper);
-    // In the lower half the axes change places, on the right backwards; by masks, for branches would be guessed.
+    // In the lower half the axes are swapped, and on its right also reversed. Masks do this because branches would be
+    // mispredicted.
     const std::uint32_t isLower = upper - 1;
     const std::uint32_t isBackwards = isLower & (0u - right);
     const std::uint32_t change = (x ^ y) & isLower;
@@ -43,7 +45,7 @@ class SpatialOrder {
       : points_(points), threads_(threads), items_(points.size()), other_(points.size()) {
     for (std::size_t i = 0; i < points.size(); ++i) items_[i].index = static_cast<int>(i);
     runs_.push_back({0, items_.size()});
-    // A cell is 2^16 times as small as its box, so the range of double ends this soon.
+    // A cell is 2^16 times smaller than its box, so the range of double soon ends this loop.
     while (!runs_.empty()) {
       const Run run = runs_.back();
       runs_.pop_back();
@@ -64,7 +66,7 @@ class SpatialOrder {
     std::size_t begin, end;
   };
 
-  /// Orders a run along the curve through its own bounding box, and notes the cells that hold many.
+  /// Orders a run along the curve through its own bounding box, and notes the cells that hold many points.
   void orderRun(Run run) {
     const std::span<Keyed> items = std::span(items_).subspan(run.begin, run.end - run.begin);
     if (!setKeys(items)) return;
@@ -85,7 +87,7 @@ class SpatialOrder {
     }
   }
 
-  /// Lets equal points of a cell follow one another.
+  /// Sorts a cell so that equal points follow one another.
   void bringTogether(std::span<Keyed> cell) const {
     std::stable_sort(cell.begin(), cell.end(), [this](const Keyed& a, const Keyed& b) {
       const Point& p = points_[a.index];
@@ -94,7 +96,7 @@ class SpatialOrder {
     });
   }
 
-  /// False if all points are the same.
+  /// Sets the key of each item on the curve through their bounding box. Returns false if all points are the same.
   bool setKeys(std::span<Keyed> items) const {
     if (items.empty()) return false;
     Point low = points_[items[0].index];
@@ -118,7 +120,7 @@ class SpatialOrder {
     return true;
   }
 
-  /// A stable sort by the key, digit by digit.
+  /// Sorts items by key, digit by digit. The sort is stable.
   void sortByKey(std::span<Keyed> items) {
     for (int shift = 0; shift < 2 * kHilbertBits; shift += kDigitBits) {
       std::array<std::size_t, (1u << kDigitBits) + 1> first{};
