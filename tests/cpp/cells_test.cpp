@@ -343,6 +343,15 @@ TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
   }
 }
 
+TEST(Cells, TheCentroidOfACellThatTouchesTheBoxInItsVertexAloneIsTheVertex) {
+  const std::vector<Circle> circles = {{0, 0, 0}, {0, 0x1p-10, 1}, {-0x1.18p-274, -0x1.18p+322, 58}, {15, 0x1.ep-1, 7}};
+  const Diagram diagram = diagramOf(circles);
+  const Box box = {-0x1.5p+321, -0x1.cp+322, 0x1.18p+321, -0x1.18p+321};
+  const Point middle = centroid(outline(diagram, 1, test::regionOf(box)));
+  EXPECT_EQ(middle.x, diagram.vertices[0].x);
+  EXPECT_EQ(middle.y, diagram.vertices[0].y);
+}
+
 TEST(Cells, TheCentroidOfAnOutlineWithoutAreaIsThatOfItsPoints) {
   const Point p{1, 2};
   const Point q{1 + 1.0 / 3, 2 + 1.0 / 7};

@@ -16,6 +16,7 @@ import {
   type Point,
   type Polygon,
   pointAt,
+  vertexAt,
 } from '../../web/lib/index.ts'
 import { outlineArea, outlineCentroid, outlinePerimeter } from '../../web/lib/regions/measure.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
@@ -288,6 +289,15 @@ describe('the outline of a cell', () => {
     const tinier = [-300 * 2 ** -510, 160 * 2 ** -512]
     const diagram = library.compute(Float64Array.of(9, 0, 0, 0, 0, 0, tiny, tiny, 0, ...tinier, 0))
     expectPartition(diagram, { minX: -2.9e64, minY: -2.2e64, maxX: 0, maxY: 0 })
+  })
+
+  it('has its vertex as centroid if it touches the box in that alone', () => {
+    const size = 2 ** 321
+    const far = [-1.09375 * 2 ** -274, -2.1875 * size, 58]
+    const diagram = library.compute(Float64Array.of(0, 0, 0, 0, 2 ** -10, 1, ...far, 15, 0.9375, 7))
+    const bounds = { minX: -1.3125 * size, minY: -3.5 * size, maxX: 1.09375 * size, maxY: -1.09375 * size }
+    const { x, y } = vertexAt(diagram, 0)
+    expect(diagram.cellCentroid(1, { bounds })).toEqual({ x, y })
   })
 
   it('fills a box with a side on its edge to a circle far away', () => {

@@ -195,7 +195,7 @@ Point centroid(const Outline& outline) {
   const double extent = extentOf(outline);
   const double unit = unitFor(extent);
   const Moments moments = momentsOf(outline, unit);
-  if (moments.area > kRoundingOfArea * (extent / unit) * (extent / unit)) {
+  if (extent > 0 && moments.area > kRoundingOfArea * (extent / unit) * (extent / unit)) {
     return {reference.x + unit * (moments.x / moments.area), reference.y + unit * (moments.y / moments.area)};
   }
   Vector sum;

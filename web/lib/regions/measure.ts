@@ -60,7 +60,7 @@ export function centroidOf(outline: Outline): Point {
   const extent = extentOf(outline)
   const unit = unitFor(extent)
   const { area, x, y } = momentsOf(outline, unit)
-  if (area > ROUNDING_OF_AREA * (extent / unit) * (extent / unit)) {
+  if (extent > 0 && area > ROUNDING_OF_AREA * (extent / unit) * (extent / unit)) {
     return { x: reference.x + unit * (x / area), y: reference.y + unit * (y / area) }
   }
   const starts = outline.flat().map(({ curve }) => between(reference, curve.start))
