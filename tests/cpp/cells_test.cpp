@@ -343,6 +343,16 @@ TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
   }
 }
 
+TEST(Cells, FillABoxWhoseEdgeEndsSoFarOutThatItsVertexHidesOnWhichSideOfTheAxis) {
+  const std::vector<Circle> circles = {{-0x1.8p+470, 0x1.2p+393, 0},
+                                       {2, 0x1.8p-392, 0},
+                                       {0x1.d8p-26, -0x1.fcp+394, 0x1.fcp+394},
+                                       {2, 0x1.8p-36, 0},
+                                       {0x1p+161, 0x1.8p-32, 0x1p-40}};
+  expectPartition(diagramOf(circles),
+                  test::regionOf(Box{-0x1.a668p+485, -0x1.a666p+485, 0x1.a664p+485, 0x1.a667p+485}));
+}
+
 TEST(Cells, TheCentroidOfACellThatTouchesTheBoxInItsVertexAloneIsTheVertex) {
   const std::vector<Circle> circles = {{0, 0, 0}, {0, 0x1p-10, 1}, {-0x1.18p-274, -0x1.18p+322, 58}, {15, 0x1.ep-1, 7}};
   const Diagram diagram = diagramOf(circles);

@@ -291,6 +291,15 @@ describe('the outline of a cell', () => {
     expectPartition(diagram, { minX: -2.9e64, minY: -2.2e64, maxX: 0, maxY: 0 })
   })
 
+  it('fills a box whose edge ends so far out that its vertex hides on which side of the axis', () => {
+    const huge = 508 * 2 ** 386
+    const first = [-1.5 * 2 ** 470, 1.125 * 2 ** 393, 0, 2, 1.5 * 2 ** -392, 0, 1.84375 * 2 ** -26, -huge, huge]
+    const others = [2, 1.5 * 2 ** -36, 0, 2 ** 161, 1.5 * 2 ** -32, 2 ** -40]
+    const diagram = library.compute(Float64Array.of(...first, ...others))
+    const [minX, minY, maxX, maxY] = [-0x1a668, -0x1a666, 0x1a664, 0x1a667].map((number) => number * 2 ** 469)
+    expectPartition(diagram, { minX, minY, maxX, maxY } as Box)
+  })
+
   it('has its vertex as centroid if it touches the box in that alone', () => {
     const size = 2 ** 321
     const far = [-1.09375 * 2 ** -274, -2.1875 * size, 58]

@@ -20,6 +20,9 @@ constexpr double kFinest = 0x1p-900;
 /// The line of equal power may lie beyond all numbers.
 constexpr double kFarthestApex = 1e300;
 
+/// Parameters with a larger quotient belong to two points.
+constexpr double kFarApart = 0x1p10;
+
 /// e^t for t = arsinh(sine).
 double exponentialOf(double sine) {
   const double size = std::abs(sine);
@@ -40,10 +43,24 @@ bool moveApart(Bisector& bisector, double reach) {
   return true;
 }
 
+/// Returns whether rounding of a point hides on which side of the axis it lies, as far out on a narrow branch.
+bool isSideHidden(const Bisector& bisector, Point p) {
+  const Vector toPoint = measuredIn(bisector.unit, {p.x - bisector.origin.x, p.y - bisector.origin.y});
+  return std::abs(dot(toPoint, bisector.across)) <= kRounding * lengthOf(toPoint);
+}
+
 /// Sets the parameters of the ends that are not at infinity.
 void setParameters(EdgeCurve& curve, bool hasStart, bool hasEnd) {
   if (hasStart) curve.from = parameterAt(curve.bisector, curve.start);
   if (hasEnd) curve.to = parameterAt(curve.bisector, curve.end);
+  // Two ends far from each other in the wrong order: one of them is on the other side of the axis.
+  if (curve.from > kFarApart * curve.to) {
+    if (curve.to < 1 && isSideHidden(curve.bisector, curve.end)) {
+      curve.to = 1 / curve.to;
+    } else if (curve.from > 1 && isSideHidden(curve.bisector, curve.start)) {
+      curve.from = 1 / curve.from;
+    }
+  }
   // The order of the ends is certified: where the parameters contradict it, the edge has length zero up to rounding.
   if (curve.from > curve.to) curve.from = curve.to = std::sqrt(curve.from) * std::sqrt(curve.to);
 }

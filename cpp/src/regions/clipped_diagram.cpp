@@ -36,7 +36,10 @@ class CellMoments {
  public:
   /// Calls `visit`, if there is one, with each part of an edge inside.
   explicit CellMoments(const Parts& parts, const VisitArc& visit = {})
-      : parts_(parts), diagram_(parts.diagram), moments_(diagram_.circles.size()), references_(diagram_.circles.size()) {
+      : parts_(parts),
+        diagram_(parts.diagram),
+        moments_(diagram_.circles.size()),
+        references_(diagram_.circles.size()) {
     const Box& box = parts.bounds;
     unit_ = unitFor(std::max(box.maxX - box.minX, box.maxY - box.minY));
     chooseReferences();
@@ -124,7 +127,8 @@ class CellMoments {
       const Edge& edge = diagram_.edges[e];
       if (parts_.arcs.isCrossed(index)) continue;
       const std::int32_t level = parts_.arcs.levelOf(edge.start);
-      if (level == 0) continue;
+      // If only some cells are clipped, edges of the others may go to infinity without crossings.
+      if (level == 0 || edge.end == kNone) continue;
       const Point start = placeOf(diagram_.vertices[at(edge.start)]);
       const Point end = placeOf(diagram_.vertices[at(edge.end)]);
       const EdgeCurve curve = parts_.curveOf(index);

@@ -2,8 +2,8 @@
 
 import { checkData, checkIndex } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
-import { between, length } from '../base/point.ts'
-import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
+import { between, dot, length } from '../base/point.ts'
+import { largestOf, lengthOf, measuredIn, ROUNDING, unitFor } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
 import {
   type Bisector,
@@ -127,10 +127,24 @@ function reachOf(origin: Point, end: Point | undefined): number {
   return end === undefined ? 0 : Math.max(Math.abs(end.x - origin.x), Math.abs(end.y - origin.y))
 }
 
+/** Parameters with a larger quotient belong to two points. */
+const FAR_APART = 2 ** 10
+
+/** Returns whether rounding of a point hides on which side of the axis it lies, as far out on a narrow branch. */
+function isSideHidden({ origin, unit, across }: Bisector, { x, y }: Point): boolean {
+  const toPoint = { x: (x - origin.x) / unit, y: (y - origin.y) / unit }
+  return Math.abs(dot(toPoint, across)) <= ROUNDING * lengthOf(toPoint)
+}
+
 /** The arc of a bisector with two ends, of which those that are `undefined` are at infinity. */
 function arcBetween(curve: Bisector, start: Point | undefined, end: Point | undefined): EdgeCurve {
   let from = start === undefined ? 0 : parameterOf(curve, start.x, start.y)
   let to = end === undefined ? Number.POSITIVE_INFINITY : parameterOf(curve, end.x, end.y)
+  // Two ends far from each other in the wrong order: one of them is on the other side of the axis.
+  if (from > FAR_APART * to) {
+    if (to < 1 && isSideHidden(curve, end as Point)) to = 1 / to
+    else if (from > 1 && isSideHidden(curve, start as Point)) from = 1 / from
+  }
   // The order of the ends is certified: where the parameters contradict it, the edge has length zero up to rounding.
   if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
   return { bisector: curve, from, to, start, end }
