@@ -353,6 +353,16 @@ TEST(Cells, FillABoxWhoseEdgeEndsSoFarOutThatItsVertexHidesOnWhichSideOfTheAxis)
                   test::regionOf(Box{-0x1.a668p+485, -0x1.a666p+485, 0x1.a664p+485, 0x1.a667p+485}));
 }
 
+TEST(Cells, TheCentroidOfANeedleIsInItsBox) {
+  // The ends of its two curves are 0.01 apart, and the curves are 1e107 long.
+  const std::vector<Circle> circles = {{2, -0x1p+384, 0x1p+384}, {-66, -0x1p-508, 0x1.4p-506}, {-0x1.48p+181, 38, 4}};
+  const Diagram diagram = diagramOf(circles);
+  const Point middle = centroid(outline(diagram, 1, test::regionOf(Box{-1e124, -3e123, 1e124, 1e124})));
+  EXPECT_LT(std::abs(middle.x), 1e124);
+  EXPECT_GE(middle.y, 0);
+  EXPECT_LT(middle.y, 1.9e107);
+}
+
 TEST(Cells, TheCentroidOfACellThatTouchesTheBoxInItsVertexAloneIsTheVertex) {
   const std::vector<Circle> circles = {{0, 0, 0}, {0, 0x1p-10, 1}, {-0x1.18p-274, -0x1.18p+322, 58}, {15, 0x1.ep-1, 7}};
   const Diagram diagram = diagramOf(circles);

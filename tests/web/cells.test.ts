@@ -300,6 +300,17 @@ describe('the outline of a cell', () => {
     expectPartition(diagram, { minX, minY, maxX, maxY } as Box)
   })
 
+  it('has its centroid in the box, if it is a needle', () => {
+    // The ends of its two curves are 0.01 apart, and the curves are 1e107 long.
+    const huge = 2 ** 384
+    const thin = [-66, -(2 ** -508), 1.25 * 2 ** -506]
+    const diagram = library.compute(Float64Array.of(2, -huge, huge, ...thin, -1.28125 * 2 ** 181, 38, 4))
+    const { x, y } = diagram.cellCentroid(1, { bounds: [-1e124, -3e123, 1e124, 1e124] }) as Point
+    expect(Math.abs(x)).toBeLessThan(1e124)
+    expect(y).toBeGreaterThanOrEqual(0)
+    expect(y).toBeLessThan(1.9e107)
+  })
+
   it('has its vertex as centroid if it touches the box in that alone', () => {
     const size = 2 ** 321
     const far = [-1.09375 * 2 ** -274, -2.1875 * size, 58]

@@ -110,13 +110,17 @@ constexpr double kRoundingOfArea = 0x1p-44;
 /// The start of the first piece: moments are taken relative to it.
 Point referenceOf(const Outline& outline) { return outline.front().front().curve.start; }
 
-/// About the largest distance of two of its points.
+/// Returns about the largest distance of two of its points. The middle of a curved piece may be much farther away than
+/// its ends.
 double extentOf(const Outline& outline) {
   const Point reference = referenceOf(outline);
   double extent = 0;
+  const auto take = [&](Point p) { extent = std::max(extent, largestOf({p.x - reference.x, p.y - reference.y})); };
   for (const auto& loop : outline) {
     for (const OutlinePiece& piece : loop) {
-      extent = std::max(extent, largestOf({piece.curve.start.x - reference.x, piece.curve.start.y - reference.y}));
+      const EdgeCurve& curve = piece.curve;
+      take(curve.start);
+      if (!curve.isStraight()) take(pointAt(curve.bisector, std::sqrt(curve.from) * std::sqrt(curve.to)));
     }
   }
   return extent;

@@ -4,7 +4,7 @@ import { checkBoundedCurve, checkOutline } from '../base/check.ts'
 import { between, cross } from '../base/point.ts'
 import { lengthOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
-import type { Bisector } from '../curves/bisector.ts'
+import { type Bisector, pointOf } from '../curves/bisector.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { BoundedCurve } from '../curves/curve.ts'
 import {
@@ -131,13 +131,20 @@ function referenceOf(outline: Outline): Point {
   return outline[0]?.[0]?.curve.start ?? { x: 0, y: 0 }
 }
 
-/** About the largest distance of two points of an outline. */
+/**
+ * Returns about the largest distance of two points of an outline. The middle of a curved piece may be much farther away than
+ * its ends.
+ */
 function extentOf(outline: Outline): number {
   const reference = referenceOf(outline)
   let most = 0
+  const take = ({ x, y }: Point) => {
+    most = Math.max(most, Math.abs(x - reference.x), Math.abs(y - reference.y))
+  }
   for (const loop of outline) {
     for (const { curve } of loop) {
-      most = Math.max(most, Math.abs(curve.start.x - reference.x), Math.abs(curve.start.y - reference.y))
+      take(curve.start)
+      if (curve.bisector.a !== 0) take(pointOf(curve.bisector, Math.sqrt(curve.from) * Math.sqrt(curve.to)))
     }
   }
   return most
