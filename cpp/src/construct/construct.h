@@ -40,8 +40,8 @@ Construction constructByFlips(Sites& sites, const Observer& observer, Journal& j
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts);
 
 /// Returns the first certified dual of these: by flips, with local repair if they leave little wrong, and then by
-/// insertion. If none is certified, returns the last one, with its verdict. Uses up the
-/// triangulation of the sites, which flips change in place.
+/// insertion. If none is certified, returns the last one, with its verdict. Uses up the triangulation of the sites,
+/// because flips change it in place.
 Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal,
                                     Threads threads = Threads());
 
