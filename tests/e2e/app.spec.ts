@@ -211,6 +211,8 @@ test('the card says what hides a circle, and takes numbers but no wrong ones', a
   await test.step('takes numbers, and refuses a wrong one in a sentence while the picture stays', async () => {
     const at = app.center(INTRODUCTION, 4)
     await app.page.mouse.click(at.x, at.y)
+    // Until then, the fields are those of the circle that was selected before.
+    await expect(app.inspector.getByRole('heading')).toHaveText('Circle 4')
     await app.field('x').fill('-3.25')
     await app.field('x').press('Enter')
     await expect(app.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
