@@ -326,6 +326,16 @@ TEST(Cells, APointOnTheBorderIsInBoth) {
   EXPECT_FALSE(contains(diagram, 1, {5.999, 0}));
 }
 
+TEST(Cells, DoNotContainWhatIsNearerToOneBeyondATiedNeighbor) {
+  // Far above, the first circle and the last, whose cell is a needle between others, are equally near up to rounding.
+  // The second circle is much nearer.
+  const std::vector<Circle> circles = {
+      {2, -0x1p384, 0x1p384}, {0, 0x1.ap463, 1}, {0, 0x1.8p58, 0}, {-128, 0, 0}, {-0x1.fcp182, 0, 0x1.8p-163}};
+  const Diagram diagram = compute(circles).value();
+  const Point p = {-0x1p460, 0x1.24p490};
+  for (std::int32_t i = 0; i < 5; ++i) EXPECT_EQ(contains(diagram, i, p), i == 1) << i;
+}
+
 TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
   // The edge of these goes through two corners of the box.
   const std::vector<Circle> circles = {{-1, 1, 0.5}, {1, -1, 0.5}};

@@ -233,6 +233,14 @@ describe('the outline of a cell', () => {
     ).toBeCloseTo(56, 11)
   })
 
+  it('does not contain what is nearer to one beyond a neighbor that is equally near up to rounding', () => {
+    const far = 2 ** 384
+    const narrow = [-1.984375 * 2 ** 182, 0, 2 ** -163]
+    const circles = [[2, -far, far], [0, 1.625 * 2 ** 463, 1], [0, 1.5 * 2 ** 58, 0], [-128, 0, 0], narrow]
+    const diagram = library.compute(Float64Array.from(circles.flat()))
+    expect([0, 1, 2, 3, 4].filter((i) => diagram.contains(i, -(2 ** 460), 1.140625 * 2 ** 490))).toEqual([1])
+  })
+
   it('contains a place that is as near to another', () => {
     const diagram = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1, 0, 4, 1, 4, 4, 1))
     for (const [x, y, near] of [

@@ -2,6 +2,8 @@
 #include "circle_voronoi/cells.h"
 
 #include <algorithm>
+#include <cmath>
+#include <unordered_set>
 
 #include "scale.h"
 
@@ -9,6 +11,13 @@ namespace circle_voronoi {
 namespace {
 
 const Circle& circleAt(const Diagram& diagram, CircleIndex i) { return diagram.circles[static_cast<std::size_t>(i)]; }
+
+/// What a lead may be off by: it is the difference of a part of the distance of the centers, and of the radii.
+double roundingOfLead(const Diagram& diagram, CircleIndex circle, CircleIndex other) {
+  const Circle& c = circleAt(diagram, circle);
+  const Circle& d = circleAt(diagram, other);
+  return 0x1p-49 * (lengthOf(between(d, c)) + std::abs(d.r - c.r));
+}
 
 }  // namespace
 
@@ -42,8 +51,20 @@ double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point
 
 bool contains(const Diagram& diagram, CircleIndex circle, Point p) {
   if (!diagram.hasCell(circle)) return false;
-  return std::ranges::all_of(diagram.sides(circle),
-                             [&](SideIndex side) { return lead(diagram, circle, diagram.neighborOf(side), p) >= 0; });
+  std::vector<CircleIndex> asked = {circle};
+  // Beyond a neighbor that is as near as the circle up to rounding, another may be much nearer.
+  std::unordered_set<CircleIndex> met;
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    for (const SideIndex side : diagram.sides(asked[k])) {
+      const CircleIndex other = diagram.neighborOf(side);
+      if (other == circle) continue;
+      const double its = lead(diagram, circle, other, p);
+      const double rounding = roundingOfLead(diagram, circle, other);
+      if (its < (k == 0 ? 0 : -rounding)) return false;
+      if (its <= rounding && met.insert(other).second) asked.push_back(other);
+    }
+  }
+  return true;
 }
 
 }  // namespace circle_voronoi

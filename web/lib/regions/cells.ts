@@ -106,11 +106,21 @@ export class Cells {
    * false for a hidden circle.
    */
   contains(circle: number, x: number, y: number): boolean {
+    if (!this.exists(circle)) return false
     // It suffices to ask the neighbors: a ray from the center that leaves the cell across a side stays nearer to the
-    // neighbor there, and for the metric `power` a cell is the intersection of half-planes, one for each neighbor.
-    return (
-      this.exists(circle) && this.sides(circle).every((side) => this.lead(circle, this.neighborOf(side), x, y) >= 0)
-    )
+    // neighbor there, and for the metric `power` a cell is the intersection of half-planes, one for each neighbor. But
+    // beyond a neighbor that is as near as the circle up to rounding, another may be much nearer.
+    const asked = new Set([circle])
+    for (const k of asked) {
+      for (const other of this.neighbors(k)) {
+        if (asked.has(other)) continue
+        const lead = this.lead(circle, other, x, y)
+        const rounding = this.#roundingOfLead(circle, other)
+        if (lead < (k === circle ? 0 : -rounding)) return false
+        if (lead <= rounding) asked.add(other)
+      }
+    }
+    return true
   }
 
   /**
@@ -138,6 +148,14 @@ export class Cells {
     const product = ((cx - dx) / unit) * (sumX / sumUnit) + ((cy - dy) / unit) * (sumY / sumUnit)
     if (metric !== 'power') return (product / (size / sumUnit)) * unit - difference
     return ((product - (difference / unit) * ((cr + dr) / sumUnit)) / (size / sumUnit)) * unit
+  }
+
+  /** What a lead may be off by: it is the difference of a part of the distance of the centers, and of the radii. */
+  #roundingOfLead(circle: number, other: number): number {
+    const { circles } = this.diagram
+    const dx = at(circles, 3 * circle) - at(circles, 3 * other)
+    const dy = at(circles, 3 * circle + 1) - at(circles, 3 * other + 1)
+    return 2 ** -49 * (hypotenuse(dx, dy) + Math.abs(at(circles, 3 * circle + 2) - at(circles, 3 * other + 2)))
   }
 
   /** The distance from the center of the side's circle to where it begins, which the side before has, too. */
