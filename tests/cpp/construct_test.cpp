@@ -124,6 +124,19 @@ TEST(Construct, CountsWhatInsertionTookWhereItToldTheHiddenCircles) {
   EXPECT_GT(decisions(stats.counts), stats.counts.circles);
 }
 
+TEST(Construct, AFlawIsOfTheCircleThatCertifyNames) {
+  // The circle that is hidden comes first, so that all others have another place among those that are visible.
+  std::vector<Circle> circles = generate(Family::longSpiral, 100, 1);
+  circles.insert(circles.begin(), {circles[0].x, circles[0].y, circles[0].r / 2});
+  Options options;
+  options.method = Method::touchingDisc;
+  options.samples = 0;
+  const Diagram diagram = compute(circles, options).value();
+  ASSERT_EQ(diagram.hidden.size(), 1U);
+  ASSERT_EQ(diagram.certificate.flaw, Flaw::cellNotClosed);
+  EXPECT_EQ(diagram.certificate.circle, certify(diagram).value().circle);
+}
+
 TEST(Construct, TakesMoreSamplesOnlyIfAskedTo) {
   const auto circles = test::readFixture("missed-antipodal-disc-log-uniform-4");
   Options options;
@@ -135,7 +148,7 @@ TEST(Construct, TakesMoreSamplesOnlyIfAskedTo) {
   options.resample = true;
   const Diagram found = compute(circles, options).value();
   EXPECT_TRUE(found.certificate.certified());
-  EXPECT_GT(found.stats.counts.resamplings, 0);
+  EXPECT_EQ(found.stats.counts.resamplings, 1) << "one sample more in each angle is enough";
   EXPECT_GT(found.stats.counts.samples, missed.stats.counts.samples);
   EXPECT_EQ(found.stats.counts.repairs, 0);
 }

@@ -12,6 +12,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/tile.h"
 #include "circle_voronoi_families/families.h"
 #include "far_apart.h"
 #include "fixtures.h"
@@ -404,6 +405,28 @@ TEST(Export, CsvHasTheVerticesAndEdges) {
   for (const std::string& line : lines) EXPECT_EQ(std::ranges::count(line, ','), 9) << line;
 }
 
+TEST(Export, PartsHaveEdgesFromTheirFirstVertexToTheirLast) {
+  const auto circles = generate(Family::mixed, 40, 1);
+  const Diagram diagram = compute(circles).value();
+  const auto thirdOf = [&](VertexIndex v, const Edge& edge) {
+    if (v == kNone) return std::string("-1");
+    for (const std::int32_t i : diagram.vertexCircles[static_cast<std::size_t>(v)])
+      if (i != edge.left && i != edge.right) return std::to_string(i);
+    return std::string();
+  };
+  std::vector<std::string> expected;
+  for (Edge edge : diagram.edges) {
+    if (edge.left > edge.right) edge = {edge.right, edge.left, edge.end, edge.start};
+    expected.push_back("edge,,,," + std::to_string(edge.left) + "," + std::to_string(edge.right) + "," +
+                       thirdOf(edge.start, edge) + "," + thirdOf(edge.end, edge));
+  }
+  std::ostringstream out;
+  EXPECT_TRUE(writePartsCsv(out, diagram, {}));
+  std::vector<std::string> actual = linesOf(out.str());
+  std::erase_if(actual, [](const std::string& line) { return !line.starts_with("edge"); });
+  EXPECT_EQ(actual, expected);
+}
+
 TEST(Export, SvgHasItsLayers) {
   const auto circles = test::readFixture("bronzefilter");
   const std::string svg = textOf(writeSvg, circles);
@@ -433,6 +456,9 @@ TEST(Export, SvgLeavesOutWhatIsOutsideTheBox) {
   const std::string svg = textOf(writeSvg, circles, options);
   EXPECT_EQ(countOf(svg, "<circle data-circle="), 1U);
   EXPECT_EQ(countOf(svg, "<line"), 3U) << "the triangle of the first three circles";
+  for (const Circle& across : {Circle{-2.5, 3, 1}, Circle{7.5, 3, 1}, Circle{3, -2.5, 1}, Circle{3, 7.5, 1}}) {
+    EXPECT_EQ(countOf(textOf(writeSvg, {across}, options), "<circle data-circle="), 1U) << across.x << " " << across.y;
+  }
 }
 
 TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {

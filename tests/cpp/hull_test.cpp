@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
 #include "fixtures.h"
@@ -67,6 +68,15 @@ TEST(Hull, OfPointsIsAPolygon) {
   EXPECT_EQ(hull.arcs.size(), 4U);
   EXPECT_DOUBLE_EQ(hull.length, 6);
   EXPECT_DOUBLE_EQ(hull.area, 2);
+}
+
+TEST(Hull, OfOtherMetricsIsThatOfTheCenters) {
+  for (const Metric metric : {Metric::centers, Metric::power}) {
+    const Hull hull =
+        convexHull(computeComparison(std::vector<Circle>{{0, 0, 1}, {3, 0, 1.5}, {0, 4, 1}}, metric).value());
+    EXPECT_DOUBLE_EQ(hull.length, 12);
+    EXPECT_DOUBLE_EQ(hull.area, 6);
+  }
 }
 
 TEST(Hull, OfCollinearPointsGoesThereAndBack) {

@@ -112,7 +112,9 @@ TEST(ReadCsv, NamesTheBadLine) {
   EXPECT_LT(errorOf("1,2," + std::string(1000, 'x') + "\n").size(), 350U);
   EXPECT_EQ(errorOf("1,2,1e999\n"), "test:1: r is beyond the range of a double: \"1e999\".");
   EXPECT_EQ(errorOf("x,y,r\n1,2,\"3\n4,5,6\n"), "test:2: a quotation mark is not closed.");
-  EXPECT_EQ(errorOf("x,y,r\n1,\"2\"0,3\n"), "test:2: a field goes on after its closing quotation mark.");
+  for (const std::string text : {"x,y,r\n1,\"2\"0,3\n", "x y r\n1 \"2\"0 3\n", "id x y r\n7 1 \"2\"0\n"}) {
+    EXPECT_EQ(errorOf(text), "test:2: a field goes on after its closing quotation mark.");
+  }
 }
 
 TEST(ReadCsv, ANumberHasOneSign) {
@@ -217,6 +219,7 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("[[1,2,3],\n\n[1,\"2\",3]]"), "test:3: expected a number for y, not a string.");
   EXPECT_EQ(errorOf("[{\"x\":1,\n\"y\":null,\"r\":1}]"), "test:2: expected a number for y, not null.");
   EXPECT_EQ(errorOf("[{\"x\":1,\"x\":1}]"), "test:1: x is given twice.");
+  EXPECT_EQ(errorOf("[{\"y\":1,\"x\":1}]"), "test:1: a circle has no r.");
   EXPECT_EQ(errorOf("[1,2,3]"), "test:1: expected a circle, [x,y,r] or {\"x\":..,\"y\":..,\"r\":..}, not a number.");
   EXPECT_EQ(errorOf("{\"x\":1}"), "test:1: expected an array of circles or a GeoJSON FeatureCollection.");
   EXPECT_TRUE(errorOf("[[1,2,3],\n[1,2,").starts_with("test:2: bad JSON: "));
@@ -271,6 +274,28 @@ TEST(ReadCircles, NamesTheLineOfACircleThatComputeWouldReject) {
   EXPECT_EQ(readCircles("1,nan,3\n", "test").error().code, ErrorCode::nonFinite);
   EXPECT_EQ(readCircles("1,inf,3\n", "test").error().code, ErrorCode::nonFinite);
   EXPECT_EQ(readCircles("[[1e200,0,0]]", "test").error().code, ErrorCode::coordinateTooLarge);
+}
+
+TEST(ReadAttributes, QuotationMarksAreDoubledInATable) {
+  const auto attributes = readAttributes("x,y,r,note\n1,2,3,\"a\"\"\"\"b\"\n", "test");
+  ASSERT_TRUE(attributes) << attributes.error().message;
+  EXPECT_EQ(*attributes, (std::vector<std::string>{R"("note":"a\"\"b")"}));
+}
+
+TEST(ReadNumbers, TakesAColumnWhoseNameIsOneOfTheOutput) {
+  const auto numbers = readNumbers("x,y,r,area\n1,2,3,4.5\n", "test", "area");
+  ASSERT_TRUE(numbers) << numbers.error().message;
+  EXPECT_EQ(*numbers, std::vector<double>{4.5});
+}
+
+TEST(ReadRegion, TakesWellKnownTextOfAnyDimension) {
+  for (const std::string text :
+       {"POLYGON ((0 0, 4 0, 4 4, 0 4))", "POLYGON Z ((0 0 1, 4 0 1, 4 4 1, 0 4 1))",
+        "POLYGON M((0 0 1, 4 0 1, 4 4 1, 0 4 1))", "SRID=4326;polygon zm ((0 0 1 2, 4 0 1 2, 4 4 1 2, 0 4 1 2))"}) {
+    const auto region = readRegion(text, "test");
+    ASSERT_TRUE(region) << region.error().message;
+    EXPECT_EQ(region->area(), 16) << text;
+  }
 }
 
 TEST(WriteCsv, ReadsBackToTheSameBits) {

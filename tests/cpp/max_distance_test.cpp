@@ -221,6 +221,16 @@ TEST(MaxDistance, OfOneCircleIsADisc) {
   EXPECT_NEAR(area(inBox({4, -9, 19, 19})), segment, 1e-13);
   EXPECT_NEAR(area(inBox({-9, -9, 6, 19})), 9 * kPi, 1e-13);
   EXPECT_NEAR(area(inBox({6, -9, 19, 19})), 0, 1e-13);
+  // A side across one quarter of the circle: the rest of it is an arc of nearly a turn.
+  const double half = std::acos(0.9);
+  const double cut = 9 * half - 2.7 * std::sqrt(9 - 2.7 * 2.7);
+  const double away = 2.7 * std::sqrt(2);  // where the side passes, along either axis
+  const std::vector<Point> corners = {{23, 4 + away - 20}, {-17, 4 + away + 20}, {-17, -16}};
+  const Outline most = clippedBufferOutline(diagram, 0, ConvexPolygon::from(corners).value(), 1);
+  EXPECT_NEAR(area(most), 9 * kPi - cut, 1e-13);
+  const double moved = 18 * std::pow(std::sin(half), 3) / area(most) / std::sqrt(2);
+  EXPECT_NEAR(centroid(most).x, 3 - moved, 1e-13);
+  EXPECT_NEAR(centroid(most).y, 4 - moved, 1e-13);
   // A half in two, by a strip.
   EXPECT_NEAR(area(inBox({2, -9, 4, 19})), 9 * kPi - 2 * segment, 1e-13);
 }
