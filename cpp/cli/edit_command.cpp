@@ -55,7 +55,7 @@ std::vector<Circle> readEditedCircles(const std::string& input, bool& weights) {
 void makeEdits(DiagramEditor& editor, const EditArguments& arguments, std::ostream* changes, ProgressLine& progress) {
   progress.show("read");
   const std::string name = inputName(arguments.script);
-  const std::vector<ScriptEdit> edits = readScript(readText(arguments.script), name, arguments.weights);
+  const std::vector<ScriptEdit> edits = readScript(readText(arguments.script), name);
   double done = 0;
   for (const auto& [edit, line] : edits) {
     progress.show("edit", done++ / static_cast<double>(edits.size()));

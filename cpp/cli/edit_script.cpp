@@ -2,13 +2,12 @@
 #include "edit_script.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
-#include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "box.h"
-#include "circle_voronoi/limits.h"
 #include "failure.h"
 #include "utf8.h"
 
@@ -37,7 +36,7 @@ std::string quoted(std::string_view text) {
 
 class LineReader {
  public:
-  LineReader(std::string_view line, std::string place, bool weights) : place_(std::move(place)), weights_(weights) {
+  LineReader(std::string_view line, std::string place) : place_(std::move(place)) {
     while (!line.empty()) fields_.push_back(trimmed(takeUpTo(',', line)));
   }
 
@@ -69,36 +68,30 @@ class LineReader {
 
   Circle circle(std::size_t first) const {
     expectFields(first + 3);
-    double numbers[3];
-    for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 3> numbers{};
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
       const std::string_view field = fields_[first + k];
       const auto value = readNumber(field, Sides::finite);
       if (!value) fail(quoted(field) + " is not a finite number.");
       numbers[k] = *value;
     }
-    const Circle circle = {numbers[0], numbers[1], numbers[2]};
-    if (circle.r < 0 && !weights_) fail("The radius is negative.");
-    if (std::max({std::abs(circle.x), std::abs(circle.y), std::abs(circle.r)}) > kCoordinateLimit) {
-      fail("A coordinate or the radius is beyond 1e150.");
-    }
-    return circle;
+    return {numbers[0], numbers[1], numbers[2]};
   }
 
   std::string place_;
-  bool weights_;
   std::vector<std::string_view> fields_;
 };
 
 }  // namespace
 
-std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name, bool weights) {
+std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name) {
   if (isUtf16(text)) throw Failure{kBadInput, name + ":1: the text is UTF-16; it has to be UTF-8."};
   text = withoutByteOrderMark(text);
   std::vector<ScriptEdit> edits;
   for (int line = 1; !text.empty(); ++line) {
     const std::string_view content = trimmed(takeUpTo('\n', text));
     if (content.empty() || content.front() == '#') continue;
-    edits.push_back({LineReader(content, name + ":" + std::to_string(line) + ": ", weights).read(), line});
+    edits.push_back({LineReader(content, name + ":" + std::to_string(line) + ": ").read(), line});
   }
   return edits;
 }

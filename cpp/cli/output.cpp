@@ -94,7 +94,8 @@ void addOutputOptions(CLI::App& command, Output& output) {
       ->type_name("DISTANCE")
       ->check([](const std::string& text) {
         const auto distance = readNumber(text);
-        return distance && std::abs(*distance) <= kRegionLimit ? "" : "expected a number up to 1e152.";
+        if (distance && std::abs(*distance) <= kRegionLimit) return std::string();
+        return std::string("expected a number up to ") + kRegionLimitText + ".";
       });
   command
       .add_option(

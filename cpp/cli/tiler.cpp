@@ -12,13 +12,13 @@
 
 #include "failure.h"
 #include "files.h"
+#include "tile_row.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHeader = "id,x,y,r,done\n";
 constexpr const char* kWideFile = "wide.csv";
 constexpr const char* kListFile = "tiles.txt";
 /// The text that waits for its files at most.
@@ -28,8 +28,11 @@ constexpr double kManyTiles = 64;
 /// Tiles are numbered exactly.
 constexpr double kMostCells = 0x1p50;
 
-/// The shortest digits that read back to the same bits.
-void appendNumber(std::string& text, double value) {
+void append(std::string& text, std::string_view part) { text += part; }
+
+/// Appends the shortest digits that read back to the same bits.
+template <class Number>
+void append(std::string& text, Number value) {
   std::array<char, 32> digits;
   text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
@@ -37,7 +40,7 @@ void appendNumber(std::string& text, double value) {
 void appendBox(std::string& text, const Box& box) {
   text += ' ';
   for (const double value : {box.minX, box.minY, box.maxX, box.maxY}) {
-    appendNumber(text, value);
+    append(text, value);
     text += ',';
   }
   text.pop_back();
@@ -45,12 +48,9 @@ void appendBox(std::string& text, const Box& box) {
 
 /// Circle i of a tile as a row.
 std::string rowOf(const Tile& tile, std::size_t i) {
-  std::string row = std::to_string(tile.ids[i]);
-  for (const double value : {tile.circles[i].x, tile.circles[i].y, tile.circles[i].r}) {
-    row += ',';
-    appendNumber(row, value);
-  }
-  return row + (tile.done[i] != 0 ? ",1\n" : ",0\n");
+  std::string row;
+  writeTileRow(tile, i, [&](auto part) { append(row, part); });
+  return row;
 }
 
 Failure cannotWrite(const fs::path& file) {
@@ -112,7 +112,7 @@ void Tiler::add(const Tile& tile) {
 }
 
 void Tiler::put(Content& content, const std::string& row) {
-  if (!content.isBegun && content.text.empty()) content.text = kHeader;
+  if (!content.isBegun && content.text.empty()) content.text = kTileHeader;
   content.text += row;
   waiting_ += row.size();
 }

@@ -3,7 +3,7 @@
 // whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
 import { isRecord, refuseArgument, shown } from './base/check.ts'
 import { packed, packedAtOnce, unpacked } from './base/compressed-text.ts'
-import { COORDINATE_LIMIT } from './base/coordinate-limits.ts'
+import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from './base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './base/coordinates.ts'
 import { CircleVoronoiError } from './base/errors.ts'
 import type { Float64s } from './base/types.ts'
@@ -306,7 +306,7 @@ function problemOfCircle(numbers: readonly number[], first: number): string | un
   const [x, y, r] = [numbers[first] as number, numbers[first + 1] as number, numbers[first + 2] as number]
   if (r < 0) return 'has a negative radius'
   const isTooLarge = Math.max(Math.abs(x), Math.abs(y), r) > COORDINATE_LIMIT
-  return isTooLarge ? 'has a coordinate or a radius beyond 1e150' : undefined
+  return isTooLarge ? `has a coordinate or a radius beyond ${COORDINATE_LIMIT_TEXT}` : undefined
 }
 
 function isEdit(edit: unknown): edit is NonNullable<Said['edits']>[number] {

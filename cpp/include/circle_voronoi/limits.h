@@ -12,6 +12,8 @@ inline constexpr double kCoordinateLimit = 1e150;
 /// The largest coordinate of a region, in absolute value: a hundred times that of a circle. Areas still fit in a
 /// double.
 inline constexpr double kRegionLimit = 1e152;
+/// kRegionLimit as messages write it.
+inline constexpr const char* kRegionLimitText = "1e152";
 /// The largest number of circles. Half-edges, six for each circle and more for samples, must fit in 32-bit indices.
 inline constexpr std::size_t kMaxCircles = 100'000'000;
 /// The largest number of sides of a region (Region).

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/convex_polygon.h"
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/limits.h"
 #include "clip.h"
 
 namespace circle_voronoi {
@@ -22,6 +26,13 @@ struct Limits {
     return r + *maxDistance;
   }
 };
+
+/// Errors: badOption if there is a maximum distance that is not finite, or exceeds kRegionLimit.
+inline Result<void> checkMaxDistance(std::optional<double> distance) {
+  if (!distance || std::abs(*distance) <= kRegionLimit) return {};
+  return Error{ErrorCode::badOption, kNone,
+               std::string("The maximum distance must be finite and at most ") + kRegionLimitText + "."};
+}
 
 /// Returns the kept parts of an edge, in its direction.
 CIRCLE_VORONOI_API std::vector<CurvePart> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits& limits);

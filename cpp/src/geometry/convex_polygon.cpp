@@ -2,16 +2,23 @@
 #include "circle_voronoi/convex_polygon.h"
 
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "circle_voronoi/limits.h"
 #include "guarded.h"
 #include "scale.h"
 
 namespace circle_voronoi {
 namespace {
 
-Vector difference(Point from, Point to) { return {to.x - from.x, to.y - from.y}; }
+Error fail(std::string message) { return {ErrorCode::badOption, kNone, std::move(message)}; }
 
-Error fail(const char* message) { return {ErrorCode::badOption, -1, message}; }
+/// Returns what is wrong with a coordinate that is not in range.
+std::string notInRange(const char* whose) {
+  return std::string(whose) + " is not finite, or beyond " + kRegionLimitText + ".";
+}
 
 /// False for what is not a number, too.
 bool isInRange(double coordinate) { return std::abs(coordinate) <= kRegionLimit; }
@@ -19,17 +26,17 @@ bool isInRange(double coordinate) { return std::abs(coordinate) <= kRegionLimit;
 /// Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn.
 bool isUpper(Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); }
 
-/// What is wrong with the corners of a convex polygon, or null.
-const char* problemOf(std::span<const Point> corners) {
+/// Returns what is wrong with the corners of a convex polygon, or nothing.
+std::optional<std::string> problemOf(std::span<const Point> corners) {
   if (corners.size() < 3) return "A convex polygon needs three corners or more.";
   for (const Point& p : corners) {
-    if (!isInRange(p.x) || !isInRange(p.y)) return "A corner of the polygon is not finite, or beyond 1e152.";
+    if (!isInRange(p.x) || !isInRange(p.y)) return notInRange("A corner of the polygon");
   }
   const std::size_t n = corners.size();
   int halfTurns = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector in = difference(corners[i], corners[(i + 1) % n]);
-    const Vector out = difference(corners[(i + 1) % n], corners[(i + 2) % n]);
+    const Vector in = vectorTo(corners[i], corners[(i + 1) % n]);
+    const Vector out = vectorTo(corners[(i + 1) % n], corners[(i + 2) % n]);
     if (in.x == 0 && in.y == 0) return "Two corners of the polygon in a row are equal.";
     const double side = turn(in, out);
     if (side < 0 || (side == 0 && facing(in, out) < 0)) {
@@ -37,7 +44,8 @@ const char* problemOf(std::span<const Point> corners) {
     }
     if (isUpper(in) != isUpper(out)) ++halfTurns;
   }
-  return halfTurns == 2 ? nullptr : "The polygon winds more than once, or has no area.";
+  if (halfTurns == 2) return std::nullopt;
+  return "The polygon winds more than once, or has no area.";
 }
 
 }  // namespace
@@ -45,7 +53,7 @@ const char* problemOf(std::span<const Point> corners) {
 Result<ConvexPolygon> ConvexPolygon::from(const Box& box) {
   return guarded([&]() -> Result<ConvexPolygon> {
     if (!isInRange(box.minX) || !isInRange(box.minY) || !isInRange(box.maxX) || !isInRange(box.maxY)) {
-      return fail("A coordinate of the box is not finite, or beyond 1e152.");
+      return fail(notInRange("A coordinate of the box"));
     }
     if (!(box.minX < box.maxX && box.minY < box.maxY)) return fail("The box is empty.");
     return ConvexPolygon(
@@ -55,14 +63,14 @@ Result<ConvexPolygon> ConvexPolygon::from(const Box& box) {
 
 Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
   return guarded([&]() -> Result<ConvexPolygon> {
-    if (const char* problem = problemOf(corners)) return fail(problem);
+    if (auto problem = problemOf(corners)) return fail(*std::move(problem));
     return ConvexPolygon(std::vector<Point>(corners.begin(), corners.end()));
   });
 }
 
 bool ConvexPolygon::contains(Point p) const {
   for (std::size_t k = 0; k < size(); ++k) {
-    if (turn(difference(corners_[k], cornerAfter(k)), difference(corners_[k], p)) < 0) return false;
+    if (turn(vectorTo(corners_[k], cornerAfter(k)), vectorTo(corners_[k], p)) < 0) return false;
   }
   return true;
 }
@@ -70,7 +78,7 @@ bool ConvexPolygon::contains(Point p) const {
 double ConvexPolygon::area() const {
   double twice = 0;
   for (std::size_t k = 0; k < size(); ++k) {
-    twice += cross(difference(corners_[0], corners_[k]), difference(corners_[0], cornerAfter(k)));
+    twice += cross(vectorTo(corners_[0], corners_[k]), vectorTo(corners_[0], cornerAfter(k)));
   }
   return twice / 2;
 }

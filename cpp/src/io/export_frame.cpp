@@ -71,10 +71,7 @@ Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& 
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance))) {
     return errorWith(ErrorCode::badOption, "The tolerance must be finite and positive.");
   }
-  // Not a number is not up to the limit, either.
-  if (options.maxDistance && !(std::abs(*options.maxDistance) <= kRegionLimit)) {
-    return errorWith(ErrorCode::badOption, "The maximum distance must be finite and at most 1e152.");
-  }
+  if (auto checked = checkMaxDistance(options.maxDistance); !checked) return checked.error();
   if (!options.attributes.empty() && options.attributes.size() != diagram.circles.size()) {
     return errorWith(ErrorCode::badInput, "There are not as many attributes as circles.");
   }

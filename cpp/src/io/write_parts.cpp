@@ -4,6 +4,7 @@
 
 #include "checks.h"
 #include "circle_voronoi/tile.h"
+#include "tile_row.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -52,11 +53,9 @@ Result<void> writeTile(std::ostream& stream, const Tile& tile, std::span<const s
     return errorWith(ErrorCode::badInput, "The tile's lists do not have as many entries as there are circles.");
   }
   return writing(stream, [&](Writer& out) {
-    out << "id,x,y,r,done\n";
+    out << kTileHeader;
     for (std::size_t i = 0; i < tile.circles.size(); ++i) {
-      if (isChosen[i] == 0) continue;
-      const auto& [x, y, r] = tile.circles[i];
-      out << tile.ids[i] << "," << x << "," << y << "," << r << (tile.done[i] != 0 ? ",1\n" : ",0\n");
+      if (isChosen[i] != 0) writeTileRow(tile, i, [&](auto part) { out << part; });
     }
   });
 }

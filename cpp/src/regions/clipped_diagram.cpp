@@ -9,8 +9,8 @@
 #include "arc_measure.h"
 #include "areas_and_arcs.h"
 #include "at.h"
+#include "cell_limits.h"
 #include "circle_arc.h"
-#include "circle_voronoi/limits.h"
 #include "clip_parts.h"
 #include "clip_polygons.h"
 #include "compensated_sum.h"
@@ -322,9 +322,7 @@ Result<ClippedDiagram> ClippedDiagram::make(const Diagram& diagram, const Region
                                             std::optional<double> maxDistance,
                                             std::optional<std::span<const CircleIndex>> circles) {
   return guarded([&]() -> Result<ClippedDiagram> {
-    if (maxDistance && !(std::abs(*maxDistance) <= kRegionLimit)) {
-      return errorWith(ErrorCode::badOption, "The maximum distance must be finite and at most 1e152.");
-    }
+    if (auto checked = checkMaxDistance(maxDistance); !checked) return checked.error();
     if (maxDistance && diagram.metric == Metric::power) {
       return errorWith(ErrorCode::badOption, "A power diagram has no maximum distance.");
     }

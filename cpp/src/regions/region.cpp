@@ -77,7 +77,8 @@ class Names {
   std::size_t polygonOf(std::size_t ring) const {
     const auto& offsets = given_.polygonOffsets;
     return static_cast<std::size_t>(std::ranges::upper_bound(offsets, static_cast<std::int32_t>(ring)) -
-                                    offsets.begin()) - 1;
+                                    offsets.begin()) -
+           1;
   }
 
  private:
@@ -103,7 +104,7 @@ Cleaned cleaned(const Given& given, const Names& names) {
       const Point p = {given.points[k].x + 0.0, given.points[k].y + 0.0};
       if (!(std::abs(p.x) <= kRegionLimit && std::abs(p.y) <= kRegionLimit)) {
         refuse("Point " + std::to_string(k - begin) + " of " + names.ofRing(r) +
-               " of the region is not finite, or beyond 1e152.");
+               " of the region is not finite, or beyond " + kRegionLimitText + ".");
       }
       const auto index = static_cast<std::int32_t>(k - begin);
       if (points.size() > first && points.back() == p) {
@@ -423,8 +424,7 @@ std::vector<RegionSideIndex> Region::sidesIn(const Box& box) const {
   return sides;
 }
 
-void Region::addSidesIn(std::size_t level, std::size_t run, const Box& box,
-                        std::vector<RegionSideIndex>& sides) const {
+void Region::addSidesIn(std::size_t level, std::size_t run, const Box& box, std::vector<RegionSideIndex>& sides) const {
   const auto meets = [&](const Run& its) {
     return its.minX <= box.maxX && its.maxX >= box.minX && its.minY <= box.maxY && its.maxY >= box.minY;
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What callers of JavaScript may give in place of what the types ask for: it is refused, in one sentence.
 
-import { REGION_LIMIT } from './coordinate-limits.ts'
+import { REGION_LIMIT, REGION_LIMIT_TEXT } from './coordinate-limits.ts'
 import { CircleVoronoiError } from './errors.ts'
 import type { DiagramData, Metric, Point } from './types.ts'
 
@@ -116,7 +116,7 @@ export function checkMetric({ metric }: DiagramData, caller: string, ...known: r
 export function checkDistance(distance: unknown): void {
   if (distance === undefined) return
   if (typeof distance !== 'number' || !(Math.abs(distance) <= REGION_LIMIT)) {
-    refuseOption(`The maximum distance is a number up to 1e152, not ${shown(distance)}.`)
+    refuseOption(`The maximum distance is a number up to ${REGION_LIMIT_TEXT}, not ${shown(distance)}.`)
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkOptionNames, refuseOption, shown } from '../base/check.ts'
-import { REGION_LIMIT } from '../base/coordinate-limits.ts'
+import { REGION_LIMIT, REGION_LIMIT_TEXT } from '../base/coordinate-limits.ts'
 import { between, cross } from '../base/point.ts'
 import { facing, turn } from '../base/scale.ts'
 import type { Box, Point, Vector } from '../base/types.ts'
@@ -66,7 +66,7 @@ export class ConvexPolygon {
     if (!Array.isArray(corners)) refuseOption(`The corners of a polygon are an array of points, not ${shown(corners)}.`)
     if (corners.length < 3) refuseOption('A convex polygon needs three corners or more.')
     if (!corners.every((corner) => isInRange(corner?.x) && isInRange(corner?.y))) {
-      refuseOption('A corner of the polygon is not finite, or beyond 1e152.')
+      refuseOption(`A corner of the polygon is not finite, or beyond ${REGION_LIMIT_TEXT}.`)
     }
     const polygon = new ConvexPolygon(corners.map(({ x, y }) => ({ x, y })))
     const sides = polygon.corners.map((corner, k) => between(corner, polygon.cornerAfter(k)))
@@ -94,7 +94,7 @@ export class ConvexPolygon {
     if (bounds instanceof ConvexPolygon) return bounds
     const [minX, minY, maxX, maxY] = sidesOf(bounds)
     if (!(minX < maxX && minY < maxY && [minX, minY, maxX, maxY].every(isInRange))) {
-      refuseOption('The box is empty, or a coordinate is not finite, or beyond 1e152.')
+      refuseOption(`The box is empty, or a coordinate is not finite, or beyond ${REGION_LIMIT_TEXT}.`)
     }
     const corners = [
       { x: minX, y: minY },

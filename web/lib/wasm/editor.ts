@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkMetric, checkNumber, checkOptionNames, refuseArgument, shown } from '../base/check.ts'
-import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
+import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from '../base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
@@ -190,7 +190,7 @@ export function checkedCircle(circle: CircleLike, weights: boolean, id?: number)
   }
   if (r < 0 && !weights) refuse('negativeRadius', `${who} has a negative radius.`, id)
   if (Math.max(Math.abs(x), Math.abs(y), Math.abs(r)) > COORDINATE_LIMIT) {
-    refuse('coordinateTooLarge', `${who} has a coordinate or a radius beyond 1e150.`, id)
+    refuse('coordinateTooLarge', `${who} has a coordinate or a radius beyond ${COORDINATE_LIMIT_TEXT}.`, id)
   }
   return { x, y, r }
 }
