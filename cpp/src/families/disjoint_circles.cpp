@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kEnd = -1;
 
-/// Circles of a level have a radius below its size, and from an eighth of it.
+/// Circles of a level have a radius up to its size, and above an eighth of it.
 double sizeOf(int level) { return std::ldexp(1.0, 3 * level); }
 
 std::int64_t cellOf(double coordinate, int level) {
@@ -27,8 +27,9 @@ DisjointCircles::DisjointCircles(std::size_t count, double finest)
 
 int DisjointCircles::levelOf(double radius) const {
   int exponent = 0;
-  std::frexp(std::max(radius, finest_), &exponent);
-  return static_cast<int>(std::ceil(exponent / 3.0));
+  // A half if the radius is a power of two: of the exponent before.
+  const double fraction = std::frexp(std::max(radius, finest_), &exponent);
+  return static_cast<int>(std::ceil((fraction == 0.5 ? exponent - 1 : exponent) / 3.0));
 }
 
 std::size_t DisjointCircles::bucket(int level, std::int64_t column, std::int64_t row) const {
