@@ -369,6 +369,19 @@ describe('what a page leaves late', () => {
     return { made, address, keeping: new Keeping(links, () => ({ dataSet: 'spruces' })) }
   }
 
+  it.each(['#v1.before', '#v1.new'])('is there where a reload began before the address changed: %s', async (loaded) => {
+    const { made, address, keeping: kept } = keeping('#v1.before')
+    await kept.begin()
+    kept.changed()
+    await vi.advanceTimersByTimeAsync(400)
+    made[0]?.('v1.new')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('#v1.new')
+    const { keeping: again } = keeping(loaded)
+    vi.spyOn(performance, 'getEntriesByType').mockReturnValue([{ type: 'reload' } as PerformanceNavigationTiming])
+    expect(await again.begin()).toBe('v1.new')
+  })
+
   it('is not written over a link that is still to be opened, but after it', async () => {
     const { made, address, keeping: kept } = keeping('#v1.a')
     await kept.begin()

@@ -8,7 +8,10 @@ import { SceneStorage } from './scene-storage.ts'
 const REST = 400
 /** Longer links are kept by the storage alone: addresses have to stay short enough to be copied. */
 const LONGEST_ADDRESS = 100_000
-/** Where a page that goes leaves its link, for itself loaded again: by then its address can no longer change. */
+/**
+ * Where a page leaves its link, and the addresses that it may have for itself loaded again: one that goes can no longer change
+ * its address, and a reload that has begun may still be of the address from before the last change.
+ */
 const LATE = 'circle-voronoi/late'
 
 /** Keeps what is shown: as a link in the address, and in the storage of the browser. */
@@ -23,6 +26,8 @@ export class Keeping {
   #lastWrite = 0
   /** What the address said when it was read or written here last: another one is a link that is about to be opened. */
   #hash = ''
+  /** What it said before that was written. */
+  #hashBefore = ''
 
   /** `read`: what is shown, as soon as it is anything. */
   constructor(links: LinkWriter, read: () => LinkInput | undefined) {
@@ -38,6 +43,7 @@ export class Keeping {
   /** What was kept: the link of the address, or else what this tab or a closed one showed last. */
   async begin(): Promise<string | undefined> {
     this.#hash = location.hash
+    this.#hashBefore = this.#hash
     const link = this.#hash.slice(1)
     let late: string | undefined
     try {
@@ -87,10 +93,11 @@ export class Keeping {
     if (this.isAddressNew) return this.changed()
     const isShort = link !== undefined && link.length <= LONGEST_ADDRESS
     history.replaceState(null, '', isShort ? `#${link}` : location.pathname + location.search)
+    this.#hashBefore = this.#hash
     this.#hash = location.hash
+    keepLate(link !== undefined && this.#hash !== this.#hashBefore ? this.#lateText(link) : '')
     if (link !== undefined) await this.#storage?.write(link)
     this.#isKept = this.#timer === undefined
-    if (this.#isKept) keepLate('')
   }
 
   /** For a page that is about to go: what ends later is lost. */
@@ -100,10 +107,14 @@ export class Keeping {
     try {
       const link = encodeLinkAtOnce(state)
       this.#storage?.put(link)
-      keepLate(`${this.#hash} ${link}`)
+      keepLate(this.#lateText(link))
     } catch (error) {
       if (!(error instanceof CircleVoronoiError)) throw error
     }
+  }
+
+  #lateText(link: string): string {
+    return `${link} ${this.#hash} ${this.#hashBefore}`
   }
 
   /** `undefined`: too large for a link. */
@@ -118,13 +129,13 @@ export class Keeping {
 }
 
 /**
- * Returns the link that the page of an address left last, if nothing was kept after it and the page is there again: by a reload,
- * or by Back and Forward. Whoever opens the address as a link gets what the link says, and nothing is left.
+ * Returns the link that the page of an address left last, if the page is there again: by a reload, or by Back and Forward.
+ * Whoever opens the address as a link gets what the link says, and nothing is left.
  */
 function takenLate(hash: string, isThereAgain: boolean): string | undefined {
-  const [of, link] = (sessionStorage.getItem(LATE) ?? '').split(' ')
+  const [link, ...hashes] = (sessionStorage.getItem(LATE) ?? '').split(' ')
   sessionStorage.removeItem(LATE)
-  return isThereAgain && of === hash ? link : undefined
+  return isThereAgain && hashes.includes(hash) ? link : undefined
 }
 
 function keepLate(text: string): void {
