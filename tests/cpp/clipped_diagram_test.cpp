@@ -307,6 +307,21 @@ TEST(ClippedDiagram, FlatArraysAreTheOutlines) {
   }
 }
 
+TEST(ClippedDiagram, AnEndThatTheMaximumDistanceCutsLiesOnNoSideOfTheRegion) {
+  const Region region = Region::fromRings(std::vector<Region::Ring>{{{-4, -1}, {4, -1}, {4, 4}, {-4, 4}}}).value();
+  // The edge goes along the y axis, up or down.
+  for (const std::vector<Circle>& circles : {std::vector<Circle>{{-1, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {-1, 0, 0}}}) {
+    const Diagram diagram = compute(circles).value();
+    const ClippedEdges edges = ClippedDiagram::from(diagram, region, 3).value().edges();
+    ASSERT_EQ(edges.edge.size(), 1U);
+    const bool isUp = edges.start[0].y < edges.end[0].y;
+    EXPECT_EQ((isUp ? edges.start : edges.end)[0].y, -1);
+    EXPECT_EQ((isUp ? edges.startSide : edges.endSide)[0], 0);
+    EXPECT_NEAR((isUp ? edges.end : edges.start)[0].y, std::sqrt(8), 1e-15);
+    EXPECT_EQ((isUp ? edges.endSide : edges.startSide)[0], kNone);
+  }
+}
+
 /// Whether outlines have the same pieces to the bit, from whichever piece their loops begin.
 bool areSame(const Outline& a, const Outline& b) {
   const auto keysOf = [](const Outline& outline) {
