@@ -156,6 +156,17 @@ void expectCoverage(const ClippedPolygons& polygons, const Region& region, doubl
   EXPECT_NEAR(area, region.area(), areaError);
 }
 
+TEST(ClippedPolygons, APartThatIsThinnerThanTheToleranceLeavesNoPoints) {
+  // The right side of the region cuts off the tip of the first cell, which a chord along that side stands for.
+  const std::vector<Circle> circles = {{4, 0, 0}, {0, 0, 2}};
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Region region = Region::fromRings(std::vector<Region::Ring>{{{-1, -2}, {3.1, -2}, {3.1, 2}, {-1, 2}}}).value();
+  const ClippedPolygons polygons = ClippedDiagram::from(diagram, region).value().polygons(1);
+  EXPECT_EQ(polygons.polygonOffsets, (std::vector<std::int32_t>{0, 0, 1}));
+  EXPECT_EQ(polygons.pointOffsets, (std::vector<std::int32_t>{0, 6}));
+  EXPECT_EQ(polygons.points.size(), 6U);
+}
+
 TEST(ClippedPolygons, AreAValidCoverageAtAnyTolerance) {
   std::mt19937_64 random(test::seedOr(4));
   for (int trial = 0; trial < 12; ++trial) {

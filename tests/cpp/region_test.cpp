@@ -73,6 +73,12 @@ TEST(Region, TakesPolygonsWithHoles) {
   EXPECT_EQ(region.polygonOf(region.ringOf(5)), 0);
   EXPECT_EQ(region.ringOf(5), 1);
   EXPECT_EQ(region.ringOf(12), 3);
+  // Holes above and beside each other, and an island in the upper one.
+  const std::vector<std::vector<Ring>> many = {
+      {square(0, 0, 10), square(1, 1, 2), square(1, 5, 2), square(6, 1, 2), square(6, 5, 2)}, {square(6.5, 5.5, 1)}};
+  const auto other = Region::fromPolygons(many);
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_EQ(other->area(), 100 - 4 * 4 + 1);
 }
 
 TEST(Region, RefusesRingsThatCrossThemselves) {
