@@ -233,6 +233,22 @@ describe('the outline of a cell', () => {
     ).toBeCloseTo(56, 11)
   })
 
+  it('has an edge that bulges into the region from both ends outside', () => {
+    const diagram = library.compute([
+      [0, 0, 2],
+      [4, 0, 0],
+      [4, 6, 0],
+      [4, -6, 0],
+    ])
+    const edge = [...Array(diagram.edges.length / 4).keys()].find((e) => {
+      const { left, right } = edgeAt(diagram, e)
+      return Math.max(left, right) === 1
+    }) as number
+    const curve = edgeCurve(diagram, edge)
+    for (const end of [curve.start, curve.end]) expect(end?.x).toBeGreaterThan(3.05)
+    expect(clipCurve(curve, { bounds: { minX: -9, minY: -9, maxX: 3.05, maxY: 9 } })).toHaveLength(1)
+  })
+
   it('does not contain what is nearer to one beyond a neighbor that is equally near up to rounding', () => {
     const far = 2 ** 384
     const narrow = [-1.984375 * 2 ** 182, 0, 2 ** -163]

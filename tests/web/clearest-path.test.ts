@@ -140,6 +140,23 @@ it('follows edges that meet, and keeps clear all the way', () => {
   )
 })
 
+it('along one edge is as clear in both directions', () => {
+  const circles = [
+    [0, 3, 2],
+    [0, -3, 2],
+  ]
+  // Nothing wider leads around, for all is within a wall.
+  for (let k = -16; k <= 16; k++) circles.push([k / 2, 5.5, 0.2], [k / 2, -5.5, 0.2])
+  for (let k = -10; k <= 10; k++) circles.push([-8, k / 2, 0.2], [8, k / 2, 0.2])
+  const diagram = library.compute(circles)
+  const [left, right] = [
+    { x: -3, y: 0 },
+    { x: 2, y: 0 },
+  ]
+  expect(clearestPath(diagram, left, right).clearance).toBeCloseTo(1, 12)
+  expect(clearestPath(diagram, right, left).clearance).toBeCloseTo(1, 12)
+})
+
 it('goes through the wider gap', () => {
   // A ring of six circles with gaps of 1, but for one that leaves 1.5 on either side of it.
   const h = (5 * Math.sqrt(3)) / 2

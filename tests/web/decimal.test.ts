@@ -26,6 +26,15 @@ describe('the text of a number with few digits', () => {
     expect(`${text}`).toBe('Z'.repeat(40_000) + '12.25'.repeat(9_000))
   })
 
+  it('is empty until something is added, and again once it is taken', () => {
+    const text = new DecimalText(2)
+    expect(text.isEmpty).toBe(true)
+    text.add('M')
+    expect(text.isEmpty).toBe(false)
+    expect(text.take()).toBe('M')
+    expect(text.isEmpty).toBe(true)
+  })
+
   it('is the shortest of the number rounded', () => {
     fc.assert(
       fc.property(numbers, digits, (value, count) => {

@@ -87,6 +87,24 @@ describe('find', () => {
     }
   })
 
+  it('finds what an edit puts between a circle and its many neighbors', () => {
+    const around = Array.from({ length: 60 }, (_, k) => {
+      const turn = (2 * Math.PI * k) / 60
+      return { x: 10 * Math.cos(turn), y: 10 * Math.sin(turn), r: 0.1 }
+    })
+    const editor = library.edit([{ x: 0, y: 0, r: 1 }, ...around])
+    const diagram = editor.snapshot()
+    expect(diagram.find(4, 3, 0)).toBe(0)
+    const turn = 0.05
+    const between = { x: 8 * Math.cos(turn), y: 8 * Math.sin(turn), r: 0.1 }
+    diagram.apply(editor.insert(between))
+    expect(diagram.find(between.x, between.y, 0)).toBe(61)
+    expect(diagram.neighbors(0).length).toBeGreaterThan(24)
+    diagram.apply(editor.remove(61))
+    expect(diagram.find(between.x, between.y, 0)).toBeLessThan(61)
+    editor.dispose()
+  })
+
   it('finds nothing where there is nothing, or no place', () => {
     expect(library.compute([]).find(0, 0)).toBe(NONE)
     const diagram = library.compute(Float64Array.of(0, 0, 1))

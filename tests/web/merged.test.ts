@@ -39,6 +39,20 @@ describe('mergeVertices', () => {
     expect(merged.edges).toHaveLength(4 * count)
   })
 
+  it('makes one vertex of those alone that are the same to the bit, where nothing is near zero', () => {
+    const circles = Array.from({ length: 40 }, (_, k) => {
+      const turn = (2 * Math.PI * k) / 40
+      return { x: 100 * Math.cos(turn), y: 100 * Math.sin(turn), r: 3 }
+    })
+    const diagram = library.compute(circles)
+    const places = Array.from({ length: diagram.vertices.length / 3 }, (_, v) =>
+      diagram.vertices.slice(3 * v, 3 * v + 2),
+    )
+    const different = new Set(places.map(([x, y]) => `${x} ${y}`)).size
+    expect(different).toBeGreaterThan(1)
+    expect(mergeVertices(diagram, 0).vertices.length / 3).toBeGreaterThanOrEqual(different)
+  })
+
   it('makes one vertex of them however they are numbered', () => {
     const random = seededRandom(2)
     for (let trial = 0; trial < 60; trial++) {

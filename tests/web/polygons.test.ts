@@ -137,6 +137,12 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
     )
   })
 
+  it('have a hull of three corners where the tolerance is larger than the only circle', () => {
+    const ring = library.compute([[2, 3, 1]]).hullPolygon({ tolerance: 10 })
+    expect(ring).toHaveLength(4)
+    expect(doubleArea(pointsOf(ring as Polygon)) / 2).toBeCloseTo((3 * Math.sqrt(3)) / 4, 12)
+  })
+
   it('have hulls that are convex, closed, inside the hull and as near as the tolerance says', () => {
     fc.assert(
       fc.property(arbitrary, fc.constantFrom(0.3, 1e-2, 1e-4), (circles, share) => {
