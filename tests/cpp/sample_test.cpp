@@ -69,6 +69,13 @@ TEST(Samples, DivideAFacesAngleIntoEqualParts) {
   EXPECT_NEAR(heights[3], 1, 1e-15);
 }
 
+TEST(Samples, DivideAnAngleThatIsStraightUpToRoundingOnTheSideOfTheFace) {
+  // The face lies below the last center, and so does what divides the angle there.
+  const Samples samples = sample({{-1, 0, 1}, {1, 0, 1}, {0, 1e-12, 3}}, 1);
+  const bool isBelow = std::ranges::any_of(samples.points, [](Point p) { return std::abs(p.x) < 1e-9 && p.y < -1.9; });
+  EXPECT_TRUE(isBelow);
+}
+
 TEST(Samples, MayDifferFromCircleToCircle) {
   const std::vector<Circle> triangle = {{0, 0, 1}, {9, 0, 2}, {0, 9, 3}};
   const std::vector<Point> centers = {{0, 0}, {9, 0}, {0, 9}};
