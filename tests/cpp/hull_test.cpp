@@ -134,7 +134,10 @@ TEST(Hull, HasTheLengthAndAreaOfTheSupportFunction) {
       const Hull hull = hullOf(circles);
       const auto [length, area] = measuresBySupport(circles);
       double turn = 0;
-      for (const HullArc& arc : hull.arcs) turn += arc.angle;
+      for (const HullArc& arc : hull.arcs) {
+        EXPECT_GE(arc.angle, 0);
+        turn += arc.angle;
+      }
       EXPECT_NEAR(turn, 2 * std::numbers::pi, 1e-12);
       EXPECT_NEAR(hull.length, length, 1e-6 * length);
       EXPECT_NEAR(hull.area, area, 1e-6 * length * length);
