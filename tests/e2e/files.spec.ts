@@ -204,6 +204,7 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
   await expect(app.page.getByRole('region', { name: 'Selected circles' })).toContainText('3 circles')
   await expect(app.page.locator('#toast')).toContainText('3 circles were added.')
   await app.page.getByRole('button', { name: 'Replace all circles instead' }).click()
+  await expect(app.page.locator('#toast')).toBeHidden()
   await expect(app.status).toHaveText(/^3 circles/)
   await expect.poll(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
   const link = 'v1.q1ZKSSxJDE4tUbJSSirKz6tKTcvMKUktUtJRSk3JLClWsoqOVtJV0jEzNYiNrQUA'
@@ -356,18 +357,18 @@ test('a picture becomes circles, larger ones where it is darker', async ({ app }
     context.fillStyle = 'white'
     context.fillRect(0, 0, 120, 80)
     context.fillStyle = 'black'
-    context.fillRect(0, 0, 60, 80)
+    context.fillRect(0, 0, 60, 40)
     return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())]
   })
   await openPanel(app)
-  const file = { name: 'half.png', mimeType: 'image/png', buffer: Buffer.from(png) }
+  const file = { name: 'dark-corner.png', mimeType: 'image/png', buffer: Buffer.from(png) }
   await app.page.getByLabel('Open …').setInputFiles(file)
   await expect(app.status).toHaveText(/^1,800 circles/)
   await expect.poll(async () => (await app.circles()).length).toBe(5400)
   const circles = await app.circles()
-  const inHalf = (isDark: boolean) =>
-    Array.from({ length: 1800 }, (_, i) => i).filter((i) => (circles[3 * i] as number) < 60 === isDark)
-  expect(inHalf(true).length).toBeGreaterThan(5 * inHalf(false).length)
+  const isTopLeft = (i: number) => (circles[3 * i] as number) < 60 && (circles[3 * i + 1] as number) > 40
+  const dark = Array.from({ length: 1800 }, (_, i) => i).filter(isTopLeft).length
+  expect(dark).toBeGreaterThan(5 * (1800 - dark))
   await choose(app, 'broken.png', 'no picture')
   await expect(app.page.getByRole('alert')).toContainText('broken.png')
 })

@@ -243,6 +243,13 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   await share.press('Enter')
   await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 2))
   await expect.poll(async () => (await linkOf(app)).areas).toEqual([2, 1, 1])
+  // Another one is another step of undo.
+  await share.fill('20')
+  await share.press('Enter')
+  await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 5))
+  await app.canvas.focus()
+  await page.keyboard.press('Control+z')
+  await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 2))
   await app.inspector.getByRole('button', { name: 'Circle 1' }).click()
   await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 4))
   await page.reload()
