@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { Editing } from '../../web/editing/editing.ts'
+import { Editing, type Outcome } from '../../web/editing/editing.ts'
+import { EMPTY_HISTORY } from '../../web/editing/history.ts'
 import { problemOf } from '../../web/editing/problem.ts'
+import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
+import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { LibraryComputer } from './computer.ts'
 
 const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
+
+it('what is selected stays after an edit if it is there, and not after other circles were opened', () => {
+  const circles = new CircleTable(TWO.slice())
+  const state = { ...INITIAL_STATE, selection: [1, 7], selected: undefined }
+  const outcome = {
+    edited: undefined,
+    history: EMPTY_HISTORY,
+    domain: NO_DOMAIN,
+    isOpened: false,
+  } as unknown as Outcome
+  const edited = stateAfter(state, outcome, circles)
+  expect([edited.selection, edited.selected, edited.circle]).toEqual([[1], 1, { x: 5, y: 5, r: 2 }])
+  expect(stateAfter(state, { ...outcome, isOpened: true }, circles).selection).toEqual([])
+})
 
 /** Editing with an editor of the library as what computes: each answer comes a turn later. */
 async function started(circles = TWO) {

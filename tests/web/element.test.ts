@@ -38,6 +38,7 @@ describe('circles', () => {
     '# trees\nname; r ; y;x\noak;0,5;2;1\nbirch;1,25;3;1\n',
     'x\ty\tr\r\n1\t2\t3\r\n\r\n',
     '1 2 3\n 4  5 6\n',
+    '1,5;2;3\n-0,25;5;6,5\n',
     '"lon","lat","radius"\n8.5,47.25,2\n',
     '[[1, 2, 3], {"r": 4, "x": 5, "y": 6, "name": "oak"}]',
     '{"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"Point","coordinates":[1,2]},"properties":{"r":0.1}}]}',

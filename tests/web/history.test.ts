@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import { EMPTY_HISTORY, idsOnceOpened, record, renamed } from '../../web/editing/history.ts'
 import type { Step } from '../../web/view/circle-table.ts'
+import { NO_DOMAIN } from '../../web/view/domain.ts'
 
 const CIRCLE = { x: 0, y: 0, r: 1 }
 const back = (id: number, x: number): Step => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })
@@ -35,6 +36,16 @@ describe('what goes back to before edits', () => {
       { kind: 'insert', circle: CIRCLE, formerId: 0 },
     ]
     expect(record(moved, steps, 3).done).toEqual([{ kind: 'edits', gesture: 3, steps: [...steps, back(0, 1)] }])
+  })
+
+  it('of one gesture is the region and the areas that were there at first', () => {
+    const [first, second] = [
+      { ...NO_DOMAIN, areas: [1, 2] },
+      { ...NO_DOMAIN, areas: [3, 4] },
+    ] as const
+    const begun = record(EMPTY_HISTORY, [back(0, 1)], 5)
+    const { done } = record(record(begun, [], 5, first), [], 5, second)
+    expect(done).toEqual([{ kind: 'edits', gesture: 5, steps: [back(0, 1)], domain: first }])
   })
 
   it('of another gesture is another entry, and nothing can be done again', () => {

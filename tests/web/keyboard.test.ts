@@ -61,7 +61,7 @@ function listening(state: Partial<State> = {}) {
     const byFigure = at === figure && heard('keydown', figure)
     return heard('keydown', around) || byFigure
   }
-  return { done, press, actions: known }
+  return { done, press, figure, actions: known }
 }
 
 describe('an arrow key', () => {
@@ -92,6 +92,20 @@ describe('an arrow key', () => {
     readonly.press('ArrowDown')
     expect(readonly.done).toEqual([['pan', -0, -48]])
   })
+})
+
+it('Space pans until it is released, or the focus goes', () => {
+  const { done, press, figure } = listening()
+  press(' ')
+  figure.dispatchEvent(Object.assign(new Event('keyup'), { key: ' ' }))
+  press(' ')
+  figure.dispatchEvent(new Event('blur'))
+  expect(done.map(([name, isHeld]) => [name, isHeld])).toEqual([
+    ['holdPanning', true],
+    ['holdPanning', false],
+    ['holdPanning', true],
+    ['holdPanning', false],
+  ])
 })
 
 describe('a key that is heard around the figure', () => {

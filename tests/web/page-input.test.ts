@@ -2,6 +2,7 @@
 // What the page takes from the clipboard, from what is dropped on it, and from fields, on a document without a browser.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FileActions } from '../../web/app/files/file-actions.ts'
+import { listenToPresses } from '../../web/app/input/after-press.ts'
 import { listenToClipboard } from '../../web/app/input/clipboard.ts'
 import { listenToFiles } from '../../web/app/input/dropping.ts'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
@@ -83,6 +84,31 @@ class Data {
     return this.kinds.get(kind) ?? ''
   }
 }
+
+describe('what may move where a pointer is pressed', () => {
+  beforeEach(() => {
+    vi.useFakeTimers()
+  })
+  afterEach(() => {
+    vi.useRealTimers()
+  })
+
+  it.each(['pointerup', 'pointercancel'])('is done at once, or after the click of a press that ends with %s', (end) => {
+    const afterPress = listenToPresses(page as unknown as Document)
+    const done: string[] = []
+    afterPress(() => done.push('at once'))
+    send('pointerdown', {})
+    afterPress(() => done.push('after the press'))
+    vi.runAllTimers()
+    expect(done).toEqual(['at once'])
+    send(end, {})
+    expect(done).toEqual(['at once'])
+    vi.runAllTimers()
+    expect(done).toEqual(['at once', 'after the press'])
+    afterPress(() => done.push('again at once'))
+    expect(done).toHaveLength(3)
+  })
+})
 
 describe('the clipboard', () => {
   function listening() {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { type Circle, Diagram, TRACE_KINDS, Trace } from '../../web/lib/index.ts'
 import { ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
 import { arcOf } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS } from '../../web/player/program.ts'
-import { circlesAt, sceneOf } from '../../web/player/scene.ts'
+import { type Colors, circlesAt, sceneOf } from '../../web/player/scene.ts'
 import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
 import { concerns, kindAt, nextStep, programOf, type Step, sortOf, stepsOf } from '../../web/player/steps.ts'
-import { columnsOf } from '../../web/player/timeline.ts'
+import { columnsOf, drawTimeline } from '../../web/player/timeline.ts'
 import { ENGLISH_PLAYER } from '../../web/player/words.ts'
 import { MOST_PLAYED } from '../../web/view/layers.ts'
 import { traced } from '../../web/view/painter/traced.ts'
@@ -128,6 +128,21 @@ describe('the steps of a trace', () => {
       steps.filter((step) => sortOf(step) !== undefined).length,
     )
     expect(new Set(counts).size).toBeGreaterThan(2)
+  })
+
+  it('are marked as far as the canvas is wide, also where that has changed', () => {
+    vi.stubGlobal('devicePixelRatio', 1)
+    const steps = stepsOf(library.trace(SMALL))
+    for (const clientWidth of [400, 90, 300]) {
+      let rightmost = 0
+      const context = {
+        fillRect: (x: number, _: number, width: number) => (rightmost = Math.max(rightmost, x + width)),
+      }
+      const canvas = { clientWidth, clientHeight: 20, getContext: () => context } as unknown as HTMLCanvasElement
+      drawTimeline(canvas, steps, 0, new Set(), {} as Colors)
+      expect(Math.abs(rightmost - clientWidth)).toBeLessThan(2)
+    }
+    vi.unstubAllGlobals()
   })
 })
 

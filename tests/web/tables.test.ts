@@ -27,6 +27,7 @@ describe('a table', () => {
     ['Stadt;Rechtswert;Hochwert;Durchmesser', { x: 1, y: 2, r: 3, name: 0, isDiameter: true }],
     ['longitude,latitude,radius_km,Name', { x: 0, y: 1, r: 2, name: 3 }],
     ['center_x\tcenter_y\tdbh', { x: 0, y: 1, r: 2, isDiameter: true }],
+    ['x;y;diameter;radius', { x: 0, y: 1, r: 3 }],
     ['a,b,c', {}],
   ])('tells by the names of its columns what they are: %s', (heading, columns) => {
     const separator = /[;\t,]/.exec(heading)?.[0] as string
