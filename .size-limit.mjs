@@ -29,7 +29,7 @@ export default [
   // With the core, which also flips from one diagram to the next, the geometry and a sparse Cholesky decomposition.
   wasm('Regions and fitted areas, fetched when asked for', '274 kB', 'circle-voronoi-regions'),
   // With the judge, the geometry and the streams of the standard library; 3 kB are for layers compiled as one file,
-  // 6 for writers that check what they are given, 70 for drawings clipped to regions, half a one for cells beyond ties.
+  // 6 for writers that check what they are given, 70 for drawings clipped to regions, 0.5 kB for points as near to two circles.
   wasm('Files, fetched when asked for', '297.5 kB', 'circle-voronoi-files'),
   {
     name: 'All of it but comparisons in one file',
@@ -59,7 +59,7 @@ export default [
     // sentences that say what is wrong with an argument, half a one for quick decimal texts, another for edges that are
     // drawn as chords without their curves, 1 kB each for JSON, files and links, 1.5 for traces, and 4.7 kB for editors, here and in a worker,
     // and diagrams that follow them, 3.5 kB for regions and fitted areas, here and in a worker, 0.4 for unchecked twins of
-    // public functions on hot paths, 0.1 for places where neighbors tie.
+    // public functions on hot paths, 0.1 for points as near to two circles.
     limit: '40.3 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*', '../generated/*'],

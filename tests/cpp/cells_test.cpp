@@ -326,6 +326,11 @@ TEST(Cells, APointOnTheBorderIsInBoth) {
   EXPECT_FALSE(contains(diagram, 1, {5.999, 0}));
 }
 
+TEST(Cells, ContainNothingThatIsNotANumber) {
+  const Diagram diagram = compute(std::vector<Circle>{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}).value();
+  for (std::int32_t i = 0; i < 3; ++i) EXPECT_FALSE(contains(diagram, i, {std::nan(""), 0})) << i;
+}
+
 TEST(Cells, DoNotContainWhatIsNearerToOneBeyondATiedNeighbor) {
   // Far above, the first circle and the last, whose cell is a needle between others, are equally near up to rounding.
   // The second circle is much nearer.

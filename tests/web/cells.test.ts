@@ -257,6 +257,17 @@ describe('the outline of a cell', () => {
     expect([0, 1, 2, 3, 4].filter((i) => diagram.contains(i, -(2 ** 460), 1.140625 * 2 ** 490))).toEqual([1])
   })
 
+  it('contains no place that is not a number, and none at infinity', () => {
+    const diagram = library.compute([
+      [0, 0, 1],
+      [4, 0, 1],
+      [0, 4, 1],
+    ])
+    for (const x of [Number.NaN, Number.POSITIVE_INFINITY]) {
+      expect([0, 1, 2].filter((i) => diagram.contains(i, x, 0))).toEqual([])
+    }
+  })
+
   it('contains a place that is as near to another', () => {
     const diagram = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1, 0, 4, 1, 4, 4, 1))
     for (const [x, y, near] of [

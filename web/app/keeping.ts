@@ -9,8 +9,8 @@ const REST = 400
 /** Longer links are kept by the storage alone: addresses have to stay short enough to be copied. */
 const LONGEST_ADDRESS = 100_000
 /**
- * Where a page leaves its link, and the addresses that it may have for itself loaded again: one that goes can no longer change
- * its address, and a reload that has begun may still be of the address from before the last change.
+ * The entry of the session storage with the newest link, and with the addresses at which a reload shows it. A page that closes
+ * can no longer change its address, and a reload may have begun before the address changed.
  */
 const LATE = 'circle-voronoi/late'
 
@@ -26,7 +26,7 @@ export class Keeping {
   #lastWrite = 0
   /** What the address said when it was read or written here last: another one is a link that is about to be opened. */
   #hash = ''
-  /** What it said before that was written. */
+  /** What the address said before the last write. */
   #hashBefore = ''
 
   /** `read`: what is shown, as soon as it is anything. */
@@ -113,6 +113,7 @@ export class Keeping {
     }
   }
 
+  /** Returns the text of the entry: the link, and the addresses at which a reload shows it. */
   #lateText(link: string): string {
     return `${link} ${this.#hash} ${this.#hashBefore}`
   }

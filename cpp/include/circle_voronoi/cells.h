@@ -25,9 +25,9 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// Returns whether a cell contains p, up to rounding. Returns false for a hidden circle.
 ///
-/// Only the neighbors are asked, and those of a neighbor that is equally near up to rounding. That suffices: a ray from
-/// the center that leaves the cell across a side stays nearer to the neighbor on that side. For the power metric a cell
-/// is the intersection of half-planes, one for each neighbor.
+/// Compares p with the neighbors only, and with the neighbors of each neighbor that is equally near up to rounding.
+/// That suffices: a ray from the center that leaves the cell across a side stays nearer to the neighbor on that side.
+/// For the power metric a cell is the intersection of half-planes, one for each neighbor.
 [[nodiscard]] bool contains(const Diagram& diagram, CircleIndex circle, Point p);
 
 /// A piece of the outline of a clipped cell, with the cell on its left.

@@ -27,7 +27,7 @@ DisjointCircles::DisjointCircles(std::size_t count, double finest)
 
 int DisjointCircles::levelOf(double radius) const {
   int exponent = 0;
-  // A half if the radius is a power of two: of the exponent before.
+  // The fraction of a power of two is a half, and its level is that of the exponent before.
   const double fraction = std::frexp(std::max(radius, finest_), &exponent);
   return static_cast<int>(std::ceil((fraction == 0.5 ? exponent - 1 : exponent) / 3.0));
 }

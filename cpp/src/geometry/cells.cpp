@@ -12,7 +12,8 @@ namespace {
 
 const Circle& circleAt(const Diagram& diagram, CircleIndex i) { return diagram.circles[static_cast<std::size_t>(i)]; }
 
-/// What a lead may be off by: it is the difference of a part of the distance of the centers, and of the radii.
+/// Returns a bound on the rounding error of a lead, which is a part of the distance between the two centers minus the
+/// difference of the radii.
 double roundingOfLead(const Diagram& diagram, CircleIndex circle, CircleIndex other) {
   const Circle& c = circleAt(diagram, circle);
   const Circle& d = circleAt(diagram, other);
@@ -52,7 +53,7 @@ double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point
 bool contains(const Diagram& diagram, CircleIndex circle, Point p) {
   if (!diagram.hasCell(circle)) return false;
   std::vector<CircleIndex> asked = {circle};
-  // Beyond a neighbor that is as near as the circle up to rounding, another may be much nearer.
+  // If a neighbor is as near as the circle up to rounding, one of its own neighbors may be much nearer.
   std::unordered_set<CircleIndex> met;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     for (const SideIndex side : diagram.sides(asked[k])) {
@@ -60,7 +61,8 @@ bool contains(const Diagram& diagram, CircleIndex circle, Point p) {
       if (other == circle) continue;
       const double its = lead(diagram, circle, other, p);
       const double rounding = roundingOfLead(diagram, circle, other);
-      if (its < (k == 0 ? 0 : -rounding)) return false;
+      // False for what is not a number, too.
+      if (!(its >= (k == 0 ? 0 : -rounding))) return false;
       if (its <= rounding && met.insert(other).second) asked.push_back(other);
     }
   }

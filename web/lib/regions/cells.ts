@@ -108,15 +108,16 @@ export class Cells {
   contains(circle: number, x: number, y: number): boolean {
     if (!this.exists(circle)) return false
     // It suffices to ask the neighbors: a ray from the center that leaves the cell across a side stays nearer to the
-    // neighbor there, and for the metric `power` a cell is the intersection of half-planes, one for each neighbor. But
-    // beyond a neighbor that is as near as the circle up to rounding, another may be much nearer.
+    // neighbor there, and for the metric `power` a cell is the intersection of half-planes, one for each neighbor. If a
+    // neighbor is as near as the circle up to rounding, one of its own neighbors may be much nearer.
     const asked = new Set([circle])
     for (const k of asked) {
       for (const other of this.neighbors(k)) {
         if (asked.has(other)) continue
         const lead = this.lead(circle, other, x, y)
         const rounding = this.#roundingOfLead(circle, other)
-        if (lead < (k === circle ? 0 : -rounding)) return false
+        // False for NaN, too.
+        if (!(lead >= (k === circle ? 0 : -rounding))) return false
         if (lead <= rounding) asked.add(other)
       }
     }
@@ -150,7 +151,10 @@ export class Cells {
     return ((product - (difference / unit) * ((cr + dr) / sumUnit)) / (size / sumUnit)) * unit
   }
 
-  /** What a lead may be off by: it is the difference of a part of the distance of the centers, and of the radii. */
+  /**
+   * Returns a bound on the rounding error of a lead, which is a part of the distance between the two centers minus the
+   * difference of the radii.
+   */
   #roundingOfLead(circle: number, other: number): number {
     const { circles } = this.diagram
     const dx = at(circles, 3 * circle) - at(circles, 3 * other)
