@@ -34,9 +34,7 @@ test('shows a few circles at the start, and one line that says what it is', asyn
   await threadOf(page).evaluate(() => undefined)
   await app.painted()
   expect(picture.equals(await app.canvas.screenshot())).toBe(true)
-  const at = app.center(START, 0)
-  await page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toContainText('Circle 0')
+  await app.select(START, 0)
   await expect(line).toBeHidden()
   // What is shown at first is there without being kept.
   expect(new URL(page.url()).hash).toBe('')
@@ -51,9 +49,7 @@ test.describe('where motion is welcome', () => {
     await expect(app.status).toHaveText(/^8 circles/)
     const picture = await app.canvas.screenshot()
     await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
-    const at = app.center(START, 0)
-    await page.mouse.click(at.x, at.y)
-    await expect(app.inspector).toContainText('Circle 0')
+    await app.select(START, 0)
     await app.canvas.focus()
     for (let k = 0; k < 7; k++) await page.keyboard.press('Tab')
     await expect(app.inspector).toContainText('Circle 7')
@@ -145,8 +141,7 @@ test('adds a circle by a double click, and by pressing and dragging', async ({ a
 })
 
 test('deletes the selected circle', async ({ app }) => {
-  const at = app.center(BRONZE, 650)
-  await app.page.mouse.click(at.x, at.y)
+  await app.select(BRONZE, 650)
   await app.page.keyboard.press('Delete')
   await expect(app.status).toContainText('677 circles')
   await expect(app.inspector).toBeHidden()
@@ -204,15 +199,11 @@ test('switches the data set by the menu', async ({ app }) => {
 test('the card says what hides a circle, and takes numbers but no wrong ones', async ({ app }) => {
   await test.step('says which circle is hidden, and by which', async () => {
     await app.choose('Introduction')
-    const at = app.center(INTRODUCTION, 11)
-    await app.page.mouse.click(at.x, at.y)
+    await app.select(INTRODUCTION, 11)
     await expect(app.inspector).toContainText('Hidden inside circle 0')
   })
   await test.step('takes numbers, and refuses a wrong one in a sentence while the picture stays', async () => {
-    const at = app.center(INTRODUCTION, 4)
-    await app.page.mouse.click(at.x, at.y)
-    // Until then, the fields are those of the circle that was selected before.
-    await expect(app.inspector.getByRole('heading')).toHaveText('Circle 4')
+    await app.select(INTRODUCTION, 4)
     await app.field('x').fill('-3.25')
     await app.field('x').press('Enter')
     await expect(app.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
@@ -270,8 +261,7 @@ test('works with the keyboard alone', async ({ app }) => {
   await app.page.keyboard.press('Escape')
   await expect(app.inspector).toBeHidden()
 
-  const at = app.center(INTRODUCTION, 1)
-  await app.page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 1)
   await app.page.keyboard.press('Tab')
   await expect(app.inspector).toContainText('Circle 2')
   const number = async (name: 'x' | 'y' | 'r') => Number(await app.field(name).inputValue())
@@ -296,9 +286,7 @@ test('works with the keyboard alone', async ({ app }) => {
 })
 
 test('has no serious accessibility violation', async ({ app }) => {
-  const at = app.center(BRONZE, 600)
-  await app.page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toBeVisible()
+  await app.select(BRONZE, 600)
   expect(await violationsInBoth(app.page)).toEqual([])
 })
 

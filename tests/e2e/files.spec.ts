@@ -49,8 +49,7 @@ test('opens circles in each format, and undo goes back', async ({ app }) => {
 test('what is saved opens again: SVG as it is, JSON with its diagram, CSV, GeoJSON', async ({ app }) => {
   await app.choose('Introduction')
   await openPanel(app)
-  const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 4)
   await app.field('x').fill(String(-10 / 3))
   await app.field('x').press('Enter')
   const expected = INTRODUCTION.slice()

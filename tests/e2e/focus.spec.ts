@@ -12,9 +12,7 @@ test('buttons that have nothing left to do give the focus to the picture, and a 
   app,
 }) => {
   await test.step('a button that has nothing left to do gives the focus to the picture', async () => {
-    const at = app.center(BRONZE, 650)
-    await app.page.mouse.click(at.x, at.y)
-    await expect(app.inspector).toContainText('Circle 650')
+    await app.select(BRONZE, 650)
     await app.inspector.getByRole('button', { name: 'Delete' }).click()
     await expect(app.status).toContainText('677 circles')
     await expect(app.canvas).toBeFocused()
@@ -37,8 +35,7 @@ test('buttons that have nothing left to do give the focus to the picture, and a 
 test('the focus stays among neighbors, and keys of the picture work after a click on the toolbar', async ({ app }) => {
   await test.step('a neighbor is selected by its number, and the focus stays among the neighbors', async () => {
     await app.choose('Introduction')
-    const at = app.center(INTRODUCTION, 4)
-    await app.page.mouse.click(at.x, at.y)
+    await app.select(INTRODUCTION, 4)
     const list = app.inspector.getByRole('list', { name: 'Neighbors' }).getByRole('button')
     const first = (await list.first().textContent()) as string
     await list.first().focus()
@@ -48,9 +45,7 @@ test('the focus stays among neighbors, and keys of the picture work after a clic
     await expect(list.first()).toBeFocused()
   })
   await test.step('Delete and Escape work after a click on the toolbar', async () => {
-    const at = app.center(INTRODUCTION, 4)
-    await app.page.mouse.click(at.x, at.y)
-    await expect(app.inspector).toBeVisible()
+    await app.select(INTRODUCTION, 4)
     const add = app.page.getByRole('button', { name: 'Add a circle' })
     await add.click()
     await app.page.keyboard.press('Escape')
@@ -72,8 +67,7 @@ test('the focus stays among neighbors, and keys of the picture work after a clic
 
 test('a circle that Tab selects is shown', async ({ app }) => {
   await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 4)
   await app.drag({ x: 140, y: 400 }, { x: 1270, y: 400 })
   await app.page.mouse.up()
   await app.page.keyboard.press('Tab')
@@ -86,8 +80,7 @@ test('a circle that Tab selects is shown', async ({ app }) => {
 
 test('an outlier does not keep one from zooming to the rest', async ({ app }) => {
   await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 4)
   await app.field('x').fill('1e12')
   await app.field('x').press('Enter')
   await expect(app.field('x')).toHaveAttribute('title', '1000000000000')

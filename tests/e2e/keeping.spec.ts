@@ -12,7 +12,7 @@ const hashOf = (app: App) => new URL(app.page.url()).hash
 test('the address is that of what is shown, and another page shows the same', async ({ app, browser }) => {
   await app.choose('Introduction')
   const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 4)
   await app.field('x').fill('-3.25')
   await app.field('x').press('Enter')
   await expect
@@ -104,8 +104,7 @@ test('a link that is pasted into the address is shown, and undo goes back', asyn
 
 test('choosing another data set throws no edits away', async ({ app }) => {
   await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 4)
   await app.page.keyboard.press('Delete')
   await expect(app.status).toContainText('13 circles')
   await app.choose('Spruces')

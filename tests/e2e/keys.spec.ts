@@ -78,8 +78,7 @@ test('the tool for adding stays until Escape', async ({ app }) => {
 test('a tiny circle is zoomed to by a key and by a button', async ({ app }) => {
   const { page } = app
   await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 4)
-  await page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 4)
   await app.field('r').fill('1e-6')
   await app.field('r').press('Enter')
   await expect(app.field('r')).toHaveValue('1e-6')
@@ -98,8 +97,7 @@ test('a tiny circle is zoomed to by a key and by a button', async ({ app }) => {
 test('the card says what a cell measures, and what the number of a circle is', async ({ app }) => {
   const { page } = app
   await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 0)
-  await page.mouse.click(at.x, at.y)
+  await app.select(INTRODUCTION, 0)
   const facts = app.inspector.locator('dl')
   await expect(facts).toContainText('Area of the cell')
   const [area, perimeter] = (await facts.locator('dd').allTextContents()).map(Number) as [number, number]
@@ -155,8 +153,7 @@ test('fields take no value that is not used', async ({ app }) => {
   await page.getByLabel('times').fill('-2')
   await page.getByLabel('times').press('Tab')
   await expect(page.getByLabel('times')).toHaveValue('2')
-  const at = app.center(BRONZE, 600)
-  await page.mouse.click(at.x, at.y)
+  await app.select(BRONZE, 600)
   const before = await app.field('r').inputValue()
   await app.field('r').fill('-1')
   await app.field('r').press('Enter')

@@ -167,9 +167,7 @@ for (const [screen, media, size] of [
 
 test('fields and buttons have borders in forced colors', async ({ app }) => {
   await app.page.emulateMedia({ forcedColors: 'active' })
-  const at = app.center(BRONZE, 600)
-  await app.page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toBeVisible()
+  await app.select(BRONZE, 600)
   for (const control of await app.page.locator('input:visible, select:visible, button:visible').all()) {
     await expect(control).toHaveCSS('border-top-style', 'solid')
     await expect(control).toHaveCSS('border-top-width', '1px')

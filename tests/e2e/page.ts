@@ -51,6 +51,8 @@ export class App {
       () => document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect().right,
     )
     this.#panelEnd = panel ?? 0
+    // The page hears of the panel's size in its next frame, and then shows all circles beside it.
+    await this.painted()
   }
 
   /** The circles as the address says, once they are kept: x, y, r each. */
@@ -100,6 +102,13 @@ export class App {
 
   field(name: 'x' | 'y' | 'r') {
     return this.inspector.getByLabel(name, { exact: true })
+  }
+
+  /** Selects a circle by a click on its center. Until its card is there, the fields are those of the one before. */
+  async select(circles: Float64Array, i: number): Promise<void> {
+    const { x, y } = this.center(circles, i)
+    await this.page.mouse.click(x, y)
+    await expect(this.inspector.getByRole('heading')).toHaveText(`Circle ${i}`)
   }
 
   /** The numbers of the circles that the inspector lists as neighbors. */

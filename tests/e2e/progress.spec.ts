@@ -33,9 +33,7 @@ test('what is loaded has a bar and can be canceled; what was wrong before goes a
 test('a long computation says how many circles it is of, and canceled leaves what was there', async ({ app }) => {
   const { page } = app
   const progress = page.locator('#progress')
-  const at = app.center((await app.circles()) as Float64Array, 600)
-  await page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toBeVisible()
+  await app.select((await app.circles()) as Float64Array, 600)
   const before = await app.status.textContent()
   await app.openPanel('Generate')
   const panel = page.getByRole('region', { name: 'Generate' })

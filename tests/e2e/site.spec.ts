@@ -74,8 +74,7 @@ test.describe('kept by the browser', () => {
     await page.reload()
     await expect(app.status).toHaveText(/^8 circles/)
     await app.choose('Introduction')
-    const at = app.center(INTRODUCTION, 4)
-    await page.mouse.click(at.x, at.y)
+    await app.select(INTRODUCTION, 4)
     await page.keyboard.press('Delete')
     await expect(app.status).toContainText('13 circles')
     // What is loaded when it is asked for: readers and writers, charts, power diagrams.

@@ -233,9 +233,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
 
 test('what is selected is not printed', async ({ app }) => {
   const { page } = app
-  const at = app.center(BRONZE, 600)
-  await page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toBeVisible()
+  await app.select(BRONZE, 600)
   const drawnAbove = () =>
     app.canvas
       .locator('canvas')
