@@ -76,7 +76,7 @@ const pageParts: Plugin = {
 /** Serves the built files that are compressed as they are; Vite itself would send WebAssembly as it is. */
 const compressedFiles: Plugin = {
   name: 'compressed-files',
-  configurePreviewServer({ middlewares, config: { base, build } }) {
+  configurePreviewServer({ middlewares, config: { base } }) {
     const options: Options = {
       // Looks for a file when it is asked for: some are built later (`npm start`).
       dev: true,
@@ -91,9 +91,7 @@ const compressedFiles: Plugin = {
         response.setHeader('Cache-Control', isLasting ? 'public, max-age=31536000, immutable' : 'no-cache')
       },
     }
-    for (const folder of new Set([build.outDir, SITE])) {
-      middlewares.use(base.startsWith('/') ? base : '/', sirv(folder, options))
-    }
+    middlewares.use(base.startsWith('/') ? base : '/', sirv(SITE, options))
   },
 }
 

@@ -47,8 +47,11 @@ const BROWSERS = [
   ['/usr/bin/Xvfb', 'xvfb', 'a screen in memory (Xvfb)'],
 ]
 
-/** `purpose`: `page` (all in WebAssembly) or `tests` (the native build and all that is tested). */
-export async function setup(purpose) {
+/**
+ * `purpose`: `page` (all in WebAssembly) or `tests` (the native build and all that is tested). `meanwhile`: done while npm
+ * packages come, with the packages of the system.
+ */
+export async function setup(purpose, meanwhile) {
   const tests = purpose === 'tests'
   const wanted = tests ? Object.values(PURPOSES) : [PURPOSES.page]
   const browsers = tests ? BROWSERS.filter(([program]) => !existsSync(program)) : []
@@ -62,7 +65,7 @@ export async function setup(purpose) {
       browsers.map(([, , what]) => what),
     )
   }
-  await installNpmPackages('')
+  await Promise.all([installNpmPackages(''), meanwhile?.()])
   // An old compiler for the tests of the package, whose program has the name of another's.
   if (tests) await installNpmPackages('tests/pack/typescript-5.0/')
 }

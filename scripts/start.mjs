@@ -1,26 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm start`: installs what is missing, builds what has changed, and serves the page until interrupted. The tutorial and
-// the documentation are built while it is served.
-import { build, main, ROOT } from './run.mjs'
+// `npm start`: installs what is missing, builds what has changed, and serves the page until interrupted. It is served as soon
+// as diagrams can be computed. The other modules of WebAssembly, the tutorial and the documentation are built meanwhile;
+// who asks for one of these is answered when it is there.
+import { build, main, ROOT, run } from './run.mjs'
+import { setup } from './setup.mjs'
 
 const DEFAULT_PORT = 8080
+/** The page that is served until all is built. Modules that may not be there yet are no part of it, but files of the server. */
+const FIRST = `${ROOT}build/first`
+const LATER = /^.*\/generated\/(?!circle-voronoi\.)([\w-]+\.js)$/
+const LATER_WASM = /new URL\('[./]*\/generated\/(?!circle-voronoi\.)([\w-]+\.wasm)', import\.meta\.url\)/g
 
 await main(async () => {
-  await build('build:page')
+  await setup('page', async () => {
+    await run('emcmake', ['cmake', '--preset', 'wasm'])
+    // npm, which waits for files and the network in between, goes first.
+    await run('nice', ['cmake', '--build', '--preset', 'wasm-first'])
+  })
+  await buildFirst()
   await serve()
-  await build('build')
 })
 
+async function buildFirst() {
+  const vite = await import('vite')
+  const later = {
+    name: 'later',
+    enforce: 'pre',
+    resolveId: (source) =>
+      LATER.test(source) ? { id: source.replace(LATER, '/generated/$1'), external: 'absolute' } : null,
+    transform: (code) => code.replaceAll(LATER_WASM, "new URL('/generated/$1', location.origin)"),
+  }
+  await vite.build({
+    configFile: `${ROOT}vite.config.ts`,
+    logLevel: 'warn',
+    plugins: [later],
+    worker: { plugins: () => [later] },
+    build: { outDir: FIRST },
+  })
+}
+
 async function serve() {
-  const { preview } = await import('vite')
+  const [{ preview }, { default: sirv }] = await Promise.all([import('vite'), import('sirv')])
+  let begin
+  const begun = new Promise((resolve) => {
+    begin = resolve
+  })
+  const modules = begun.then(() => run('cmake', ['--build', '--preset', 'wasm-modules']))
+  const site = modules.then(() => build('build'))
+  let isWhole = false
+
+  const first = sirv(FIRST, { dev: true })
+  const generated = ['app', 'lib', 'tutorial'].map((part) => sirv(`${ROOT}web/${part}/generated`, { dev: true }))
+  // Where a build fails, the terminal says so, and what is not there is not found.
+  const after = (built, next) =>
+    built.then(
+      () => next(),
+      () => next(),
+    )
+  const untilWhole = {
+    name: 'until-whole',
+    enforce: 'pre',
+    configurePreviewServer({ middlewares }) {
+      middlewares.use('/generated', (_request, _response, next) => after(modules, next))
+      for (const files of generated) middlewares.use('/generated', files)
+      middlewares.use((request, response, next) => {
+        // Pages that were opened before ask for their own.
+        if (isWhole && !request.url.startsWith('/assets/')) next()
+        else first(request, response, () => after(site, next))
+      })
+    },
+  }
   const chosen = process.env.PORT
   const server = await preview({
     root: `${ROOT}web`,
-    // The page as it has just been built, and what of the site is there.
-    build: { outDir: `${ROOT}build/page` },
     configFile: `${ROOT}vite.config.ts`,
+    plugins: [untilWhole],
     // A port that was asked for is taken or refused; the default gives way to the next free one.
     preview: { port: Number(chosen ?? DEFAULT_PORT), strictPort: chosen !== undefined },
   })
   console.log(`The page is at ${server.resolvedUrls.local[0]}`)
+  begin()
+  await site
+  isWhole = true
 }
