@@ -52,7 +52,7 @@ export class App {
     )
     this.#panelEnd = panel ?? 0
     // The page hears of the panel's size in its next frame, and then shows all circles beside it.
-    await this.painted()
+    await this.twoFrames()
   }
 
   /** The circles as the address says, once they are kept: x, y, r each. */
@@ -94,10 +94,14 @@ export class App {
 
   /** Waits until all that was asked of the picture is painted. Whether it is busy is told one frame later. */
   async painted(): Promise<void> {
+    await this.twoFrames()
+    await expect(this.canvas).toHaveAttribute('aria-busy', 'false')
+  }
+
+  async twoFrames(): Promise<void> {
     await this.page.evaluate(
       () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
     )
-    await expect(this.canvas).toHaveAttribute('aria-busy', 'false')
   }
 
   field(name: 'x' | 'y' | 'r') {
