@@ -244,6 +244,16 @@ TEST(Editor, RefusesWithoutATrace) {
   EXPECT_EQ(changeOf(editor.insert({0.5, 0.5, 0.1})).inserted, std::vector<CircleId>{40});
 }
 
+TEST(Editor, GivesNoNumberThatIsInUseAfterARefusal) {
+  DiagramEditor editor = editorOf({});
+  test::Mirror mirror;
+  for (const Circle& circle : generate(Family::uniform, 30, 1)) {
+    EXPECT_EQ(mirror.apply(changeOf(editor.insert(circle))), "");
+    EXPECT_FALSE(editor.remove(99).ok());
+  }
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+}
+
 // Each edit of a list of hidden circles, wherever in it, leaves the list as it was where the batch is refused: after
 // that any edit there still is a local one.
 TEST(Editor, ARefusedBatchLeavesTheListsOfHiddenCirclesAlone) {

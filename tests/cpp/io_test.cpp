@@ -298,6 +298,27 @@ TEST(ReadRegion, TakesWellKnownTextOfAnyDimension) {
   }
 }
 
+TEST(ReadRegion, TakesEachGeoJsonObjectWithPolygons) {
+  const std::string polygon = R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]]})";
+  const std::string polygons =
+      R"({"coordinates": [[[[5, 0], [7, 0], [7, 2]]], [[[5, 3], [6, 3], [6, 4]]]], "type": "MultiPolygon"})";
+  const auto feature = [](const std::string& geometry) {
+    return R"({"type": "Feature", "geometry": )" + geometry + "}";
+  };
+  const std::vector<std::pair<std::string, double>> areas = {
+      {polygon, 16},
+      {polygons, 2.5},
+      {feature(polygon), 16},
+      {R"({"type": "GeometryCollection", "geometries": [)" + polygon + ", " + polygons + "]}", 18.5},
+      {R"({"type": "FeatureCollection", "features": [)" + feature(polygon) + ", " + feature(polygons) + "]}", 18.5},
+      {feature(R"({"type": "GeometryCollection", "geometries": [)" + polygon + "]}"), 16}};
+  for (const auto& [text, area] : areas) {
+    const auto region = readRegion(text, "test");
+    ASSERT_TRUE(region) << region.error().message << " " << text;
+    EXPECT_EQ(region->area(), area) << text;
+  }
+}
+
 TEST(WriteCsv, ReadsBackToTheSameBits) {
   for (const FamilyInfo& family : families()) {
     const auto circles = generate(family.family, 50, 3);

@@ -58,10 +58,19 @@ TEST(Region, NestsRingsByContainment) {
   EXPECT_FALSE(region.contains({3.5, 3.5}));
   EXPECT_TRUE(region.contains({20.5, 0.5}));
   EXPECT_FALSE(region.contains({15, 0.5}));
-  // The boundary belongs to it.
-  EXPECT_TRUE(region.contains({1, 1}));
-  EXPECT_TRUE(region.contains({3.5, 3}));
-  EXPECT_TRUE(region.contains({0, 10}));
+}
+
+TEST(Region, ContainsItsBoundary) {
+  const std::vector<Ring> rings = {square(0, 0, 10), square(1, 1, 5), square(20, 0, 1)};
+  const Region region = Region::fromRings(rings).value();
+  for (const Ring& ring : rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a = ring[k];
+      const Point b = ring[(k + 1) % ring.size()];
+      EXPECT_TRUE(region.contains(a)) << a.x << " " << a.y;
+      EXPECT_TRUE(region.contains({(a.x + b.x) / 2, (a.y + b.y) / 2})) << a.x << " " << a.y;
+    }
+  }
 }
 
 TEST(Region, TakesPolygonsWithHoles) {

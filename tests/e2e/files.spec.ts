@@ -344,8 +344,15 @@ test('columns of other names are known, or asked for with a preview; names are s
   await dialog.getByRole('button', { name: 'Open' }).click()
   await expect.poll(() => app.circles()).toEqual(Float64Array.of(4, 1, 0.5, 8, 5, 0.5, 3, 15, 0.5))
   // Whoever closes it changes nothing.
-  await choose(app, 'odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n')
-  await dialog.getByRole('button', { name: 'Cancel' }).click()
+  for (const close of [
+    () => page.keyboard.press('Escape'),
+    () => dialog.getByRole('button', { name: 'Cancel' }).click(),
+  ]) {
+    await choose(app, 'odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n')
+    await expect(dialog).toBeVisible()
+    await close()
+    await expect(dialog).toBeHidden()
+  }
   await expect(page.getByRole('alert')).toBeHidden()
   await expect(app.status).toHaveText(/^3 circles/)
 })

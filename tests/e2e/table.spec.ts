@@ -66,6 +66,11 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await page.keyboard.type('2,5')
   await page.keyboard.press('Tab')
   await expect(table.cell(2, 3)).toHaveText('2.5')
+  // Closed and opened again it is there again.
+  await app.openPanel('Table')
+  await expect(table.grid).toBeHidden()
+  await table.open()
+  await expect(table.cell(2, 3)).toHaveText('2.5')
   const expected = INTRODUCTION.slice()
   expected.set([-3.25, 2.5], 3)
   await table.has(expected)

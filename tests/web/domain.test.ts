@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { type Computer, Editing } from '../../web/editing/editing.ts'
+import { opened } from '../../web/element/data-of.ts'
 import type { Circle, Diagram, Edit, Point, RegionShape } from '../../web/lib/index.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { boxOf } from '../../web/view/domain.ts'
@@ -107,6 +108,13 @@ describe('a region as text', () => {
   ])('is read: %s', (text) => {
     expect(isRegionText(text)).toBe(true)
     expect(readRegion(text)).toEqual(polygon)
+  })
+
+  it('is opened without areas, which may be given without it', () => {
+    const circles = Float64Array.of(1, 1, 1)
+    expect(opened(circles, { region: RINGS }).domain).toEqual({ region: RINGS, areas: undefined })
+    expect(opened(circles, { areas: 'equal' }).domain).toEqual({ region: undefined, areas: 'equal' })
+    expect(opened(circles).domain).toBeUndefined()
   })
 
   it('may be rings that belong to no polygon yet', () => {

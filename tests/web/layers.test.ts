@@ -642,9 +642,14 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
   scene.open(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 30, 0, 1))
   const only = { circles: false, cells: 'none', edges: false, vertices: false, hidden: true } as const
   scene.setLayers({ ...DEFAULT_LAYERS, ...only })
-  const drawing = new SvgDrawing()
-  const style = new Proxy({}, { get: (_, name) => String(name) }) as Style
-  scene.draw(drawing, { x: 0, y: 0, scale: 10, width: 800, height: 600 }, 1, style)
-  const lines = /stroke="hidden"[^>]* d="([^"]*)"/.exec(String(drawing))?.[1] ?? ''
-  expect(lines.match(/[\d.]+/g)?.map(Number)).toEqual([410, 300, 450, 300, 400, 280, 400, 250])
+  const lines = () => {
+    const drawing = new SvgDrawing()
+    const style = new Proxy({}, { get: (_, name) => String(name) }) as Style
+    scene.draw(drawing, { x: 0, y: 0, scale: 10, width: 800, height: 600 }, 1, style)
+    const path = /stroke="hidden"[^>]* d="([^"]*)"/.exec(String(drawing))?.[1] ?? ''
+    return path.match(/[\d.]+/g)?.map(Number)
+  }
+  expect(lines()).toEqual([410, 300, 450, 300, 400, 280, 400, 250])
+  scene.edit([{ kind: 'remove', id: 1 }])
+  expect(lines()).toEqual([400, 280, 400, 250])
 })

@@ -42,6 +42,21 @@ it('two equal circles that meet exchange their speeds', () => {
   expect(distances.at(-1)).toBeGreaterThan(4)
 })
 
+it('of two circles that meet the larger one is moved less, as its mass is its area', () => {
+  const pair = [
+    { id: 0, circle: { x: 8, y: 6, r: 1 } },
+    { id: 1, circle: { x: 13, y: 6, r: 3 } },
+  ]
+  const angles = [0, 0.5]
+  const next = movementOf('bounce', pair, BOX, () => angles.shift() as number)
+  // They meet after 0.2 seconds.
+  const [before, after] = [next(0.4), next(0.1)].map((moved) => moved.map(({ circle }) => circle.x))
+  expect(before).toEqual([9, 12])
+  const [slower, faster] = [-1.5, -6.5]
+  expect(after?.[0]).toBeCloseTo(9 + 0.1 * faster, 12)
+  expect(after?.[1]).toBeCloseTo(12 + 0.1 * slower, 12)
+})
+
 it.each(['grow', 'compare'] as const)(
   'circles grow from points to what they are, and breathe around that: %s',
   (name) => {

@@ -196,6 +196,9 @@ describe('a diagram in a region', () => {
     const diagram = library.compute(circles(40, 3))
     const polygons = [...diagram.cellPolygons({ region: hall, tolerance: 1e-4 })]
     const rings = polygons.flatMap((polygon) => polygon.flat())
+    // Another tolerance gives other points.
+    const coarse = [...diagram.cellPolygons({ region: hall, tolerance: 0.1 })].flatMap((polygon) => polygon.flat())
+    expect(coarse.flat().length).toBeLessThan(rings.flat().length)
     // Neighbors have the same points, so what one leaves out the other has: the sum is that of the region but for rounding.
     expect(sum(rings.map(twice)) / 2).toBeCloseTo(72, 10)
     for (const polygon of polygons) {

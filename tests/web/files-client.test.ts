@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's side of the thread of files, and the links that it writes there.
+import { afterEach, expect, it, vi } from 'vitest'
+import { FilesClient } from '../../web/app/files/files-client.ts'
+import { LinkWriter } from '../../web/app/link-writer.ts'
+import type { RemoteCall, RemoteReply } from '../../web/view/remote-calls.ts'
+
+const threads: FakeWorker[] = []
+
+class FakeWorker {
+  readonly calls: RemoteCall[] = []
+  onmessage: ((event: { data: RemoteReply }) => void) | undefined
+  onerror: (() => void) | undefined
+  constructor() {
+    threads.push(this)
+  }
+  postMessage(call: RemoteCall) {
+    this.calls.push(call)
+  }
+  reply(answer: Omit<RemoteReply, 'request'>) {
+    this.onmessage?.({ data: { request: this.calls.at(-1)?.request as number, ...answer } })
+  }
+  terminate() {}
+}
+
+afterEach(() => {
+  vi.unstubAllGlobals()
+  threads.length = 0
+})
+
+it('begins another thread where one could not be loaded', async () => {
+  vi.stubGlobal('Worker', FakeWorker)
+  const client = new FilesClient()
+  const failed = client.call('catalogue')
+  threads[0]?.onerror?.()
+  await expect(failed).rejects.toMatchObject({ code: 'notLoaded', message: /could not be loaded/ })
+  const loaded = client.call('catalogue')
+  threads[1]?.reply({ value: 'all families' })
+  expect(await loaded).toBe('all families')
+  expect(threads).toHaveLength(2)
+})
+
+it('leaves out names with which a link of many circles would be too large', async () => {
+  vi.stubGlobal('Worker', FakeWorker)
+  const links = new LinkWriter(new FilesClient())
+  const circles = Float64Array.from({ length: 9000 }, (_, k) => k)
+  const link = links.linkOf({ circles, names: ['A'] })
+  const [thread] = threads
+  expect(thread?.calls[0]?.args).toEqual([{ circles, names: ['A'] }])
+  thread?.reply({ error: { code: 'tooManyCircles', circle: undefined, message: 'The link is too large.' } })
+  await vi.waitFor(() => expect(thread?.calls).toHaveLength(2))
+  expect(thread?.calls[1]?.args).toEqual([{ circles, names: undefined }])
+  thread?.reply({ value: 'v1.x' })
+  expect(await link).toBe('v1.x')
+})
