@@ -151,8 +151,14 @@ TEST(TraceReplay, TellsWhyAnEditChangesWhat) {
   events.clear();
   ASSERT_TRUE(editor.replace(0, {0, -1, 1}).ok());
   EXPECT_EQ(toldOf(TraceKind::circleReplaced).disc, (Vertex{0, -1, 1}));
-  EXPECT_TRUE(editor.observe({}));
+
   events.clear();
+  std::vector<Edit> refused(60, {Edit::Kind::replace, 0, {0, -2, 1}});
+  refused.push_back({Edit::Kind::remove, 99, {}});
+  EXPECT_FALSE(editor.apply(refused).ok());
+  EXPECT_TRUE(events.empty()) << "what was refused was never done";
+
+  EXPECT_TRUE(editor.observe({}));
   ASSERT_TRUE(editor.remove(0).ok());
   EXPECT_TRUE(events.empty());
 

@@ -36,8 +36,12 @@ test('shows a few circles at the start, and one line that says what it is', asyn
   expect(picture.equals(await app.canvas.screenshot())).toBe(true)
   await app.select(START, 0)
   await expect(line).toBeHidden()
-  // What is shown at first is there without being kept.
+  // What is shown at first is there without being kept, and comes again when it is chosen.
   expect(new URL(page.url()).hash).toBe('')
+  await app.choose('Introduction')
+  await app.choose('Eight circles')
+  await expect(app.status).toHaveText(/^8 circles/)
+  await expect.poll(() => app.circles()).toEqual(START)
 })
 
 test.describe('where motion is welcome', () => {

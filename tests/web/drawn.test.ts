@@ -12,7 +12,7 @@ import { paintCones } from '../../web/tutorial/drawn/paint-cones.ts'
 import { coordinatesOf, distance, nearest, Pen, type Scene } from '../../web/tutorial/drawn/scene.ts'
 import { panelsOf, THREE_SHARES } from '../../web/tutorial/drawn/weight-plane.ts'
 import { type DrawnSpec, sceneOf } from '../../web/tutorial/drawn.ts'
-import { shrunkenRims, stepsBetween } from '../../web/tutorial/extras.ts'
+import { showExtras, shrunkenRims, stepsBetween } from '../../web/tutorial/extras.ts'
 import { library, seededRandom } from './library.ts'
 
 const circlesOf = await loadFigureCircles()
@@ -299,6 +299,20 @@ test('shrunken rims are the rims on which samples lie', () => {
     const away = Math.hypot((disc?.x ?? 0) - (rims[3 * i] ?? 0), (disc?.y ?? 0) - (rims[3 * i + 1] ?? 0))
     expect(away).toBeCloseTo(rims[3 * i + 2] as number, 9)
   }
+})
+
+test('rims are shown besides the layers that a figure has', async () => {
+  const circles = Float64Array.of(0, 0, 3, 10, 1, 1.5)
+  const figure = Object.assign(new EventTarget(), {
+    circles,
+    layers: { samples: true },
+    ready: Promise.resolve(),
+  })
+  const around = { dataset: { rims: '' }, querySelector: () => figure }
+  await showExtras({ querySelectorAll: () => [around] } as unknown as Document)
+  await figure.ready
+  const data = [{ id: 'rims', discs: shrunkenRims(circles) }]
+  expect(figure.layers).toMatchObject({ samples: true, data })
 })
 
 test('six steps are drawn from center to center', () => {

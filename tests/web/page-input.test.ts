@@ -286,8 +286,8 @@ describe('the fields of the selected circle', () => {
     // What was refused does not stay, nor what was said of it.
     expect(x?.value).toBe('5')
     expect(state().problem).toBe('')
-    change({ problem: '', circle: { x: 5, y: 6, r: 4 } })
-    expect(x?.value).toBe('5')
+    change({ problem: '', circle: { x: 8, y: 6, r: 4 } })
+    expect(x?.value).toBe('8')
     expect(x?.attributes.get('aria-invalid')).toBe('false')
   })
 
