@@ -214,6 +214,17 @@ TEST(ComputeOptions, SamplesBeyond32BitsAreRefused) {
   EXPECT_EQ(uniform.error().code, ErrorCode::tooManyCircles);
 }
 
+// Insertion finds what is hidden among them, and leaves a dual. Other methods need the triangulation of the centers: their
+// result may be wrong here, but has as many vertices and edges as a diagram has.
+TEST(ComputeOptions, OtherMethodsBeginWithATriangulationWhereverWhatIsHiddenWasFound) {
+  const auto circles = generate(Family::barelyOut, 3000, 1);
+  for (const Method method : {Method::touchingDisc, Method::flip}) {
+    Options options;
+    options.method = method;
+    EXPECT_NE(compute(circles, options).value().certificate.flaw, Flaw::eulerCount);
+  }
+}
+
 TEST(ComputeOptions, WhatACallbackThrowsPassesThrough) {
   struct Stop {
     int call;
