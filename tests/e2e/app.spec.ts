@@ -241,9 +241,11 @@ test('what is pressed on the first picture is pressed on the figure, whose pixel
 })
 
 test('pans and zooms', async ({ app }) => {
+  await app.page.mouse.move(640, 400)
+  // What lies below the pointer is another picture already.
+  await app.painted()
   const picture = await app.canvas.screenshot()
   const isOther = async () => !picture.equals(await app.canvas.screenshot())
-  await app.page.mouse.move(640, 400)
   await app.page.mouse.wheel(0, -300)
   await expect.poll(isOther).toBe(true)
   await app.page.getByRole('button', { name: 'Fit' }).click()
