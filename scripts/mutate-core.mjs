@@ -8,7 +8,7 @@
 import { spawnSync } from 'node:child_process'
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs'
 import { dirname } from 'node:path'
-import { main, ROOT } from './run.mjs'
+import { isMain, main, ROOT } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const COPY = `${ROOT}build/mutants/`
@@ -23,8 +23,10 @@ const WANTED = 0.85
 const SECONDS = 200
 const MEGABYTES = 8000
 
-await main(async () => {
-  const mutants = JSON.parse(readFileSync(`${ROOT}tests/mutants/core.json`, 'utf8'))
+if (isMain(import.meta.url)) await main(tryOutAll)
+
+async function tryOutAll() {
+  const mutants = readMutants()
   const names = process.argv.slice(2)
   const chosen = mutants.filter(({ name }) => names.length === 0 || names.some((start) => name.startsWith(start)))
   for (const mutant of chosen) check(mutant)
@@ -47,10 +49,15 @@ await main(async () => {
   const count = chosen.length - unnoticed.length
   console.log(`\n${count} of ${chosen.length} changes are noticed, ${((100 * count) / chosen.length).toFixed(0)} %.`)
   if (count < WANTED * chosen.length) throw new Error(`Fewer than ${100 * WANTED} % are noticed.`)
-})
+}
+
+/** All changes, in the order of their file. */
+export function readMutants() {
+  return JSON.parse(readFileSync(`${ROOT}tests/mutants/core.json`, 'utf8'))
+}
 
 /** Throws if a change does not fit the sources. */
-function check({ name, file, old }) {
+export function check({ name, file, old }) {
   const parts = readFileSync(ROOT + file, 'utf8').split(old)
   if (parts.length !== 2) throw new Error(`${name}: its old text stands ${parts.length - 1} times in ${file}.`)
 }

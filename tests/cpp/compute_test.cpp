@@ -214,9 +214,9 @@ TEST(ComputeOptions, SamplesBeyond32BitsAreRefused) {
   EXPECT_EQ(uniform.error().code, ErrorCode::tooManyCircles);
 }
 
-// Insertion finds what is hidden among them, and leaves a dual. Other methods need the triangulation of the centers: their
-// result may be wrong here, but has as many vertices and edges as a diagram has.
-TEST(ComputeOptions, OtherMethodsBeginWithATriangulationWhereverWhatIsHiddenWasFound) {
+// Insertion finds the hidden circles of this family and leaves its dual. The other methods still begin with a
+// triangulation of the centers. Their results may be wrong, but have as many edges as Euler's formula says.
+TEST(ComputeOptions, OtherMethodsTriangulateTheCentersAfterInsertionFoundTheHiddenCircles) {
   const auto circles = generate(Family::barelyOut, 3000, 1);
   for (const Method method : {Method::touchingDisc, Method::flip}) {
     Options options;

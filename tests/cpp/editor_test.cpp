@@ -244,7 +244,7 @@ TEST(Editor, RefusesWithoutATrace) {
   EXPECT_EQ(changeOf(editor.insert({0.5, 0.5, 0.1})).inserted, std::vector<CircleId>{40});
 }
 
-TEST(Editor, GivesNoNumberThatIsInUseAfterARefusal) {
+TEST(Editor, NumbersNewEdgesWithFreeNumbersAfterARefusal) {
   DiagramEditor editor = editorOf({});
   test::Mirror mirror;
   for (const Circle& circle : generate(Family::uniform, 30, 1)) {

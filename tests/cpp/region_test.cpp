@@ -45,10 +45,12 @@ TEST(Region, TakesBothDirectionsClosedRingsAndRepeatedPoints) {
             (std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
 }
 
+std::vector<Ring> nestedRings() {
+  return {square(3, 3, 1), square(0, 0, 10), square(1, 1, 5), square(2, 2, 3), square(20, 0, 1)};
+}
+
 TEST(Region, NestsRingsByContainment) {
-  const Region region = Region::fromRings(std::vector<Ring>{square(3, 3, 1), square(0, 0, 10), square(1, 1, 5),
-                                                            square(2, 2, 3), square(20, 0, 1)})
-                            .value();
+  const Region region = Region::fromRings(nestedRings()).value();
   EXPECT_EQ(region.polygonCount(), 3U);
   EXPECT_EQ(region.ringCount(), 5U);
   EXPECT_EQ(region.area(), 100 - 25 + 9 - 1 + 1);
@@ -61,7 +63,7 @@ TEST(Region, NestsRingsByContainment) {
 }
 
 TEST(Region, ContainsItsBoundary) {
-  const std::vector<Ring> rings = {square(0, 0, 10), square(1, 1, 5), square(20, 0, 1)};
+  const std::vector<Ring> rings = nestedRings();
   const Region region = Region::fromRings(rings).value();
   for (const Ring& ring : rings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {

@@ -156,7 +156,7 @@ TEST(TraceReplay, TellsWhyAnEditChangesWhat) {
   std::vector<Edit> refused(60, {Edit::Kind::replace, 0, {0, -2, 1}});
   refused.push_back({Edit::Kind::remove, 99, {}});
   EXPECT_FALSE(editor.apply(refused).ok());
-  EXPECT_TRUE(events.empty()) << "what was refused was never done";
+  EXPECT_TRUE(events.empty()) << "a refused edit is not told";
 
   EXPECT_TRUE(editor.observe({}));
   ASSERT_TRUE(editor.remove(0).ok());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
+import { framesOf } from './frames.ts'
 
 /**
  * What of a page, or of its part that a selector names, is not accessible. All is in one document: a second page, which would
@@ -23,6 +24,6 @@ export async function violationsInBoth(page: Page) {
   await page.emulateMedia({ colorScheme: 'light' })
   const inLight = await violationsOf(page)
   await page.emulateMedia({ colorScheme: 'dark' })
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))))
+  await framesOf(page, 2)
   return [...inLight, ...(await violationsOf(page, undefined, RULES_OF_COLORS))]
 }

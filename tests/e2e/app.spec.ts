@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Page } from '@playwright/test'
 import { pointAt } from '../../web/lib/curves/bisector.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { violationsInBoth } from './accessibility.ts'
+import { framesOf } from './frames.ts'
 import { got, heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 import { threadOf } from './thread-session.ts'
@@ -12,11 +12,6 @@ import { threadOf } from './thread-session.ts'
 const BRONZE = dataSet('bronzefilter')
 const INTRODUCTION = dataSet('introduction')
 const START = dataSet('start')
-
-/** Waits until a page has drawn so many frames. */
-async function framesOf(page: Page, count: number): Promise<void> {
-  for (let k = 0; k < count; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
-}
 
 test('shows a few circles at the start, and one line that says what it is', async ({ page }) => {
   const app = new App(page)
@@ -36,7 +31,7 @@ test('shows a few circles at the start, and one line that says what it is', asyn
   expect(picture.equals(await app.canvas.screenshot())).toBe(true)
   await app.select(START, 0)
   await expect(line).toBeHidden()
-  // What is shown at first is there without being kept, and comes again when it is chosen.
+  // The first data set needs no link, and it can be chosen again.
   expect(new URL(page.url()).hash).toBe('')
   await app.choose('Introduction')
   await app.choose('Eight circles')
@@ -242,7 +237,7 @@ test('what is pressed on the first picture is pressed on the figure, whose pixel
 
 test('pans and zooms', async ({ app }) => {
   await app.page.mouse.move(640, 400)
-  // What lies below the pointer is another picture already.
+  // Hovering changes the picture, too.
   await app.painted()
   const picture = await app.canvas.screenshot()
   const isOther = async () => !picture.equals(await app.canvas.screenshot())

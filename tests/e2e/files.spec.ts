@@ -343,7 +343,7 @@ test('columns of other names are known, or asked for with a preview; names are s
   await dialog.getByLabel('r', { exact: true }).press('Tab')
   await dialog.getByRole('button', { name: 'Open' }).click()
   await expect.poll(() => app.circles()).toEqual(Float64Array.of(4, 1, 0.5, 8, 5, 0.5, 3, 15, 0.5))
-  // Whoever closes it changes nothing.
+  // Closing the dialog changes nothing.
   for (const close of [
     () => page.keyboard.press('Escape'),
     () => dialog.getByRole('button', { name: 'Cancel' }).click(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Press and hold: what a circle would take, before it is there.
 import { at } from '../../web/lib/base/diagram-data.ts'
+import { framesOf } from './frames.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -70,7 +71,7 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   await page.mouse.down()
   await page.clock.fastForward(5000)
   // It would be there with the frame after the next one.
-  for (let k = 0; k < 2; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
+  await framesOf(page, 2)
   await expect(panel).toBeHidden()
   await page.mouse.up()
   // What is asked after it comes after whatever would have been added or shown.

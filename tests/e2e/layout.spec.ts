@@ -2,6 +2,7 @@
 // Panels in windows of all sizes, forced colors, and pages that run from right to left.
 import type { Locator } from '@playwright/test'
 import { violationsInBoth, violationsOf } from './accessibility.ts'
+import { framesOf } from './frames.ts'
 import { heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
@@ -202,7 +203,7 @@ test('what is pressed stays where it is while an error goes, and is clicked', as
   const { x, y } = await boxOf(page.locator('#rail').getByRole('button', { name: 'Layers', exact: true }))
   await page.mouse.move(x + 10, y + 10)
   await page.mouse.down()
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))))
+  await framesOf(page, 2)
   await page.mouse.up()
   await expect(page.locator('#layers')).toBeVisible()
   await expect(page.getByRole('alert')).toBeHidden()

@@ -6,6 +6,7 @@ import { at } from '../../web/lib/base/diagram-data.ts'
 import type { Circle, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, toScreen } from '../../web/view/camera.ts'
+import { framesOf } from './frames.ts'
 
 /** What the page keeps free for its panels (web/app/padding.ts): in a wide window, and on a phone. */
 export const PADDING = { top: 84, right: 32, bottom: 106, left: 94 }
@@ -52,7 +53,7 @@ export class App {
     )
     this.#panelEnd = panel ?? 0
     // The page hears of the panel's size in its next frame, and then shows all circles beside it.
-    await this.twoFrames()
+    await framesOf(this.page, 2)
   }
 
   /** The circles as the address says, once they are kept: x, y, r each. */
@@ -94,14 +95,8 @@ export class App {
 
   /** Waits until all that was asked of the picture is painted. Whether it is busy is told one frame later. */
   async painted(): Promise<void> {
-    await this.twoFrames()
+    await framesOf(this.page, 2)
     await expect(this.canvas).toHaveAttribute('aria-busy', 'false')
-  }
-
-  async twoFrames(): Promise<void> {
-    await this.page.evaluate(
-      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
-    )
   }
 
   field(name: 'x' | 'y' | 'r') {

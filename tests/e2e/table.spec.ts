@@ -110,7 +110,7 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await page.getByTitle('Delete the selected circles (Delete)').click()
   await expect(app.status).toContainText('14 circles')
 
-  // It is there again when it is opened again, and after a reload.
+  // The table shows the numbers again when it is opened again, and after a reload.
   await app.openPanel('Table')
   await expect(table.grid).toBeHidden()
   await table.open()

@@ -110,7 +110,7 @@ describe('a region as text', () => {
     expect(readRegion(text)).toEqual(polygon)
   })
 
-  it('is opened without areas, which may be given without it', () => {
+  it('can be opened without areas, and areas without a region', () => {
     const circles = Float64Array.of(1, 1, 1)
     expect(opened(circles, { region: RINGS }).domain).toEqual({ region: RINGS, areas: undefined })
     expect(opened(circles, { areas: 'equal' }).domain).toEqual({ region: undefined, areas: 'equal' })

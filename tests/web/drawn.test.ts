@@ -301,7 +301,7 @@ test('shrunken rims are the rims on which samples lie', () => {
   }
 })
 
-test('rims are shown besides the layers that a figure has', async () => {
+test('rims are added to the layers of a figure', async () => {
   const circles = Float64Array.of(0, 0, 3, 10, 1, 1.5)
   const figure = Object.assign(new EventTarget(), {
     circles,

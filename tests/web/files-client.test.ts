@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's side of the thread of files, and the links that it writes there.
+// How the page calls its thread for files, and has links written there.
 import { afterEach, expect, it, vi } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
@@ -28,7 +28,7 @@ afterEach(() => {
   threads.length = 0
 })
 
-it('begins another thread where one could not be loaded', async () => {
+it('starts a new thread after one could not be loaded', async () => {
   vi.stubGlobal('Worker', FakeWorker)
   const client = new FilesClient()
   const failed = client.call('catalogue')
@@ -40,7 +40,7 @@ it('begins another thread where one could not be loaded', async () => {
   expect(threads).toHaveLength(2)
 })
 
-it('leaves out names with which a link of many circles would be too large', async () => {
+it('writes a link without names if it would be too large with them', async () => {
   vi.stubGlobal('Worker', FakeWorker)
   const links = new LinkWriter(new FilesClient())
   const circles = Float64Array.from({ length: 9000 }, (_, k) => k)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How circles of the page move.
 import { expect, it } from 'vitest'
-import { type Moving, movementOf } from '../../web/app/motion/movements.ts'
+import { type Movement, type Moving, movementOf } from '../../web/app/motion/movements.ts'
+import type { Circle } from '../../web/lib/index.ts'
 import { seededRandom } from './library.ts'
 
 const random = seededRandom(6)
@@ -26,14 +27,15 @@ it('bouncing circles stay in their box and keep their sizes', () => {
   expect(last.some(({ circle }, k) => Math.abs(circle.x - (CIRCLES[k] as Moving).circle.x) > 1)).toBe(true)
 })
 
-it('two equal circles that meet exchange their speeds', () => {
-  const pair = [
-    { id: 0, circle: { x: 5, y: 6, r: 1 } },
-    { id: 1, circle: { x: 9, y: 6, r: 1 } },
-  ]
-  // They fly toward each other: angles 0 and a half turn.
+/** Two circles that fly toward each other: their angles are 0 and a half turn. */
+function headOn(one: Circle, other: Circle): Movement {
   const angles = [0, 0.5]
-  const next = movementOf('bounce', pair, BOX, () => angles.shift() as number)
+  const pair = [one, other].map((circle, id) => ({ id, circle }))
+  return movementOf('bounce', pair, BOX, () => angles.shift() as number)
+}
+
+it('two equal circles that meet exchange their speeds', () => {
+  const next = headOn({ x: 5, y: 6, r: 1 }, { x: 9, y: 6, r: 1 })
   const distances = Array.from({ length: 200 }, () => {
     const [one, other] = next(1 / 60) as [Moving, Moving]
     return other.circle.x - one.circle.x
@@ -42,19 +44,13 @@ it('two equal circles that meet exchange their speeds', () => {
   expect(distances.at(-1)).toBeGreaterThan(4)
 })
 
-it('of two circles that meet the larger one is moved less, as its mass is its area', () => {
-  const pair = [
-    { id: 0, circle: { x: 8, y: 6, r: 1 } },
-    { id: 1, circle: { x: 13, y: 6, r: 3 } },
-  ]
-  const angles = [0, 0.5]
-  const next = movementOf('bounce', pair, BOX, () => angles.shift() as number)
-  // They meet after 0.2 seconds.
+it('the larger of two circles that meet is deflected less, as its mass is its area', () => {
+  const next = headOn({ x: 8, y: 6, r: 1 }, { x: 13, y: 6, r: 3 })
+  // They overlap after the first frame, and bounce in the second one.
   const [before, after] = [next(0.4), next(0.1)].map((moved) => moved.map(({ circle }) => circle.x))
   expect(before).toEqual([9, 12])
-  const [slower, faster] = [-1.5, -6.5]
-  expect(after?.[0]).toBeCloseTo(9 + 0.1 * faster, 12)
-  expect(after?.[1]).toBeCloseTo(12 + 0.1 * slower, 12)
+  expect(after?.[0]).toBeCloseTo(9 - 0.1 * 6.5, 12)
+  expect(after?.[1]).toBeCloseTo(12 - 0.1 * 1.5, 12)
 })
 
 it.each(['grow', 'compare'] as const)(
