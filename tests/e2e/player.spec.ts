@@ -90,6 +90,8 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
     await page.getByRole('button', { name: 'Play', exact: true }).click()
     await expect.poll(() => page.evaluate(() => playing.seen.slice(0, 2))).toEqual([0, 1])
     expect(await page.evaluate(() => playing.view.hasDiagram)).toBe(false)
+    await page.getByRole('button', { name: 'Pause' }).click()
+    await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible()
   })
   await test.step('it stops nowhere in the trace of edited circles, whose steps are others', async () => {
     const stop = page.getByRole('button', { name: 'Breakpoint: stop here when playing' })
