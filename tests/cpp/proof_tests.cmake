@@ -36,14 +36,14 @@ add_executable(circle_voronoi_proof_tests
 target_link_libraries(circle_voronoi_proof_tests PRIVATE circle_voronoi_trials GTest::gtest_main)
 # Their names for exact numbers mean different types.
 set_source_files_properties(estimate_test.cpp exact_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES)
+gtest_discover_tests(circle_voronoi_proof_tests ${discovery} NO_PRETTY_VALUES)
 
 # Its allocations fail, so it is a program of its own.
 add_executable(circle_voronoi_allocation_tests allocation_test.cpp)
 target_link_libraries(circle_voronoi_allocation_tests PRIVATE
   circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi::io circle_voronoi_options circle_voronoi_internals
   GTest::gtest_main Threads::Threads)
-gtest_discover_tests(circle_voronoi_allocation_tests DISCOVERY_MODE PRE_TEST)
+gtest_discover_tests(circle_voronoi_allocation_tests ${discovery})
 
 # The same trials for as long as one likes.
 if(CIRCLE_VORONOI_BUILD_CLI)

@@ -9,7 +9,7 @@ add_executable(circle_voronoi_region_tests
   region_test.cpp)
 target_link_libraries(circle_voronoi_region_tests PRIVATE
   circle_voronoi_trials circle_voronoi::fit GTest::gtest_main)
-gtest_discover_tests(circle_voronoi_region_tests DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES)
+gtest_discover_tests(circle_voronoi_region_tests ${discovery} NO_PRETTY_VALUES)
 if(CIRCLE_VORONOI_UNITY_BUILD)
   set_target_properties(circle_voronoi_region_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
 endif()

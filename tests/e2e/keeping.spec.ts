@@ -199,6 +199,9 @@ test('a tab that was closed loses nothing, and two tabs do not destroy each othe
   await app.page.goto('/')
   await expect(app.status).toContainText('14 circles')
   await second.page.close()
+  // Its name is free once the browser has closed it.
+  const heldNames = () => app.page.evaluate(async () => (await navigator.locks.query()).held?.length)
+  await expect.poll(heldNames).toBe(1)
   const third = new App(await context.newPage())
   await third.open('')
   await expect(third.status).toContainText('134 circles')

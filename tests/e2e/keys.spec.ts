@@ -183,9 +183,15 @@ test('circles move while it plays, and undo brings all of them back at once', as
   const panel = page.getByRole('region', { name: 'Motion' })
   for (const name of ['Bounce', 'Grow from points', 'Breathe']) {
     await panel.getByLabel(name).check()
-    const picture = await app.canvas.screenshot()
+    // Of the figure alone: the panel changes at once.
+    const picture = () =>
+      app.canvas
+        .locator('canvas')
+        .first()
+        .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
+    const before = await picture()
     await panel.getByRole('button', { name: 'Play' }).click()
-    await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
+    await expect.poll(picture).not.toBe(before)
     await panel.getByRole('button', { name: 'Stop' }).click()
     await expect(panel.getByRole('button', { name: 'Play' })).toBeVisible()
     // Where they have come to is kept; only then something is undone.
@@ -200,8 +206,11 @@ test('motion is recorded as a video', async ({ app }) => {
   await app.choose('Introduction')
   await app.openPanel('Motion')
   const download = page.waitForEvent('download')
-  await page.getByRole('button', { name: 'Record 6 s' }).click()
-  await expect(page.getByRole('button', { name: 'Recording …' })).toBeDisabled()
+  // It is looked for before the click has returned, which may take longer than the film.
+  await Promise.all([
+    expect(page.getByRole('button', { name: 'Recording …' })).toBeDisabled(),
+    page.getByRole('button', { name: 'Record 6 s' }).click(),
+  ])
   const file = await download
   expect(file.suggestedFilename()).toMatch(/^circles-bounce\.(mp4|webm)$/)
   const bytes = readFileSync(await file.path())

@@ -7,6 +7,7 @@ import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
 import { violationsInBoth } from './accessibility.ts'
+import { framesOf } from './frames.ts'
 import { App, expect, test } from './page.ts'
 
 const THREE = [
@@ -255,6 +256,8 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   await page.reload()
   await expect(app.status).toContainText(/areas within/)
   await expect(choose).toHaveValue('own')
+  // The panel is there, and all circles are shown beside it in the next frame.
+  await framesOf(page, 2)
   await expect(await areaOf([2, 5])).toHaveText(digits(TOTAL / 4))
   await expect(app.inspector.getByLabel('w', { exact: true })).toHaveAttribute('readonly', '')
 

@@ -16,6 +16,11 @@ export interface Engine {
   ): Promise<Awaited<Result>>
   /** Presses the mouse at the first point, moves it to the others and releases it: with one point it clicks. */
   drag(points: readonly Point[]): Promise<void>
+  /** Clicks the element that a function of the page finds, which sees nothing but its arguments; tells whether there is one. */
+  click<Args extends readonly unknown[]>(
+    find: (...args: Args) => HTMLElement | undefined,
+    ...args: Args
+  ): Promise<boolean>
   press(keys: Keys): Promise<void>
   /** Chooses a file of the disk in an `<input type="file">`. */
   choose(selector: string, path: string): Promise<void>
@@ -24,7 +29,8 @@ export interface Engine {
 
 /** An attempt is made so often, in milliseconds. */
 const PAUSE = 50
-const PATIENCE = 30_000
+/** Less than the limit of a test, so that it says what did not come. */
+const PATIENCE = 100_000
 
 /** Waits until something that the page says is as it should be, and returns it. */
 export async function until<Said>(what: string, say: () => Promise<Said>, isRight: (said: Said) => boolean) {

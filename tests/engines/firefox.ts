@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
-import puppeteer, { type ElementHandle, type KeyInput } from 'puppeteer-core'
+import puppeteer, { type ElementHandle, type JSHandle, type KeyInput } from 'puppeteer-core'
 import type { Point } from '../../web/lib/index.ts'
 import type { Engine } from './engine.ts'
 
@@ -12,11 +12,15 @@ export async function openFirefox(): Promise<Engine> {
     browser: 'firefox',
     executablePath: process.env.FIREFOX_PATH ?? '/usr/bin/firefox-esr',
     headless: true,
+    // What hangs is ended by the limit of the test.
+    timeout: 0,
+    protocolTimeout: 0,
     defaultViewport: { width: 1280, height: 800 },
     // In a folder that is named.
     extraPrefsFirefox: { 'browser.download.folderList': 2, 'browser.download.dir': downloads },
   })
   const page = await browser.newPage()
+  page.setDefaultTimeout(0)
   return {
     downloads,
     async open(url) {
@@ -30,6 +34,12 @@ export async function openFirefox(): Promise<Engine> {
       await page.mouse.down()
       for (const to of others) await page.mouse.move(to.x, to.y)
       await page.mouse.up()
+    },
+    async click(find, ...args) {
+      const found: JSHandle = await page.evaluateHandle(find as never, ...args)
+      const element = found.asElement() as ElementHandle<Element> | null
+      await element?.click()
+      return element !== null
     },
     async press(keys) {
       const held = keys.split('+') as KeyInput[]

@@ -66,22 +66,15 @@ class Page {
     return toScreen(fitted(boundingBox(circles), size, { ...PADDING, left: rail + 16 }), size, point)
   }
 
-  /** Clicks the button with this name, once it is there and rests: what is saved may make the window smaller. */
+  /** Clicks the button with this name, once it is there, wherever it then is: what is saved may make the window smaller. */
   async click(name: string): Promise<void> {
-    const middleOf = (name: string) => {
+    const find = (name: string) => {
       const nameOf = (button: Element) => button.getAttribute('aria-label') ?? button.textContent?.trim()
-      const button = [...document.querySelectorAll('button')].find((button) => nameOf(button) === name)
-      const { x, y, width, height } = button?.getBoundingClientRect() ?? new DOMRect()
-      return width > 0 ? { x: x + width / 2, y: y + height / 2 } : null
+      return [...document.querySelectorAll('button')].find(
+        (button) => nameOf(button) === name && button.getClientRects().length > 0,
+      )
     }
-    let before: Point | null = null
-    const rests = (middle: Point | null) => {
-      const isSame = middle !== null && middle.x === before?.x && middle.y === before.y
-      before = middle
-      return isSame
-    }
-    const middle = await until(`button ${name}`, () => this.engine.evaluate(middleOf, name), rests)
-    await this.engine.drag([middle as Point])
+    await until(`button ${name}`, () => this.engine.click(find, name), Boolean)
   }
 
   /** Gives a file to the input of files that fits a selector, once it is there. */

@@ -21,6 +21,8 @@ const KEYS: Readonly<Record<string, string>> = {
   Delete: '\uE017',
 }
 const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf'
+/** In milliseconds. */
+const LONGEST = 600_000
 
 /** WebKitGTK, which is what Safari draws and runs pages with, over WebDriver. */
 export async function openWebKit(): Promise<Engine> {
@@ -72,6 +74,8 @@ export async function openWebKit(): Promise<Engine> {
     const { sessionId } = await send('POST', '/session', { capabilities: { alwaysMatch } })
     const session = `/session/${sessionId}`
     const post = (path: string, body: object) => send('POST', `${session}/${path}`, body)
+    // What hangs is ended by the limit of the test.
+    await post('timeouts', { script: null, pageLoad: LONGEST })
     await post('window/rect', { x: 0, y: 0, width: 1280, height: 900 })
 
     return {
@@ -98,6 +102,12 @@ export async function openWebKit(): Promise<Engine> {
         const actions = [first, { type: 'pointerDown', button: 0 }, ...others, { type: 'pointerUp', button: 0 }]
         const mouse = { type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions }
         await post('actions', { actions: [mouse] })
+      },
+      async click(find, ...args) {
+        const script = `return (${find})(...arguments) ?? null`
+        const element: Record<string, string> | null = await post('execute/sync', { script, args })
+        if (element !== null) await post(`element/${element[ELEMENT]}/click`, {})
+        return element !== null
       },
       async press(keys) {
         const values = keys.split('+').map((key) => KEYS[key] ?? key)

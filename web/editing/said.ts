@@ -12,13 +12,13 @@ const REST = 250
 export function mountSaid(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
-  /** What was done and is not said yet. */
-  let done = ''
+  /** What was done and is not said yet, and which circle was then selected. */
+  let done: { readonly text: string; readonly id: number | undefined } | undefined
 
   const say = (text: string) => {
     clearTimeout(timer)
     timer = setTimeout(() => {
-      done = ''
+      done = undefined
       // The same text once more is heard only if it comes anew.
       said.replaceChildren(text)
     }, REST)
@@ -26,15 +26,19 @@ export function mountSaid(store: Store<State>, said: HTMLElement, words: () => E
   store.subscribe((state) => {
     const { selected, described } = state
     if (state.said !== before.said) {
-      done = state.said.text
-      say(done)
+      done = { text: state.said.text, id: selected }
+      // What is selected by it is described a moment later, and said with it.
+      const isKnown = selected === undefined || described?.id === selected
+      if (isKnown) say(done.text)
+      else clearTimeout(timer)
     } else if (
       described !== undefined &&
       described.id === selected &&
-      (selected !== before.selected || before.described === undefined)
+      (selected !== before.selected || before.described?.id !== selected)
     ) {
       const description = describeCell(described, words())[0]
-      say(done === '' ? words().circle(selected, description) : `${done}. ${description}`)
+      const text = done?.id === selected ? description : words().circle(selected, description)
+      say(done === undefined ? text : `${done.text}. ${text}`)
     }
     before = state
   })

@@ -13,6 +13,7 @@ import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
 import { shownValue } from '../view/refusal.ts'
 import { isRegionText, readRegion } from '../view/region-text.ts'
+import type { View } from '../view/view.ts'
 import {
   checkedAreas,
   checkedView,
@@ -659,12 +660,12 @@ export class CircleVoronoiElement extends Base {
 
   /** Returns the visible picture, without the selection, as the text of an SVG. */
   async toSVG(): Promise<string> {
-    return (await this.#started()).view.toSVG()
+    return (await this.#shownView()).toSVG()
   }
 
   /** Returns the visible picture, without the selection, as a PNG with `scale` pixels for each CSS pixel. */
   async toPNG(scale?: number): Promise<Blob> {
-    return (await this.#started()).view.toPNG(scale)
+    return (await this.#shownView()).toPNG(scale)
   }
 
   override addEventListener<Name extends keyof CircleVoronoiEventMap>(
@@ -704,6 +705,13 @@ export class CircleVoronoiElement extends Base {
     await this.#update
     if (this.#figure === undefined) refuse((words) => words.notInPage)
     return this.#figure
+  }
+
+  /** What shows the circles, once the step that was asked for is shown. */
+  async #shownView(): Promise<View> {
+    const { stepping, view } = await this.#started()
+    await stepping.whenReady()
+    return view
   }
 
   async #settled(): Promise<void> {

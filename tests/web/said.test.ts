@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { mountSaid } from '../../web/editing/said.ts'
+import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
+import { ENGLISH_EDITING } from '../../web/editing/words.ts'
+import type { Described } from '../../web/view/protocol.ts'
+
+beforeEach(() => {
+  vi.useFakeTimers()
+})
+afterEach(() => {
+  vi.useRealTimers()
+})
+
+/** What is known of a circle that borders on `neighbors`. */
+function described(id: number, ...neighbors: number[]): Described {
+  const circle = { x: 0, y: 0, r: 1 }
+  const none = new Float64Array()
+  const [isBounded, hiddenBy] = [true, undefined]
+  return { id, circle, hiddenBy, isBounded, neighbors: Int32Array.from(neighbors), outline: none, neighborhood: none }
+}
+
+/** What is said, one text after the other, and what changes the state. */
+function speaker() {
+  let state = INITIAL_STATE
+  let tell = (_: State) => {}
+  const texts: string[] = []
+  const store = {
+    get: () => state,
+    update() {},
+    subscribe(listener: typeof tell) {
+      tell = listener
+      listener(state)
+      return () => {}
+    },
+  }
+  const element = { replaceChildren: (text: string) => texts.push(text) }
+  mountSaid(store, element as unknown as HTMLElement, () => ENGLISH_EDITING)
+  const change = (part: Partial<State>) => {
+    state = { ...state, ...part }
+    tell(state)
+  }
+  return { texts, change }
+}
+
+it.each([0, 100, 10_000])(
+  'what was done is said with what is known of the circle then selected, known after %i ms',
+  (ms) => {
+    const { texts, change } = speaker()
+    change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
+    vi.advanceTimersByTime(ms)
+    change({ described: described(3, 0, 1) })
+    vi.advanceTimersByTime(1000)
+    expect(texts).toEqual(['Circle 3 added. Bounded cell, 2 neighbors'])
+    // What is known of another one is not, and what was said is not said again.
+    change({ selected: 1, described: undefined })
+    vi.advanceTimersByTime(1000)
+    change({ described: described(1, 3) })
+    vi.advanceTimersByTime(1000)
+    expect(texts.slice(1)).toEqual(['Circle 1. Bounded cell, 1 neighbor'])
+  },
+)
+
+it('what was done is said with another circle that was selected before it was said', () => {
+  const { texts, change } = speaker()
+  change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
+  change({ selected: 1 })
+  change({ described: described(1, 3) })
+  vi.advanceTimersByTime(1000)
+  expect(texts).toEqual(['Circle 3 added. Circle 1. Bounded cell, 1 neighbor'])
+})
+
+it('what was done without another selection is said at once', () => {
+  const { texts, change } = speaker()
+  change({ selected: 3, described: described(3, 0, 1) })
+  vi.advanceTimersByTime(1000)
+  change({ said: { text: 'Snapping is on' } })
+  vi.advanceTimersByTime(1000)
+  change({ said: { text: 'Circle 3 deleted' }, selected: undefined })
+  vi.advanceTimersByTime(1000)
+  expect(texts).toEqual(['Circle 3. Bounded cell, 2 neighbors', 'Snapping is on', 'Circle 3 deleted'])
+})

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, it, vi } from 'vitest'
+import type { EditorActions } from '../../web/editing/editor-actions.ts'
+import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
+import { mountPlayer, type Player, type PlayerOptions } from '../../web/player/player.ts'
+import { Stepping } from '../../web/player/stepping.ts'
+import type { View } from '../../web/view/view.ts'
+
+vi.mock('../../web/player/player.ts', () => ({ mountPlayer: vi.fn() }))
+
+/** A player at step 0, loaded once its state says so; `say` is what it tells of a step, `asked` are those it was told to show. */
+async function played() {
+  const state: { now: State } = { now: { ...INITIAL_STATE, step: 0, edited: {} as State['edited'] } }
+  let follow = () => {}
+  const store = {
+    get: () => state.now,
+    update() {},
+    subscribe(listener: (state: State) => void) {
+      follow = () => listener(state.now)
+      return () => {}
+    },
+  }
+  const asked: number[] = []
+  let say = (_step: number, _steps: number) => {}
+  const dispose = vi.fn()
+  vi.mocked(mountPlayer).mockImplementation((_, { onstep }: PlayerOptions) => {
+    say = onstep
+    const stepTo = (step: number) => {
+      asked.push(step)
+      onstep(step, 9)
+    }
+    return { ready: Promise.resolve(), stepTo, dispose } as unknown as Player
+  })
+  const showStep = (step: number | undefined) => {
+    state.now = { ...state.now, step }
+  }
+  const stepping = new Stepping({
+    container: {} as HTMLElement,
+    view: {} as View,
+    store,
+    actions: { showStep } as unknown as EditorActions,
+    options: () => ({}),
+  })
+  follow()
+  await stepping.whenReady()
+  return {
+    stepOf: () => state.now.step,
+    showStep,
+    follow: () => follow(),
+    say: (step: number) => say(step, 9),
+    asked,
+    dispose,
+  }
+}
+
+it('what the player shows is the step of the state', async () => {
+  const { stepOf, say, asked } = await played()
+  say(4)
+  expect(stepOf()).toBe(4)
+  expect(asked).toEqual([])
+})
+
+it('a step that the state asks for is not lost where the player tells of another one before it hears of it', async () => {
+  const { stepOf, showStep, follow, say, asked } = await played()
+  showStep(3)
+  say(0)
+  expect(stepOf()).toBe(3)
+  expect(asked).toEqual([3])
+  follow()
+  expect(asked).toEqual([3])
+})
+
+it('a player that is closed does not open again where it tells of a step before it hears of it', async () => {
+  const { stepOf, showStep, follow, say, dispose } = await played()
+  showStep(undefined)
+  say(0)
+  follow()
+  expect(stepOf()).toBeUndefined()
+  expect(dispose).toHaveBeenCalledOnce()
+})
