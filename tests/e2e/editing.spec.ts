@@ -58,7 +58,7 @@ test('several are selected by Shift and by a rubber band, all and none by keys',
   await app.page.keyboard.press('Escape')
   await app.page.mouse.up()
   await app.page.keyboard.up('Shift')
-  // What is asked after it comes after whatever would have been selected.
+  // The answer to Enter comes after the answer to the band.
   await app.page.keyboard.press('Enter')
   await expect(app.inspector).toBeVisible()
   await expect(group(app)).toBeHidden()
@@ -290,7 +290,7 @@ test.describe('with fingers', () => {
       session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(({ x, y }, id) => ({ x, y, id })) })
     const swipe = async (from: Point, dx: number, dy: number) => {
       const moveTo = (share: number) => touch('touchMove', { x: from.x + share * dx, y: from.y + share * dy })
-      // At once, or a finger that rests on a slow machine is a long press.
+      // Both at once: on a slow machine, a finger that rests is a long press.
       await Promise.all([touch('touchStart', from), moveTo(0.3)])
       for (const share of [0.6, 1]) await moveTo(share)
       await touch('touchEnd')

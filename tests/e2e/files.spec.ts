@@ -21,8 +21,8 @@ async function choose(app: App, name: string, content: string | Buffer): Promise
   await app.page.getByLabel('Open …').setInputFiles({ name, mimeType: 'text/plain', buffer })
 }
 
-/** Has the page keep what it says: it goes by itself after seconds, which a slow machine may need to look at it. */
-function keepWhatIsSaid(page: Page): Promise<void> {
+/** Keeps toasts open: they close after some seconds, before a slow machine has looked at them. */
+function keepToasts(page: Page): Promise<void> {
   return page.evaluate(() => {
     const set = window.setTimeout as (act: TimerHandler, ms?: number) => number
     const setQuick = (act: TimerHandler, ms = 0) => (ms < 6000 ? set(act, ms) : 0)
@@ -207,7 +207,7 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
     await app.page.evaluate((text) => navigator.clipboard.writeText(text), text)
     await app.page.keyboard.press('Control+v')
   }
-  await keepWhatIsSaid(app.page)
+  await keepToasts(app.page)
   await app.canvas.focus()
   // Rows of a spreadsheet are added, and throw nothing away without a word.
   await paste('0\t0\t1\n6\t0\t1\n0\t8\t1\n')
@@ -236,7 +236,7 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
 test('copies a link and the code of a frame, which show the same', async ({ app }) => {
   await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
   const clipboard = () => app.page.evaluate(() => navigator.clipboard.readText())
-  await keepWhatIsSaid(app.page)
+  await keepToasts(app.page)
   await openPanel(app)
   await choose(app, 'three.csv', THREE)
   await expect(app.status).toContainText('3 circles')

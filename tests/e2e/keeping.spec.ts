@@ -199,7 +199,7 @@ test('a tab that was closed loses nothing, and two tabs do not destroy each othe
   await app.page.goto('/')
   await expect(app.status).toContainText('14 circles')
   await second.page.close()
-  // Its name is free once the browser has closed it.
+  // The browser frees its name a moment later.
   const heldNames = () => app.page.evaluate(async () => (await navigator.locks.query()).held?.length)
   await expect.poll(heldNames).toBe(1)
   const third = new App(await context.newPage())

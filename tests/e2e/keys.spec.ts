@@ -183,7 +183,7 @@ test('circles move while it plays, and undo brings all of them back at once', as
   const panel = page.getByRole('region', { name: 'Motion' })
   for (const name of ['Bounce', 'Grow from points', 'Breathe']) {
     await panel.getByLabel(name).check()
-    // Of the figure alone: the panel changes at once.
+    // The figure without the panel, which changes at once.
     const picture = () =>
       app.canvas
         .locator('canvas')
@@ -206,7 +206,7 @@ test('motion is recorded as a video', async ({ app }) => {
   await app.choose('Introduction')
   await app.openPanel('Motion')
   const download = page.waitForEvent('download')
-  // It is looked for before the click has returned, which may take longer than the film.
+  // Look before the click returns, which may take longer than the recording.
   await Promise.all([
     expect(page.getByRole('button', { name: 'Recording …' })).toBeDisabled(),
     page.getByRole('button', { name: 'Record 6 s' }).click(),

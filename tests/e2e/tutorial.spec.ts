@@ -86,7 +86,7 @@ async function tryFigure(page: Page, name: string): Promise<void> {
   await page.keyboard.press('Escape')
   await page.keyboard.press('Enter')
   await soon(() => figure.evaluate((element: Element) => element.selection.length), name).toBe(1)
-  // Keys come after all that the pointer does.
+  // A key is answered after all pointer events before it.
   const dragged = await circlesOf(figure)
   await page.keyboard.press('ArrowRight')
   await soon(() => circlesOf(figure), name).not.toEqual(dragged)
@@ -222,7 +222,7 @@ async function tryCones(page: Page, name: string): Promise<void> {
   await figure.scrollIntoViewIfNeeded()
   const canvas = figure.locator('canvas')
   const picture = () => canvas.evaluate((element: HTMLCanvasElement) => element.toDataURL())
-  // What was asked for is painted with the next frame.
+  // A change is painted in the next frame.
   const painted = async () => {
     await framesOf(page, 2)
     return picture()

@@ -16,7 +16,7 @@ export interface Engine {
   ): Promise<Awaited<Result>>
   /** Presses the mouse at the first point, moves it to the others and releases it: with one point it clicks. */
   drag(points: readonly Point[]): Promise<void>
-  /** Clicks the element that a function of the page finds, which sees nothing but its arguments; tells whether there is one. */
+  /** Clicks the element that `find` returns in the page, and returns whether there is one. `find` sees only its arguments. */
   click<Args extends readonly unknown[]>(
     find: (...args: Args) => HTMLElement | undefined,
     ...args: Args
@@ -29,7 +29,7 @@ export interface Engine {
 
 /** An attempt is made so often, in milliseconds. */
 const PAUSE = 50
-/** Less than the limit of a test, so that it says what did not come. */
+/** In milliseconds, less than the time limit of a test: the error then says what is missing. */
 const PATIENCE = 100_000
 
 /** Waits until something that the page says is as it should be, and returns it. */

@@ -12,7 +12,7 @@ export async function openFirefox(): Promise<Engine> {
     browser: 'firefox',
     executablePath: process.env.FIREFOX_PATH ?? '/usr/bin/firefox-esr',
     headless: true,
-    // What hangs is ended by the limit of the test.
+    // The time limit of the test is enough.
     timeout: 0,
     protocolTimeout: 0,
     defaultViewport: { width: 1280, height: 800 },

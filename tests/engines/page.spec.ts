@@ -66,7 +66,7 @@ class Page {
     return toScreen(fitted(boundingBox(circles), size, { ...PADDING, left: rail + 16 }), size, point)
   }
 
-  /** Clicks the button with this name, once it is there, wherever it then is: what is saved may make the window smaller. */
+  /** Clicks the button with this name once it is visible. The driver finds its place: a download bar may make the window smaller. */
   async click(name: string): Promise<void> {
     const find = (name: string) => {
       const nameOf = (button: Element) => button.getAttribute('aria-label') ?? button.textContent?.trim()

@@ -74,7 +74,7 @@ export async function openWebKit(): Promise<Engine> {
     const { sessionId } = await send('POST', '/session', { capabilities: { alwaysMatch } })
     const session = `/session/${sessionId}`
     const post = (path: string, body: object) => send('POST', `${session}/${path}`, body)
-    // What hangs is ended by the limit of the test.
+    // The time limit of the test is enough.
     await post('timeouts', { script: null, pageLoad: LONGEST })
     await post('window/rect', { x: 0, y: 0, width: 1280, height: 900 })
 

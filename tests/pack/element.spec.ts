@@ -424,7 +424,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   await page.getByRole('button', { name: 'diagram' }).click()
   await expect.poll(() => stepOf('#told')).toBeUndefined()
   expect(await other.evaluate((element: Element) => element.toSVG())).not.toBe(pairs)
-  // A picture shows the step that has just been asked for.
+  // A picture waits for the requested step.
   const again = await other.evaluate((element: Element) => {
     element.step = 5
     return element.toSVG()
@@ -737,7 +737,7 @@ for (const file of ['index', 'bundle']) {
     // The shares of 164.
     const becomes = async (cell: number, area: number) => {
       const check = { cell, area: { min: area * (1 - 1e-6), max: area * (1 + 1e-6) } }
-      // It is checked before what is drawn next.
+      // The check is answered before the picture.
       await element.evaluate((element: Element, check) => {
         element.check = check
         return element.toSVG()
@@ -970,7 +970,7 @@ test.describe('with fingers', () => {
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly { x: number; y: number }[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map((point, id) => ({ ...point, id })) })
     const swipe = async ({ x, y }: { x: number; y: number }, dx: number, dy: number) => {
-      // At once, or a finger that rests on a slow machine is a long press.
+      // Both at once: on a slow machine, a finger that rests is a long press.
       await Promise.all([touch('touchStart', [{ x, y }]), touch('touchMove', [{ x: x + dx / 8, y: y + dy / 8 }])])
       for (let k = 2; k <= 8; k++) await touch('touchMove', [{ x: x + (dx * k) / 8, y: y + (dy * k) / 8 }])
       await touch('touchEnd', [])
@@ -982,7 +982,7 @@ test.describe('with fingers', () => {
     const before = await scrolled()
     const small = await placeOf(page, 3)
     await swipe(small, 30, 24)
-    // To where the finger has left it.
+    // The circle is where the finger left it.
     await expect.poll(async () => (await placeOf(page, 3)).x).toBeCloseTo(small.x + 30, 0)
     expect(await scrolled()).toBe(before)
     await scroll(() => page.evaluate(() => scrollTo(0, 0)))

@@ -3,7 +3,7 @@ import { expect, it, vi } from 'vitest'
 import { decodeLink } from '../../web/lib/link.ts'
 import { linkFigures } from '../../web/tutorial/figure-links.ts'
 
-/** Links are compressed, which a busy machine does not do within the second that is the default. */
+/** Compressing a link may take a busy machine longer than the default of one second. */
 const SOON = { timeout: 40_000 }
 
 it('the link of a figure leads to what it shows, with the method that is played in it', async () => {

@@ -12,7 +12,7 @@ afterEach(() => {
   vi.useRealTimers()
 })
 
-/** What is known of a circle that borders on `neighbors`. */
+/** The description of a circle with these neighbors. */
 function described(id: number, ...neighbors: number[]): Described {
   const circle = { x: 0, y: 0, r: 1 }
   const none = new Float64Array()
@@ -20,7 +20,7 @@ function described(id: number, ...neighbors: number[]): Described {
   return { id, circle, hiddenBy, isBounded, neighbors: Int32Array.from(neighbors), outline: none, neighborhood: none }
 }
 
-/** What is said, one text after the other, and what changes the state. */
+/** The announced texts, and a function that changes the state. */
 function speaker() {
   let state = INITIAL_STATE
   let tell = (_: State) => {}
@@ -44,7 +44,7 @@ function speaker() {
 }
 
 it.each([0, 100, 10_000])(
-  'what was done is said with what is known of the circle then selected, known after %i ms',
+  'an action is announced with the description of the circle that it selected, which comes after %i ms',
   (ms) => {
     const { texts, change } = speaker()
     change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
@@ -52,7 +52,7 @@ it.each([0, 100, 10_000])(
     change({ described: described(3, 0, 1) })
     vi.advanceTimersByTime(1000)
     expect(texts).toEqual(['Circle 3 added. Bounded cell, 2 neighbors'])
-    // What is known of another one is not, and what was said is not said again.
+    // The action is announced once.
     change({ selected: 1, described: undefined })
     vi.advanceTimersByTime(1000)
     change({ described: described(1, 3) })
@@ -61,7 +61,7 @@ it.each([0, 100, 10_000])(
   },
 )
 
-it('what was done is said with another circle that was selected before it was said', () => {
+it('an action is announced with the description of another circle that was selected in the meantime', () => {
   const { texts, change } = speaker()
   change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
   change({ selected: 1 })
@@ -70,7 +70,7 @@ it('what was done is said with another circle that was selected before it was sa
   expect(texts).toEqual(['Circle 3 added. Circle 1. Bounded cell, 1 neighbor'])
 })
 
-it('what was done without another selection is said at once', () => {
+it('an action that selects nothing is announced without waiting for a description', () => {
   const { texts, change } = speaker()
   change({ selected: 3, described: described(3, 0, 1) })
   vi.advanceTimersByTime(1000)

@@ -8,7 +8,7 @@ import type { View } from '../../web/view/view.ts'
 
 vi.mock('../../web/player/player.ts', () => ({ mountPlayer: vi.fn() }))
 
-/** A player at step 0, loaded once its state says so; `say` is what it tells of a step, `asked` are those it was told to show. */
+/** A loaded player at step 0. `say` reports a step as the player does, and `asked` has the steps that it was told to show. */
 async function played() {
   const state: { now: State } = { now: { ...INITIAL_STATE, step: 0, edited: {} as State['edited'] } }
   let follow = () => {}
@@ -53,14 +53,14 @@ async function played() {
   }
 }
 
-it('what the player shows is the step of the state', async () => {
+it('the step that the player shows becomes the step of the state', async () => {
   const { stepOf, say, asked } = await played()
   say(4)
   expect(stepOf()).toBe(4)
   expect(asked).toEqual([])
 })
 
-it('a step that the state asks for is not lost where the player tells of another one before it hears of it', async () => {
+it('a new step of the state is kept if the player reports another step before it hears of the new one', async () => {
   const { stepOf, showStep, follow, say, asked } = await played()
   showStep(3)
   say(0)
@@ -70,7 +70,7 @@ it('a step that the state asks for is not lost where the player tells of another
   expect(asked).toEqual([3])
 })
 
-it('a player that is closed does not open again where it tells of a step before it hears of it', async () => {
+it('a closed player does not open again if it reports a step before it hears that it is closed', async () => {
   const { stepOf, showStep, follow, say, dispose } = await played()
   showStep(undefined)
   say(0)

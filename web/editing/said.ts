@@ -12,7 +12,7 @@ const REST = 250
 export function mountSaid(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
-  /** What was done and is not said yet, and which circle was then selected. */
+  /** The action that is not announced yet, and the circle that was then selected. */
   let done: { readonly text: string; readonly id: number | undefined } | undefined
 
   const say = (text: string) => {
@@ -27,7 +27,7 @@ export function mountSaid(store: Store<State>, said: HTMLElement, words: () => E
     const { selected, described } = state
     if (state.said !== before.said) {
       done = { text: state.said.text, id: selected }
-      // What is selected by it is described a moment later, and said with it.
+      // A circle that it selected is described a moment later: both are announced together.
       const isKnown = selected === undefined || described?.id === selected
       if (isKnown) say(done.text)
       else clearTimeout(timer)

@@ -707,7 +707,7 @@ export class CircleVoronoiElement extends Base {
     return this.#figure
   }
 
-  /** What shows the circles, once the step that was asked for is shown. */
+  /** Returns the view once the requested step is visible. */
   async #shownView(): Promise<View> {
     const { stepping, view } = await this.#started()
     await stepping.whenReady()

@@ -124,7 +124,7 @@ export class Stepping {
         step: this.#known,
         words,
         onstep: (step, steps) => {
-          // The state may ask for another step, or for none, that was not followed yet.
+          // The state may already name another step, or none.
           if (this.#options.store.get().step !== this.#known) return this.#followState()
           this.#known = step
           actions.showStep(step)
