@@ -353,6 +353,39 @@ test('a region is in the table, in the storage of the browser, and in a link tha
   await context.close()
 })
 
+test('a tiny circle in a region can be selected while nothing but it is visible', async ({ page }) => {
+  const link = await encodeLink({
+    circles: Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1, 3, 3, 1e-6),
+    region: [
+      [
+        [-9, -9],
+        [9, -9],
+        [9, 9],
+        [-9, 9],
+      ],
+    ],
+    view: { x: 3, y: 3, span: 1e-5 },
+  })
+  const app = new App(page)
+  await app.open(link)
+  await app.painted()
+  await page.mouse.click(640, 400)
+  await expect(app.inspector.getByRole('heading')).toHaveText('Circle 3')
+  await app.painted()
+  // The outline of the cell is far outside the window.
+  const [cell, disc] = await app.colors([
+    { x: 300, y: 600 },
+    { x: 640, y: 400 },
+  ])
+  expect(disc).not.toEqual(cell)
+  expect(
+    await app.colors([
+      { x: 200, y: 200 },
+      { x: 900, y: 650 },
+    ]),
+  ).toEqual([cell, cell])
+})
+
 test('circles have their radii again where areas are no longer given', async ({ app }) => {
   await app.openPanel('Region')
   await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))

@@ -507,7 +507,7 @@ export class View {
   }
 
   #aboveOf(standingOut: StandingOut): Above {
-    // Outlines of cells are cut to what was looked at: seen far larger, browsers take minutes for them.
+    // Outlines of cells are cut to what was looked at. Seen far larger, they are too coarse.
     const enlarged = this.#camera.scale / this.#outlinedAt
     const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
     const marks = hasOutlines ? standingOut.marks : withoutCells(standingOut.marks)

@@ -2,15 +2,28 @@
 import type { PathSink } from '../../lib/index.ts'
 import type { Frame } from './frame.ts'
 
+/** Browsers take minutes to draw a curve that reaches farther than this, in pixels. */
+const FARTHEST = 2 ** 17
+/** Wider than any stroke, in pixels. */
+const MARGIN = 256
+/** Enough to halve any finite number until it is near. */
+const MOST_HALVES = 1200
+
 /**
  * Takes a path in the plane and draws it in the pixels of a frame. What a canvas is given has single precision: numbers
- * are seen from the middle of the frame, in doubles, before it gets them. The plane is y-up, the frame y-down.
+ * are seen from the middle of the frame, in doubles, before it gets them. The plane is y-up, the frame y-down. Parts far
+ * from the frame are cut off. The frame shows the same pixels, filled or stroked.
  */
 export class FrameSink implements PathSink {
   readonly path: PathSink
   readonly #frame: Frame
   readonly #left: number
   readonly #top: number
+  /** Where the loop began, and where the path is, in pixels. */
+  #startX = 0
+  #startY = 0
+  #atX = 0
+  #atY = 0
 
   /** `path`: in pixels. */
   constructor(frame: Frame, path: PathSink) {
@@ -29,23 +42,88 @@ export class FrameSink implements PathSink {
   }
 
   moveTo(x: number, y: number): void {
-    this.path.moveTo(this.x(x), this.y(y))
+    this.#atX = this.#startX = this.x(x)
+    this.#atY = this.#startY = this.y(y)
+    this.path.moveTo(nearest(this.#atX), nearest(this.#atY))
   }
 
   lineTo(x: number, y: number): void {
-    this.path.lineTo(this.x(x), this.y(y))
+    this.#lineTo(this.x(x), this.y(y))
   }
 
   bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void {
-    this.path.bezierCurveTo(this.x(x1), this.y(y1), this.x(x2), this.y(y2), this.x(x), this.y(y))
+    const end = [this.x(x), this.y(y)] as const
+    this.#curve(this.#atX, this.#atY, this.x(x1), this.y(y1), this.x(x2), this.y(y2), ...end, MOST_HALVES)
+    this.#atX = end[0]
+    this.#atY = end[1]
   }
 
   arc(x: number, y: number, radius: number, startAngle: number, endAngle: number, counterclockwise = false): void {
     // Upside down angles change their sign, and with it the sense of rotation.
     this.path.arc(this.x(x), this.y(y), radius * this.#frame.scale, -startAngle, -endAngle, !counterclockwise)
+    this.#atX = this.x(x + radius * Math.cos(endAngle))
+    this.#atY = this.y(y + radius * Math.sin(endAngle))
   }
 
   closePath(): void {
+    if (!isNear(this.#startX, this.#startY, this.#atX, this.#atY)) this.#lineTo(this.#startX, this.#startY)
     this.path.closePath()
+    this.#atX = this.#startX
+    this.#atY = this.#startY
   }
+
+  /** To a pixel. */
+  #lineTo(x: number, y: number): void {
+    const [fromX, fromY] = [this.#atX, this.#atY]
+    if (isNear(fromX, fromY, x, y)) this.path.lineTo(x, y)
+    else this.#curve(fromX, fromY, fromX, fromY, x, y, x, y, MOST_HALVES)
+    this.#atX = x
+    this.#atY = y
+  }
+
+  /**
+   * Draws a cubic curve. It is halved until each part is near the frame, or beyond one of its sides. A part beyond a side
+   * becomes a line whose ends are moved near: they stay beyond the same side.
+   */
+  #curve(
+    x0: number,
+    y0: number,
+    x1: number,
+    y1: number,
+    x2: number,
+    y2: number,
+    x3: number,
+    y3: number,
+    halves: number,
+  ): void {
+    if (isNear(x0, y0, x1, y1) && isNear(x2, y2, x3, y3)) {
+      this.path.bezierCurveTo(x1, y1, x2, y2, x3, y3)
+      return
+    }
+    const { width, height } = this.#frame
+    const isBeside = isBeyond(x0, x1, x2, x3, width) || isBeyond(y0, y1, y2, y3, height)
+    if (isBeside || halves === 0 || !Number.isFinite(x0 + y0 + x1 + y1 + x2 + y2 + x3 + y3)) {
+      this.path.lineTo(nearest(x3), nearest(y3))
+      return
+    }
+    const [x01, x12, x23] = [(x0 + x1) / 2, (x1 + x2) / 2, (x2 + x3) / 2]
+    const [y01, y12, y23] = [(y0 + y1) / 2, (y1 + y2) / 2, (y2 + y3) / 2]
+    const [x012, x123, y012, y123] = [(x01 + x12) / 2, (x12 + x23) / 2, (y01 + y12) / 2, (y12 + y23) / 2]
+    const [x, y] = [(x012 + x123) / 2, (y012 + y123) / 2]
+    this.#curve(x0, y0, x01, y01, x012, y012, x, y, halves - 1)
+    this.#curve(x, y, x123, y123, x23, y23, x3, y3, halves - 1)
+  }
+}
+
+function isNear(a: number, b: number, c: number, d: number): boolean {
+  return Math.abs(a) <= FARTHEST && Math.abs(b) <= FARTHEST && Math.abs(c) <= FARTHEST && Math.abs(d) <= FARTHEST
+}
+
+/** Whether all are beyond the same side of 0 to `size`. */
+function isBeyond(a: number, b: number, c: number, d: number, size: number): boolean {
+  return Math.max(a, b, c, d) < -MARGIN || Math.min(a, b, c, d) > size + MARGIN
+}
+
+function nearest(value: number): number {
+  return Math.min(Math.max(value, -FARTHEST), FARTHEST)
 }
