@@ -7,6 +7,13 @@ import { App, dataSet, expect, test } from './page.ts'
 const BRONZE = dataSet('bronzefilter')
 const INTRODUCTION = dataSet('introduction')
 
+/** The pixels of a canvas of the figure: of the picture (0), or of the layer above it (1). */
+const pixelsOf = (app: App, layer: 0 | 1) =>
+  app.canvas
+    .locator('canvas')
+    .nth(layer)
+    .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
+
 /** How many pixels above the picture something is drawn on. */
 const drawnAbove = (app: App) =>
   app.canvas
@@ -184,14 +191,9 @@ test('circles move while it plays, and undo brings all of them back at once', as
   for (const name of ['Bounce', 'Grow from points', 'Breathe']) {
     await panel.getByLabel(name).check()
     // The figure without the panel, which changes at once.
-    const picture = () =>
-      app.canvas
-        .locator('canvas')
-        .first()
-        .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
-    const before = await picture()
+    const before = await pixelsOf(app, 0)
     await panel.getByRole('button', { name: 'Play' }).click()
-    await expect.poll(picture).not.toBe(before)
+    await expect.poll(() => pixelsOf(app, 0)).not.toBe(before)
     await panel.getByRole('button', { name: 'Stop' }).click()
     await expect(panel.getByRole('button', { name: 'Play' })).toBeVisible()
     // Where they have come to is kept; only then something is undone.
@@ -253,14 +255,9 @@ test.describe('with fingers', () => {
     await page.clock.fastForward(700)
     await expect.poll(() => drawnAbove(app)).toBeGreaterThan(100)
     // It follows the finger, and no circle is added.
-    const overlay = () =>
-      app.canvas
-        .locator('canvas')
-        .nth(1)
-        .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
-    const first = await overlay()
+    const first = await pixelsOf(app, 1)
     await touch('touchMove', { x: 60, y: 340 })
-    await expect.poll(overlay).not.toBe(first)
+    await expect.poll(() => pixelsOf(app, 1)).not.toBe(first)
     await touch('touchEnd')
     await expect(app.status).toHaveText(/^8 circles/)
   })

@@ -221,20 +221,19 @@ async function tryCones(page: Page, name: string): Promise<void> {
   const figure = page.locator(`#${name}`)
   await figure.scrollIntoViewIfNeeded()
   const canvas = figure.locator('canvas')
-  const picture = () => canvas.evaluate((element: HTMLCanvasElement) => element.toDataURL())
-  // A change is painted in the next frame.
-  const painted = async () => {
+  const picture = async () => {
+    // A change is painted in the next frame.
     await framesOf(page, 2)
-    return picture()
+    return canvas.evaluate((element: HTMLCanvasElement) => element.toDataURL())
   }
-  const atFirst = await soonStill(painted)
+  const atFirst = await soonStill(picture)
   for (const slider of await figure.getByRole('slider').all()) {
     await slider.focus()
     await page.keyboard.press('End')
   }
   await expect(figure.locator('output').first()).toHaveText('90°')
   await soon(picture, name).not.toBe(atFirst)
-  const above = await soonStill(painted)
+  const above = await soonStill(picture)
   const { x, y, width, height } = (await canvas.boundingBox()) as NonNullable<
     Awaited<ReturnType<Locator['boundingBox']>>
   >

@@ -21,8 +21,6 @@ const KEYS: Readonly<Record<string, string>> = {
   Delete: '\uE017',
 }
 const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf'
-/** In milliseconds. */
-const LONGEST = 600_000
 
 /** WebKitGTK, which is what Safari draws and runs pages with, over WebDriver. */
 export async function openWebKit(): Promise<Engine> {
@@ -75,7 +73,7 @@ export async function openWebKit(): Promise<Engine> {
     const session = `/session/${sessionId}`
     const post = (path: string, body: object) => send('POST', `${session}/${path}`, body)
     // The time limit of the test is enough.
-    await post('timeouts', { script: null, pageLoad: LONGEST })
+    await post('timeouts', { script: null })
     await post('window/rect', { x: 0, y: 0, width: 1280, height: 900 })
 
     return {

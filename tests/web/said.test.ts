@@ -2,14 +2,20 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { mountSaid } from '../../web/editing/said.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
 import { ENGLISH_EDITING } from '../../web/editing/words.ts'
 import type { Described } from '../../web/view/protocol.ts'
 
+let frame = () => {}
 beforeEach(() => {
   vi.useFakeTimers()
+  vi.stubGlobal('requestAnimationFrame', (tell: () => void) => {
+    frame = tell
+  })
 })
 afterEach(() => {
   vi.useRealTimers()
+  vi.unstubAllGlobals()
 })
 
 /** The description of a circle with these neighbors. */
@@ -22,23 +28,13 @@ function described(id: number, ...neighbors: number[]): Described {
 
 /** The announced texts, and a function that changes the state. */
 function speaker() {
-  let state = INITIAL_STATE
-  let tell = (_: State) => {}
+  const store = createStore(INITIAL_STATE)
   const texts: string[] = []
-  const store = {
-    get: () => state,
-    update() {},
-    subscribe(listener: typeof tell) {
-      tell = listener
-      listener(state)
-      return () => {}
-    },
-  }
   const element = { replaceChildren: (text: string) => texts.push(text) }
   mountSaid(store, element as unknown as HTMLElement, () => ENGLISH_EDITING)
   const change = (part: Partial<State>) => {
-    state = { ...state, ...part }
-    tell(state)
+    store.update((state) => ({ ...state, ...part }))
+    frame()
   }
   return { texts, change }
 }

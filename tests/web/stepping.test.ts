@@ -1,80 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { expect, it, vi } from 'vitest'
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { EditorActions } from '../../web/editing/editor-actions.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
 import { mountPlayer, type Player, type PlayerOptions } from '../../web/player/player.ts'
 import { Stepping } from '../../web/player/stepping.ts'
 import type { View } from '../../web/view/view.ts'
 
 vi.mock('../../web/player/player.ts', () => ({ mountPlayer: vi.fn() }))
 
-/** A loaded player at step 0. `say` reports a step as the player does, and `asked` has the steps that it was told to show. */
+let frame = () => {}
+beforeEach(() => {
+  vi.stubGlobal('requestAnimationFrame', (tell: () => void) => {
+    frame = tell
+  })
+})
+afterEach(() => vi.unstubAllGlobals())
+
+/**
+ * A loaded player at step 0. `report` tells of a step as the player does, `asked` has the steps that the player was told to
+ * show, and `told` the steps that listeners heard of.
+ */
 async function played() {
-  const state: { now: State } = { now: { ...INITIAL_STATE, step: 0, edited: {} as State['edited'] } }
-  let follow = () => {}
-  const store = {
-    get: () => state.now,
-    update() {},
-    subscribe(listener: (state: State) => void) {
-      follow = () => listener(state.now)
-      return () => {}
-    },
-  }
-  const asked: number[] = []
-  let say = (_step: number, _steps: number) => {}
+  const store = createStore<State>({ ...INITIAL_STATE, step: 0, edited: {} as State['edited'] })
+  const [asked, told]: [number[], number[]] = [[], []]
+  let report = (_: number) => {}
   const dispose = vi.fn()
   vi.mocked(mountPlayer).mockImplementation((_, { onstep }: PlayerOptions) => {
-    say = onstep
+    let shown = 0
+    report = (step) => {
+      shown = step
+      onstep(step, 9)
+    }
     const stepTo = (step: number) => {
       asked.push(step)
-      onstep(step, 9)
+      if (step !== shown) report(step)
     }
     return { ready: Promise.resolve(), stepTo, dispose } as unknown as Player
   })
-  const showStep = (step: number | undefined) => {
-    state.now = { ...state.now, step }
-  }
+  const showStep = (step: number | undefined) => store.update((state) => ({ ...state, step }))
   const stepping = new Stepping({
     container: {} as HTMLElement,
     view: {} as View,
     store,
     actions: { showStep } as unknown as EditorActions,
     options: () => ({}),
+    onstep: (step) => told.push(step),
   })
-  follow()
   await stepping.whenReady()
-  return {
-    stepOf: () => state.now.step,
-    showStep,
-    follow: () => follow(),
-    say: (step: number) => say(step, 9),
-    asked,
-    dispose,
-  }
+  return { stepOf: () => store.get().step, showStep, report: (step: number) => report(step), asked, told, dispose }
 }
 
 it('the step that the player shows becomes the step of the state', async () => {
-  const { stepOf, say, asked } = await played()
-  say(4)
-  expect(stepOf()).toBe(4)
-  expect(asked).toEqual([])
+  const { stepOf, report, asked, told } = await played()
+  report(4)
+  expect([stepOf(), asked, told]).toEqual([4, [], [4]])
 })
 
 it('a new step of the state is kept if the player reports another step before it hears of the new one', async () => {
-  const { stepOf, showStep, follow, say, asked } = await played()
+  const { stepOf, showStep, report, asked, told } = await played()
   showStep(3)
-  say(0)
-  expect(stepOf()).toBe(3)
-  expect(asked).toEqual([3])
-  follow()
-  expect(asked).toEqual([3])
+  report(0)
+  expect([stepOf(), asked, told]).toEqual([3, [3], [3]])
+  frame()
+  expect([stepOf(), asked, told]).toEqual([3, [3], [3]])
+})
+
+it('listeners hear of a step that the player reaches before it hears that the state names it', async () => {
+  const { stepOf, showStep, report, told } = await played()
+  showStep(1)
+  report(1)
+  frame()
+  expect([stepOf(), told]).toEqual([1, [1]])
 })
 
 it('a closed player does not open again if it reports a step before it hears that it is closed', async () => {
-  const { stepOf, showStep, follow, say, dispose } = await played()
+  const { stepOf, showStep, report, dispose } = await played()
   showStep(undefined)
-  say(0)
-  follow()
+  report(0)
+  frame()
   expect(stepOf()).toBeUndefined()
   expect(dispose).toHaveBeenCalledOnce()
 })

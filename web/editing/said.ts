@@ -12,7 +12,7 @@ const REST = 250
 export function mountSaid(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
-  /** The action that is not announced yet, and the circle that was then selected. */
+  /** The action that is not announced yet, and the circle that it left selected. */
   let done: { readonly text: string; readonly id: number | undefined } | undefined
 
   const say = (text: string) => {

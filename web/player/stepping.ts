@@ -125,7 +125,8 @@ export class Stepping {
         words,
         onstep: (step, steps) => {
           // The state may already name another step, or none.
-          if (this.#options.store.get().step !== this.#known) return this.#followState()
+          const wanted = this.#options.store.get().step
+          if (wanted !== this.#known && wanted !== step) return this.#followState()
           this.#known = step
           actions.showStep(step)
           onstep?.(step, steps)

@@ -19,7 +19,7 @@ export class FrameSink implements PathSink {
   readonly #frame: Frame
   readonly #left: number
   readonly #top: number
-  /** Where the loop began, and where the path is, in pixels. */
+  /** The first point of the current loop, and the last point of the path, in pixels. */
   #startX = 0
   #startY = 0
   #atX = 0
@@ -52,10 +52,11 @@ export class FrameSink implements PathSink {
   }
 
   bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void {
-    const end = [this.x(x), this.y(y)] as const
-    this.#curve(this.#atX, this.#atY, this.x(x1), this.y(y1), this.x(x2), this.y(y2), ...end, MOST_HALVES)
-    this.#atX = end[0]
-    this.#atY = end[1]
+    const endX = this.x(x)
+    const endY = this.y(y)
+    this.#curve(this.#atX, this.#atY, this.x(x1), this.y(y1), this.x(x2), this.y(y2), endX, endY, MOST_HALVES)
+    this.#atX = endX
+    this.#atY = endY
   }
 
   arc(x: number, y: number, radius: number, startAngle: number, endAngle: number, counterclockwise = false): void {
@@ -72,11 +73,10 @@ export class FrameSink implements PathSink {
     this.#atY = this.#startY
   }
 
-  /** To a pixel. */
+  /** Draws a line to a point in pixels. */
   #lineTo(x: number, y: number): void {
-    const [fromX, fromY] = [this.#atX, this.#atY]
-    if (isNear(fromX, fromY, x, y)) this.path.lineTo(x, y)
-    else this.#curve(fromX, fromY, fromX, fromY, x, y, x, y, MOST_HALVES)
+    if (isNear(this.#atX, this.#atY, x, y)) this.path.lineTo(x, y)
+    else this.#curve(this.#atX, this.#atY, this.#atX, this.#atY, x, y, x, y, MOST_HALVES)
     this.#atX = x
     this.#atY = y
   }
@@ -115,15 +115,17 @@ export class FrameSink implements PathSink {
   }
 }
 
+/** Whether no coordinate is too far for browsers. */
 function isNear(a: number, b: number, c: number, d: number): boolean {
   return Math.abs(a) <= FARTHEST && Math.abs(b) <= FARTHEST && Math.abs(c) <= FARTHEST && Math.abs(d) <= FARTHEST
 }
 
-/** Whether all are beyond the same side of 0 to `size`. */
+/** Whether all coordinates are beyond the same side of a frame that has them from 0 to `size`. */
 function isBeyond(a: number, b: number, c: number, d: number, size: number): boolean {
   return Math.max(a, b, c, d) < -MARGIN || Math.min(a, b, c, d) > size + MARGIN
 }
 
+/** The nearest coordinate that is not too far for browsers. */
 function nearest(value: number): number {
   return Math.min(Math.max(value, -FARTHEST), FARTHEST)
 }
