@@ -22,6 +22,10 @@ Failure ioFailure(const std::string& what, const std::string& file, int error) {
   return {kFailure, "Cannot " + what + " " + name + ": " + std::strerror(error) + "."};
 }
 
+/// The largest size of a line, in bytes: no file has a longer one, but a device such as /dev/zero has one without an
+/// end, which would fill the memory.
+constexpr std::size_t kLongestLine = std::size_t{1} << 31;
+
 /// A file or standard input, open for reading.
 class Input {
  public:
@@ -92,7 +96,15 @@ std::string readText(const std::string& file) {
   Input input(file);
   std::string text;
   text.reserve(input.size());
-  for (auto piece = input.next(); !piece.empty(); piece = input.next()) text += piece;
+  std::size_t lineSize = 0;
+  for (auto piece = input.next(); !piece.empty(); piece = input.next()) {
+    const std::size_t lineEnd = piece.rfind('\n');
+    lineSize = lineEnd == piece.npos ? lineSize + piece.size() : piece.size() - lineEnd - 1;
+    if (lineSize > kLongestLine) {
+      throw Failure{kBadInput, inputName(file) + ": a line is longer than 2 GiB, which no file of circles has."};
+    }
+    text += piece;
+  }
   return text;
 }
 

@@ -29,6 +29,8 @@ struct Polygons {
 constexpr int kPositionHeight = 0;
 constexpr int kPolygonHeight = 2;
 constexpr int kMultiPolygonHeight = 3;
+/// The largest number of GeoJSON objects inside one another: each level takes a part of the stack.
+constexpr int kMostNested = 100;
 
 /// Reads coordinates, and returns how many levels of arrays are above the positions. Nothing for an empty array.
 std::optional<int> readCoordinates(JsonReader& reader, Polygons& polygons, int depth = 0) {
@@ -66,18 +68,21 @@ std::optional<int> readCoordinates(JsonReader& reader, Polygons& polygons, int d
   return height;
 }
 
-void readGeoJsonObject(JsonReader& reader, Polygons& polygons);
+void readGeoJsonObject(JsonReader& reader, Polygons& polygons, int depth = 0);
 
-void readObjects(JsonReader& reader, Polygons& polygons) {
+void readObjects(JsonReader& reader, Polygons& polygons, int depth) {
   reader.enterArray();
   while (reader.nextItem()) {
     if (reader.kind() != JsonKind::object) reader.fail("an item of the collection is no object.");
-    readGeoJsonObject(reader, polygons);
+    readGeoJsonObject(reader, polygons, depth);
   }
 }
 
 /// Reads a geometry, a Feature or a collection of these.
-void readGeoJsonObject(JsonReader& reader, Polygons& polygons) {
+void readGeoJsonObject(JsonReader& reader, Polygons& polygons, int depth) {
+  if (depth == kMostNested) {
+    reader.fail("geometries and collections are nested more than " + std::to_string(kMostNested) + " deep.");
+  }
   std::string type;
   std::optional<int> height;
   bool hasCoordinates = false;
@@ -90,9 +95,9 @@ void readGeoJsonObject(JsonReader& reader, Polygons& polygons) {
       height = readCoordinates(reader, polygons);
       hasCoordinates = true;
     } else if (*key == "geometry" && kind == JsonKind::object) {
-      readGeoJsonObject(reader, polygons);
+      readGeoJsonObject(reader, polygons, depth + 1);
     } else if ((*key == "features" || *key == "geometries") && kind == JsonKind::array) {
-      readObjects(reader, polygons);
+      readObjects(reader, polygons, depth + 1);
     } else {
       reader.skip();
     }

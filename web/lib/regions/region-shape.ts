@@ -84,11 +84,17 @@ function isRingList(shape: RegionShape): shape is readonly RingShape[] {
   return Array.isArray(shape)
 }
 
-function polygonsOf(shape: Exclude<RegionShape, readonly RingShape[]>): (readonly RingShape[])[] {
+/** The largest number of GeoJSON objects inside one another: each level takes a part of the stack. */
+const MOST_NESTED = 100
+
+function polygonsOf(shape: Exclude<RegionShape, readonly RingShape[]>, depth = 0): (readonly RingShape[])[] {
+  if (depth === MOST_NESTED) {
+    refuseOption(`The geometries and collections of the region are nested more than ${MOST_NESTED} deep.`)
+  }
   const { type }: { type?: unknown } = Object(shape)
   const parts = (list: unknown): (readonly RingShape[])[] => {
     if (!Array.isArray(list)) refuseOption(`The ${type} of the region has no list of its parts.`)
-    return list.flatMap(polygonsOf)
+    return list.flatMap((part) => polygonsOf(part, depth + 1))
   }
   switch (shape?.type) {
     case 'Polygon':
@@ -102,7 +108,7 @@ function polygonsOf(shape: Exclude<RegionShape, readonly RingShape[]>): (readonl
       return parts(shape.features)
     case 'Feature':
       // A feature may have no geometry.
-      return shape.geometry === null ? [] : polygonsOf(shape.geometry as typeof shape)
+      return shape.geometry === null ? [] : polygonsOf(shape.geometry as typeof shape, depth + 1)
   }
   const what = typeof type === 'string' ? `a GeoJSON ${type}` : shown(shape)
   refuseOption(`A region is made of GeoJSON polygons or a list of rings, not ${what}.`)

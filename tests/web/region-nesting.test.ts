@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { readFileSync } from 'node:fs'
+import { describe, expect, it } from 'vitest'
+import type { CircleVoronoiError, RegionShape } from '../../web/lib/index.ts'
+import { readRegion } from '../../web/view/region-text.ts'
+import { library } from './library.ts'
+
+const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
+const { region } = await library.loadRegions({ wasm })
+
+const POLYGON = '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4]]]}'
+const LEVELS = [
+  ['{"type":"Feature","geometry":', '}'],
+  ['{"type":"GeometryCollection","geometries":[', ']}'],
+  ['{"type":"FeatureCollection","features":[', ']}'],
+] as const
+
+function nested([begin, end]: readonly [string, string], depth: number): string {
+  return begin.repeat(depth) + POLYGON + end.repeat(depth)
+}
+
+function errorOf(run: () => unknown): CircleVoronoiError | undefined {
+  try {
+    run()
+  } catch (error) {
+    return error as CircleVoronoiError
+  }
+  return undefined
+}
+
+describe('geometries inside geometries', () => {
+  it.each(LEVELS)('are one error where they are too deep: %s', (...level) => {
+    const text = nested(level, 200_000)
+    const error = { code: 'badOption', message: expect.stringMatching(/nested more than 100 deep\.$/) }
+    expect(errorOf(() => region(JSON.parse(text)))).toMatchObject(error)
+    expect(errorOf(() => readRegion(text))).toMatchObject(error)
+  })
+
+  it('are one error where one is part of itself', () => {
+    const shape = { type: 'GeometryCollection', geometries: [] as RegionShape[] } as const
+    shape.geometries.push(shape)
+    expect(errorOf(() => region(shape))).toMatchObject({ code: 'badOption' })
+  })
+
+  it.each(LEVELS)('are read where they are not: %s', (...level) => {
+    expect(region(JSON.parse(nested(level, 99))).area).toBe(8)
+  })
+})
