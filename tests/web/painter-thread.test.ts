@@ -79,7 +79,7 @@ const style = new Proxy({}, { get: (_, name) => (name === 'ramp' || name === 'ma
 /** Adds a scene and opens circles in it. */
 async function openScene(scene: number): Promise<void> {
   send({ kind: 'add', scene })
-  send({ kind: 'open', scene, revision: 1, circles: CIRCLES })
+  send({ kind: 'open', scene, revision: 1, opening: 1, circles: CIRCLES })
   await heard(scene)
 }
 
@@ -88,14 +88,14 @@ it('what is found is told once, also where the rest after circles were opened is
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
   try {
     const found = () => saidOf('found').filter(({ scene }) => scene === 7)
-    send({ kind: 'open', scene: 7, revision: 2, circles: CIRCLES })
+    send({ kind: 'open', scene: 7, revision: 2, opening: 2, circles: CIRCLES })
     send({ kind: 'layers', scene: 7, layers: { ...DEFAULT_LAYERS, hull: true }, isPainted: true })
     // What finds it is loaded first.
     await vi.waitFor(() => expect(found()).toHaveLength(1), SOON)
     await vi.advanceTimersByTimeAsync(10_000)
     expect(found()).toHaveLength(1)
     // Other circles, of which it is found once they rest.
-    send({ kind: 'open', scene: 7, revision: 3, circles: CIRCLES.slice(3) })
+    send({ kind: 'open', scene: 7, revision: 3, opening: 3, circles: CIRCLES.slice(3) })
     await vi.advanceTimersByTimeAsync(0)
     expect(found()).toHaveLength(1)
     await vi.advanceTimersByTimeAsync(10_000)
@@ -146,6 +146,19 @@ describe('what stands out', () => {
   })
 })
 
+it('edits for other circles than those of the scene change nothing, and those that come after them are done', async () => {
+  await openScene(6)
+  const edit = (revision: number, opening: number) =>
+    send({ kind: 'edit', scene: 6, revision, opening, edits: [{ kind: 'remove', id: 2 }] })
+  send({ kind: 'open', scene: 6, revision: 2, opening: 2, circles: CIRCLES })
+  edit(3, 1)
+  edit(4, 2)
+  await heard(6)
+  expect(saidOf('superseded')).toEqual([{ kind: 'superseded', scene: 6, revision: 3 }])
+  expect(saidOf('edited').map(({ revision, counts }) => [revision, counts.circles])).toEqual([[4, 2]])
+  send({ kind: 'close', scene: 6 })
+})
+
 describe('one scene', () => {
   it('that cannot be drawn as it was asked for is answered with nothing, and all go on', async () => {
     await openScene(3)
@@ -170,7 +183,7 @@ describe('one scene', () => {
   it('is there from when it is added to when it is closed: what is for it before or after that is not heard', async () => {
     const other = 5
     await openScene(other)
-    const open = () => send({ kind: 'open', scene: 4, revision: 1, circles: CIRCLES })
+    const open = () => send({ kind: 'open', scene: 4, revision: 1, opening: 1, circles: CIRCLES })
     const isOpened = () => saidOf('opened').some(({ scene }) => scene === 4)
     open()
     await heard(other)

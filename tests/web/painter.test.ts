@@ -6,6 +6,7 @@ import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Painter, type PainterScene } from '../../web/view/painter.ts'
 import type { FromPainter, Marks, ToPainter, Wish } from '../../web/view/protocol.ts'
+import { Superseded } from '../../web/view/refusal.ts'
 import { library, seededRandom } from './library.ts'
 
 const COUNTS = { circles: 0, hidden: 0, vertices: 0, edges: 0 }
@@ -258,6 +259,39 @@ describe('the painter', () => {
     worker().answer(opened(1))
     worker().answer({ ...opened(1), scene: 2 } as FromPainter)
     expect((await otherOpen).counts).toEqual(COUNTS)
+  })
+
+  it('sends with an edit which circles it is for, and tells where others have come', async () => {
+    const open = scene.open(Float64Array.of(0, 0, 1))
+    worker().answer(opened(1))
+    await open
+    const other = scene.open(Float64Array.of(5, 0, 1))
+    const edit = scene.edit([{ kind: 'remove', id: 0 }])
+    worker().answer(opened(2))
+    worker().answer({ kind: 'superseded', scene: 1, revision: 3 })
+    await expect(edit).rejects.toBeInstanceOf(Superseded)
+    await other
+    scene.edit([{ kind: 'remove', id: 0 }]).catch(() => {})
+    expect(
+      worker()
+        .of('edit')
+        .map(({ opening }) => opening),
+    ).toEqual([1, 2])
+    // Another thread has the same circles by the same number.
+    worker().onerror?.({ message: 'it broke' })
+    expect([worker().of('open'), worker().of('edit')].flat().map((message) => message.opening)).toEqual([2, 2])
+  })
+
+  it('answers what was asked about other circles with nothing', async () => {
+    const hit = scene.ask('hit', 0, 0, 1)
+    const legend = scene.ask('legend')
+    const open = scene.open(Float64Array.of(0, 0, 1))
+    worker().answer(opened(1))
+    await open
+    const [first, second] = worker().of('ask')
+    worker().answer({ kind: 'answer', request: first?.request as number, value: { id: 0, part: 'disc' } })
+    worker().answer({ kind: 'answer', request: second?.request as number, value: { measure: 'area' } })
+    expect([await hit, await legend]).toEqual([undefined, { measure: 'area' }])
   })
 
   it('is refused an edit without any harm', async () => {

@@ -140,13 +140,15 @@ const open = () => (kept === undefined ? 'refused' : actions.openLink(kept))
 const begun = actions.hasOpened ? 'superseded' : await open()
 if (begun === 'refused') {
   const { problem } = store.get()
-  await actions.load((DATA_SETS[0] as DataSet).id)
-  // Of the link, for which these circles stand in.
-  actions.complain(problem)
-  // What is selected may be where it was on its way.
-  driftAtStart(view, byId('figure', HTMLElement), () =>
-    store.update((state) => withSelection(state, state.selection, view.circles)),
-  )
+  // Somebody may have opened something else meanwhile, which stays as it is.
+  if ((await actions.load((DATA_SETS[0] as DataSet).id)) === 'opened') {
+    // Of the link, for which these circles stand in.
+    actions.complain(problem)
+    // What is selected may be where it was on its way.
+    driftAtStart(view, byId('figure', HTMLElement), () =>
+      store.update((state) => withSelection(state, state.selection, view.circles)),
+    )
+  }
   figure.whenPainted().then(() => firstPicture?.remove())
 } else {
   firstPicture?.remove()

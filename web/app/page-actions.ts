@@ -156,9 +156,9 @@ export class PageActions extends EditorActions {
   }
 
   /** Circles of the menu. */
-  async load(id: string): Promise<void> {
+  async load(id: string): Promise<HowOpened> {
     const dataSet = DATA_SETS.find((dataSet) => dataSet.id === id)
-    if (dataSet !== undefined) await this.open(() => this.#loadNamed(nameFrom(dataSet)))
+    return dataSet === undefined ? 'refused' : this.open(() => this.#loadNamed(nameFrom(dataSet)))
   }
 
   /** Circles of a family or of a figure of the paper. */

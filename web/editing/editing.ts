@@ -5,7 +5,7 @@ import type { CircleTable, Step } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
-import { ENGLISH_REFUSALS, Refusal } from '../view/refusal.ts'
+import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
 import { EMPTY_HISTORY, type History, idsOnceOpened, type Opening, record, renamed, type Scene } from './history.ts'
 
 /** Who computes: a view. */
@@ -50,6 +50,10 @@ export class Editing {
   readonly #queue = new NewestQueue<Job, Edited | undefined>()
   #lastKey: string | undefined
   #lastGesture = 0
+  /** The last gesture that began with other circles than there are now. */
+  #lastFormer = 0
+  /** How often circles were opened, but for undo and redo. */
+  #openings = 0
 
   constructor(computer: Computer, onOutcome: (outcome: Outcome) => void, onProblem: (error: Error) => void) {
     this.#computer = computer
@@ -108,7 +112,10 @@ export class Editing {
     this.#numbers.set(id, number)
   }
 
-  /** A number for the edits of one gesture: they become one entry of the history. */
+  /**
+   * A number for the edits of one gesture: they become one entry of the history. It belongs to the circles that are there: once
+   * others are, edits of the gesture are void.
+   */
   beginGesture(): number {
     this.#lastGesture += 1
     return this.#lastGesture
@@ -121,6 +128,7 @@ export class Editing {
       const before = this.#before()
       const edited = await this.#become(scene)
       this.#history = { done: [...this.#history.done, ...before], undone: [] }
+      this.#openings += 1
       isOpened = true
       return edited
     })
@@ -131,10 +139,14 @@ export class Editing {
     return opened
   }
 
-  /** All or none of the edits, and another domain, whose areas are in the order of the circles. `undefined`: refused. */
+  /**
+   * All or none of the edits, and another domain, whose areas are in the order of the circles. `undefined`: refused, or void, as
+   * other circles have come since the gesture began.
+   */
   edit(edits: readonly Edit[], gesture = this.beginGesture(), domain?: Partial<Domain>): Promise<Edited | undefined> {
     const key = domain === undefined ? keyOf(gesture, edits) : `domain,${gesture}`
-    return this.#ask(() => this.#apply(edits, gesture, domain), edits, key)
+    const apply = async () => (gesture <= this.#lastFormer ? undefined : this.#apply(edits, gesture, domain))
+    return this.#ask(apply, edits, key)
   }
 
   async #apply(edits: readonly Edit[], gesture: number, change?: Partial<Domain>): Promise<Edited> {
@@ -166,7 +178,9 @@ export class Editing {
   }
 
   #step(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
-    return this.#ask(() => this.#goBack(from, to))
+    const openings = this.#openings
+    // What was opened since it was asked is not undone: nobody has seen it yet.
+    return this.#ask(async () => (openings === this.#openings ? this.#goBack(from, to) : undefined))
   }
 
   async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
@@ -211,6 +225,7 @@ export class Editing {
     const edited = await this.#computer.setCircles(circles, this.#changeTo(domain, shares))
     this.#scene = scene
     this.#domain = domain
+    this.#lastFormer = this.#lastGesture
     this.#ids.clear()
     this.#numbers.clear()
     return edited
@@ -254,8 +269,11 @@ export class Editing {
   #before(): Opening[] {
     if (this.#scene === undefined) return []
     const { dataSet, isEdited } = this.#scene
-    const circles = this.circles.circles()
     const ids = this.circles.ids()
+    const isRecorded = [this.#history.done, this.#history.undone].some((side) => side.at(-1)?.kind === 'edits')
+    // What moves by itself is not recorded.
+    if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids }]
+    const circles = this.circles.circles()
     const names = this.#scene.names && Array.from(ids, (id) => this.nameOf(id))
     const columns = this.#scene.columns?.map(({ name }) => ({ name, values: this.valuesOf(name) }))
     const domain = this.#domain === NO_DOMAIN ? undefined : { ...this.#domain, areas: this.areas }
@@ -289,6 +307,7 @@ export class Editing {
       }
       return edited
     } catch (error) {
+      if (error instanceof Superseded) return undefined
       if (!(error instanceof Error)) throw error
       this.#onProblem(error)
       return undefined

@@ -263,8 +263,9 @@ export class EditorActions implements Hands {
   }
 
   async addFitting(center: Point): Promise<void> {
+    const gesture = this.beginGesture()
     const circle = await this.fitted(center)
-    if (circle !== undefined) await this.add([circle])
+    if (circle !== undefined) await this.add([circle], gesture)
   }
 
   /** A circle that leaves some room to the nearest other one, if one may be added. */

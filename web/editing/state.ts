@@ -67,7 +67,8 @@ export const INITIAL_STATE: State = {
 /** The state once circles were opened or edited: those that were selected may be gone, and other circles have other ids. */
 export function stateAfter(state: State, { edited, history, domain, isOpened }: Outcome, circles: CircleTable): State {
   const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
-  return { ...withSelection(state, selection, circles), edited, history, domain, problem: '' }
+  const next = { ...withSelection(state, selection, circles), edited, history, domain, problem: '' }
+  return isOpened ? { ...next, described: undefined, hovered: undefined } : next
 }
 
 /** The state with this selection of circles, as they are. */

@@ -61,6 +61,8 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   readonly #figure: HTMLElement
   readonly #keys = new AbortController()
   #refused: Error | undefined
+  /** The opening that was asked last. */
+  #opening: Promise<unknown> | undefined
 
   constructor({ figure, around, player, said }: Places, options: FigureOptions<Actions>) {
     const { load, scrolls = false, keys = {}, onoutcome, onproblem, played, onstep, words } = options
@@ -104,16 +106,19 @@ export class Figure<Actions extends EditorActions = EditorActions> {
    */
   async open(opened: Opened): Promise<void> {
     this.#refused = undefined
-    const how = await this.actions.open(async () => opened)
+    const opening = this.actions.open(async () => opened)
+    this.#opening = opening
+    const how = await opening
     if (how === 'refused' && this.#refused !== undefined) throw this.#refused
   }
 
   /**
-   * Changes what is said of the circles that there are, and leaves the rest.
+   * Changes what is said of the circles that there are, or of those that are being opened, and leaves the rest.
    *
    * @throws Error that says why edits were refused; then all stays as it was
    */
   async change({ edits = [], view, layers, step, method, region, areas }: Omit<LinkState, 'circles'>): Promise<void> {
+    await this.#opening
     this.#refused = undefined
     if (edits.length > 0 && (await this.editing.edit(edits)) === undefined && this.#refused !== undefined) {
       throw this.#refused

@@ -21,6 +21,8 @@ const CORE_SAMPLE = 1000
 
 /** The circles of a `DiagramEditor`, by the ids that it gives them. */
 export class CircleTable {
+  /** The number of the scene that the ids belong to. An edit carries it, and is void for any other scene. */
+  readonly opening: number
   #numbers: Float64s
   #isThere: Uint8Array
   #size: number
@@ -29,7 +31,8 @@ export class CircleTable {
   #core: Box | undefined
 
   /** Circle i, x, y and r of `circles`, has id i. They are not copied. */
-  constructor(circles: Float64s) {
+  constructor(circles: Float64s, opening = 0) {
+    this.opening = opening
     this.#numbers = circles
     this.#size = circles.length / 3
     this.#count = this.#size

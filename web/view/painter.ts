@@ -9,7 +9,7 @@ import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers } from './layers.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type { DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
-import { Failure, type Refusals } from './refusal.ts'
+import { Failure, type Refusals, Superseded } from './refusal.ts'
 import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
@@ -132,7 +132,10 @@ export class Painter {
         if (worker === undefined || isClosed()) return undefined
         const post = (call: RemoteCall<keyof Questions>) =>
           worker.postMessage({ kind: 'ask', scene: number, ...call } satisfies ToPainter)
-        return this.#questions.call(name, args, post, scene)
+        const { circles } = scene
+        const answer = await this.#questions.call(name, args, post, scene)
+        // An answer about other circles than the asker knows would be wrong.
+        return ABOUT_KNOWN.has(name) && scene.circles !== circles ? undefined : answer
       },
     })
   }
@@ -166,7 +169,7 @@ export class Painter {
       (error: Error) => fail(() => reasonOf(error)),
     )
     for (const [scene, { circles, domain, look, mark, layers }] of this.#scenes) {
-      const known = { scene, revision: RESTORED }
+      const known = { scene, revision: RESTORED, opening: circles.opening }
       const restoring = circles.restoring()
       worker.postMessage({ kind: 'add', scene } satisfies ToPainter)
       if (layers !== undefined) worker.postMessage(layers)
@@ -194,6 +197,10 @@ export class Painter {
     if (waiting === undefined) return
     this.#hasWorked = true
     scene.waiting.delete(message.revision)
+    if (message.kind === 'superseded') {
+      waiting.reject(new Superseded())
+      return
+    }
     if (message.kind === 'refused') {
       waiting.reject(receivedError(message.error))
       return
@@ -201,7 +208,7 @@ export class Painter {
     const { region = scene.domain.region, areSites = scene.domain.areSites } = waiting.message
     scene.domain = { region, areSites }
     if (message.kind === 'opened' && waiting.message.kind === 'open') {
-      scene.circles = new CircleTable(message.circles ?? waiting.message.circles.slice())
+      scene.circles = new CircleTable(message.circles ?? waiting.message.circles.slice(), waiting.message.opening)
     }
     const { change = NO_CHANGE } = message
     const back = scene.circles.follow(change)
@@ -235,6 +242,9 @@ type Reason = (words: Refusals) => string
 
 const isDisposedOf: Reason = (words) => words.disposed
 
+/** The questions about circles that the asker knows by their ids or places. */
+const ABOUT_KNOWN: ReadonlySet<keyof Questions> = new Set(['hit', 'touch', 'try', 'tell', 'tabulate'])
+
 /** The revision of what a new thread is told of old circles. */
 const RESTORED = 0
 
@@ -267,14 +277,25 @@ export class PainterScene {
    * @throws CircleVoronoiError as `compute`; then all stays as it was
    */
   open(circles: Float64Array, change: DomainChange = {}): Promise<Edited> {
-    this.#revision += 1
-    return this.#line.edited({ kind: 'open', scene: this.#scene, revision: this.#revision, circles, ...change })
+    const revision = this.#nextRevision()
+    return this.#line.edited({ kind: 'open', scene: this.#scene, revision, opening: revision, circles, ...change })
   }
 
-  /** @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; then all stays as it was */
+  /**
+   * Edits the circles that are there now.
+   *
+   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded, if other circles are there once
+   *   it is the turn of the edits. Then all stays as it was
+   */
   edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
+    const revision = this.#nextRevision()
+    const { opening } = this.circles
+    return this.#line.edited({ kind: 'edit', scene: this.#scene, revision, opening, edits, ...change })
+  }
+
+  #nextRevision(): number {
     this.#revision += 1
-    return this.#line.edited({ kind: 'edit', scene: this.#scene, revision: this.#revision, edits, ...change })
+    return this.#revision
   }
 
   /** Ends the thread that computes circles which are being opened; another one goes on. False: none are. */
@@ -292,7 +313,7 @@ export class PainterScene {
   }
 
   /**
-   * `undefined`: there is no answer, as the thread has failed.
+   * `undefined`: there is no answer, as the thread has failed, or as other circles have come that it was not about.
    *
    * @throws CircleVoronoiError that says why it cannot be answered
    */

@@ -111,6 +111,8 @@ export type ToPainter =
       readonly kind: 'open'
       readonly scene: number
       readonly revision: number
+      /** The number of these circles. Their edits carry it. */
+      readonly opening: number
       readonly circles: Float64Array
     } & DomainChange)
   /** All or none. */
@@ -118,6 +120,8 @@ export type ToPainter =
       readonly kind: 'edit'
       readonly scene: number
       readonly revision: number
+      /** The number of the circles that the edits are for. If other circles are there, nothing is edited. */
+      readonly opening: number
       readonly edits: readonly Edit[]
     } & DomainChange)
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
@@ -169,6 +173,8 @@ export type FromPainter =
       readonly seconds: number
     }
   | { readonly kind: 'refused'; readonly scene: number; readonly revision: number; readonly error: PostedError }
+  /** The edits were for circles that are no longer there. */
+  | { readonly kind: 'superseded'; readonly scene: number; readonly revision: number }
   | {
       readonly kind: 'painted'
       readonly scene: number

@@ -85,6 +85,13 @@ export class Failure extends Error implements Telling<Refusals> {
   }
 }
 
+/** Edits were for circles that other circles have replaced meanwhile. Nothing has changed, and nothing is wrong. */
+export class Superseded extends Error {
+  constructor() {
+    super('These edits are for circles that are no longer there.')
+  }
+}
+
 /** A value as it can stand in a sentence of any language. */
 export function shownValue(value: unknown): string {
   const text = JSON.stringify(value) ?? typeof value

@@ -19,7 +19,7 @@ import { SvgDrawing, svgOf } from './painter/svg-drawing.ts'
 import type { Answer, Edited, Painter, PainterScene } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, Found, Marks, Questions, Touching, Trial } from './protocol.ts'
-import { Failure } from './refusal.ts'
+import { Failure, Superseded } from './refusal.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
@@ -174,9 +174,10 @@ export class View {
   }
 
   /**
-   * All or none of the edits.
+   * All or none of the edits, for the circles that are there now.
    *
-   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; then all stays as it was
+   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded, if other circles come first. Then
+   *   all stays as it was
    */
   apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited> {
     return this.#told(this.#scene.edit(edits, change))
@@ -216,7 +217,8 @@ export class View {
   }
 
   /**
-   * Asks the thread something about the circles. `undefined`: there is no answer, as the thread has failed.
+   * Asks the thread something about the circles. `undefined`: there is no answer, as the thread has failed, or as other circles
+   * have come that it was not about.
    *
    * @throws CircleVoronoiError that says why it cannot be answered
    */
@@ -533,7 +535,9 @@ export class View {
   #told(edited: Promise<Edited>): Promise<Edited> {
     edited.then(
       (outcome) => this.#tell('changed', outcome),
-      (error: Error) => this.#tell('refused', error),
+      (error: Error) => {
+        if (!(error instanceof Superseded)) this.#tell('refused', error)
+      },
     )
     return edited
   }

@@ -71,18 +71,19 @@ export class FileActions {
 
   /** Opens a file of circles, or of polygons as the region. One that cannot be read changes nothing. */
   async openFile(file: File): Promise<HowOpened> {
-    if (await isRegionFile(file)) return this.openRegion(file)
+    const gesture = this.#actions.beginGesture()
+    if (await isRegionFile(file)) return this.openRegion(file, gesture)
     return this.#actions.openRead(() => this.#readFile(file))
   }
 
   /** Clips the cells to the polygons of a file. What cannot be a region changes nothing. */
-  async openRegion(file: File): Promise<HowOpened> {
-    return this.#clipTo(file.size > LARGEST_FILE ? '' : await file.text(), file.name)
+  async openRegion(file: File, gesture = this.#actions.beginGesture()): Promise<HowOpened> {
+    return this.#clipTo(file.size > LARGEST_FILE ? '' : await file.text(), file.name, gesture)
   }
 
-  async #clipTo(text: string, name: string): Promise<HowOpened> {
+  async #clipTo(text: string, name: string, gesture?: number): Promise<HowOpened> {
     try {
-      const edited = await this.#actions.setDomain({ region: readRegion(text) })
+      const edited = await this.#actions.setDomain({ region: readRegion(text) }, gesture)
       if (edited === undefined) return 'refused'
     } catch (error) {
       this.#actions.complain(`${name}: ${(error as Error).message}`)
@@ -106,12 +107,13 @@ export class FileActions {
   }
 
   async #add(read: () => Promise<Read>): Promise<HowOpened> {
+    const gesture = this.#actions.beginGesture()
     try {
       const result = await read()
       if ('link' in result) return this.#actions.openLink(result.link)
       const { circles } = result
       const added = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
-      const ids = await this.#actions.add(added)
+      const ids = await this.#actions.add(added, gesture)
       if (ids.length === 0) return 'refused'
       this.#actions.reveal(added)
       const count = ids.length === 1 ? 'One circle was' : `${wholeNumber(ids.length)} circles were`

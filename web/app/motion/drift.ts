@@ -13,7 +13,7 @@ const BACK = 350
 /**
  * Moves one circle of the first scene gently until something is touched: then it comes back, so that the circles are those of
  * the data set. Nothing of it is kept or undone. Whoever wants less motion sees none.
- * `onend`: called once the circle is back.
+ * `onend`: called once the circle is back, or once other circles are there or it cannot be moved.
  */
 export function driftAtStart(view: View, figure: HTMLElement, onend: () => void): void {
   const table = view.circles
@@ -26,22 +26,27 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
   /** When it was touched, and where the circle was then. */
   let touched: { readonly at: number; readonly from: Circle } | undefined
 
+  let isOver = false
+
+  const end = () => {
+    if (isOver) return
+    isOver = true
+    listening.abort()
+    onend()
+  }
   const frame = (now: number) => {
+    if (isOver) return
     // Other circles are there, or it is at home again.
     if (view.circles !== table || (touched !== undefined && place === home && !isAsked)) {
-      listening.abort()
-      onend()
+      end()
       return
     }
     if (!isAsked) {
       place = placeAt(now)
       isAsked = true
-      view.apply([{ kind: 'replace', id: MOVING, circle: place }]).then(
-        () => {
-          isAsked = false
-        },
-        () => {},
-      )
+      view.apply([{ kind: 'replace', id: MOVING, circle: place }]).then(() => {
+        isAsked = false
+      }, end)
     }
     requestAnimationFrame(frame)
   }

@@ -19,6 +19,8 @@ export class Motion {
   readonly #editing: Editing
   readonly #actions: PageActions
   #frame = 0
+  /** That of the movement. */
+  #gesture = 0
   readonly #listeners = new Set<() => void>()
 
   constructor(view: View, editing: Editing, actions: PageActions) {
@@ -67,6 +69,7 @@ export class Motion {
   #run(movement: Movement): void {
     const table = this.#editing.circles
     const gesture = this.#actions.beginGesture()
+    this.#gesture = gesture
     let last: number | undefined
     let isAsked = false
     const frame = (now: number) => {
@@ -86,7 +89,8 @@ export class Motion {
         )
         .then((edited) => {
           isAsked = false
-          if (edited === undefined) this.stop()
+          // Another movement may have begun since.
+          if (edited === undefined && this.#gesture === gesture) this.stop()
         })
     }
     this.#frame = requestAnimationFrame(frame)

@@ -190,7 +190,11 @@ export class CircleGrid implements GridContent {
     const isOther = edited !== undefined && (edited.inserted.length > 0 || edited.counts.circles !== this.#order.length)
     const isOpened = this.#editing.scene !== this.#scene
     this.#scene = this.#editing.scene
-    if (isOpened) this.#measured.clear()
+    if (isOpened) {
+      this.#measured.clear()
+      // What is being written is for a circle that is gone.
+      this.#grid.cancelEdit()
+    }
     if (isOther || isOpened) this.#reorder()
     clearTimeout(this.#rest)
     if (this.#sorting.column !== 'id') this.#sortAtRest()

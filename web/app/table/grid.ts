@@ -115,6 +115,17 @@ export class Grid {
     return this.#input !== undefined
   }
 
+  /** Ends the editing of a cell and takes nothing over. */
+  cancelEdit(): void {
+    const input = this.#input
+    if (input === undefined) return
+    const hadFocus = document.activeElement === input
+    this.#input = undefined
+    input.remove()
+    if (hadFocus) this.focus()
+    this.render()
+  }
+
   /** In the next frame. */
   render(): void {
     if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#draw())
@@ -363,8 +374,7 @@ export class Grid {
     if (event.target !== this.#element && isOne) return
     event.preventDefault()
     event.stopPropagation()
-    this.#input?.remove()
-    this.#input = undefined
+    this.cancelEdit()
     this.focus()
     if (this.#row >= 0) this.#content.paste(this.#row, this.#column, text)
   }

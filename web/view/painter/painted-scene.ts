@@ -47,6 +47,8 @@ interface Opened {
 /** The circles of one view, and what of their picture the view has been given. */
 export class PaintedScene {
   readonly library: ComputingLibrary
+  /** The number of the circles. Edits that carry another one are void. */
+  opening = 0
   /** The diagram, and how it is drawn. */
   picture: Picture
   /** How long it took last to find what depends on all circles. */
@@ -87,6 +89,9 @@ export class PaintedScene {
     this.picture = picture
     this.#findingSeconds = 0
     this.#hint = -1
+    // Ids of the circles before.
+    this.#selected = undefined
+    this.#hovered = undefined
     this.setLayers(layers)
     return { circles: fit?.diagram.circles, fitted: fit && { error: fit.error, steps: fit.steps } }
   }

@@ -63,6 +63,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'open':
       try {
         const opened = scene.open(message.circles, message, await regionsFor(message))
+        scene.opening = message.opening
         for (const waiting of measuring) if (waiting.scene === scene) waiting.steps = waiting.begin()
         post({
           kind: 'opened',
@@ -79,6 +80,10 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       }
       return
     case 'edit':
+      if (message.opening !== scene.opening) {
+        post({ kind: 'superseded', scene: message.scene, revision: message.revision })
+        return
+      }
       try {
         const { patches, boxes, change, found, fitted } = scene.edit(message.edits, message, await regionsFor(message))
         post(
