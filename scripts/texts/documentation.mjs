@@ -16,6 +16,7 @@ export const TEXTS = {
   'docs/regions.md': 'regions.html',
   'docs/areas.md': 'areas.html',
   'docs/element.md': 'element.html',
+  'docs/embedding.md': 'embedding.html',
   'docs/cpp.md': 'cpp.html',
   'docs/shell.md': 'shell.html',
   'docs/tiles.md': 'tiles.html',

@@ -249,7 +249,7 @@ test('copies a link and the code of a frame, which show the same', async ({ app 
   await app.page.getByRole('button', { name: 'Copy embed code' }).click()
   await expect(app.page.locator('#toast')).toHaveText('The code is in the clipboard.')
   expect(await clipboard()).toBe(
-    `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of circles" width="800" height="500" style="border: 0"></iframe>`,
+    `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of circles" loading="lazy" width="100%" height="480" style="width: 100%; height: auto; aspect-ratio: 3 / 2; max-height: 90vh; border: 0"></iframe>`,
   )
   // The circles themselves, wherever the lines are put.
   await app.page.getByRole('button', { name: 'Copy element' }).click()

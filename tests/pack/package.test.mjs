@@ -37,7 +37,7 @@ it('holds the built library and nothing else', () => {
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)
   const element = [
     ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
-    ...['index', 'define', 'bundle', 'exports', 'circle-voronoi-element', 'check-types', 'frameworks'].map(
+    ...['index', 'define', 'bundle', 'exports', 'circle-voronoi-element', 'frame-types', 'frameworks'].map(
       (name) => `${name}.d.ts`,
     ),
     ...['element.css', 'custom-elements.json'],

@@ -10,9 +10,19 @@ const MANUAL_PAGE = 'cpp/cli/circle-voronoi.1'
 /** Of Markdown in the site: the texts that scripts/texts/documentation.mjs takes, and the chapters. */
 const MARKDOWN = [
   ...['README.md', 'ARCHITECTURE.md', 'public/data/README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'],
-  ...['areas', 'building', 'cookbook', 'cpp', 'element', 'javascript', 'regions', 'results', 'shell', 'tiles'].map(
-    (name) => `docs/${name}.md`,
-  ),
+  ...[
+    'areas',
+    'building',
+    'cookbook',
+    'cpp',
+    'element',
+    'embedding',
+    'javascript',
+    'regions',
+    'results',
+    'shell',
+    'tiles',
+  ].map((name) => `docs/${name}.md`),
   ...readdirSync(new URL(CHAPTERS, ROOT)).map((name) => `${CHAPTERS}/${name}`),
 ]
 const LISTED = 'tests/scripts/blocks.test.mjs'
@@ -21,6 +31,7 @@ const PACKAGE = 'tests/pack/package.test.mjs'
 const PAGE = 'tests/pack/readme.spec.ts'
 const ELEMENT = 'tests/pack/element.spec.ts'
 const COOKBOOK = 'tests/pack/cookbook.spec.ts'
+const EMBEDDING = 'tests/pack/embedding.spec.ts'
 const COMMENTS = 'tests/wasm/examples.test.mjs'
 
 /** Who runs the blocks of a file, below a heading if one is named. `what`, where it is not code to be run as it stands. */
@@ -43,6 +54,7 @@ const RUN_BY = [
   { by: COOKBOOK, file: 'docs/cookbook.md' },
   { by: PAGE, file: 'docs/element.md', language: 'html' },
   ...['js', 'sh', 'jsx'].map((language) => ({ by: ELEMENT, file: 'docs/element.md', language })),
+  { by: EMBEDDING, file: 'docs/embedding.md' },
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },

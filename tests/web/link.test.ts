@@ -2,7 +2,7 @@
 import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
 import { packed } from '../../web/lib/base/compressed-text.ts'
-import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import { type Check, CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import {
   decodeLink,
   encodeLink,
@@ -35,6 +35,15 @@ const multiPolygon = fc.record(
   },
   { noNullPrototype: true },
 )
+const leaf = fc.record(
+  { cell: fc.nat(), edges: fc.oneof(fc.nat(), fc.record({ min: finite }, { noNullPrototype: true })) },
+  { noNullPrototype: true },
+)
+const check: fc.Arbitrary<Check> = fc.oneof(
+  leaf,
+  fc.record({ all: fc.array(leaf) }, { noNullPrototype: true }),
+  fc.record({ not: leaf }, { noNullPrototype: true }),
+)
 const options = { requiredKeys: [] as never[], noNullPrototype: true }
 const rest = {
   edits: fc.array(edit, { maxLength: 20 }),
@@ -49,6 +58,12 @@ const rest = {
   region: fc.oneof(fc.constant(null), fc.array(ring, { maxLength: 4 }), multiPolygon),
   areas: fc.oneof(fc.constant('equal' as const), fc.array(fc.double({ min: 5e-324, max: 1e300, noNaN: true }))),
   method: fc.string({ maxLength: 200 }),
+  title: fc.string({ maxLength: 200 }),
+  question: fc.string({ maxLength: 2000 }),
+  check,
+  readonly: fc.boolean(),
+  alt: fc.string({ maxLength: 200 }),
+  lang: fc.constantFrom('en', 'de-AT'),
 }
 const state: fc.Arbitrary<LinkState> = fc.oneof(
   fc.record({ ...rest, dataSet: fc.string({ maxLength: 200 }) }, options),
@@ -226,6 +241,13 @@ describe('what is no link', () => {
     ['{"region":[[[0,0],[1,1e999],[2,2]]]}', 'the region is invalid'],
     [{ areas: 'all' }, 'the areas are neither "equal" nor numbers above 0'],
     [{ areas: [1, 0] }, 'the areas are neither "equal" nor numbers above 0'],
+    [{ title: 7 }, 'the field title is not a text of at most 200 letters'],
+    [{ alt: 'a'.repeat(201) }, 'the field alt is not a text of at most 200 letters'],
+    [{ lang: null }, 'the field lang is not a text of at most 200 letters'],
+    [{ question: 'a'.repeat(2001) }, 'the field question is not a text of at most 2000 letters'],
+    [{ readonly: 'no' }, 'the field readonly is neither true nor false'],
+    [{ check: [] }, 'the field check is invalid'],
+    ['{"check":{"__proto__":{"cell":1}}}', 'the field check is invalid'],
     [{ layers: [1] }, 'the layers are invalid'],
     ['{"layers":{"__proto__":{"polluted":true}}}', 'the layers are invalid'],
     ['{"layers":{"a":{"__proto__":1}}}', 'the layers are invalid'],
@@ -268,6 +290,7 @@ describe('what is no link', () => {
     ['edits', () => ({ edits: new Array(LINK_LIMITS.edits + 1).fill(['-', 1]) })],
     ['layers', () => ({ layers: { a: new Array(LINK_LIMITS.layerValues).fill(1) } })],
     ['layers in one another', () => ({ layers: { a: nested(8) } })],
+    ['conditions in one another', () => ({ check: { a: nested(20) } })],
   ])('is refused with too many %s', async (_, value) => {
     await expect(decodeLink(await said(value()))).rejects.toThrow(TOO_MUCH)
   })

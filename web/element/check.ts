@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { isRecord } from '../lib/base/check.ts'
+import type { CellCheck, Check, NumberCondition } from '../lib/check-types.ts'
 import type { CellFacts, Facts } from '../view/protocol.ts'
-import type { CellCheck, Check, NumberCondition } from './check-types.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
 const DEEPEST = 8

@@ -4,6 +4,7 @@ import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
+import type { Check } from '../lib/check-types.ts'
 import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
@@ -26,7 +27,6 @@ import {
   parseView,
 } from './attributes.ts'
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
-import type { Check } from './check-types.ts'
 import { mountControls, paddingBelow } from './controls.ts'
 import { circlesWithin, linkState, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
 import { loadWords, wordsOf } from './language.ts'
@@ -183,6 +183,8 @@ export class CircleVoronoiElement extends Base {
   /** Its words are being loaded. */
   #speaking: Promise<void> | undefined
   #update: Promise<void> = Promise.resolve()
+  /** What the form is told of the circles as they are, and whether they meet the check. */
+  #telling: Promise<void> = Promise.resolve()
   /** The array that came with the last event: who sets it again has not changed anything. */
   #newest: object | undefined
   #changes = 0
@@ -565,7 +567,7 @@ export class CircleVoronoiElement extends Base {
     figure.actions.select(next.map((id) => figure.editing.idOf(id)))
   }
 
-  /** A promise that resolves when everything that you set is computed and painted. */
+  /** A promise that resolves when everything that you set is computed, checked and painted. */
   get updateComplete(): Promise<void> {
     return this.#settled()
   }
@@ -716,6 +718,7 @@ export class CircleVoronoiElement extends Base {
 
   async #settled(): Promise<void> {
     await this.#update
+    await this.#telling
     await this.#figure?.stepping.whenReady()
     // Without circles, nothing may ever be painted.
     if (this.#figure?.editing.scene !== undefined) await this.#figure.whenPainted()
@@ -947,8 +950,12 @@ export class CircleVoronoiElement extends Base {
     return this.#read('controls', parseControls) ?? parseControls(null)
   }
 
+  #tellForm(): void {
+    this.#telling = this.#tellFormNow()
+  }
+
   /** What is sent with a form, and whether it may be. */
-  async #tellForm(): Promise<void> {
+  async #tellFormNow(): Promise<void> {
     const figure = this.#figure
     const check = this.#check
     // It calls circles by their numbers.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each of the modules of the element has.
+
+export type { CellCheck, Check, DiagramCheck, NumberCondition } from '../lib/check-types.ts'
 export type {
   Certificate,
   Circles,
@@ -11,15 +13,15 @@ export type {
   RingShape,
   Stats,
 } from '../lib/index.ts'
-export type { LayerValue, LinkInput, LinkView } from '../lib/link.ts'
+export type { LayerValue, LinkFrame, LinkInput, LinkView } from '../lib/link.ts'
 export type { DiagramCounts } from '../view/diagram-counts.ts'
 export type { Areas } from '../view/domain.ts'
 export type { CellColors, DataLayer, Layers } from '../view/layers.ts'
-export type { CellCheck, Check, DiagramCheck, NumberCondition } from './check-types.ts'
 export {
   CircleVoronoiElement,
   type CircleVoronoiEventMap,
   type Computation,
   type FigureState,
 } from './circle-voronoi-element.ts'
+export type { FrameMessage, FrameRequest } from './frame-types.ts'
 export type { CircleVoronoiProps } from './frameworks.ts'

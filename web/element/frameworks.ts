@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The element in JSX and in templates. A framework that is not installed is no part of a program.
+
+import type { Check } from '../lib/check-types.ts'
 import type { Circles, Method, RegionShape } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
 import type { Areas } from '../view/domain.ts'
 import type { Layers } from '../view/layers.ts'
-import type { Check } from './check-types.ts'
 import type { CircleVoronoiEventMap } from './circle-voronoi-element.ts'
 
 /**

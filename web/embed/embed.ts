@@ -2,36 +2,27 @@
 import { loadLinked } from '../app/data-sets.ts'
 import { FilesClient } from '../app/files/files-client.ts'
 import '../element/index.ts'
-import { decodeLink } from '../lib/link.ts'
+import { isRecord } from '../lib/base/check.ts'
+import { Frame } from './frame.ts'
 
-const figure = document.querySelector('circle-voronoi') as HTMLElementTagNameMap['circle-voronoi']
-const link = document.querySelector('#open') as HTMLAnchorElement
-/** It makes circles of families, if they are what is asked for. */
+/** Makes the circles of families. */
 const files = new FilesClient()
-const problem = document.querySelector('#problem') as HTMLElement
+const { parent } = window
+const isFramed = parent !== window
+const frame = new Frame(document.querySelector('main') as HTMLElement, {
+  load: (dataSet) => loadLinked(dataSet, (recipe) => files.call('make', recipe)),
+  // A teacher may put the frame into any page, and it has nothing that this page has not given it.
+  tell: (message) => isFramed && parent.postMessage(message, '*'),
+})
 
-/** Which address is shown: what comes of another one is late. */
-let lastTurn = 0
-
-async function show(): Promise<void> {
-  lastTurn += 1
-  const turn = lastTurn
+function open(): Promise<void> {
+  const link = document.querySelector('#open') as HTMLAnchorElement
   link.href = `./${location.hash}`
-  try {
-    const { circles: own, dataSet = '', ...rest } = await decodeLink(location.hash)
-    const named =
-      own === undefined ? await loadLinked(dataSet, (recipe) => files.call('make', recipe)) : { circles: own }
-    const { circles, domain } = { domain: undefined, ...named }
-    if (turn !== lastTurn) return
-    figure.controls = rest.step === undefined ? '' : 'player'
-    await figure.setState({ region: domain?.region, ...rest, circles })
-    if (turn === lastTurn) problem.hidden = true
-  } catch (error) {
-    if (turn !== lastTurn) return
-    problem.textContent = (error as Error).message
-    problem.hidden = false
-  }
+  return frame.open(location.hash)
 }
 
-window.addEventListener('hashchange', show)
-show()
+window.addEventListener('hashchange', open)
+window.addEventListener('message', ({ source, data }: MessageEvent<unknown>) => {
+  if (isFramed && source === parent && isRecord(data) && data.type === 'circle-voronoi') frame.request(data)
+})
+open()

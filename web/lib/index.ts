@@ -40,6 +40,7 @@ export type {
   Way,
 } from './base/types.ts'
 export { METRICS, type Metric } from './base/types.ts'
+export type { CellCheck, Check, DiagramCheck, NumberCondition } from './check-types.ts'
 export {
   bezierPointAt,
   type CubicBezier,
@@ -71,6 +72,7 @@ export {
   encodeLinkAtOnce,
   type LayerValue,
   LINK_LIMITS,
+  type LinkFrame,
   type LinkInput,
   type LinkState,
   type LinkView,

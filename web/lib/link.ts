@@ -7,6 +7,7 @@ import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from './base/coordinate-limit
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './base/coordinates.ts'
 import { CircleVoronoiError } from './base/errors.ts'
 import type { Float64s } from './base/types.ts'
+import type { Check } from './check-types.ts'
 import { plainRegion, type RegionShape, ringArraysOf } from './regions/region-shape.ts'
 import type { Edit } from './wasm/editor.ts'
 
@@ -52,11 +53,32 @@ export interface LinkView {
 }
 
 /**
+ * How `embed.html` presents the figure of a link: its texts, and the question that it asks. An element and the playground
+ * leave these fields to the page.
+ *
+ * @category Links
+ */
+export interface LinkFrame {
+  /** The title of the figure, at most 200 letters long. */
+  readonly title?: string | undefined
+  /** What readers are asked to do, at most 2000 letters long. */
+  readonly question?: string | undefined
+  /** The condition that the circles must meet. Circle `i` of the link has the id `i`. */
+  readonly check?: Check | undefined
+  /** Whether readers cannot edit the circles. */
+  readonly readonly?: boolean | undefined
+  /** The name of the figure for screen readers, at most 200 letters long. */
+  readonly alt?: string | undefined
+  /** The language of the frame, such as `de`. */
+  readonly lang?: string | undefined
+}
+
+/**
  * The content of a link. Fields that are missing are left to the page that opens it.
  *
  * @category Links
  */
-export interface LinkState {
+export interface LinkState extends LinkFrame {
   /** The circles: x, y and r of each. */
   readonly circles?: Float64s | undefined
   /** The name of each circle in `circles`, at most 200 letters long. An empty text means that the circle has no name. */
@@ -89,7 +111,11 @@ export interface LinkInput extends Omit<LinkState, 'circles'> {
 
 const VERSION = 'v1'
 const LONGEST_NAME = 200
+const LONGEST_QUESTION = 2000
 const DEEPEST_LAYER = 8
+/** A check has as many levels, each of which is an object and may have a list. */
+const DEEPEST_CHECK = 20
+const FRAME_FIELDS = ['title', 'question', 'check', 'readonly', 'alt', 'lang'] as const
 const FIELDS = ['circles', 'names', 'dataSet', 'edits', 'view', 'layers', 'step', 'method', 'region', 'areas'] as const
 
 /**
@@ -135,7 +161,7 @@ function jsonOf(state: LinkInput): string {
   const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = state
   if (edits !== undefined && !Array.isArray(edits))
     refuseArgument(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
-  const said: Record<(typeof FIELDS)[number], unknown> = {
+  const said: Record<(typeof FIELDS)[number], unknown> & LinkFrame = {
     circles: circles && [...coordinatesOf(circles)],
     names,
     dataSet,
@@ -146,6 +172,7 @@ function jsonOf(state: LinkInput): string {
     method,
     region,
     areas,
+    ...frameOf(state),
   }
   const problem = problemOf(said)
   if (problem !== undefined) refuseArgument(`The state cannot be written as a link: ${problem}.`)
@@ -187,8 +214,13 @@ export async function decodeLink(text: string): Promise<LinkState> {
   return stateOf(said as Said)
 }
 
+/** The fields of a state that are about the frame. */
+export function frameOf(state: LinkFrame): LinkFrame {
+  return Object.fromEntries(FRAME_FIELDS.flatMap((name) => (state[name] === undefined ? [] : [[name, state[name]]])))
+}
+
 /** What is written: lists of numbers. */
-interface Said {
+interface Said extends LinkFrame {
   readonly circles?: readonly number[] | undefined
   readonly names?: readonly string[] | undefined
   readonly dataSet?: string | undefined
@@ -201,7 +233,8 @@ interface Said {
   readonly areas?: 'equal' | readonly number[] | undefined
 }
 
-function stateOf({ circles, names, dataSet, edits, view, layers, step, method, region, areas }: Said): LinkState {
+function stateOf(said: Said): LinkState {
+  const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = said
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
     ...(names && { names }),
@@ -213,6 +246,7 @@ function stateOf({ circles, names, dataSet, edits, view, layers, step, method, r
     ...(method !== undefined && { method }),
     ...(region !== undefined && { region: region && plainRegion(region) }),
     ...(areas !== undefined && { areas }),
+    ...frameOf(said),
   }
 }
 
@@ -283,9 +317,24 @@ function problemOf(said: unknown): string | undefined {
   if (view !== undefined) {
     if (!isListOfNumbers(view) || view.length !== 3 || !((view[2] as number) > 0)) return 'the view is invalid'
   }
+  const problem = problemOfFrame(said)
+  if (problem !== undefined) return problem
   const isRight =
     layers === undefined || (isRecord(layers) && isLayer(layers, DEEPEST_LAYER, { left: LINK_LIMITS.layerValues }))
   return isRight ? undefined : 'the layers are invalid'
+}
+
+/** Whether the conditions of a check make sense is for the element to say. */
+function problemOfFrame({ title, question, check, readonly, alt, lang }: Record<string, unknown>): string | undefined {
+  for (const [name, text] of Object.entries({ title, alt, lang })) {
+    if (text !== undefined && !isName(text)) return `the field ${name} is not a text of at most ${LONGEST_NAME} letters`
+  }
+  if (question !== undefined && !(typeof question === 'string' && question.length <= LONGEST_QUESTION))
+    return `the field question is not a text of at most ${LONGEST_QUESTION} letters`
+  if (readonly !== undefined && typeof readonly !== 'boolean') return 'the field readonly is neither true nor false'
+  const isPlain =
+    check === undefined || (isRecord(check) && isLayer(check, DEEPEST_CHECK, { left: LINK_LIMITS.layerValues }))
+  return isPlain ? undefined : 'the field check is invalid'
 }
 
 /** Whether it is made of rings of finite numbers; what they are like is not checked. */

@@ -204,7 +204,9 @@ export class FileActions {
   }
 
   copyEmbedCode(): Promise<boolean> {
-    return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`)), this.#actions.linkState())
+    const state = this.#actions.linkState()
+    const shape = state?.step === undefined ? 'figure' : 'player'
+    return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`), undefined, shape), state)
   }
 
   /** Elsewhere there are no data sets: the circles themselves are in it. */

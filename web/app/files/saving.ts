@@ -15,7 +15,19 @@ export function elementCode(module: string, link: string, controls: string): str
   return `<script type="module" src="${module}"></script>\n<circle-voronoi src="#${link}" ${controls}></circle-voronoi>`
 }
 
-/** HTML that shows a page in another one. */
-export function embedCode(address: string): string {
-  return `<iframe src="${address}" title="Voronoi diagram of circles" width="800" height="500" style="border: 0"></iframe>`
+/** The shape of a frame that its page does not resize: with a question there is a text above the figure, with the player one below. */
+export type FrameShape = 'figure' | 'question' | 'player'
+const SHAPES: Readonly<Record<FrameShape, string>> = { figure: '3 / 2', question: '4 / 3', player: '1' }
+
+/**
+ * HTML that shows a page in another one, as wide as there is room. The attributes width and height are for sites that remove
+ * styles.
+ */
+export function embedCode(address: string, title = 'Voronoi diagram of circles', shape: FrameShape = 'figure'): string {
+  const style = `width: 100%; height: auto; aspect-ratio: ${SHAPES[shape]}; max-height: 90vh; border: 0`
+  return `<iframe src="${address}" title="${escaped(title)}" loading="lazy" width="100%" height="480" style="${style}"></iframe>`
+}
+
+function escaped(text: string): string {
+  return text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;')
 }

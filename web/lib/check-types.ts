@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** A condition for a number: the number itself, or a range. */
+/**
+ * A condition for a number: the number itself, or a range.
+ *
+ * @category Links
+ */
 export type NumberCondition = number | { readonly min?: number | undefined; readonly max?: number | undefined }
 
-/** Conditions for the cell of a circle, all of which must hold. */
+/**
+ * Conditions for the cell of a circle, all of which must hold.
+ *
+ * @category Links
+ */
 export interface CellCheck {
   /** The id of the circle, counted from 0. */
   readonly cell: number
@@ -22,7 +30,11 @@ export interface CellCheck {
   readonly r?: NumberCondition | undefined
 }
 
-/** Conditions for the numbers of circles, hidden circles, vertices and edges of the diagram. */
+/**
+ * Conditions for the numbers of circles, hidden circles, vertices and edges of the diagram.
+ *
+ * @category Links
+ */
 export interface DiagramCheck {
   readonly circles?: NumberCondition | undefined
   readonly hidden?: NumberCondition | undefined
@@ -30,7 +42,11 @@ export interface DiagramCheck {
   readonly edges?: NumberCondition | undefined
 }
 
-/** A condition that a reader has to reach. A check is plain data, never code. */
+/**
+ * A condition that a reader has to reach. A check is plain data, never code.
+ *
+ * @category Links
+ */
 export type Check =
   | CellCheck
   | DiagramCheck
