@@ -221,6 +221,20 @@ describe('Editing', () => {
     expect(circles()).toEqual([8, 8, 1, 7, 7, 7])
   })
 
+  it('forgets the oldest steps where its history takes too many bytes, and goes back through the others', async () => {
+    const histories: number[] = []
+    const ignore = () => {}
+    const record = ({ history }: Outcome) => histories.push(history.done.length)
+    const editing = new Editing(new LibraryComputer(async () => {}), record, ignore, 5 * 300)
+    await editing.open(sceneOf(TWO))
+    for (let x = 1; x <= 20; x++) await editing.edit([...moved(0, x), ...moved(1, -x)])
+    expect(Math.max(...histories)).toBe(5)
+    for (let k = 0; k < 9; k++) await editing.undo()
+    expect([...editing.circles.circles()]).toEqual([15, 0, 1, -15, 0, 1])
+    for (let k = 0; k < 9; k++) await editing.redo()
+    expect([...editing.circles.circles()]).toEqual([20, 0, 1, -20, 0, 1])
+  })
+
   it('has nothing to redo once other circles are opened', async () => {
     const { editing, circles, problems } = await started()
     await editing.edit(moved(0, 1))

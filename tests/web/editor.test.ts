@@ -190,11 +190,20 @@ describe('an editor', () => {
     ]
     expect(told).toEqual(made)
     expect(told.map(({ revision }) => revision)).toEqual([1, 2, 3])
+  })
+
+  it('makes its change where a listener throws, which is an uncaught error', () => {
+    using editor = library.edit([])
     editor.onchange = () => {
       throw new RangeError('mine')
     }
-    expect(() => editor.insert([0, 0, 1])).toThrow(RangeError)
+    const later: (() => void)[] = []
+    vi.stubGlobal('queueMicrotask', (act: () => void) => later.push(act))
+    expect([...editor.insert([0, 0, 1]).inserted]).toEqual([0])
+    vi.unstubAllGlobals()
     expect(editor.size()).toBe(1)
+    expect(later).toHaveLength(1)
+    expect(later[0]).toThrow(new RangeError('mine'))
   })
 
   it('makes a snapshot that is what compute makes, and does not follow', () => {

@@ -3,8 +3,14 @@
 import { afterEach, expect, it, vi } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
+import { PageActions } from '../../web/app/page-actions.ts'
+import type { Editing } from '../../web/editing/editing.ts'
+import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
 import type { RemoteCall, RemoteReply } from '../../web/view/remote-calls.ts'
+import type { View } from '../../web/view/view.ts'
 
+const NO_PADDING = { top: 0, right: 0, bottom: 0, left: 0 }
 const threads: FakeWorker[] = []
 
 class FakeWorker {
@@ -20,7 +26,10 @@ class FakeWorker {
   reply(answer: Omit<RemoteReply, 'request'>) {
     this.onmessage?.({ data: { request: this.calls.at(-1)?.request as number, ...answer } })
   }
-  terminate() {}
+  isTerminated = false
+  terminate() {
+    this.isTerminated = true
+  }
 }
 
 afterEach(() => {
@@ -38,6 +47,28 @@ it('starts a new thread after one could not be loaded', async () => {
   threads[1]?.reply({ value: 'all families' })
   expect(await loaded).toBe('all families')
   expect(threads).toHaveLength(2)
+})
+
+it('ends what is opened where that is canceled, which is told, and nothing that is saved or linked', async () => {
+  vi.stubGlobal('Worker', FakeWorker)
+  const [reader, files] = [new FilesClient(), new FilesClient()]
+  const circles = Float64Array.from({ length: 9000 }, (_, k) => k)
+  const read = reader.call('read', new Uint8Array(), 'large.csv')
+  const link = new LinkWriter(files).linkOf({ circles })
+  const written = files.call('write', circles, 'csv')
+  const [reading, other] = threads as [FakeWorker, FakeWorker]
+  expect([reading.calls.length, other.calls.length]).toEqual([1, 2])
+  const view = { cancel: () => false } as unknown as View
+  const actions = new PageActions(createStore(INITIAL_STATE), {} as Editing, view, () => NO_PADDING, reader)
+  actions.cancelOpening()
+  await expect(read).rejects.toThrow('It was canceled.')
+  expect([reading.isTerminated, other.isTerminated]).toEqual([true, false])
+  other.onmessage?.({ data: { request: other.calls[0]?.request as number, value: 'v1.x' } })
+  other.reply({ value: 'x,y,r' })
+  expect([await link, await written]).toEqual(['v1.x', 'x,y,r'])
+  // The next file is read by another thread.
+  reader.call('read', new Uint8Array(), 'next.csv')
+  expect(threads).toHaveLength(3)
 })
 
 it('writes a link without names if it would be too large with them', async () => {

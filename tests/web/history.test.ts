@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { EMPTY_HISTORY, idsOnceOpened, record, renamed } from '../../web/editing/history.ts'
+import { EMPTY_HISTORY, type History, idsOnceOpened, limited, record, renamed } from '../../web/editing/history.ts'
+import { PackedSteps } from '../../web/editing/packed-steps.ts'
 import type { Step } from '../../web/view/circle-table.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 
 const CIRCLE = { x: 0, y: 0, r: 1 }
+/** The entries with their steps as objects. */
+const plain = (entries: History['done']) =>
+  entries.map((entry) => (entry.kind === 'edits' ? { ...entry, steps: entry.steps.unpacked() } : entry))
 const back = (id: number, x: number): Step => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })
 
 describe('what goes back to before edits', () => {
@@ -12,19 +16,19 @@ describe('what goes back to before edits', () => {
     const begun = record(EMPTY_HISTORY, [back(0, 1)], 7)
     const gone: Step = { kind: 'insert', circle: CIRCLE, formerId: 0 }
     const { done } = record(record(begun, [back(0, 2), back(1, 5)], 7), [gone], 7)
-    expect(done).toEqual([{ kind: 'edits', gesture: 7, steps: [gone, back(1, 5), back(0, 1)] }])
+    expect(plain(done)).toEqual([{ kind: 'edits', gesture: 7, steps: [gone, back(1, 5), back(0, 1)] }])
   })
 
   it('takes away what the gesture has brought, wherever that was moved', () => {
     const brought = record(EMPTY_HISTORY, [{ kind: 'remove', id: 2 }], 3)
-    expect(record(brought, [back(2, 4)], 3).done).toEqual([
+    expect(plain(record(brought, [back(2, 4)], 3).done)).toEqual([
       { kind: 'edits', gesture: 3, steps: [{ kind: 'remove', id: 2 }] },
     ])
   })
 
   it('goes back to a circle that the gesture removed and brought again under its id', () => {
     const removed = record(EMPTY_HISTORY, [{ kind: 'insert', circle: CIRCLE, formerId: 0 }], 3)
-    expect(record(removed, [back(0, 4)], 3).done.at(-1)).toMatchObject({
+    expect(plain(record(removed, [back(0, 4)], 3).done).at(-1)).toMatchObject({
       steps: [back(0, 4), { kind: 'insert', formerId: 0 }],
     })
   })
@@ -35,7 +39,7 @@ describe('what goes back to before edits', () => {
       { kind: 'remove', id: 0 },
       { kind: 'insert', circle: CIRCLE, formerId: 0 },
     ]
-    expect(record(moved, steps, 3).done).toEqual([{ kind: 'edits', gesture: 3, steps: [...steps, back(0, 1)] }])
+    expect(plain(record(moved, steps, 3).done)).toEqual([{ kind: 'edits', gesture: 3, steps: [...steps, back(0, 1)] }])
   })
 
   it('of one gesture is the region and the areas that were there at first', () => {
@@ -45,7 +49,7 @@ describe('what goes back to before edits', () => {
     ] as const
     const begun = record(EMPTY_HISTORY, [back(0, 1)], 5)
     const { done } = record(record(begun, [], 5, first), [], 5, second)
-    expect(done).toEqual([{ kind: 'edits', gesture: 5, steps: [back(0, 1)], domain: first }])
+    expect(plain(done)).toEqual([{ kind: 'edits', gesture: 5, steps: [back(0, 1)], domain: first }])
   })
 
   it('of another gesture is another entry, and nothing can be done again', () => {
@@ -67,19 +71,61 @@ it('names what came back as it is called now, up to other circles', () => {
     { kind: 'insert', circle: CIRCLE, formerId: 2 },
   ]
   const bare: Step = { kind: 'insert', circle: CIRCLE }
-  const edits = { kind: 'edits', gesture: 1, steps: [...steps, bare] } as const
-  expect(renamed({ done: [edits, opening, edits], undone: [edits] }, (id) => id + 10)).toEqual({
-    done: [
-      edits,
-      opening,
-      { ...edits, steps: [{ kind: 'remove', id: 11 }, { kind: 'insert', circle: CIRCLE, formerId: 12 }, bare] },
-    ],
-    undone: [{ ...edits, steps: [{ kind: 'remove', id: 11 }, { kind: 'insert', circle: CIRCLE, formerId: 12 }, bare] }],
-  })
+  const edits = { kind: 'edits', gesture: 1, steps: PackedSteps.of([...steps, bare]) } as const
+  const { done, undone } = renamed({ done: [edits, opening, edits], undone: [edits] }, (id) => id + 10)
+  const named = [{ kind: 'remove', id: 11 }, { kind: 'insert', circle: CIRCLE, formerId: 12 }, bare]
+  expect(plain(done)).toEqual([{ ...edits, steps: [...steps, bare] }, opening, { ...edits, steps: named }])
+  expect(plain(undone)).toEqual([{ ...edits, steps: named }])
 })
 
 it('calls the circles that are opened by their places, and each other one by a name of its own', () => {
   let last = 0
   const idOf = idsOnceOpened(Int32Array.of(2, 5, 9), () => --last)
   expect([2, 5, 9, 0, 7, 10, 0].map(idOf)).toEqual([0, 1, 2, -1, -2, -3, -1])
+})
+
+describe('a history', () => {
+  const entry = (gesture: number, count = 1) => ({
+    kind: 'edits' as const,
+    gesture,
+    steps: PackedSteps.of(Array.from({ length: count }, (_, id) => back(id, gesture))),
+  })
+  const gestures = ({ done, undone }: History) =>
+    [done, undone].map((side) => side.map((entry) => ('gesture' in entry ? entry.gesture : entry.kind)))
+
+  it('takes 29 bytes for a moved circle', () => {
+    const { steps } = entry(1, 100_000)
+    expect([steps.bytes, steps.length]).toEqual([2_900_000, 100_000])
+  })
+
+  it('forgets what is farthest from now where it takes too many bytes, and never the last step', () => {
+    const many = { done: [1, 2, 3, 4].map((k) => entry(k, 100)), undone: [8, 7, 6].map((k) => entry(k, 100)) }
+    expect(gestures(limited(many, 1e6))).toEqual([
+      [1, 2, 3, 4],
+      [8, 7, 6],
+    ])
+    expect(limited(many, 1e6).done).toBe(many.done)
+    expect(gestures(limited(many, 5 * 3100))).toEqual([
+      [3, 4],
+      [8, 7, 6],
+    ])
+    expect(gestures(limited(many, 3 * 3100))).toEqual([[4], [7, 6]])
+    expect(gestures(limited(many, 0))).toEqual([[4], [6]])
+  })
+
+  it('counts the circles and the names of what was opened', () => {
+    const opening = (names?: string[]) => {
+      const circles = new Float64Array(3000)
+      return {
+        kind: 'opening' as const,
+        scene: { circles, dataSet: '', isEdited: false, names },
+        ids: new Int32Array(1000),
+      }
+    }
+    const two = { done: [opening(), opening()], undone: [] }
+    expect(limited(two, 2 * 28_200).done).toHaveLength(2)
+    expect(limited(two, 2 * 28_200 - 1).done).toHaveLength(1)
+    const named = { done: [opening(), opening(Array(1000).fill('a name'))], undone: [] }
+    expect(limited(named, 2 * 28_200).done).toHaveLength(1)
+  })
 })

@@ -14,7 +14,7 @@ import {
 import type { Recipe } from '../../web/app/generators/generators.ts'
 import { Keeping } from '../../web/app/keeping.ts'
 import type { LinkWriter } from '../../web/app/link-writer.ts'
-import { SceneStorage } from '../../web/app/scene-storage.ts'
+import { prefixOf, SceneStorage } from '../../web/app/scene-storage.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from '../../web/editing/scene-link.ts'
 import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
@@ -210,7 +210,7 @@ class Browser {
     this.all = new Room(letters)
   }
 
-  async open(goesOn = true, ofTab = new Room(), isReload = false) {
+  async open(goesOn = true, ofTab = new Room(), isReload = false, path = '/') {
     const tab = {}
     const locks = {
       request: async (name: string, _: object, hold: (lock: object | null) => unknown) => {
@@ -220,7 +220,7 @@ class Browser {
       },
       query: async () => ({ held: [...this.#held.keys()].map((name) => ({ name })) }),
     } as unknown as LockManager
-    const storage = await SceneStorage.claim({ all: this.all, ofTab, locks, isReload }, goesOn)
+    const storage = await SceneStorage.claim({ all: this.all, ofTab, path, locks, isReload }, goesOn)
     const close = () => {
       for (const [name, holder] of this.#held) if (holder === tab) this.#held.delete(name)
     }
@@ -249,7 +249,7 @@ describe('the storage of scenes', () => {
     expect((await browser.open(true, first.ofTab, true)).storage.read()).toBe('v1.a')
     // One that is duplicated, or loaded again before what was there has gone.
     const copy = new Room()
-    copy.setItem('circle-voronoi/', second.ofTab.getItem('circle-voronoi/') as string)
+    copy.setItem(prefixOf('/'), second.ofTab.getItem(prefixOf('/')) as string)
     const third = await browser.open(true, copy)
     expect(third.storage.read()).toBe('v1.b')
     await third.storage.write('v1.c')
@@ -298,9 +298,33 @@ describe('the storage of scenes', () => {
     expect(browser.all.length).toBe(11)
   })
 
+  it('leaves what a site in another folder of the origin keeps, above or below, and in the same tab', async () => {
+    const browser = new Browser(800)
+    const tab = new Room()
+    const paths = ['/', '/voronoi/', '/voronoi/next/', '/voronoi%20old/']
+    for (const [k, path] of paths.entries()) {
+      const site = await browser.open(true, tab, false, path)
+      expect([path, site.storage.read()]).toEqual([path, undefined])
+      await site.storage.write(`v1.${k}`)
+      site.close()
+    }
+    // The page has several addresses in its folder.
+    for (const [k, path] of paths.entries()) {
+      const again = await browser.open(true, new Room(), false, `${path}index.html`)
+      expect([path, again.storage.read()]).toEqual([path, `v1.${k}`])
+      // What needs room takes none of the others'.
+      await again.storage.write('x'.repeat(300))
+      again.close()
+    }
+    const kept = await Promise.all(
+      paths.map(async (path) => (await browser.open(true, new Room(), false, path)).storage.read()),
+    )
+    expect(kept.map((link) => link?.length)).toEqual([300, 4, 4, 4])
+  })
+
   it('keeps the one of a tab where there are no locks', async () => {
     const [all, ofTab] = [new Room(), new Room()]
-    const surroundings = { all, ofTab, locks: undefined, isReload: false }
+    const surroundings = { all, ofTab, path: '/', locks: undefined, isReload: false }
     await (await SceneStorage.claim(surroundings, true)).write('v1.a')
     expect((await SceneStorage.claim(surroundings, true)).read()).toBe('v1.a')
     expect((await SceneStorage.claim({ ...surroundings, ofTab: new Room() }, true)).read()).toBeUndefined()

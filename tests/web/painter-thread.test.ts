@@ -3,6 +3,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { answerViews } from '../../web/view/painter/painter-thread.ts'
 import type { FromPainter, ToPainter, Wish } from '../../web/view/protocol.ts'
 import { SHADES, type Style } from '../../web/view/style.ts'
@@ -157,6 +158,31 @@ it('edits for other circles than those of the scene change nothing, and those th
   expect(saidOf('superseded')).toEqual([{ kind: 'superseded', scene: 6, revision: 3 }])
   expect(saidOf('edited').map(({ revision, counts }) => [revision, counts.circles])).toEqual([[4, 2]])
   send({ kind: 'close', scene: 6 })
+})
+
+it('says what it was doing when it failed, and for which scene', async () => {
+  await openScene(8)
+  const broken = (name: 'mark' | 'paintNext' | 'setLayers') =>
+    vi.spyOn(PaintedScene.prototype, name).mockImplementation(() => {
+      throw new RangeError('It broke.')
+    })
+  const during = async (name: Parameters<typeof broken>[0], message: ToPainter) => {
+    const spy = broken(name)
+    send(message)
+    await vi.waitFor(() => expect(saidOf('failed')).toHaveLength(1), SOON)
+    spy.mockRestore()
+    const [failed] = saidOf('failed')
+    said.length = 0
+    return failed
+  }
+  const message = expect.stringContaining('It broke')
+  const mark = { kind: 'mark', scene: 8, selected: 0, hovered: undefined } as const
+  expect(await during('mark', mark)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'mark' } })
+  const look = { kind: 'look', scene: 8, style, ...wishOf(1, 1, 10, 1) } as const
+  expect(await during('paintNext', look)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'paint' } })
+  const layers = { kind: 'layers', scene: 8, layers: DEFAULT_LAYERS, isPainted: true } as const
+  expect(await during('setLayers', layers)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'layers' } })
+  send({ kind: 'close', scene: 8 })
 })
 
 describe('one scene', () => {

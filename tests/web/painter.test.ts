@@ -5,7 +5,7 @@ import { BasePicture } from '../../web/view/base-picture.ts'
 import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Painter, type PainterScene } from '../../web/view/painter.ts'
-import type { FromPainter, Marks, ToPainter, Wish } from '../../web/view/protocol.ts'
+import type { FromPainter, InProgress, Marks, ToPainter, Wish } from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import { library, seededRandom } from './library.ts'
 
@@ -78,7 +78,7 @@ describe('the painter', () => {
     FakeWorker.all = []
     vi.stubGlobal('Worker', FakeWorker)
     painter = new Painter({ wasm: WASM })
-    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found() {} })
+    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
   })
   afterEach(() => vi.unstubAllGlobals())
 
@@ -127,7 +127,7 @@ describe('the painter', () => {
       }
     }
     vi.stubGlobal('Worker', BrokenWorker)
-    const other = new Painter({ wasm: WASM }).add({ painted() {}, marked() {}, outlined() {}, found() {} })
+    const other = new Painter({ wasm: WASM }).add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
     await expect(other.open(new Float64Array())).rejects.toThrow(
       'The diagram could not be computed: There are no threads here.',
     )
@@ -159,6 +159,7 @@ describe('the painter', () => {
     await edit
     scene.look(wish, {} as never)
     scene.mark(1, undefined)
+    worker().answer({ kind: 'marked', scene: 1, marks: NO_MARKS })
     const lost = scene.edit([{ kind: 'remove', id: 0 }])
     worker().onerror?.({ message: 'it broke' })
     await expect(lost).rejects.toThrow(/it broke/)
@@ -213,6 +214,63 @@ describe('the painter', () => {
     expect(worker().of('open').at(-1)?.fit).toBeUndefined()
   })
 
+  it('never tells a new thread what the last one was doing when it failed, and says that something failed', async () => {
+    const circles = Float64Array.of(0, 0, 1)
+    const failures: [string, unknown][] = []
+    const events = { painted() {}, marked() {}, outlined() {}, found() {} }
+    const failing = painter.add({ ...events, failed: ({ message }, lost) => failures.push([message, lost]) })
+    const begin = async () => {
+      const open = failing.open(circles)
+      const { revision } = worker().of('open').at(-1) as { revision: number }
+      worker().answer({ ...opened(revision), scene: 2 } as FromPainter)
+      await open
+      failing.look(wish, {} as never)
+      failing.setLayers({ ...DEFAULT_LAYERS, hull: true })
+    }
+    const told = () =>
+      worker()
+        .got.slice(1)
+        .flatMap((message) => ('scene' in message && message.scene === 2 ? [message.kind] : []))
+    const during = (kind: InProgress['kind']) =>
+      worker().answer({ kind: 'failed', message: 'it broke', during: { scene: 2, kind } })
+
+    await begin()
+    // It is not answered when the thread ends, whatever the thread says of it.
+    failing.mark(0, undefined)
+    worker().onerror?.({ message: 'it broke' })
+    expect(told()).toEqual(['add', 'layers', 'open', 'edit', 'look'])
+    const message = 'Drawing the picture failed and was started again: it broke.'
+    expect(failures).toEqual([[message, { marks: true, layers: false }]])
+
+    // The next one fails before it has done anything: another one is told less, and then there is none.
+    during('paint')
+    expect(told()).toEqual(['add', 'open', 'edit', 'look'])
+    expect(failures.at(-1)).toEqual([message, { marks: true, layers: true }])
+    during('paint')
+    expect(FakeWorker.all.length).toBe(3)
+    expect(failures.at(-1)?.[0]).toMatch(/no longer be drawn: it broke/)
+
+    // What was answered is told again, unless the thread fails where it is described.
+    for (const [kind, marks, layers] of [
+      ['ask', false, false],
+      ['edit', true, false],
+      ['look', true, false],
+      ['find', false, true],
+      ['layers', false, true],
+    ] as const) {
+      await begin()
+      failing.mark(0, undefined)
+      worker().answer({ kind: 'marked', scene: 2, marks: NO_MARKS })
+      during(kind)
+      expect(failures.at(-1)).toEqual([message, { marks, layers }])
+      expect([told().includes('mark'), told().includes('layers')]).toEqual([!marks, !layers])
+    }
+    // Of another scene, it is not the cause.
+    await begin()
+    worker().answer({ kind: 'failed', message: 'it broke', during: { scene: 1, kind: 'paint' } })
+    expect(failures.at(-1)).toEqual([message, { marks: false, layers: false }])
+  })
+
   it('replaces a thread that never worked when something is asked again, and not before', async () => {
     const open = scene.open(new Float64Array())
     worker().onerror?.({ message: 'not found' })
@@ -235,14 +293,17 @@ describe('the painter', () => {
         .of('add')
         .map((message) => message.scene),
     ).toEqual([1])
-    // One that fails over what it is told again is not replaced over and over.
+    // One that fails over what it is told again is replaced by one that is told less, and that one by none.
     worker().answer({ ...opened(0) })
     worker().onerror?.({ message: 'it broke' })
-    expect(FakeWorker.all.length).toBe(2)
+    expect(FakeWorker.all.length).toBe(3)
+    worker().answer({ ...opened(0) })
+    worker().onerror?.({ message: 'it broke' })
+    expect(FakeWorker.all.length).toBe(3)
   })
 
   it('leaves nothing open of a scene that is closed, and hears nothing more of it', async () => {
-    const other = painter.add({ painted() {}, marked() {}, outlined() {}, found() {} })
+    const other = painter.add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
     const open = scene.open(new Float64Array())
     const hit = scene.ask('hit', 0, 0, 1)
     const otherOpen = other.open(new Float64Array())
@@ -307,6 +368,20 @@ describe('the painter', () => {
     })
     await expect(edit).rejects.toBeInstanceOf(CircleVoronoiError)
     expect(FakeWorker.all.length).toBe(1)
+  })
+
+  it('cancels a long fit of areas as it cancels an opening, and no other edit', async () => {
+    expect(scene.cancel()).toBe(false)
+    const edit = scene.edit([{ kind: 'remove', id: 7 }])
+    expect(scene.cancel()).toBe(false)
+    const fit = scene.edit([], { fit: { known: undefined, inserted: [] } })
+    expect(scene.cancel()).toBe(true)
+    await expect(fit).rejects.toThrow('you canceled it')
+    await expect(edit).rejects.toThrow('you canceled it')
+    expect(FakeWorker.all.map(({ isTerminated }) => isTerminated)).toEqual([true, false])
+    const open = scene.open(Float64Array.of(0, 0, 1))
+    expect(scene.cancel()).toBe(true)
+    await expect(open).rejects.toThrow('you canceled it')
   })
 
   it('starts nothing once it is disposed of', async () => {

@@ -2,7 +2,7 @@
 import { CircleVoronoiError } from '../lib/index.ts'
 import { encodeLinkAtOnce, type LinkInput } from '../lib/link.ts'
 import type { LinkWriter } from './link-writer.ts'
-import { SceneStorage } from './scene-storage.ts'
+import { prefixOf, SceneStorage } from './scene-storage.ts'
 
 /** What changes for so long, in milliseconds, is kept once. */
 const REST = 400
@@ -12,7 +12,7 @@ const LONGEST_ADDRESS = 100_000
  * The entry of the session storage with the newest link, and with the addresses at which a reload shows it. A page that closes
  * can no longer change its address, and a reload may have begun before the address changed.
  */
-const LATE = 'circle-voronoi/late'
+const lateKey = () => `${prefixOf(location.pathname)}late`
 
 /** Keeps what is shown: as a link in the address, and in the storage of the browser. */
 export class Keeping {
@@ -50,7 +50,8 @@ export class Keeping {
       const [navigation] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[]
       const isReload = navigation?.type !== 'navigate'
       late = takenLate(this.#hash, isReload)
-      const surroundings = { all: localStorage, ofTab: sessionStorage, locks: navigator.locks, isReload }
+      const { pathname: path } = location
+      const surroundings = { all: localStorage, ofTab: sessionStorage, path, locks: navigator.locks, isReload }
       this.#storage = await SceneStorage.claim(surroundings, link === '')
     } catch {
       // A browser may forbid its storage.
@@ -134,14 +135,14 @@ export class Keeping {
  * Whoever opens the address as a link gets what the link says, and nothing is left.
  */
 function takenLate(hash: string, isThereAgain: boolean): string | undefined {
-  const [link, ...hashes] = (sessionStorage.getItem(LATE) ?? '').split(' ')
-  sessionStorage.removeItem(LATE)
+  const [link, ...hashes] = (sessionStorage.getItem(lateKey()) ?? '').split(' ')
+  sessionStorage.removeItem(lateKey())
   return isThereAgain && hashes.includes(hash) ? link : undefined
 }
 
 function keepLate(text: string): void {
   try {
-    sessionStorage.setItem(LATE, text)
+    sessionStorage.setItem(lateKey(), text)
   } catch {
     // There is no room, or it is forbidden.
   }

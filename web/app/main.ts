@@ -50,6 +50,7 @@ else firstPicture?.remove()
 await styleSheetsLoaded()
 
 const files = new FilesClient()
+const reader = new FilesClient()
 let hasShown = false
 const figure = new Figure(
   {
@@ -59,7 +60,7 @@ const figure = new Figure(
     said: byId('said', HTMLParagraphElement),
   },
   {
-    actions: (store, editing, view) => new PageActions(store, editing, view, paddingOfPage, files),
+    actions: (store, editing, view) => new PageActions(store, editing, view, paddingOfPage, reader),
     keys: {
       editNumbers: () => editNumbers(),
       showHelp: () => showHelp(),
@@ -92,7 +93,7 @@ mountProgress(actions)
 mountLegend(store, view)
 const fileActions = loadedOnce(async () => {
   const { FileActions } = await import('./files/file-actions.ts')
-  return new FileActions(store, editing, actions, view, files, links)
+  return new FileActions(store, editing, actions, view, { files, reader, links })
 })
 const motion = loadedOnce(async () => {
   const { Motion } = await import('./motion/motion.ts')

@@ -33,7 +33,8 @@ export class PageActions extends EditorActions {
   /** A name must not stand for more circles than a link may have. */
   protected override readonly mostNamed = LINK_LIMITS.circles
   readonly #editing: Editing
-  readonly #files: Pick<FilesClient, 'cancel'>
+  /** What reads and makes circles that are opened. */
+  readonly #reader: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
   readonly #shown: () => string
 
@@ -42,12 +43,12 @@ export class PageActions extends EditorActions {
     editing: Editing,
     view: View,
     padding: () => Padding,
-    files: Pick<FilesClient, 'call' | 'cancel'>,
+    reader: Pick<FilesClient, 'call' | 'cancel'>,
   ) {
     super(store, editing, view, padding)
     this.#editing = editing
-    this.#files = files
-    this.#make = (recipe) => files.call('make', recipe)
+    this.#reader = reader
+    this.#make = (recipe) => reader.call('make', recipe)
     this.#shown = () => store.get().dataSet
   }
 
@@ -151,7 +152,7 @@ export class PageActions extends EditorActions {
 
   override cancelOpening(): void {
     // What is read or made ends, too.
-    this.#files.cancel()
+    this.#reader.cancel()
     super.cancelOpening()
   }
 

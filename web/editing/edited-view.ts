@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { View } from '../view/view.ts'
 import { Editing, type Outcome } from './editing.ts'
-import { INITIAL_STATE, type State, stateAfter } from './state.ts'
+import { INITIAL_STATE, type State, stateAfter, withSelection } from './state.ts'
 import { createStore, type Store } from './store.ts'
 
 /** The circles of a view with their history, and what is known of them. */
@@ -40,6 +40,11 @@ export function editView(
     before = state
   })
   view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
+  view.on('failed', ({ error, marks }) => {
+    // What stood out may have been the cause.
+    if (marks) store.update((state) => ({ ...withSelection(state, [], editing.circles), hovered: undefined }))
+    onProblem(error)
+  })
   view.on('found', (found) => store.update((state) => ({ ...state, found })))
   view.on('layers', (layers) => store.update((state) => ({ ...state, layers })))
   return { store, editing }

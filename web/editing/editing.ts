@@ -6,7 +6,18 @@ import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
-import { EMPTY_HISTORY, type History, idsOnceOpened, type Opening, record, renamed, type Scene } from './history.ts'
+import {
+  EMPTY_HISTORY,
+  type History,
+  idsOnceOpened,
+  limited,
+  MOST_BYTES,
+  type Opening,
+  record,
+  renamed,
+  type Scene,
+} from './history.ts'
+import { PackedSteps } from './packed-steps.ts'
 
 /** Who computes: a view. */
 export interface Computer {
@@ -47,6 +58,7 @@ export class Editing {
   readonly #numbers = new Map<number, number>()
   #lastAbsent = 0
   #history = EMPTY_HISTORY
+  readonly #mostBytes: number
   readonly #queue = new NewestQueue<Job, Edited | undefined>()
   #lastKey: string | undefined
   #lastGesture = 0
@@ -55,10 +67,17 @@ export class Editing {
   /** How often circles were opened, but for undo and redo. */
   #openings = 0
 
-  constructor(computer: Computer, onOutcome: (outcome: Outcome) => void, onProblem: (error: Error) => void) {
+  /** `mostBytes`: of the history. */
+  constructor(
+    computer: Computer,
+    onOutcome: (outcome: Outcome) => void,
+    onProblem: (error: Error) => void,
+    mostBytes = MOST_BYTES,
+  ) {
     this.#computer = computer
     this.#onOutcome = onOutcome
     this.#onProblem = onProblem
+    this.#mostBytes = mostBytes
   }
 
   get circles(): CircleTable {
@@ -189,13 +208,14 @@ export class Editing {
     if (entry.kind === 'opening') return this.#openAgain(entry, from, to)
     const before = this.#domain
     const { domain = before } = entry
-    const change = this.#changeTo(domain, this.#sharesOf(domain, entry.steps))
-    const edited = await this.#computer.apply(entry.steps.map(plain), change)
+    const steps = entry.steps.unpacked()
+    const change = this.#changeTo(domain, this.#sharesOf(domain, steps))
+    const edited = await this.#computer.apply(steps.map(plain), change)
     this.#domain = domain
-    const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
+    const former = steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
     for (const [formerId, id] of ids) this.#rename(formerId, id)
-    const back = { ...entry, steps: edited.back, domain: entry.domain && before }
+    const back = { ...entry, steps: PackedSteps.of(edited.back), domain: entry.domain && before }
     const history = {
       ...this.#history,
       [from]: this.#history[from].slice(0, -1),
@@ -301,6 +321,7 @@ export class Editing {
     try {
       const before = this.circles
       const edited = await job.run()
+      this.#history = limited(this.#history, this.#mostBytes)
       if (edited !== undefined) {
         const { domain } = this
         this.#onOutcome({ edited, history: this.#history, domain, isOpened: this.circles !== before })

@@ -2,6 +2,7 @@
 import type { Float64s } from '../lib/index.ts'
 import type { Step } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
+import { PackedSteps } from './packed-steps.ts'
 
 /** A number for each circle, NaN where there is none. */
 export interface DataColumn {
@@ -27,7 +28,7 @@ export interface Scene {
 /** What goes back to before one gesture. */
 interface Edits {
   readonly kind: 'edits'
-  readonly steps: readonly Step[]
+  readonly steps: PackedSteps
   /** The domain before; `undefined`: it stays. */
   readonly domain?: Domain | undefined
   readonly gesture: number
@@ -53,11 +54,11 @@ export const EMPTY_HISTORY: History = { done: [], undone: [] }
 export function record({ done }: History, steps: readonly Step[], gesture: number, domain?: Domain): History {
   const last = done.at(-1)
   if (last?.kind !== 'edits' || last.gesture !== gesture)
-    return { done: [...done, { kind: 'edits', steps, gesture, domain }], undone: [] }
+    return { done: [...done, { kind: 'edits', steps: PackedSteps.of(steps), gesture, domain }], undone: [] }
   // What the gesture has replaced or brought goes back to where it was at first.
-  const known = new Set(last.steps.flatMap((step) => (step.kind === 'insert' ? [] : [step.id])))
+  const known = last.steps.known()
   const more = steps.filter((step) => step.kind !== 'replace' || !known.has(step.id))
-  const entry = { ...last, steps: [...more, ...last.steps], domain: last.domain ?? domain }
+  const entry = { ...last, steps: last.steps.after(more), domain: last.domain ?? domain }
   return { done: [...done.slice(0, -1), entry], undone: [] }
 }
 
@@ -67,14 +68,35 @@ export function renamed({ done, undone }: History, idOf: (id: number) => number)
     const from = entries.findLastIndex(({ kind }) => kind === 'opening') + 1
     return [...entries.slice(0, from), ...(entries.slice(from) as Edits[]).map(renameEdits)]
   }
-  const renameEdits = (entry: Edits): Edits => ({
-    ...entry,
-    steps: entry.steps.map((step) => {
-      if (step.kind !== 'insert') return { ...step, id: idOf(step.id) }
-      return step.formerId === undefined ? step : { ...step, formerId: idOf(step.formerId) }
-    }),
-  })
+  const renameEdits = (entry: Edits): Edits => ({ ...entry, steps: entry.steps.renamed(idOf) })
   return { done: rename(done), undone: rename(undone) }
+}
+
+/** The memory that a history may take: 46 moves of 100,000 circles. */
+export const MOST_BYTES = 2 ** 27
+/** What an entry takes beside its numbers. */
+const ENTRY_BYTES = 200
+
+/**
+ * A history that takes no more than so many bytes. What goes is farthest from the circles as they are: the oldest of what was
+ * done, or of what was undone. The last step of each side stays.
+ */
+export function limited({ done, undone }: History, most: number): History {
+  let bytes = [...done, ...undone].reduce((sum, entry) => sum + bytesOf(entry), 0)
+  const withoutFarthest = (side: History['done']): History['done'] => {
+    let from = 0
+    for (; bytes > most && from < side.length - 1; from++) bytes -= bytesOf(side[from] as Edits | Opening)
+    return from === 0 ? side : side.slice(from)
+  }
+  return { done: withoutFarthest(done), undone: withoutFarthest(undone) }
+}
+
+function bytesOf(entry: Edits | Opening): number {
+  if (entry.kind === 'edits') return ENTRY_BYTES + entry.steps.bytes
+  const { circles, names = [], columns = [] } = entry.scene
+  const texts = names.reduce((sum, name) => sum + 2 * name.length + 16, 0)
+  const numbers = columns.reduce((sum, { values }) => sum + values.byteLength, 0)
+  return ENTRY_BYTES + circles.byteLength + entry.ids.byteLength + texts + numbers
 }
 
 /**

@@ -116,6 +116,8 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   noLayer: (word, names) => `Es gibt keine Ebene ${word}. Ebenen sind ${listed(names, 'und')}.`,
   notComputed: (reason) => `Das Diagramm konnte nicht berechnet werden: ${reason}.`,
   notDrawn: 'Das Bild konnte nicht gezeichnet werden.',
+  drawingFailed: (reason) => `Das Zeichnen ist gescheitert und wurde neu begonnen: ${reason}.`,
+  drawingEnded: (reason) => `Das Bild kann nicht mehr gezeichnet werden: ${reason}. Laden Sie die Seite neu.`,
   nothingChanged: 'Nichts hat sich geändert. Versuchen Sie es noch einmal.',
   areasWithoutRegion: 'Flächen brauchen ein Gebiet, das die Zellen teilen.',
   areasForCircles: (areas, circles) => `Es gibt ${areas} Flächen für ${circles} Kreise.`,

@@ -8,7 +8,17 @@ import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers } from './layers.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
-import type { DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
+import type {
+  DomainChange,
+  Fitted,
+  Found,
+  FromPainter,
+  InProgress,
+  Marks,
+  Questions,
+  ToPainter,
+  Wish,
+} from './protocol.ts'
 import { Failure, type Refusals, Superseded } from './refusal.ts'
 import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
 import type { Style } from './style.ts'
@@ -34,6 +44,15 @@ export interface PictureEvents {
   outlined(marks: Marks): void
   /** `undefined`: what was found is that of other circles, and something else will be. */
   found(found: Found | undefined): void
+  /** The thread has failed, and another one goes on without what may have been the cause. */
+  failed(failure: Failure, lost: Lost): void
+}
+
+/** What a new thread is not told again. */
+export interface Lost {
+  /** Which circles stand out. */
+  readonly marks: boolean
+  readonly layers: boolean
 }
 
 export type Painted = Extract<FromPainter, { kind: 'painted' | 'edited' }>
@@ -53,7 +72,9 @@ interface Scene {
   /** Without `fit`: circles have the radii that were fitted. */
   domain: DomainChange
   look: ToPainter | undefined
+  /** The last one that was answered, and those that are not yet. */
   mark: ToPainter | undefined
+  unansweredMarks: ToPainter[]
   layers: ToPainter | undefined
 }
 
@@ -61,6 +82,10 @@ interface Scene {
  * The thread that has the diagrams of all views of a page, and paints them. What fails because of it, and not because of what
  * was asked, is an `Error` that is no `CircleVoronoiError`: nothing has changed then, and another thread takes its place. If
  * this one never worked, that is when something is opened or edited again.
+ *
+ * A new thread is told the circles, the layers and what is looked at, but not what the failed one was doing: that would end it,
+ * too. If it fails nevertheless before it has done anything, the next one is told the circles and what is looked at alone, and
+ * there is none after that.
  */
 export class Painter {
   readonly #options: LoadOptions
@@ -69,6 +94,7 @@ export class Painter {
   #worker: Worker | undefined
   /** Whether the thread has done something that was asked. */
   #hasWorked = false
+  #beginning: Beginning = 'new'
   #isDisposed = false
   #lastScene = 0
 
@@ -88,6 +114,7 @@ export class Painter {
       domain: {},
       look: undefined,
       mark: undefined,
+      unansweredMarks: [],
       layers: undefined,
     }
     this.#scenes.set(number, scene)
@@ -100,7 +127,7 @@ export class Painter {
         // What cannot be sent is not known later, either.
         this.#worker?.postMessage(message)
         if (message.kind === 'look') scene.look = message
-        if (message.kind === 'mark') scene.mark = message
+        if (message.kind === 'mark') scene.unansweredMarks.push(message)
         if (message.kind === 'layers') scene.layers = message
         if (message.kind === 'close') {
           this.#scenes.delete(number)
@@ -146,7 +173,7 @@ export class Painter {
     this.#stop(isDisposedOf)
   }
 
-  #start(): void {
+  #start(beginning: Beginning = 'new'): void {
     let worker: Worker
     try {
       worker = startModuleWorker(newWorker, threadFile, THREAD_NAME)
@@ -156,11 +183,12 @@ export class Painter {
     }
     this.#worker = worker
     this.#hasWorked = false
-    const fail = (reason: Reason) => {
-      if (this.#worker === worker) this.#fail(reason)
+    this.#beginning = beginning
+    const fail = (reason: Reason, during?: InProgress) => {
+      if (this.#worker === worker) this.#fail(reason, during)
     }
     worker.onmessage = ({ data }: MessageEvent<FromPainter>) => {
-      if (data.kind === 'failed') fail(() => data.message)
+      if (data.kind === 'failed') fail(() => data.message, data.during)
       else if (this.#worker === worker) this.#receive(data)
     }
     worker.onerror = ({ message }) => fail((words) => message ?? words.noThread)
@@ -188,6 +216,8 @@ export class Painter {
     }
     const scene = this.#scenes.get(message.scene)
     if (scene === undefined) return
+    if (message.kind === 'marked') scene.mark = scene.unansweredMarks.shift() ?? scene.mark
+    if (message.kind === 'painted' && message.isWhole) this.#hasWorked = true
     if (message.kind === 'marked' || message.kind === 'edited') scene.events.marked(message.marks)
     if (message.kind === 'outlined') scene.events.outlined(message.marks)
     if (message.kind === 'painted' || message.kind === 'edited') scene.events.painted(message)
@@ -208,6 +238,8 @@ export class Painter {
     const { region = scene.domain.region, areSites = scene.domain.areSites } = waiting.message
     scene.domain = { region, areSites }
     if (message.kind === 'opened' && waiting.message.kind === 'open') {
+      // What stood out was one of the circles before.
+      scene.mark = undefined
       scene.circles = new CircleTable(message.circles ?? waiting.message.circles.slice(), waiting.message.opening)
     }
     const { change = NO_CHANGE } = message
@@ -216,10 +248,18 @@ export class Painter {
     waiting.resolve({ counts, fitted, seconds, inserted: change.inserted, back })
   }
 
-  #fail(reason: Reason): void {
-    const isReplaced = this.#hasWorked
+  #fail(reason: Reason, during?: InProgress): void {
+    const next = this.#hasWorked ? 'restored' : this.#beginning === 'restored' ? 'bare' : undefined
+    const isFirst = !this.#hasWorked && this.#beginning === 'new'
     this.#stop(reason)
-    if (isReplaced) this.#start()
+    // Who has asked for something hears of it.
+    if (isFirst) return
+    const lost = [...this.#scenes].map(
+      ([number, scene]) => [scene, forgetCause(number, scene, during, next !== 'restored')] as const,
+    )
+    if (next !== undefined) this.#start(next)
+    const failure = new Failure((words) => words[next ? 'drawingFailed' : 'drawingEnded'](reason(words)))
+    for (const [{ events }, what] of lost) events.failed(failure, what)
   }
 
   #stop(reason: Reason): void {
@@ -236,6 +276,22 @@ export class Painter {
     scene.waiting.clear()
   }
 }
+
+/** What may have ended a thread that was doing something, or did not even begin, is forgotten. Returns what that is. */
+function forgetCause(number: number, scene: Scene, during: InProgress | undefined, isBare: boolean): Lost {
+  const isOfScene = during?.scene === number
+  const isUnanswered = scene.unansweredMarks.length > 0
+  scene.unansweredMarks = []
+  // What stands out is described with each look and each edit, too.
+  const marks = isBare || isUnanswered || (isOfScene && ['look', 'edit'].includes(during.kind))
+  const layers = isBare || (isOfScene && ['layers', 'paint', 'find'].includes(during.kind))
+  if (marks) scene.mark = undefined
+  if (layers) scene.layers = undefined
+  return { marks, layers }
+}
+
+/** What a thread was told as it began: nothing, all that another one knew, or the circles and what is looked at alone. */
+type Beginning = 'new' | 'restored' | 'bare'
 
 /** Why the thread does nothing more. */
 type Reason = (words: Refusals) => string

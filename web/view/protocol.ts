@@ -102,6 +102,12 @@ export interface Questions {
   trace(options: TraceOptions): Traced
 }
 
+/** What a thread was doing when it failed. `find`: what depends on all circles. */
+export interface InProgress {
+  readonly scene: number
+  readonly kind: ToPainter['kind'] | 'paint' | 'find'
+}
+
 export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm }
   /** A scene without circles. What is for none that is there is not heard. */
@@ -190,8 +196,8 @@ export type FromPainter =
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
   /** The same, with outlines for what is looked at now. */
   | { readonly kind: 'outlined'; readonly scene: number; readonly marks: Marks }
-  /** The thread cannot go on. */
-  | { readonly kind: 'failed'; readonly message: string }
+  /** The thread cannot go on. `during`: what it was doing, if that was for one scene. */
+  | { readonly kind: 'failed'; readonly message: string; readonly during?: InProgress | undefined }
 
 /** How near areas are to what was asked for. */
 export interface Fitted {

@@ -19,6 +19,10 @@ export interface Refusals {
   /** `reason`: of the failure, which may be in English. */
   notComputed(reason: string): string
   readonly notDrawn: string
+  /** What draws has failed, and another one goes on. `reason`: of the failure, which may be in English. */
+  drawingFailed(reason: string): string
+  /** It has failed again and again. */
+  drawingEnded(reason: string): string
   readonly nothingChanged: string
   readonly areasWithoutRegion: string
   /** `areas` numbers are given for `circles` circles. */
@@ -50,6 +54,8 @@ export const ENGLISH_REFUSALS: Refusals = {
   noLayer: (word, names) => `There is no layer ${word}. The layers are ${listed(names, 'and')}.`,
   notComputed: (reason) => `The diagram could not be computed: ${reason}.`,
   notDrawn: 'The picture could not be drawn.',
+  drawingFailed: (reason) => `Drawing the picture failed and was started again: ${reason}.`,
+  drawingEnded: (reason) => `The picture can no longer be drawn: ${reason}. Reload the page.`,
   nothingChanged: 'Nothing has changed. Try again.',
   areasWithoutRegion: 'Areas need a region: the cells divide it.',
   areasForCircles: (areas, circles) => `There are ${areas} areas for ${circles} circles.`,

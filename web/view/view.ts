@@ -16,7 +16,7 @@ import {
 import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import { SvgDrawing, svgOf } from './painter/svg-drawing.ts'
-import type { Answer, Edited, Painter, PainterScene } from './painter.ts'
+import type { Answer, Edited, Lost, Painter, PainterScene } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, Found, Marks, Questions, Touching, Trial } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
@@ -46,6 +46,8 @@ export interface ViewEvents {
   readonly changed: Edited
   /** They could not be, and why: a `CircleVoronoiError`, or another one if the computer failed. */
   readonly refused: Error
+  /** Drawing has failed and goes on. `marks`: which circles stand out is not known any more. */
+  readonly failed: { readonly error: Error; readonly marks: boolean }
 }
 
 /** Circles that are selected: x, y, r each, and the box around them. */
@@ -111,6 +113,7 @@ export class View {
     tried: new Set(),
     changed: new Set(),
     refused: new Set(),
+    failed: new Set(),
   }
   readonly #ondispose: () => void
   readonly #watching = new AbortController()
@@ -143,6 +146,7 @@ export class View {
         this.#overlayChanges()
       },
       found: (found) => this.#findingChanges(found),
+      failed: (error, lost) => this.#drawingFailed(error, lost),
     })
     this.#observer = new ResizeObserver(() => this.#sizeChanges())
     this.#observer.observe(container)
@@ -514,6 +518,14 @@ export class View {
     const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
     const marks = hasOutlines ? standingOut.marks : withoutCells(standingOut.marks)
     return { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
+  }
+
+  /** Another thread draws from now on, without what may have been the cause. */
+  #drawingFailed(error: Error, { marks, layers }: Lost): void {
+    if (marks) this.#marks = { selected: undefined, hovered: undefined }
+    if (layers) this.setLayers(DEFAULT_LAYERS)
+    this.#overlayChanges()
+    this.#tell('failed', { error, marks })
   }
 
   #findingChanges(found: Found | undefined): void {

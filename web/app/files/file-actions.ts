@@ -44,29 +44,27 @@ const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string
 /** What a picture shows: as much as the window, or all circles. */
 export type Part = 'seen' | 'all'
 
+/** The threads of files: for what is saved and linked, for what is opened, and what writes links in the first one. */
+export interface FileThreads {
+  readonly files: Pick<FilesClient, 'call'>
+  readonly reader: Pick<FilesClient, 'call'>
+  readonly links: LinkWriter
+}
+
 /** All that a user can do with files and links. */
 export class FileActions {
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #actions: PageActions
   readonly #view: View
-  readonly #client: FilesClient
-  readonly #links: LinkWriter
+  readonly #threads: FileThreads
 
-  constructor(
-    store: Store<State>,
-    editing: Editing,
-    actions: PageActions,
-    view: View,
-    client: FilesClient,
-    links: LinkWriter,
-  ) {
+  constructor(store: Store<State>, editing: Editing, actions: PageActions, view: View, threads: FileThreads) {
     this.#store = store
     this.#editing = editing
     this.#actions = actions
     this.#view = view
-    this.#client = client
-    this.#links = links
+    this.#threads = threads
   }
 
   /** Opens a file of circles, or of polygons as the region. One that cannot be read changes nothing. */
@@ -134,7 +132,7 @@ export class FileActions {
     const isPicture = file.type.startsWith('image/') && file.type !== 'image/svg+xml'
     if (!isPicture) return this.#read(new Uint8Array(await file.arrayBuffer()), file.name)
     try {
-      return await this.#client.call('stipple', file)
+      return await this.#threads.reader.call('stipple', file)
     } catch {
       throw new Error(`${file.name} cannot be read as a picture.`)
     }
@@ -144,7 +142,7 @@ export class FileActions {
   async #read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
     try {
       // The thread gets them.
-      return await this.#client.call('read', bytes.slice(), name)
+      return await this.#threads.reader.call('read', bytes.slice(), name)
     } catch (error) {
       const { message } = error as Error
       if (isBinary(bytes)) throw new Error(`${name} is not a table of circles. ${READABLE}`)
@@ -161,7 +159,7 @@ export class FileActions {
   async saveAs(format: SavedFormat): Promise<void> {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
-      const text = await this.#client.call('write', circles, format, this.#editing.domain.region)
+      const text = await this.#threads.files.call('write', circles, format, this.#editing.domain.region)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
     })
@@ -238,7 +236,7 @@ export class FileActions {
   /** Empty if the content is too large for a link. */
   async #link(state = this.#actions.linkState()): Promise<string> {
     try {
-      return await this.#links.linkOf(state ?? {})
+      return await this.#threads.links.linkOf(state ?? {})
     } catch (error) {
       if (error instanceof CircleVoronoiError && error.code === 'tooManyCircles') return ''
       throw error
@@ -246,7 +244,7 @@ export class FileActions {
   }
 
   #csv(): Promise<string> {
-    return this.#client.call('write', this.#editing.circles.circles(), 'csv')
+    return this.#threads.files.call('write', this.#editing.circles.circles(), 'csv')
   }
 
   get #name(): string {

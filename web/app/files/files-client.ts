@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { ErrorCode } from '../../lib/base/errors.ts'
 import { type RemoteCall, RemoteCalls, type RemoteReply } from '../../view/remote-calls.ts'
 import type { FilesCalls } from './files-protocol.ts'
 
-/** Readers, writers and generators, in a thread that begins with the first call. */
+/**
+ * Readers, writers and generators, in a thread that begins with the first call. The page has two: what is being opened can be
+ * canceled and may take long, while links, saved files and lists neither wait for it nor end with it.
+ */
 export class FilesClient {
-  #calls = new RemoteCalls<FilesCalls>()
+  readonly #calls = new RemoteCalls<FilesCalls>()
   #worker: Worker | undefined
 
   /** @throws CircleVoronoiError as `FilesCalls` says */
@@ -16,24 +20,23 @@ export class FilesClient {
     return this.#calls.call(name, args, (call: RemoteCall) => worker.postMessage(call))
   }
 
-  /** Ends all calls; nobody hears of them any more. */
+  /** Ends all calls, which reject. */
   cancel(): void {
+    this.#end('internal', 'It was canceled.')
+  }
+
+  #end(code: ErrorCode, message: string): void {
     this.#worker?.terminate()
+    // The next one may work.
     this.#worker = undefined
-    this.#calls = new RemoteCalls()
+    this.#calls.leave(undefined, { code, circle: undefined, message })
   }
 
   #start(): Worker {
     if (this.#worker !== undefined) return this.#worker
     const worker = new Worker(new URL('./files-thread.ts', import.meta.url), { type: 'module' })
     worker.onmessage = ({ data }: MessageEvent<RemoteReply>) => this.#calls.receive(data)
-    worker.onerror = () => {
-      const message = 'The part of the page that does this could not be loaded. Try again.'
-      this.#calls.leave(undefined, { code: 'notLoaded', circle: undefined, message })
-      // The next one may work.
-      worker.terminate()
-      this.#worker = undefined
-    }
+    worker.onerror = () => this.#end('notLoaded', 'The part of the page that does this could not be loaded. Try again.')
     this.#worker = worker
     return worker
   }

@@ -4,12 +4,15 @@ import { describeCell } from '../../editing/describe-cell.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { short } from '../../view/short.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 import { listenToPresses } from '../input/after-press.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 type Field = 'x' | 'y' | 'r'
 const FIELDS: readonly Field[] = ['x', 'y', 'r']
+/** Buttons for so many neighbors are shown. */
+const MOST_NEIGHBORS = 500
 
 /** The numbers, the cell and the neighbors of the selected circle. Returns how to move the focus there. */
 export function mountInspector(store: Store<State>, actions: PageActions): () => void {
@@ -55,10 +58,17 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
 
   let shownNeighbors: string | undefined
   const showNeighbors = (indices: readonly number[]) => {
-    if (indices.join() === shownNeighbors) return
-    shownNeighbors = indices.join()
+    const shown = indices.slice(0, MOST_NEIGHBORS)
+    const text = `${shown.join()} of ${indices.length}`
+    if (text === shownNeighbors) return
+    shownNeighbors = text
     const hadFocus = neighbors.contains(document.activeElement)
-    neighbors.replaceChildren(...indices.map((index) => chip(index, actions)))
+    neighbors.replaceChildren(...shown.map((index) => chip(index, actions)))
+    if (indices.length > shown.length) {
+      const more = document.createElement('li')
+      more.textContent = `and ${wholeNumber(indices.length - shown.length)} more`
+      neighbors.append(more)
+    }
     if (hadFocus) (neighbors.querySelector('button') ?? figure).focus()
   }
 

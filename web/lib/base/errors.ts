@@ -117,3 +117,14 @@ export function reasonOf(cause: unknown): string {
 export function workerFailure(cause: unknown): CircleVoronoiError {
   return new CircleVoronoiError('internal', `The worker failed: ${reasonOf(cause)}.`, { cause })
 }
+
+/** Calls a listener. Whatever it throws becomes an uncaught error, as with events, so it cannot make its caller fail. */
+export function callListener<Event>(listener: ((event: Event) => void) | undefined, event: Event): void {
+  try {
+    listener?.(event)
+  } catch (error) {
+    queueMicrotask(() => {
+      throw error
+    })
+  }
+}

@@ -3,7 +3,7 @@
 import { checkNumber } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
-import { receivedError, workerFailure } from '../base/errors.ts'
+import { callListener, receivedError, workerFailure } from '../base/errors.ts'
 import { NewestQueue, type Queued } from '../base/newest-queue.ts'
 import type { Certificate, Circle, DiagramData, Float64s, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
@@ -149,12 +149,8 @@ export class EditorClient implements AsyncEditorMethods {
         for (const { reject } of askers) reject(receivedError(result.error))
         return
       }
-      try {
-        if (EDITS.includes(work.method)) this.onchange?.(result.value as Change)
-        for (const { resolve } of askers) resolve(result.value)
-      } catch (error) {
-        for (const { reject } of askers) reject(error)
-      }
+      if (EDITS.includes(work.method)) callListener(this.onchange, result.value as Change)
+      for (const { resolve } of askers) resolve(result.value)
     })
   }
 

@@ -39,7 +39,10 @@ export interface EditorOptions {
  * @category Editing
  */
 export interface EditorMethods {
-  /** A callback for each change, called before the method that made the change returns. */
+  /**
+   * A callback for each change, called before the method that made the change returns. An error that it throws is reported as
+   * uncaught, and the change stands.
+   */
   onchange: ((change: Change) => void) | undefined
   /**
    * Inserts a circle. Its id is `inserted[0]` of the change. `hint` is the id of a nearby circle, if you know one; by

@@ -3,6 +3,7 @@
 import { checkNumber, refuseArgument } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
+import { callListener } from '../base/errors.ts'
 import type { Certificate, Circle, Int32s } from '../base/types.ts'
 import { type Change, changeOf } from '../diagram/change.ts'
 import { Diagram } from '../diagram/diagram.ts'
@@ -154,7 +155,7 @@ export class Editor implements EditorMethods {
     const bytes = unwrap(result)
     this.#revision += 1
     const change = changeOf(bytes, this.#revision)
-    this.onchange?.(change)
+    callListener(this.onchange, change)
     return change
   }
 }

@@ -3,6 +3,7 @@ import { at, edgeOf, NONE, vertexOf } from '../../lib/base/diagram-data.ts'
 import type { Diagram } from '../../lib/index.ts'
 import { mergeVertices } from '../../lib/queries/merged.ts'
 import type { Counted } from '../protocol.ts'
+import { leastFirst } from './ring.ts'
 
 /** What a method finds of a diagram. */
 export interface MethodOutcome {
@@ -87,9 +88,7 @@ function placesIn(right: Diagram, other: Diagram, mergedVertex: Int32Array): num
 
 /** Three circles in this order round touch one disc from outside at most. */
 function circlesOf({ vertexCircles }: Diagram, v: number): string {
-  const ring = [0, 1, 2].map((k) => at(vertexCircles, 3 * v + k))
-  const first = ring.indexOf(Math.min(...ring))
-  return [...ring.slice(first), ...ring.slice(0, first)].join()
+  return leastFirst([0, 1, 2].map((k) => at(vertexCircles, 3 * v + k))).join()
 }
 
 /** The same from either side. */

@@ -22,6 +22,7 @@ import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
+import { leastFirst } from './ring.ts'
 
 /** What is looked at. */
 interface Look extends Wish {
@@ -406,12 +407,6 @@ export class PaintedScene {
     this.draw(new CanvasDrawing(context), frameOf(grid, box), grid.pixelRatio, style)
     return { box, image: canvas.transferToImageBitmap() }
   }
-}
-
-/** A ring from its least number on: it does not depend on where it begins. */
-function leastFirst(ring: readonly number[]): number[] {
-  const start = ring.indexOf(Math.min(...ring))
-  return [...ring.slice(start), ...ring.slice(0, start)]
 }
 
 function isSameBox(one: PixelBox, other: PixelBox): boolean {

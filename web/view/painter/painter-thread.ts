@@ -7,7 +7,7 @@ import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
 import { loadRegions } from '../../lib/wasm/load-regions.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
-import type { DomainChange, FromPainter, Patch, ToPainter } from '../protocol.ts'
+import type { DomainChange, FromPainter, InProgress, Patch, ToPainter } from '../protocol.ts'
 import { answers, type Steps } from './answers.ts'
 import { PaintedScene } from './painted-scene.ts'
 
@@ -47,7 +47,7 @@ export function answerViews(): void {
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
     if (data.kind === 'start') begin(circleVoronoiOf(data.module))
-    else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
+    else last = last.then(() => answer(data)).catch((error) => fail(error, data))
   }
 }
 
@@ -136,6 +136,10 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
   }
 }
 
+function fail(error: unknown, { scene, kind }: InProgress): void {
+  post({ kind: 'failed', message: reasonOf(error), during: { scene, kind } })
+}
+
 /** What clips and fits, loaded once it is needed. */
 async function regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
   if ((region ?? undefined) === undefined && fit === undefined) return undefined
@@ -187,9 +191,14 @@ function paintSlice(): void {
   const end = performance.now() + SLICE
   for (const [number, scene] of scenes) {
     const patches: Patch[] = []
-    while (scene.isWaiting && performance.now() < end) {
-      const patch = scene.paintNext()
-      if (patch !== undefined) patches.push(patch)
+    try {
+      while (scene.isWaiting && performance.now() < end) {
+        const patch = scene.paintNext()
+        if (patch !== undefined) patches.push(patch)
+      }
+    } catch (error) {
+      fail(error, { scene: number, kind: 'paint' })
+      return
     }
     if (patches.length === 0) continue
     post(
@@ -230,25 +239,34 @@ function measure(end: number): void {
 /** What takes long and is not of the picture of circles and edges comes once nothing has been edited for a while. */
 function findAtRest(): void {
   clearTimeout(rest)
-  rest = setTimeout(() => findAll().catch((error) => post({ kind: 'failed', message: reasonOf(error) })), REST)
+  rest = setTimeout(findAll, REST)
 }
 
 async function findAll(): Promise<void> {
   for (const [number, scene] of scenes) {
-    if (scene.isMethodMissing) {
-      scene.addMethod()
-      schedule()
+    try {
+      await findIn(number, scene)
+    } catch (error) {
+      fail(error, { scene: number, kind: 'find' })
+      return
     }
-    if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
-    if (!scene.isPowerMissing) continue
-    const loaded = await comparison().catch(() => undefined)
-    // What cannot be loaded is not drawn; it may be there the next time.
-    if (loaded === undefined) continue
-    // Meanwhile it may have been closed, or changed.
-    if (scenes.get(number) !== scene || !scene.isPowerMissing) continue
-    scene.addPower(loaded)
+  }
+}
+
+async function findIn(number: number, scene: PaintedScene): Promise<void> {
+  if (scene.isMethodMissing) {
+    scene.addMethod()
     schedule()
   }
+  if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
+  if (!scene.isPowerMissing) return
+  const loaded = await comparison().catch(() => undefined)
+  // What cannot be loaded is not drawn; it may be there the next time.
+  if (loaded === undefined) return
+  // Meanwhile it may have been closed, or changed.
+  if (scenes.get(number) !== scene || !scene.isPowerMissing) return
+  scene.addPower(loaded)
+  schedule()
 }
 
 function post(message: FromPainter, transfer: Transferable[] = []): void {
