@@ -120,7 +120,10 @@ const played = mountMethod(store, actions)
 mountScale(view)
 mountNames(store, editing)
 panelLater('files', complain, async () => (await import('./panels/files.ts')).mountFiles(await fileActions()))
-panelLater('share', complain, async () => (await import('./panels/share.ts')).mountShare(await fileActions()))
+panelLater('share', complain, async () => {
+  const { mountShare } = await import('./panels/share.ts')
+  mountShare(await fileActions(), store, editing, view, actions)
+})
 panelLater('layers', complain, async () => {
   const [{ mountLayers }, { Radii }] = await Promise.all([import('./panels/layers.ts'), import('./motion/radii.ts')])
   mountLayers(store, actions, view, await motion(), new Radii(store, editing))

@@ -6,7 +6,7 @@ import type { Scene } from '../editing/history.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Circle, Edit, Float64s, Point } from '../lib/index.ts'
-import { decodeLink, LINK_LIMITS, type LinkView } from '../lib/link.ts'
+import { decodeLink, frameOf, LINK_LIMITS, type LinkFrame, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
 import type { Drawn } from '../view/gestures.ts'
@@ -54,6 +54,8 @@ export class PageActions extends EditorActions {
 
   /** What the tool `draw` draws with. */
   pen: RegionPen | undefined
+  /** The title, question and check of the link that was opened last; `undefined` if it had none. */
+  frame: LinkFrame | undefined
   /** The radii that circles had before they got areas, by their numbers. */
   readonly #radii = new Map<number, number>()
 
@@ -191,7 +193,8 @@ export class PageActions extends EditorActions {
   }
 
   async #linked(text: string): Promise<Opened> {
-    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = await decodeLink(text)
+    const state = await decodeLink(text)
+    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = state
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
@@ -199,6 +202,8 @@ export class PageActions extends EditorActions {
     const own = 'domain' in scene ? scene.domain : undefined
     const shown = region === undefined ? own?.region : (region ?? undefined)
     const domain = (shown ?? areas) && { region: shown, areas }
+    const frame = frameOf(state)
+    this.frame = Object.keys(frame).length > 0 ? frame : undefined
     return { ...scene, domain, edits, view, layers, step, method }
   }
 

@@ -52,7 +52,7 @@ export function checkCircles(check: Check, count: number): void {
 }
 
 /** All circles that a check names. */
-function numbersIn(check: Check): number[] {
+export function numbersIn(check: Check): number[] {
   if ('all' in check) return check.all.flatMap(numbersIn)
   if ('any' in check) return check.any.flatMap(numbersIn)
   if ('not' in check) return numbersIn(check.not)

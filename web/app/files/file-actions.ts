@@ -4,8 +4,9 @@ import type { Editing } from '../../editing/editing.ts'
 import type { HowOpened } from '../../editing/editor-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { withIds } from '../../element/check.ts'
 import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
-import type { LinkInput } from '../../lib/link.ts'
+import type { LinkFrame, LinkInput } from '../../lib/link.ts'
 import { fitted } from '../../view/camera.ts'
 import { boxOf } from '../../view/domain.ts'
 import { readRegion } from '../../view/region-text.ts'
@@ -207,13 +208,43 @@ export class FileActions {
     return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`), undefined, shape), state)
   }
 
-  /** Elsewhere there are no data sets: the circles themselves are in it. */
   copyElementCode(): Promise<boolean> {
+    const state = this.#wholeState()
+    const controls = state.step === undefined ? 'controls' : 'controls="player"'
+    return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
+  }
+
+  /** The code of a frame that asks a question about what is seen, or the address of the frame. */
+  copyQuestion(what: 'code' | 'link', frame: LinkFrame): Promise<boolean> {
+    const state = this.#questionState(frame)
+    const shape = state.step === undefined ? 'question' : 'player'
+    const codeOf = (address: string) => (what === 'code' ? embedCode(address, frame.title, shape) : address)
+    return this.#copy((link) => codeOf(addressOf(`embed.html#${link}`)), state)
+  }
+
+  /** Opens the frame in a tab of its own. */
+  async openQuestion(frame: LinkFrame): Promise<void> {
+    // Browsers open a tab for a click alone, not for what comes a moment later.
+    const tab = window.open('', '_blank')
+    const isOpened = await this.#try(async () => {
+      const link = await this.#shortLink(this.#questionState(frame))
+      if (tab !== null) tab.location.href = addressOf(`embed.html#${link}`)
+    })
+    if (!isOpened) tab?.close()
+  }
+
+  /** A check names circles by their places in the link. */
+  #questionState(frame: LinkFrame): LinkInput {
+    const { circles } = this.#editing
+    const check = frame.check && withIds(frame.check, (number) => circles.countBelow(this.#editing.idOf(number)))
+    return { ...this.#wholeState(), ...frame, ...(check && { check }) }
+  }
+
+  /** What is seen, with the circles themselves: elsewhere there are no data sets. */
+  #wholeState(): LinkInput {
     const { view, layers, step, method, areas } = this.#actions.linkState() ?? {}
     const { region } = this.#editing.domain
-    const state = { circles: this.#editing.circles.circles(), view, layers, step, method, region, areas }
-    const controls = step === undefined ? 'controls' : 'controls="player"'
-    return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
+    return { circles: this.#editing.circles.circles(), view, layers, step, method, region, areas }
   }
 
   #copy(textOf: (link: string) => string, state: LinkInput | undefined): Promise<boolean> {

@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html } from 'lit/html.js'
+import type { Editing } from '../../editing/editing.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
 import { icon } from '../../player/icon.ts'
 import { CHAIN, CODE } from '../../view/icons.ts'
+import type { View } from '../../view/view.ts'
 import type { FileActions } from '../files/file-actions.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
+import { QuestionForm } from './question.ts'
 import { toast } from './toast.ts'
 
 /** Links and code that show the same elsewhere. */
-export function mountShare(actions: FileActions): void {
+export function mountShare(
+  actions: FileActions,
+  store: Store<State>,
+  editing: Editing,
+  view: View,
+  pageActions: PageActions,
+): void {
   const copy = async (act: () => Promise<boolean>, what: string) => {
     if (await act()) toast(`${what} is in the clipboard.`)
   }
@@ -20,6 +32,7 @@ export function mountShare(actions: FileActions): void {
           <button type="button" class="primary" @click=${() => copy(() => actions.copyLink(), 'The link')}>
             ${icon(CHAIN)}Copy link
           </button>
+          ${question.button()}
           <button
             type="button"
             title="Copy HTML for a frame in another page"
@@ -35,8 +48,10 @@ export function mountShare(actions: FileActions): void {
             ${icon(CODE)}Copy element
           </button>
         </div>
+        ${question.body()}
       `,
     )
-  const panel = panelOf(byId('share', HTMLElement), 'Share', draw, { isKept: false })
+  const question = new QuestionForm(store, editing, view, actions, pageActions, draw)
+  const panel = panelOf(byId('share', HTMLElement), 'Share', draw, { isKept: false, onopen: () => question.take() })
   draw()
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import {
+  type Condition,
+  checkOf,
+  comparisonsOf,
+  conditionsOf,
+  KINDS,
+  kindOf,
+  newCondition,
+  sentenceOf,
+} from '../../web/app/question/conditions.ts'
+import { parseCheck } from '../../web/element/check.ts'
+
+const condition: fc.Arbitrary<Condition> = fc
+  .record({ kind: fc.constantFrom(...KINDS.map(({ key }) => key)), circle: fc.nat(9), which: fc.nat(3) })
+  .chain(({ kind, circle, which }) => {
+    const allowed = comparisonsOf(kindOf({ kind }))
+    return fc.record({
+      kind: fc.constant(kind),
+      circle: fc.constant(circle),
+      comparison: fc.constant(allowed[which % allowed.length] as Condition['comparison']),
+      value: fc.nat(20),
+      most: fc.nat(20),
+      flag: fc.boolean(),
+      other: fc.nat(9),
+    })
+  })
+
+describe('the conditions of a question', () => {
+  it('make a check that the element takes, which gives the conditions back', () => {
+    fc.assert(
+      fc.property(fc.array(condition, { minLength: 1, maxLength: 4 }), fc.boolean(), (conditions, isAny) => {
+        const check = checkOf(conditions, isAny)
+        expect(parseCheck(JSON.stringify(check))).toEqual(check)
+        const back = conditionsOf(check as NonNullable<typeof check>)
+        expect(back && checkOf(back.conditions, back.isAny)).toEqual(check)
+        if (conditions.length > 1) expect(back?.isAny).toBe(isAny)
+      }),
+    )
+  })
+
+  it('are those of a cell with several properties, and of no check with parts in one another', () => {
+    expect(conditionsOf({ cell: 4, edges: 3, bounded: true })?.conditions).toMatchObject([
+      { kind: 'cell.edges', circle: 4, comparison: 'is', value: 3 },
+      { kind: 'cell.bounded', circle: 4, flag: true },
+    ])
+    expect(conditionsOf({ not: { circles: 3 } })).toBeUndefined()
+    expect(conditionsOf({ all: [{ any: [{ circles: 3 }] }] })).toBeUndefined()
+    expect(conditionsOf({ any: [{ cell: 1, edges: 3, bounded: true }, { circles: 3 }] })).toBeUndefined()
+    expect(checkOf([], false)).toBeUndefined()
+  })
+
+  it('are asked for in a sentence, in English and in German', () => {
+    const edges = { ...newCondition(4), value: 3 }
+    const hidden: Condition = { ...newCondition(2), kind: 'cell.hidden', flag: false }
+    expect(sentenceOf([edges], false, 'en')).toBe('Move the circles until the cell of circle 4 has 3 edges.')
+    expect(sentenceOf([edges, hidden], false, 'en')).toBe(
+      'Move the circles until the cell of circle 4 has 3 edges and circle 2 lies inside no other circle.',
+    )
+    expect(sentenceOf([{ ...edges, comparison: 'between' }, hidden], true, 'de')).toBe(
+      'Bewege die Kreise, bis die Zelle von Kreis 4 3 bis 5 Kanten hat oder Kreis 2 in keinem anderen Kreis liegt.',
+    )
+    for (const { key } of KINDS) {
+      for (const lang of ['en', 'de']) expect(sentenceOf([{ ...edges, kind: key }], false, lang)).not.toContain('undef')
+    }
+  })
+})
