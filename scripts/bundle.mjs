@@ -26,41 +26,49 @@ async function lib() {
     copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
   }
   const exported = await Promise.all(['index', 'worker'].map((name) => import(`${ROOT}dist/lib/${name}.js`)))
-  await oneFile('lib', exported.flatMap(Object.keys), [
+  const text = await oneFile('lib', [
     replacing('web/lib/threads/regions-script.ts', 'web/lib/bundled/threads/regions-script.ts'),
+    replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
+    replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/scripts-beside.ts'),
   ])
+  writeFileSync(`${ROOT}dist/lib/bundle.js`, moduleOf(text, exported.flatMap(Object.keys)))
   // That of the module that the compiler made.
   rmSync(`${ROOT}dist/lib/bundle.js.map`)
 }
 
 /**
- * `<circle-voronoi>`, with its thread beside it (index.js, define.js), and all in one (bundle.js). Its WebAssembly is that of
- * dist/lib.
+ * `<circle-voronoi>`, with its thread beside it (index.js, define.js, react.js), whose WebAssembly is that of dist/lib; and all in one
+ * file, as a module (bundle.js) and as a script (classic.js), which inline.js makes a module that any bundler takes.
  */
 async function element() {
-  for (const name of ['index', 'define', 'bundle']) copyDeclarations(`element/${name}.d.ts`)
+  for (const name of ['index', 'define', 'bundle', 'react']) copyDeclarations(`element/${name}.d.ts`)
   await build({
     ...BUNDLED,
     outdir: 'dist/element',
     splitting: true,
-    plugins: [...ELEMENT, painterBeside, wasmBeside],
+    external: ['react'],
+    plugins: [...ELEMENT, painterBeside, wasmBeside, elementOfPackage],
     entryPoints: {
       index: 'web/element/index.ts',
       define: 'web/element/define.ts',
       painter: 'web/view/painter/start-thread.ts',
+      react: 'web/element/react.ts',
     },
   })
-  await oneFile('element', ['CircleVoronoiElement', 'defineCircleVoronoi'], ELEMENT)
+  const names = ['CircleVoronoiElement', 'defineCircleVoronoi']
+  const whole = [...ELEMENT, replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/whole-wasm.ts')]
+  writeFileSync(`${ROOT}dist/element/bundle.js`, moduleOf(await oneFile('element', whole), names))
+  await script(whole, names)
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
   const { manifest } = await import('./manifest.mjs')
   writeFileSync(`${ROOT}dist/element/custom-elements.json`, `${JSON.stringify(manifest(), undefined, 2)}\n`)
 }
 
 /**
- * All that `web/NAME/bundle.ts` has, with the WebAssembly inside, as one function: its text is what its threads run where a page
- * cannot take a worker from a file. The names are those of variables, which code that is pasted after it can use.
+ * All that `web/NAME/bundle.ts` has, with the WebAssembly inside, as a function of its address that returns what it exports: its text
+ * is what its threads run where a page cannot take a worker from a file.
  */
-async function oneFile(name, names, plugins) {
+async function oneFile(name, plugins) {
   const { outputFiles } = await build({
     ...BUNDLED,
     banner: {},
@@ -73,18 +81,52 @@ async function oneFile(name, names, plugins) {
       wasmInside,
       replacing('web/lib/threads/thread-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
       replacing('web/view/painter-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
-      replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
-      replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/module-scripts.ts'),
-      wasmBeside,
+      ...plugins,
+    ],
+  })
+  return `function wholeFile(addressOfFile){${outputFiles[0].text}return exported}`
+}
+
+/** A module of one file. The names are those of variables, which code that is pasted after it can use. */
+function moduleOf(text, names) {
+  return `${BUNDLED.banner.js}\n${text}\nconst{${names}}=wholeFile(import.meta.url);export{${names}}\n`
+}
+
+/**
+ * The element as a script, which has a global for programs, and as a module of that. The thread's text is a string in it: bundlers
+ * change what a function refers to.
+ */
+async function script(plugins, names) {
+  const options = { ...BUNDLED, banner: {}, format: 'iife', write: false }
+  const thread = await build({
+    ...options,
+    entryPoints: ['web/view/painter/start-thread.ts'],
+    plugins: [wasmInside, ...plugins],
+  })
+  const text = {
+    name: 'thread-text',
+    setup({ onResolve, onLoad }) {
+      onResolve({ filter: /\/painter\.thread$/ }, ({ path }) => ({ path, namespace: 'thread' }))
+      onLoad({ filter: /./, namespace: 'thread' }, () => ({ contents: thread.outputFiles[0].text, loader: 'text' }))
+    },
+  }
+  await build({
+    ...BUNDLED,
+    format: 'iife',
+    globalName: 'circleVoronoi',
+    footer: { js: 'globalThis.circleVoronoi=circleVoronoi' },
+    outfile: 'dist/element/classic.js',
+    entryPoints: ['web/element/index.ts'],
+    plugins: [
+      wasmInside,
+      text,
+      replacing('web/view/painter-file.ts', 'web/lib/bundled/threads/thread-text.ts'),
       ...plugins,
     ],
   })
   writeFileSync(
-    `${ROOT}dist/${name}/bundle.js`,
-    `${BUNDLED.banner.js}
-function wholeFile(addressOfFile){${outputFiles[0].text}return exported}
-const{${names}}=wholeFile(import.meta.url);export{${names}}
-`,
+    `${ROOT}dist/element/inline.js`,
+    `${BUNDLED.banner.js}\nimport './classic.js'\nexport const { ${names.join(', ')} } = globalThis.circleVoronoi\n`,
   )
 }
 
@@ -131,14 +173,20 @@ async function zopfli(bytes) {
 }
 
 /** Bundles find the WebAssembly of dist/lib beside their own folder. */
-const wasmBeside = rewriting(
-  /web\/lib\/wasm\/(default-wasm|comparison|load-regions)\.ts$/,
-  /'[./]+(generated\/[\w-]+\.wasm)'/,
-  "'../lib/$1'",
-)
+const wasmBeside = rewriting(/web\/lib\/wasm\/default-wasm\.ts$/, /'[./]+(generated\/[\w-]+\.wasm)'/g, "'../lib/$1'")
 
 /** The thread of the element has a file of its own in dist/element. */
 const painterBeside = rewriting(/web\/view\/painter-file\.ts$/, /'\.\/painter\/start-thread\.ts'/g, "'./painter.js'")
+
+/** The component for React uses the element of the package, for which a bundler takes the file that it needs. */
+const elementOfPackage = {
+  name: 'element-of-package',
+  setup({ onResolve }) {
+    onResolve({ filter: /^\.\/index\.ts$/ }, ({ importer }) =>
+      importer.endsWith('/web/element/react.ts') ? { path: 'circle-voronoi/element', external: true } : undefined,
+    )
+  },
+}
 
 /** Style sheets as texts. */
 const styles = {
@@ -184,7 +232,11 @@ function replacing(module, other) {
   }
 }
 
-/** The element does without the JSON of diagrams. */
-const ELEMENT = [styles, replacing('web/lib/diagram/diagram-file.ts', 'web/element/no-diagram-file.ts')]
+/** The element does without the JSON of diagrams, and its thread is one file. */
+const ELEMENT = [
+  styles,
+  replacing('web/lib/diagram/diagram-file.ts', 'web/element/no-diagram-file.ts'),
+  replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/scripts-inside.ts'),
+]
 
 await { lib, element, cli }[process.argv[2]]()

@@ -2,7 +2,7 @@
 // dist/site: the page, the tutorial and the documentation, static, for any folder of a server. A service worker knows all of its
 // files, and these are there compressed, too, for servers that send them as they are.
 import { createHash } from 'node:crypto'
-import { cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { copyFileSync, cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join, relative } from 'node:path'
 import { promisify } from 'node:util'
 import { brotliCompress, gzip } from 'node:zlib'
@@ -21,9 +21,8 @@ const SMALLEST = 1000
 
 async function buildSite(folder) {
   cpSync(`${ROOT}build/page`, folder, { recursive: true })
-  // For pages with the code of an element that the playground writes. The file is not beside `lib`, as in the package, but above it.
-  const element = readFileSync(`${ROOT}dist/element/bundle.js`, 'utf8')
-  writeFileSync(`${folder}/element.js`, element.replaceAll('../lib/generated/', './lib/generated/'))
+  // For pages with the code of an element that the playground writes.
+  copyFileSync(`${ROOT}dist/element/bundle.js`, `${folder}/element.js`)
   await addFirstPicture(folder)
   await buildTexts(folder)
   const compressed = filesOf(folder).filter((name) => isCompressed(`${folder}/${name}`))

@@ -57,7 +57,7 @@ function aboutOf(files) {
  */
 export async function buildGallery(site) {
   copyFileSync(`${ROOT}web/element/element.css`, `${site}/element.css`)
-  // With the modules that the one file fetches.
+  // With the modules that the library's one file fetches.
   mkdirSync(`${site}/lib/generated`, { recursive: true })
   copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/lib/bundle.js`)
   for (const name of ['comparison', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {

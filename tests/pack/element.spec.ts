@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { expect, type Page, test, type Worker } from '@playwright/test'
-import { build as bundle } from 'esbuild'
+import { build as bundle, type Plugin } from 'esbuild'
 import { build } from 'vite'
 import { buildSite } from '../../examples/element/markdown/build.mjs'
 import type { FigureState } from '../../web/element/circle-voronoi-element.ts'
@@ -117,6 +117,27 @@ async function expectToBeLive(page: Page): Promise<void> {
   await expect.poll(async () => (await circlesOf(page))[3]).toBeLessThan(before[3] as number)
   await page.keyboard.press('Control+z')
   await expect.poll(() => circlesOf(page)).toEqual(before)
+}
+
+/** A region cuts cells, areas are fitted, and power diagrams are drawn. */
+async function expectAllModules(page: Page): Promise<void> {
+  const [drawn, areas] = await page
+    .locator('circle-voronoi')
+    .first()
+    .evaluate(async (element: Element) => {
+      element.region = 'POLYGON ((-5 -5, 15 -5, 15 15, -5 15))'
+      await element.updateComplete
+      const cut = await element.toSVG()
+      element.setAttribute('layers', 'power')
+      const end = Date.now() + 15_000
+      let all = await element.toSVG()
+      while (all.length <= cut.length && Date.now() < end) all = await element.toSVG()
+      element.removeAttribute('layers')
+      element.areas = 'equal'
+      await element.updateComplete
+      return [cut.includes('clip-path') && all.length > cut.length, element.areas] as const
+    })
+  expect({ drawn, areas }).toEqual({ drawn: true, areas: 'equal' })
 }
 
 test('under a strict policy: data that a page without scripts shows, drawn, dragged and edited by keys', async ({
@@ -282,7 +303,7 @@ test('in one file from another origin, of which nothing else is asked', async ({
   }
 })
 
-test('one file fetches what draws power diagrams, wherever its thread comes from', async ({ page }) => {
+test('one file draws power diagrams, wherever its thread comes from', async ({ page }) => {
   const elsewhere = await serve(ROOT, undefined)
   const here = await serve(ROOT, "default-src * blob: data: 'unsafe-inline' 'wasm-unsafe-eval'")
   try {
@@ -538,14 +559,26 @@ test('from an esbuild build, as docs/element.md says', async ({ page }) => {
   expect(stderr).not.toContain('WARNING')
   await page.goto(`${server.address}${PAGES}/esbuild/build/index.html`)
   await expectToBeLive(page)
+  await expectAllModules(page)
   expect(problems).toEqual([])
 })
+
+/** The element is that which the page has already. */
+const elementOfPage: Plugin = {
+  name: 'element-of-page',
+  setup({ onResolve }) {
+    onResolve({ filter: /^circle-voronoi\/element$/ }, () => ({ path: '../../dist/element/index.js', external: true }))
+  },
+}
 
 for (const [k, code] of inLanguage('jsx').entries()) {
   test(`in React as docs/element.md says: ${k + 1}`, async ({ page }) => {
     const { problems } = watch(page)
-    const body = code.startsWith('<') ? `return (${code})` : code
-    const source = `import { useEffect, useRef, useState } from 'react'
+    const [imports = ''] = /^import .*$/m.exec(code) ?? []
+    const rest = code.replace(imports, '').trim()
+    const body = rest.startsWith('<') ? `return (${rest})` : rest
+    const source = `${imports}
+      import { useEffect, useRef, useState } from 'react'
       import { createRoot } from 'react-dom/client'
       function Page() {
         const [circles, setCircles] = useState(${THREE})
@@ -557,9 +590,11 @@ for (const [k, code] of inLanguage('jsx').entries()) {
       stdin: { contents: source, loader: 'jsx', resolveDir: ROOT },
       jsx: 'automatic',
       bundle: true,
+      format: 'esm',
       outfile: join(ROOT, PAGES, 'react-block.js'),
+      plugins: [elementOfPage],
     })
-    await open(page, 'react-block', '<div id="root"></div><script src="react-block.js" defer></script>')
+    await open(page, 'react-block', '<div id="root"></div><script type="module" src="react-block.js"></script>')
     await expectToBeLive(page)
     const seen = await page.evaluate(async () => {
       const { state } = globalThis as unknown as { state: { circles: object; setCircles(circles: object): void } }

@@ -14,7 +14,7 @@ import { hasTypes } from './types.mjs'
 const EXPECTED = JSON.stringify(JSON.parse(readFileSync(new URL('expected.json', import.meta.url), 'utf8')))
 
 /** The modules of the element. */
-const ELEMENT = ['/element', '/element/define']
+const ELEMENT = ['/element', '/element/define', '/element/inline', '/react']
 
 const project = new Project()
 after(() => project.remove())
@@ -33,16 +33,16 @@ it('holds the built library and nothing else', () => {
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
   // The names of what two modules of the element have in common are those of its contents.
-  const shared = /^dist\/element\/(chunk|circle-voronoi-(comparison|regions)|german|link|player)-[A-Z0-9]+\.js$/
+  const shared = /^dist\/element\/(chunk|german|link|player)-[A-Z0-9]+\.js$/
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)
   const element = [
-    ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
-    ...['index', 'define', 'bundle', 'exports', 'circle-voronoi-element', 'frame-types', 'frameworks'].map(
+    ...['index', 'define', 'painter', 'bundle', 'classic', 'inline', 'react'].map((name) => `${name}.js`),
+    ...['index', 'define', 'bundle', 'react', 'exports', 'circle-voronoi-element', 'frame-types', 'frameworks'].map(
       (name) => `${name}.d.ts`,
     ),
     ...['element.css', 'custom-elements.json'],
   ].map((name) => `dist/element/${name}`)
-  const view = ['diagram-counts', 'domain', 'layers'].map((name) => `dist/view/${name}.d.ts`)
+  const view = ['diagram-counts', 'domain', 'layers', 'load'].map((name) => `dist/view/${name}.d.ts`)
   assert.deepEqual(
     files.filter((name) => !shared.test(name)).sort(),
     [...others, ...built, ...generated, ...element, ...view, ...program, ...compiled].sort(),

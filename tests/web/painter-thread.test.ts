@@ -61,7 +61,7 @@ function wishOf(wish: number, id: number, scale: number, tiles: number): Wish {
 
 vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))
 answerViews()
-send({ kind: 'start', module: await compileCircleVoronoi({}) })
+send({ kind: 'start', module: await compileCircleVoronoi({}), others: {} })
 
 beforeEach(() => {
   vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))

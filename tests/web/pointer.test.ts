@@ -771,17 +771,22 @@ describe('in a page that scrolls', () => {
 
   it('only a finger that drags, or a second one, keeps the page from scrolling', async () => {
     const stage = new Stage({ isGrabbed: ({ x }) => x === 0 })
-    const finger = (x: number) => ({ clientX: pixel(x, 0).x + 30, clientY: pixel(x, 0).y + 20 })
-    const keeps = async (...touches: object[]) =>
-      (await stage.send('touchstart', pixel(0, 0), { touches })).defaultPrevented
-    expect([await keeps(), await keeps(finger(0)), await keeps(finger(1))]).toEqual([false, true, false])
-    expect(await keeps(finger(1), finger(2))).toBe(true)
+    // Fingers are told of as pointers first.
+    const keeps = async (...places: number[]) => {
+      const fingers = places.map((x, pointerId) => [pixel(x, 0), { ...touch, pointerId }] as const)
+      for (const finger of fingers) await stage.send('pointerdown', ...finger)
+      const { defaultPrevented } = await stage.send('touchstart', pixel(0, 0), { touches: fingers })
+      for (const finger of fingers) await stage.send('pointerup', ...finger)
+      return defaultPrevented
+    }
+    expect([await keeps(), await keeps(0), await keeps(1)]).toEqual([false, true, false])
+    expect(await keeps(1, 2)).toBe(true)
     for (const change of [{ tool: 'add' }, { tool: 'select', pathEnd: 'to' }] as const) {
       Object.assign(stage, change)
-      expect(await keeps(finger(1))).toBe(true)
+      expect(await keeps(1)).toBe(true)
     }
     Object.assign(stage, { pathEnd: undefined, handle: { x: 0, y: 0 } })
-    expect(await keeps(finger(1))).toBe(true)
+    expect(await keeps(1)).toBe(true)
   })
 
   it('the wheel scrolls the page until the view is pressed, and again once the pointer has left; with Ctrl it zooms', async () => {

@@ -183,4 +183,14 @@ export function listenToKeyboard(
   }
   // TypeScript does not know that either of the two has these.
   ;(around as HTMLElement).addEventListener('keydown', onKeyAround, { signal })
+  if ('body' in around) return
+  // A page around a figure may have keys of its own, as slides do.
+  around.addEventListener(
+    'keydown',
+    (event) => {
+      const isOfButton = ['Enter', ' '].includes(event.key) && (event.target as Element).localName === 'button'
+      if (event.defaultPrevented || isOfButton) event.stopPropagation()
+    },
+    { signal },
+  )
 }

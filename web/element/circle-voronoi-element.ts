@@ -7,11 +7,11 @@ import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
 import type { Check } from '../lib/check-types.ts'
 import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
-import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import { Figure } from '../player/figure.ts'
 import type { DiagramCounts } from '../view/diagram-counts.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
+import type { FigureLoadOptions } from '../view/load.ts'
 import { shownValue } from '../view/refusal.ts'
 import { isRegionText, readRegion } from '../view/region-text.ts'
 import type { View } from '../view/view.ts'
@@ -153,7 +153,7 @@ export class CircleVoronoiElement extends Base {
   /** The attributes that the element observes. */
   static readonly observedAttributes: readonly string[] = ATTRIBUTES
   /** How the first element of a page loads the WebAssembly. */
-  static load: LoadOptions = {}
+  static load: FigureLoadOptions = {}
 
   readonly #internals: ElementInternals
   readonly #shell: Shell

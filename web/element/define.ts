@@ -4,7 +4,7 @@
  *
  * @module circle-voronoi/element/define
  */
-import type { LoadOptions } from '../lib/wasm/load-options.ts'
+import type { FigureLoadOptions } from '../view/load.ts'
 import { CircleVoronoiElement } from './circle-voronoi-element.ts'
 
 export * from './exports.ts'
@@ -14,7 +14,7 @@ export * from './exports.ts'
  *
  * @category Element
  */
-export interface DefineOptions extends LoadOptions {
+export interface DefineOptions extends FigureLoadOptions {
   /** The tag name, which must contain a hyphen. Default: `circle-voronoi`. */
   readonly name?: string | undefined
 }

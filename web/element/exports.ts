@@ -7,7 +7,6 @@ export type {
   Circles,
   ErrorCode,
   Float64s,
-  LoadOptions,
   Options,
   RegionShape,
   RingShape,
@@ -17,6 +16,7 @@ export type { LayerValue, LinkFrame, LinkInput, LinkView } from '../lib/link.ts'
 export type { DiagramCounts } from '../view/diagram-counts.ts'
 export type { Areas } from '../view/domain.ts'
 export type { CellColors, DataLayer, Layers } from '../view/layers.ts'
+export type { FigureLoadOptions } from '../view/load.ts'
 export {
   CircleVoronoiElement,
   type CircleVoronoiEventMap,

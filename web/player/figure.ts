@@ -9,10 +9,10 @@ import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Point } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
-import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
+import type { FigureLoadOptions } from '../view/load.ts'
 import { mount } from '../view/mount.ts'
 import { type Listening, listenToPointer } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
@@ -33,7 +33,7 @@ export interface Places {
 
 /** What is told of a figure, and how it gets on with what is around it. */
 export interface FigureOptions<Actions extends EditorActions> {
-  readonly load?: LoadOptions
+  readonly load?: FigureLoadOptions
   /** Whether the page around it scrolls, by the wheel and by a finger. */
   readonly scrolls?: boolean
   /** What keys do beside. */

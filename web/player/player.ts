@@ -315,7 +315,10 @@ class MethodPlayer implements Player {
     // Buttons and lists have keys of their own.
     const isOwn =
       event.key === ' ' ? target.closest('button, select, summary') !== null : target.closest('select') !== null
-    if (isOwn) return
+    if (isOwn) {
+      event.stopPropagation()
+      return
+    }
     const last = this.#steps.length - 1
     const moves: Readonly<Record<string, () => void>> = {
       ' ': () => (this.#isPlaying ? this.pause() : this.play()),
@@ -328,7 +331,9 @@ class MethodPlayer implements Player {
     }
     const move = moves[event.key]
     if (move === undefined) return
+    // A page around it may have keys of its own, as slides do.
     event.preventDefault()
+    event.stopPropagation()
     move()
   }
 

@@ -3,10 +3,11 @@
 import { reasonOf, receivedError } from '../lib/base/errors.ts'
 import type { Edit } from '../lib/index.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
-import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
+import { compileCircleVoronoi } from '../lib/wasm/load-options.ts'
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers } from './layers.ts'
+import { type FigureLoadOptions, otherModules } from './load.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type {
   DomainChange,
@@ -88,7 +89,7 @@ interface Scene {
  * there is none after that.
  */
 export class Painter {
-  readonly #options: LoadOptions
+  readonly #options: FigureLoadOptions
   readonly #scenes = new Map<number, Scene>()
   readonly #questions = new RemoteCalls<Questions>()
   #worker: Worker | undefined
@@ -98,7 +99,7 @@ export class Painter {
   #isDisposed = false
   #lastScene = 0
 
-  constructor(options: LoadOptions = {}) {
+  constructor(options: FigureLoadOptions = {}) {
     this.#options = options
     this.#start()
   }
@@ -192,8 +193,8 @@ export class Painter {
       else if (this.#worker === worker) this.#receive(data)
     }
     worker.onerror = ({ message }) => fail((words) => message ?? words.noThread)
-    compileCircleVoronoi(this.#options).then(
-      (module) => worker.postMessage({ kind: 'start', module } satisfies ToPainter),
+    Promise.all([compileCircleVoronoi(this.#options), otherModules(this.#options)]).then(
+      ([module, others]) => worker.postMessage({ kind: 'start', module, others } satisfies ToPainter),
       (error: Error) => fail(() => reasonOf(error)),
     )
     for (const [scene, { circles, domain, look, mark, layers }] of this.#scenes) {

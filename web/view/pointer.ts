@@ -2,6 +2,7 @@
 import type { Point } from '../lib/index.ts'
 import { toPlane } from './camera.ts'
 import { type Gesture, gesturesOf, type Hands } from './gestures.ts'
+import { pointOf } from './on-screen.ts'
 import type { Hit } from './protocol.ts'
 import type { View } from './view.ts'
 
@@ -54,6 +55,12 @@ export function listenToPointer(
   let isActive = !letsPageScroll
   /** Whether the pointer is above the element, without a press. */
   let isHovering = false
+  /** Whether the first finger drags something; if not, the page scrolls. */
+  let isFingerHeld = false
+  /** The same of the touch events, which come after those of pointers. */
+  let isTouchKept = false
+  /** The event that ended the last press. */
+  let released: Event | undefined
   /** What was pressed and is not known yet. */
   let pending: Promise<unknown> | undefined
 
@@ -134,7 +141,7 @@ export function listenToPointer(
 
   const begin = (point: Point, event: PointerEvent): Gesture => {
     const isTouch = event.pointerType === 'touch'
-    if (isTouch && !isHeld(point)) return { move() {}, click: () => wait(afterPending(() => select(point))) }
+    if (isTouch && !isFingerHeld) return { move() {}, click: () => wait(afterPending(() => select(point))) }
     const pathEnd = view.pathEndAt(point, isTouch ? TOUCH_SLACK : 0)
     const scaling = view.handleAt(point, isTouch ? TOUCH_SLACK : 0)
     if (event.button === MIDDLE || hands.tool === 'pan') return gestures.pan(point, () => {})
@@ -195,6 +202,14 @@ export function listenToPointer(
     options: AddEventListenerOptions = {},
   ) => element.addEventListener(name, listener, { ...options, signal: listeners.signal })
 
+  /** A page may have gestures of its own, as slides and carousels do: it does not hear of those that are the view's. */
+  const keepHere = (event: MouseEvent) => {
+    const isTouch = 'pointerType' in event && event.pointerType === 'touch'
+    const isPressed = pressed.size > 0 || released === event
+    const isScroll = isTouch && pressed.size < 2 && !isFingerHeld
+    if (isPressed && !isScroll) event.stopPropagation()
+  }
+
   on('pointerdown', (event) => {
     isActive = true
     if (![MAIN, MIDDLE].includes(event.button) || pressed.size === 2) return
@@ -210,6 +225,7 @@ export function listenToPointer(
       return
     }
     start = point
+    isFingerHeld = event.pointerType === 'touch' && isHeld(point)
     hasMoved = false
     // A finger cannot hover: a tap shows what a pointer shows that is moved there, until the next one.
     if (event.pointerType === 'touch') view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
@@ -248,6 +264,7 @@ export function listenToPointer(
 
   on('pointerup', (event) => {
     if (!pressed.delete(event.pointerId)) return
+    released = event
     if (hasMoved) wait(Promise.resolve(gesture?.end?.()))
     else gesture?.click?.()
     end(pointOf(event))
@@ -287,21 +304,28 @@ export function listenToPointer(
   }
   on('dblclick', (event) => wait(afterPending(() => addAt(pointOf(event)))))
 
-  // The page scrolls unless this is prevented as the finger comes down.
+  // The page scrolls unless this is prevented as the finger comes down, which was told of as a pointer before.
   const keepTouch = (event: TouchEvent) => {
-    const { left, top } = element.getBoundingClientRect()
-    const [first, second] = event.touches
-    const isKept =
-      second !== undefined || (first !== undefined && isHeld({ x: first.clientX - left, y: first.clientY - top }))
-    if (isKept && event.cancelable) event.preventDefault()
+    isTouchKept = event.touches.length > 1 || (pressed.size > 0 && isFingerHeld)
+    if (isTouchKept && event.cancelable) event.preventDefault()
+    keepTouchHere(event)
   }
-  if (letsPageScroll) on('touchstart', keepTouch, { passive: false })
+  const keepTouchHere = (event: TouchEvent) => {
+    if (isTouchKept) event.stopPropagation()
+  }
+  if (letsPageScroll) {
+    on('touchstart', keepTouch, { passive: false })
+    for (const name of ['touchmove', 'touchend', 'touchcancel'] as const) on(name, keepTouchHere)
+    for (const name of ['pointerdown', 'pointermove', 'pointerup', 'pointercancel', 'mousedown'] as const)
+      on(name, keepHere)
+  }
 
   on(
     'wheel',
     (event) => {
       if (!isActive && !event.ctrlKey) return
       event.preventDefault()
+      if (letsPageScroll) event.stopPropagation()
       // A pinch on a touchpad arrives as a wheel with the control key and small steps.
       const speed = event.ctrlKey ? 0.01 : 0.0016
       const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY
@@ -319,8 +343,4 @@ export function listenToPointer(
       end(undefined)
     },
   }
-}
-
-function pointOf(event: MouseEvent): Point {
-  return { x: event.offsetX, y: event.offsetY }
 }

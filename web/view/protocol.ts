@@ -19,6 +19,7 @@ import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers, Measure } from './layers.ts'
+import type { OtherModules } from './load.ts'
 import type { Frame } from './painter/frame.ts'
 import type { RemoteCall, RemoteReply } from './remote-calls.ts'
 import type { Style } from './style.ts'
@@ -109,7 +110,7 @@ export interface InProgress {
 }
 
 export type ToPainter =
-  | { readonly kind: 'start'; readonly module: CompiledWasm }
+  | { readonly kind: 'start'; readonly module: CompiledWasm; readonly others: OtherModules }
   /** A scene without circles. What is for none that is there is not heard. */
   | { readonly kind: 'add'; readonly scene: number }
   /** Other circles; circle i gets id i. */

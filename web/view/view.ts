@@ -4,6 +4,7 @@ import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
 import type { CircleTable } from './circle-table.ts'
 import { type AboveLayer, checkLayers, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
+import { scaleOnScreen } from './on-screen.ts'
 import {
   type Above,
   drawOverlay,
@@ -24,6 +25,10 @@ import { isDark, readStyle, type Style } from './style.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
 const REST = 80
+
+/** Transforms that enlarge by less leave the picture as it is; of larger ones it gets so many times as many pixels. */
+const LEAST_ENLARGED = 1.05
+const MOST_SHARPENED = 4
 
 const notDrawn = () => new Failure((words) => words.notDrawn)
 
@@ -101,6 +106,7 @@ export class View {
   /** Whether there is nothing on the overlay: then it need not be cleared. */
   #isOverlayEmpty = true
   #isShown = true
+  #scale = 1
   #hasDiagram = true
 
   readonly #listeners: { readonly [Name in keyof ViewEvents]: Set<(event: ViewEvents[Name]) => void> } = {
@@ -212,7 +218,7 @@ export class View {
     this.#baseChanged = true
     this.#overlayChanged = true
     this.#schedule()
-    if (this.#picture.isSharp(camera, devicePixelRatio)) {
+    if (this.#picture.isSharp(camera, this.#pixelRatio)) {
       this.#see()
     } else {
       clearTimeout(this.#rest)
@@ -444,9 +450,28 @@ export class View {
     if (!matchMedia('print').matches) this.#resize()
   }
 
+  /** Pixels of the screen for each CSS pixel of the container. */
+  get #pixelRatio(): number {
+    return devicePixelRatio * this.#scale
+  }
+
+  /** How much a transform or a zoom around the container enlarges it. Pictures that are made smaller stay as they are. */
+  #scaleOnScreen(): number {
+    const scale = scaleOnScreen(this.#container)
+    return scale > LEAST_ENLARGED ? Math.min(scale, MOST_SHARPENED) : 1
+  }
+
+  /** Nothing tells of a transform: it is looked at whenever something is drawn, and where the window is another. */
+  #checkScale(): void {
+    if (matchMedia('print').matches) return
+    const ratio = this.#scaleOnScreen() / this.#scale
+    if (Math.max(ratio, 1 / ratio) > LEAST_ENLARGED) this.#resize()
+  }
+
   #resize(): void {
     this.#size = { width: this.#container.clientWidth, height: this.#container.clientHeight }
-    const pixels = this.#isShown ? devicePixelRatio : 0
+    this.#scale = this.#scaleOnScreen()
+    const pixels = this.#isShown ? this.#pixelRatio : 0
     for (const canvas of [this.#base, this.#overlay]) {
       canvas.width = Math.round(this.#size.width * pixels)
       canvas.height = Math.round(this.#size.height * pixels)
@@ -459,7 +484,7 @@ export class View {
 
   #see(): void {
     if (!this.#isShown || this.#size.width === 0 || this.#size.height === 0) return
-    const wish = this.#picture.see(this.#camera, this.#size, devicePixelRatio)
+    const wish = this.#picture.see(this.#camera, this.#size, this.#pixelRatio)
     if (wish === undefined) return
     this.#lookedAt = this.#camera.scale
     this.#scene.look(wish, this.#style)
@@ -473,12 +498,13 @@ export class View {
   #draw(): void {
     this.#frame = 0
     if (!this.#isShown) return
+    this.#checkScale()
     if (this.#baseChanged) {
       const context = this.#base.getContext('2d') as CanvasRenderingContext2D
-      this.#picture.draw(context, this.#camera, this.#size, devicePixelRatio)
+      this.#picture.draw(context, this.#camera, this.#size, this.#pixelRatio)
       this.#baseChanged = false
     }
-    this.#container.ariaBusy = String(!this.#picture.isWhole || !this.#picture.isSharp(this.#camera, devicePixelRatio))
+    this.#container.ariaBusy = String(!this.#picture.isWhole || !this.#picture.isSharp(this.#camera, this.#pixelRatio))
     if (this.#overlayChanged) this.#drawOverlay()
     this.#overlayChanged = false
   }
@@ -503,9 +529,10 @@ export class View {
     this.#isOverlayEmpty = isEmpty
     const context = this.#overlay.getContext('2d') as CanvasRenderingContext2D
     const { width, height } = this.#overlay
-    const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * devicePixelRatio, width, height }
+    const ratio = this.#pixelRatio
+    const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * ratio, width, height }
     context.clearRect(0, 0, width, height)
-    drawOverlay(new CanvasDrawing(context), frame, devicePixelRatio, this.#style, above)
+    drawOverlay(new CanvasDrawing(context), frame, ratio, this.#style, above)
   }
 
   #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number): void {
@@ -567,6 +594,9 @@ export class View {
     }
     // Paper gets what is drawn by then.
     matchMedia('print').addEventListener('change', () => this.#drawOverlay(), { signal })
+    // Others that hear of the same may set a transform.
+    const check = () => requestAnimationFrame(() => this.#checkScale())
+    for (const name of ['resize', 'transitionend']) addEventListener(name, check, { signal })
     const watchPixels = () => {
       const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
       const change = () => {

@@ -4,6 +4,7 @@ import { type Circles, coordinatesOf } from '../base/coordinates.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import type { Metric } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
+import { defaultComparisonWasm } from './default-wasm.ts'
 import type { ComputingLibrary } from './library.ts'
 import type { LoadOptions } from './load-options.ts'
 import { loadComparisonScript } from './module-scripts.ts'
@@ -39,8 +40,7 @@ export interface Comparison {
  */
 export async function loadComparison(library: ComputingLibrary, { wasm }: LoadOptions): Promise<Comparison> {
   const { default: createModule } = await loadComparisonScript().catch(scriptNotLoaded('The comparison diagrams'))
-  const beside = () => new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
-  return comparisonOf(library, await instantiate(createModule, await compileWasm(wasm, beside)))
+  return comparisonOf(library, await instantiate(createModule, await compileWasm(wasm, defaultComparisonWasm)))
 }
 
 function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {

@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The WebAssembly beside this module. Each function throws where modules have no address.
 import type { WasmSource } from './wasm.ts'
 
-/** `circle-voronoi.wasm` beside this module. Throws where modules have no address. */
+/** The address of `circle-voronoi.wasm`. */
 export function defaultWasm(): WasmSource {
   return new URL('../generated/circle-voronoi.wasm', import.meta.url)
+}
+
+/** The address of `circle-voronoi-comparison.wasm`. */
+export function defaultComparisonWasm(): WasmSource {
+  return new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
+}
+
+/** The address of `circle-voronoi-regions.wasm`. */
+export function defaultRegionsWasm(): WasmSource {
+  return new URL('../generated/circle-voronoi-regions.wasm', import.meta.url)
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { defaultRegionsWasm } from './default-wasm.ts'
 import type { LoadOptions } from './load-options.ts'
 import { loadRegionsScript } from './module-scripts.ts'
 import { type Regions, regionsOf } from './regions.ts'
@@ -11,7 +12,6 @@ import { compileWasm, scriptNotLoaded } from './wasm.ts'
  */
 export async function loadRegions({ wasm }: LoadOptions): Promise<Regions> {
   const { default: createModule } = await loadRegionsScript().catch(scriptNotLoaded('The regions'))
-  const beside = () => new URL('../generated/circle-voronoi-regions.wasm', import.meta.url)
-  const { region, fitAreas } = await regionsOf(createModule, await compileWasm(wasm, beside))
+  const { region, fitAreas } = await regionsOf(createModule, await compileWasm(wasm, defaultRegionsWasm))
   return { region, fitAreas }
 }

@@ -168,8 +168,24 @@ declare module '*/generated/circle-voronoi-comparison.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmComparisonModule>
 }
 
-/** In the bundle alone: gzip as base64. */
+// In bundles alone: gzip as base64.
+declare module '*/generated/circle-voronoi-comparison.wasm' {
+  const compressed: string
+  export default compressed
+}
+
+declare module '*/generated/circle-voronoi-regions.wasm' {
+  const compressed: string
+  export default compressed
+}
+
 declare module '*/generated/circle-voronoi.wasm' {
   const compressed: string
   export default compressed
+}
+
+/** In the element's script alone: the text of its thread. */
+declare module '*/painter.thread' {
+  const text: string
+  export default text
 }

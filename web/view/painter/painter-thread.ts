@@ -7,6 +7,7 @@ import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
 import { loadRegions } from '../../lib/wasm/load-regions.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
+import type { OtherModules } from '../load.ts'
 import type { DomainChange, FromPainter, InProgress, Patch, ToPainter } from '../protocol.ts'
 import { answers, type Steps } from './answers.ts'
 import { PaintedScene } from './painted-scene.ts'
@@ -33,8 +34,9 @@ interface Measuring {
   steps: Generator<void, FromPainter>
 }
 let measuring: Measuring[] = []
-const comparison = loadedOnce(async () => loadComparison(await library, {}))
-const regions = loadedOnce(() => loadRegions({}))
+let others: OtherModules = {}
+const comparison = loadedOnce(async () => loadComparison(await library, { wasm: others.comparisonWasm }))
+const regions = loadedOnce(() => loadRegions({ wasm: others.regionsWasm }))
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
@@ -46,8 +48,10 @@ export function answerViews(): void {
   // One after the other, though the first ones wait for the library.
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
-    if (data.kind === 'start') begin(circleVoronoiOf(data.module))
-    else last = last.then(() => answer(data)).catch((error) => fail(error, data))
+    if (data.kind === 'start') {
+      others = data.others
+      begin(circleVoronoiOf(data.module))
+    } else last = last.then(() => answer(data)).catch((error) => fail(error, data))
   }
 }
 

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of ../../wasm/default-wasm.ts in the bundle: the bytes themselves, which stand in the file compressed, as base64.
+// In place of ../../wasm/default-wasm.ts in the library's bundle: the bytes of what computes are in the file, and few programs need
+// the other modules, which are fetched.
 import compressed from '../../generated/circle-voronoi.wasm'
+import { unpacked } from './unpacked.ts'
 
-/** Decoded when they are asked for, while they are compiled. */
 export function defaultWasm(): Response {
-  const bytes = Uint8Array.from(atob(compressed), (character) => character.charCodeAt(0))
-  const wasm = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
-  return new Response(wasm, { headers: { 'Content-Type': 'application/wasm' } })
+  return unpacked(compressed)
+}
+
+export function defaultComparisonWasm(): URL {
+  return new URL('../lib/generated/circle-voronoi-comparison.wasm', import.meta.url)
+}
+
+export function defaultRegionsWasm(): URL {
+  return new URL('../lib/generated/circle-voronoi-regions.wasm', import.meta.url)
 }

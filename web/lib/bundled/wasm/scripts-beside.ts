@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of ../../wasm/module-scripts.ts in one file, which would be larger by what few programs need: it is fetched, as its
-// WebAssembly is.
+// In place of ../../wasm/module-scripts.ts in the library's bundle, which would be larger by what few programs need: it is
+// fetched, as its WebAssembly is.
 
 export function loadComparisonScript(): Promise<typeof import('../../generated/circle-voronoi-comparison.js')> {
   return importBeside('comparison')

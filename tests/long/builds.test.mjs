@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The element in the tools that tutorials are written with, without any configuration of it: built for production, and with the
+// development servers of those that bundle what they serve. Each figure has a region, and a circle is dragged.
+import assert from 'node:assert/strict'
+import { cpSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { after, before, it } from 'node:test'
+import {
+  CIRCLES,
+  closeBrowser,
+  FIGURE,
+  launchBrowser,
+  REGION,
+  run,
+  ToolProjects,
+  useFigure,
+  withFiles,
+  withServer,
+} from './tool-project.mjs'
+
+const IMPORT = "import 'circle-voronoi/element'\n"
+const page = (script, figure = FIGURE) =>
+  `<!doctype html><html lang="en"><link rel="icon" href="data:,"><title>Circles</title>${script}${figure}</html>`
+/** A figure in JSX, whose region is an object: a server does not send it. */
+const COMPONENT = `<CircleVoronoi circles={${CIRCLES}} region={{ type: 'Polygon', coordinates: [[[0, 0], [9, 0], [9, 8], [0, 8], [0, 0]]] }}
+  onCirclesChange={() => { document.title = 'changed' }} />`
+
+let projects
+before(async () => {
+  projects = new ToolProjects()
+  await launchBrowser()
+})
+after(async () => {
+  await closeBrowser()
+  projects.remove()
+})
+
+for (const version of ['5.4.9', '6.4.6', '7.3.8']) {
+  it(`Vite ${version}`, async () => {
+    const files = { 'index.html': page('<script type="module" src="/main.js"></script>'), 'main.js': IMPORT }
+    const folder = projects.create(`vite-${version}`, [`vite@${version}`], files)
+    run(folder, 'vite', ['build', '--logLevel', 'warn'])
+    await withFiles(join(folder, 'dist'), useFigure)
+    await withServer(folder, 'vite', (port) => ['--port', port, '--strictPort'], useFigure)
+  })
+}
+
+it('webpack 5.102', async () => {
+  const folder = projects.create('webpack', ['webpack@5.102.1', 'webpack-cli@6.0.1'], { 'src/index.js': IMPORT })
+  for (const mode of ['production', 'development']) {
+    run(folder, 'webpack', ['--mode', mode, '--no-color'])
+    projects.write(folder, 'dist/index.html', page('<script src="main.js" defer></script>'))
+    await withFiles(join(folder, 'dist'), useFigure)
+  }
+})
+
+it('esbuild 0.25, by the module in one file', async () => {
+  const folder = projects.create('esbuild', ['esbuild@0.25.11'], {
+    'main.js': "import 'circle-voronoi/element/inline'\n",
+  })
+  run(folder, 'esbuild', ['main.js', '--bundle', '--minify', '--format=esm', '--outdir=dist', '--log-level=error'])
+  projects.write(folder, 'dist/index.html', page('<script type="module" src="main.js"></script>'))
+  await withFiles(join(folder, 'dist'), useFigure)
+})
+
+it('VitePress 1.6', async () => {
+  const folder = projects.create('vitepress', ['vitepress@1.6.3'], {
+    'index.md': `# Circles\n\n<script setup>
+import { onMounted } from 'vue'
+onMounted(() => import('circle-voronoi/element'))
+</script>\n\n${FIGURE}\n`,
+    '.vitepress/config.js': `export default {
+      vue: { template: { compilerOptions: { isCustomElement: (name) => name === 'circle-voronoi' } } },
+    }\n`,
+  })
+  run(folder, 'vitepress', ['build'])
+  await withFiles(join(folder, '.vitepress/dist'), useFigure)
+  await withServer(folder, 'vitepress', (port) => ['dev', '--port', port, '--strictPort'], useFigure)
+})
+
+it('Astro 5.9 with Starlight 0.34', async () => {
+  const folder = projects.create('starlight', ['astro@5.9.4', '@astrojs/starlight@0.34.4', 'sharp@0.34.2'], {
+    'astro.config.mjs': `import starlight from '@astrojs/starlight'
+import { defineConfig } from 'astro/config'
+export default defineConfig({ integrations: [starlight({ title: 'Circles' })] })\n`,
+    'src/content.config.ts': `import { docsLoader } from '@astrojs/starlight/loaders'
+import { docsSchema } from '@astrojs/starlight/schema'
+import { defineCollection } from 'astro:content'
+export const collections = { docs: defineCollection({ loader: docsLoader(), schema: docsSchema() }) }\n`,
+    'src/components/Figure.astro': `${FIGURE}\n<script>import 'circle-voronoi/element'</script>\n`,
+    'src/content/docs/index.mdx':
+      "---\ntitle: Circles\n---\nimport Figure from '../../components/Figure.astro'\n\n<Figure />\n",
+  })
+  run(folder, 'astro', ['build'])
+  await withFiles(join(folder, 'dist'), useFigure)
+})
+
+it('SvelteKit 2', async () => {
+  const packages = ['@sveltejs/kit@2.21.5', '@sveltejs/adapter-static@3.0.8', '@sveltejs/vite-plugin-svelte@5.1.0']
+  const folder = projects.create('sveltekit', [...packages, 'svelte@5.34.0', 'vite@6.4.6'], {
+    'svelte.config.js': `import adapter from '@sveltejs/adapter-static'
+export default { kit: { adapter: adapter({ pages: 'site' }) } }\n`,
+    'vite.config.js': `import { sveltekit } from '@sveltejs/kit/vite'
+export default { plugins: [sveltekit()] }\n`,
+    'src/app.html':
+      '<!doctype html><html lang="en"><head>%sveltekit.head%</head><body><div>%sveltekit.body%</div></body></html>',
+    'src/routes/+layout.js': 'export const prerender = true\n',
+    'src/routes/+page.svelte': `<script>import 'circle-voronoi/element'</script>\n<h1>Circles</h1>\n${FIGURE.replace('[[', '{JSON.stringify([[').replace(']]', ']])}').replace('circles="', 'circles=').replace(')}"', ')}')}\n`,
+  })
+  run(folder, 'vite', ['build'])
+  await withFiles(join(folder, 'site'), useFigure)
+  await withServer(folder, 'vite', (port) => ['dev', '--port', port, '--strictPort'], useFigure)
+})
+
+for (const bundler of ['webpack', 'turbopack']) {
+  it(`Next 15 with ${bundler} and React 19`, async () => {
+    const folder = projects.create(`next-${bundler}`, ['next@15.5.6', 'react@19.2.0', 'react-dom@19.2.0'], {
+      'next.config.mjs': "export default { output: 'export', outputFileTracingRoot: import.meta.dirname }\n",
+      'app/layout.jsx': 'export default ({ children }) => <html lang="en"><body>{children}</body></html>\n',
+      'app/page.jsx': `import { Figure } from './figure'
+export default function Page() { return <main><h1>Circles</h1><Figure /></main> }\n`,
+      'app/figure.jsx': `'use client'
+import { CircleVoronoi } from 'circle-voronoi/react'
+export function Figure() { return ${COMPONENT} }\n`,
+    })
+    run(folder, 'next', ['build', ...(bundler === 'turbopack' ? ['--turbopack'] : [])])
+    const changed = async (page) => assert.equal(await page.title(), 'changed')
+    await withFiles(join(folder, 'out'), (address) => useFigure(address, { afterwards: changed }))
+  })
+}
+
+it('Docusaurus 3.9', async () => {
+  const packages = ['@docusaurus/core@3.9.2', '@docusaurus/preset-classic@3.9.2', 'react@19.2.0', 'react-dom@19.2.0']
+  const folder = projects.create('docusaurus', packages, {
+    'package.json': JSON.stringify({ private: true }),
+    'docusaurus.config.js': `module.exports = {
+  title: 'Circles', url: 'https://example.com', baseUrl: '/',
+  presets: [['classic', { docs: { routeBasePath: '/' }, blog: false }]],
+}\n`,
+    'docs/index.mdx': `---\nslug: /\n---\n# Circles\n\nimport { CircleVoronoi } from 'circle-voronoi/react'\n\n${COMPONENT.replace(/\s+/g, ' ')}\n`,
+  })
+  run(folder, 'docusaurus', ['build'])
+  const changed = async (page) => assert.equal(await page.title(), 'changed')
+  await withFiles(join(folder, 'build'), (address) => useFigure(address, { afterwards: changed }))
+})
+
+it('Eleventy 3, with the files of the package beside its pages', async () => {
+  const folder = projects.create('eleventy', ['@11ty/eleventy@3.1.2'], {
+    'index.md': `# Circles\n\n<script type="module" src="/circle-voronoi/element/index.js"></script>\n\n${FIGURE}\n`,
+    'eleventy.config.js': `export default (config) => {
+  config.addPassthroughCopy({ 'node_modules/circle-voronoi/dist': 'circle-voronoi' })
+}\n`,
+  })
+  run(folder, 'eleventy', ['--quiet'])
+  await withFiles(join(folder, '_site'), useFigure)
+})
+
+it('MkDocs, with a table in Markdown between the tags', async () => {
+  const table = `| x | y | r |\n|---|---|---|\n${JSON.parse(CIRCLES)
+    .map((row) => `| ${row.join(' | ')} |`)
+    .join('\n')}`
+  const folder = projects.create('mkdocs', [], {
+    'mkdocs.yml': 'site_name: Circles\nextra_javascript: [circle-voronoi/classic.js]\n',
+    'docs/index.md': `# Circles\n\n<circle-voronoi region="${REGION}">\n\n${table}\n\n</circle-voronoi>\n`,
+  })
+  cpSync(
+    join(folder, 'node_modules/circle-voronoi/dist/element/classic.js'),
+    join(folder, 'docs/circle-voronoi/classic.js'),
+  )
+  run(folder, 'mkdocs', ['build', '--quiet'])
+  await withFiles(join(folder, 'site'), useFigure)
+})
+
+/** At two sizes of the window, to which slides are scaled. */
+const WINDOWS = [
+  { width: 1500, height: 1000 },
+  { width: 700, height: 500 },
+]
+
+it('reveal.js 5: mouse, finger and keys stay on the slide', async () => {
+  const folder = projects.create('reveal', ['reveal.js@5.2.1'], {
+    'index.html': page(
+      `<link rel="stylesheet" href="node_modules/reveal.js/dist/reveal.css">`,
+      `<div class="reveal"><div class="slides"><section><h2>Circles</h2>${FIGURE}</section><section>Next</section></div></div>
+      <script type="module" src="node_modules/circle-voronoi/dist/element/bundle.js"></script>
+      <script type="module">
+        import Reveal from './node_modules/reveal.js/dist/reveal.esm.js'
+        await Reveal.initialize({ hash: true, transition: 'none' })
+        globalThis.Reveal = Reveal
+      </script>`,
+    ),
+  })
+  const stays = async (page) => assert.equal(await page.evaluate(() => Reveal.getIndices().h), 0)
+  await withFiles(folder, async (address) => {
+    for (const viewport of WINDOWS) {
+      for (const isTouch of [false, true])
+        await useFigure(address, { viewport, isTouch, hasKeys: true, afterwards: stays })
+    }
+  })
+})
+
+it('Slidev 51: mouse, finger and keys stay on the slide', async () => {
+  const packages = ['@slidev/cli@51.8.1', '@slidev/theme-default@0.25.0', 'vue@3.5.17']
+  const folder = projects.create('slidev', packages, {
+    'slides.md': `# Circles\n\n<Figure />\n\n---\n\n# Next\n`,
+    'components/Figure.vue': `<script setup>
+import { onMounted } from 'vue'
+onMounted(() => import('circle-voronoi/element'))
+</script>\n<template>${FIGURE}</template>\n`,
+  })
+  run(folder, 'slidev', ['build'])
+  const stays = async (page) => assert.match(page.url(), /\/1(\?.*)?$/)
+  await withFiles(
+    join(folder, 'dist'),
+    async (address) => {
+      for (const viewport of WINDOWS) {
+        for (const isTouch of [false, true]) {
+          await useFigure(`${address}1`, { viewport, isTouch, hasKeys: true, afterwards: stays })
+        }
+      }
+    },
+    { single: true },
+  )
+})

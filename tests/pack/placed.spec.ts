@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// <circle-voronoi> wherever a page puts it: scaled, turned and zoomed, on slides that have gestures and keys of their own.
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { expect, type Page, test } from '@playwright/test'
+import { ROOT } from './project.mjs'
+import { type Server, serve } from './static-server.ts'
+
+type Element = HTMLElementTagNameMap['circle-voronoi']
+
+const PAGES = `build/placed-${process.env.TEST_PARALLEL_INDEX}`
+const VIEW = { x: 5, y: 4, span: 20 }
+/** The size of the picture in its own pixels. */
+const [WIDTH, HEIGHT] = [300, 200]
+
+let server: Server
+test.beforeAll(async () => {
+  server = await serve(ROOT, "default-src 'self' data: 'wasm-unsafe-eval' 'unsafe-inline'")
+})
+test.afterAll(() => server.close())
+
+/** Opens a page with a figure of three circles, whose view is known. */
+async function open(page: Page, around: (figure: string) => string): Promise<void> {
+  const figure = `<circle-voronoi style="width: ${WIDTH}px; height: ${HEIGHT}px" circles="[[0,0,2],[10,0,1],[5,8,1.5]]"
+    view="${Object.values(VIEW).join(' ')}"></circle-voronoi>`
+  mkdirSync(join(ROOT, PAGES), { recursive: true })
+  writeFileSync(
+    join(ROOT, PAGES, 'index.html'),
+    `<!doctype html><html lang="en"><title>Placed</title><link rel="icon" href="data:,">
+    <style>body { margin: 150px }</style><script type="module" src="/dist/element/index.js"></script>${around(figure)}`,
+  )
+  await page.goto(`${server.address}${PAGES}/index.html`)
+  await page.locator('circle-voronoi').evaluate(async (element: Element) => {
+    await element.ready
+    await element.updateComplete
+  })
+}
+
+/** Where a point of the plane is on the page: found by a mark in the figure's own pixels, which the browser places. */
+function placeOf(page: Page, x: number, y: number): Promise<[number, number]> {
+  const scale = HEIGHT / VIEW.span
+  const own = { left: WIDTH / 2 + (x - VIEW.x) * scale, top: HEIGHT / 2 - (y - VIEW.y) * scale }
+  return page.locator('circle-voronoi').evaluate((element: Element, { left, top }) => {
+    const mark = document.createElement('i')
+    mark.style.cssText = `position: absolute; width: 0; height: 0; left: ${left}px; top: ${top}px`
+    element.shadowRoot?.querySelector('.figure')?.append(mark)
+    const box = mark.getBoundingClientRect()
+    mark.remove()
+    return [box.left, box.top]
+  }, own)
+}
+
+async function drag(
+  page: Page,
+  hasFinger: boolean,
+  [x, y]: [number, number],
+  [toX, toY]: [number, number],
+): Promise<void> {
+  const places = Array.from({ length: 9 }, (_, k) => ({ x: x + ((toX - x) * k) / 8, y: y + ((toY - y) * k) / 8 }))
+  if (hasFinger) {
+    const session = await page.context().newCDPSession(page)
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: { x: number; y: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints })
+    await touch('touchStart', places.slice(0, 1))
+    for (const place of places.slice(1)) await touch('touchMove', [place])
+    await touch('touchEnd', [])
+    return
+  }
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  for (const place of places.slice(1)) await page.mouse.move(place.x, place.y)
+  await page.mouse.up()
+}
+
+/** The center of circle 0, which is grabbed, to a tenth. */
+const center = (page: Page) =>
+  page
+    .locator('circle-voronoi')
+    .evaluate((element: Element) => [...element.circles].slice(0, 2).map((value) => Math.round(10 * value) / 10))
+
+const PLACES: readonly (readonly [string, (figure: string) => string])[] = [
+  ['as it is', (figure) => figure],
+  ['made larger', (figure) => `<div style="transform: scale(1.6); transform-origin: 0 0">${figure}</div>`],
+  ['made smaller', (figure) => `<div style="transform: scale(0.6); transform-origin: 0 0">${figure}</div>`],
+  ['turned', (figure) => `<div style="transform: translate(100px, 60px) rotate(35deg)">${figure}</div>`],
+  ['in perspective', (figure) => `<div style="transform: perspective(600px) rotateY(30deg)">${figure}</div>`],
+  ['zoomed', (figure) => `<div style="zoom: 1.5">${figure}</div>`],
+  [
+    'zoomed and made smaller',
+    (figure) => `<div style="zoom: 1.5"><div style="transform: scale(0.7)">${figure}</div></div>`,
+  ],
+  [
+    'zoomed in a shadow root',
+    (figure) =>
+      `<div><template shadowrootmode="open"><div style="zoom: 1.3; transform: rotate(-10deg)">${figure}</div></template></div>`,
+  ],
+]
+
+for (const hasFinger of [false, true]) {
+  test.describe(hasFinger ? 'a finger' : 'the mouse', () => {
+    test.use({ hasTouch: hasFinger })
+    for (const [name, around] of PLACES) {
+      test(`drags a circle in a figure that is ${name}`, async ({ page }) => {
+        await open(page, around)
+        await drag(page, hasFinger, await placeOf(page, 0.5, 0.5), await placeOf(page, 4.5, 3.5))
+        await expect.poll(() => center(page)).toEqual([4, 3])
+      })
+    }
+  })
+}
+
+test('a figure that is made larger by a transform is drawn with as many pixels', async ({ page }) => {
+  await open(page, (figure) => `<div id="around" style="transform: scale(1.4)">${figure}</div>`)
+  const pixels = () =>
+    page.locator('circle-voronoi').evaluate((element: Element) => {
+      const canvas = element.shadowRoot?.querySelector('canvas') as HTMLCanvasElement
+      return [canvas.width, canvas.height]
+    })
+  expect(await pixels()).toEqual([1.4 * WIDTH, 1.4 * HEIGHT])
+  await page.locator('#around').evaluate((element) => {
+    element.style.transform = 'scale(2) rotate(20deg)'
+    dispatchEvent(new Event('resize'))
+  })
+  await expect.poll(pixels).toEqual([2 * WIDTH, 2 * HEIGHT])
+})
+
+/** What reaches the page of gestures and keys, which slides and carousels would act on. */
+async function heardBy(page: Page): Promise<() => Promise<string[]>> {
+  await page.evaluate(() => {
+    const heard: string[] = []
+    const names = [
+      'pointerdown',
+      'pointermove',
+      'pointerup',
+      'mousedown',
+      'touchstart',
+      'touchmove',
+      'touchend',
+      'wheel',
+      'keydown',
+    ]
+    const tell = (event: Event) => heard.push(event instanceof KeyboardEvent ? event.key : event.type)
+    for (const name of names) document.addEventListener(name, tell)
+    document.addEventListener('click', () => heard.push('click'))
+    Object.assign(globalThis, { heard })
+  })
+  return () =>
+    page.evaluate(() => {
+      const { heard } = globalThis as unknown as { heard: string[] }
+      return [...new Set(heard.splice(0))]
+    })
+}
+
+test('a page does not hear of the mouse that drags a circle, nor of keys that the figure uses', async ({ page }) => {
+  await open(page, (figure) => figure)
+  const heard = await heardBy(page)
+  await drag(page, false, await placeOf(page, 0, 0), await placeOf(page, 4, 3))
+  await expect.poll(() => center(page)).toEqual([4, 3])
+  // A menu of the page closes by a click anywhere.
+  expect(await heard()).toEqual(['pointermove', 'click'])
+  await page.keyboard.press('ArrowRight')
+  await expect.poll(async () => (await center(page))[0]).toBeGreaterThan(4)
+  await page.keyboard.press('Control+z')
+  await page.mouse.wheel(0, 10)
+  expect(await heard()).toEqual(['Control'])
+  // Keys that the figure does not use are the page's.
+  await page.keyboard.press('m')
+  expect(await heard()).toEqual(['m'])
+})
+
+test.describe('on a touch screen', () => {
+  test.use({ hasTouch: true })
+  test('a page hears of a finger that scrolls, and not of one that drags a circle', async ({ page }) => {
+    await open(page, (figure) => figure)
+    const heard = await heardBy(page)
+    await drag(page, true, await placeOf(page, 0, 0), await placeOf(page, 4, 3))
+    await expect.poll(() => center(page)).toEqual([4, 3])
+    expect(await heard()).toEqual([])
+    await drag(page, true, await placeOf(page, 12, 12), await placeOf(page, 4, 12))
+    await expect.poll(heard).toEqual(expect.arrayContaining(['pointerdown', 'touchstart', 'touchmove']))
+    expect(await center(page)).toEqual([4, 3])
+  })
+})

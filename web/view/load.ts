@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { LoadOptions } from '../lib/wasm/load-options.ts'
+import type { WasmSource } from '../lib/wasm/wasm.ts'
+
+/**
+ * Options for loading a figure. By default each file is the one next to the module.
+ *
+ * @category Element
+ */
+export interface FigureLoadOptions extends LoadOptions {
+  /** The source of `circle-voronoi-regions.wasm`, which `region` and `areas` need. */
+  readonly regionsWasm?: WasmSource | Promise<WasmSource> | undefined
+  /** The source of `circle-voronoi-comparison.wasm`, which the layer `power` needs. */
+  readonly comparisonWasm?: WasmSource | Promise<WasmSource> | undefined
+}
+
+/** The modules that few figures need, as a page can send them to a thread. */
+export interface OtherModules {
+  readonly regionsWasm?: Exclude<WasmSource, URL | Response> | undefined
+  readonly comparisonWasm?: Exclude<WasmSource, URL | Response> | undefined
+}
+
+/** What a thread is told of the modules that it loads itself once it needs them. */
+export async function otherModules({ regionsWasm, comparisonWasm }: FigureLoadOptions): Promise<OtherModules> {
+  const [regions, comparison] = await Promise.all([sendable(regionsWasm), sendable(comparisonWasm)])
+  return {
+    ...(regions !== undefined && { regionsWasm: regions }),
+    ...(comparison !== undefined && { comparisonWasm: comparison }),
+  }
+}
+
+async function sendable(source: WasmSource | Promise<WasmSource> | undefined): Promise<OtherModules['regionsWasm']> {
+  const given = await source
+  // A thread has another address than its page.
+  if (typeof given === 'string' || given instanceof URL) return new URL(given, document.baseURI).href
+  return given instanceof Response ? given.arrayBuffer() : given
+}
