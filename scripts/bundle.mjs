@@ -56,7 +56,11 @@ async function element() {
     },
   })
   const names = ['CircleVoronoiElement', 'defineCircleVoronoi']
-  const whole = [...ELEMENT, replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/whole-wasm.ts')]
+  const whole = [
+    ...ELEMENT,
+    replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/whole-wasm.ts'),
+    replacing('web/lib/wasm/other-wasm.ts', 'web/lib/bundled/wasm/no-other-wasm.ts'),
+  ]
   writeFileSync(`${ROOT}dist/element/bundle.js`, moduleOf(await oneFile('element', whole), names))
   await script(whole, names)
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)

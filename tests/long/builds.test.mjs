@@ -131,6 +131,8 @@ export function Figure() { return ${COMPONENT} }\n`,
 
 it('Docusaurus 3.9', async () => {
   const packages = ['@docusaurus/core@3.9.2', '@docusaurus/preset-classic@3.9.2', 'react@19.2.0', 'react-dom@19.2.0']
+  // Its progress bar does not know newer ones.
+  packages.push('webpack@5.102.1')
   const folder = projects.create('docusaurus', packages, {
     'package.json': JSON.stringify({ private: true }),
     'docusaurus.config.js': `module.exports = {

@@ -125,7 +125,7 @@ async function expectAllModules(page: Page): Promise<void> {
     .locator('circle-voronoi')
     .first()
     .evaluate(async (element: Element) => {
-      element.region = 'POLYGON ((-5 -5, 15 -5, 15 15, -5 15))'
+      element.region = 'POLYGON ((0 0, 9 0, 9 8, 0 8))'
       await element.updateComplete
       const cut = await element.toSVG()
       element.setAttribute('layers', 'power')

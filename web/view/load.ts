@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
+import { comparisonAddress, regionsAddress } from '../lib/wasm/other-wasm.ts'
 import type { WasmSource } from '../lib/wasm/wasm.ts'
 
 /**
@@ -20,9 +22,16 @@ export interface OtherModules {
   readonly comparisonWasm?: Exclude<WasmSource, URL | Response> | undefined
 }
 
-/** What a thread is told of the modules that it loads itself once it needs them. */
-export async function otherModules({ regionsWasm, comparisonWasm }: FigureLoadOptions): Promise<OtherModules> {
-  const [regions, comparison] = await Promise.all([sendable(regionsWasm), sendable(comparisonWasm)])
+/**
+ * What a thread is told of the modules that it loads itself once it needs them. A thread may have no address from which it could find
+ * files: Turbopack makes it of a blob.
+ */
+export async function otherModules(options: FigureLoadOptions): Promise<OtherModules> {
+  const { regionsWasm, comparisonWasm } = options
+  const [regions, comparison] = await Promise.all([
+    sendable(regionsWasm ?? regionsAddress()),
+    sendable(comparisonWasm ?? comparisonAddress()),
+  ])
   return {
     ...(regions !== undefined && { regionsWasm: regions }),
     ...(comparison !== undefined && { comparisonWasm: comparison }),

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a page finds what its threads load.
+import { defaultComparisonWasm, defaultRegionsWasm } from './default-wasm.ts'
+
+/** The address of `circle-voronoi-comparison.wasm`; `undefined` if this module has none, or the thread has the bytes. */
+export function comparisonAddress(): URL | undefined {
+  return addressOf(defaultComparisonWasm)
+}
+
+/** The address of `circle-voronoi-regions.wasm`, likewise. */
+export function regionsAddress(): URL | undefined {
+  return addressOf(defaultRegionsWasm)
+}
+
+function addressOf(beside: () => unknown): URL | undefined {
+  try {
+    return beside() as URL
+  } catch {
+    return undefined
+  }
+}
