@@ -41,6 +41,7 @@ export async function otherModules(options: FigureLoadOptions): Promise<OtherMod
 async function sendable(source: WasmSource | Promise<WasmSource> | undefined): Promise<OtherModules['regionsWasm']> {
   const given = await source
   // A thread has another address than its page.
-  if (typeof given === 'string' || given instanceof URL) return new URL(given, document.baseURI).href
+  if (typeof given === 'string') return new URL(given, globalThis.document?.baseURI).href
+  if (given instanceof URL) return given.href
   return given instanceof Response ? given.arrayBuffer() : given
 }
