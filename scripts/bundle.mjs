@@ -146,6 +146,21 @@ function copyDeclarations(file, copied = new Set()) {
   }
 }
 
+/** Pictures without a browser: the library's part, and the command of the program. */
+async function picture() {
+  copyDeclarations('picture/index.d.ts')
+  await build({
+    ...BUNDLED,
+    outdir: 'dist/picture',
+    platform: 'neutral',
+    mainFields: ['module', 'main'],
+    external: ['node:*'],
+    splitting: true,
+    plugins: [styles, wasmBeside],
+    entryPoints: { index: 'web/picture/index.ts', command: 'web/picture/command.ts' },
+  })
+}
+
 /** The program for Node. */
 function cli() {
   chmodSync(`${ROOT}dist/cli/circle-voronoi.js`, 0o755)
@@ -177,7 +192,11 @@ async function zopfli(bytes) {
 }
 
 /** Bundles find the WebAssembly of dist/lib beside their own folder. */
-const wasmBeside = rewriting(/web\/lib\/wasm\/default-wasm\.ts$/, /'[./]+(generated\/[\w-]+\.wasm)'/g, "'../lib/$1'")
+const wasmBeside = rewriting(
+  /web\/lib\/(files|wasm\/default-wasm)\.ts$/,
+  /'[./]+(generated\/[\w-]+\.wasm)'/g,
+  "'../lib/$1'",
+)
 
 /** The thread of the element has a file of its own in dist/element. */
 const painterBeside = rewriting(/web\/view\/painter-file\.ts$/, /'\.\/painter\/start-thread\.ts'/g, "'./painter.js'")
@@ -243,4 +262,4 @@ const ELEMENT = [
   replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/scripts-inside.ts'),
 ]
 
-await { lib, element, cli }[process.argv[2]]()
+await { lib, element, picture, cli }[process.argv[2]]()

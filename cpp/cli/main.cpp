@@ -32,6 +32,9 @@ void checkCommand(const CLI::App& program, int argumentCount, char** arguments) 
   const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
   const auto isFirst = [&](const CLI::App* command) { return command->get_name() == first; };
   if (std::ranges::any_of(commands, isFirst) || program.get_option_no_throw(first) != nullptr) return;
+  if (first == "picture") {
+    throw Failure{kBadInput, "The npm package has the command picture: npx circle-voronoi picture ..."};
+  }
   std::string names;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     names += (i == 0 ? "" : i + 1 == commands.size() ? " and " : ", ") + commands[i]->get_name();

@@ -9,12 +9,28 @@ import { Project, ROOT } from './project.mjs'
 const BLOCKS = blocksRunBy('tests/pack/embedding.spec.ts')
 const below = (heading: string) => BLOCKS.filter(({ headings }) => headings.at(-1) === heading).map(({ code }) => code)
 
+let project: Project
+test.beforeAll(() => {
+  project = new Project()
+})
+test.afterAll(() => project.remove())
+
 test('a script in Node writes the link of a question', () => {
-  const project = new Project()
   const [code] = below('Questions in a frame') as [string]
   project.write('question.js', code)
   expect(project.run(process.execPath, 'question.js')).toBe('v1.\n')
-  project.remove()
+})
+
+test('the commands and the script of the section about pictures draw', () => {
+  const [commands, code] = below('As a picture') as [string, string]
+  const [first, second] = commands.trim().split('\n') as [string, string]
+  project.run('sh', '-c', first)
+  expect(readFileSync(project.path('figure.svg'), 'utf8')).toMatch(/^<svg.* width="720" height="480"/)
+  project.write('circles.csv', 'x,y,r\n0,0,2\n10,0,1\n5,8,1.5\n')
+  project.run('sh', '-c', second)
+  expect(readFileSync(project.path('figure.svg'), 'utf8')).toMatch(/^<svg.* width="900" height="600"/)
+  project.write('picture.js', code)
+  expect(project.run(process.execPath, 'picture.js')).toBe('<svg\n')
 })
 
 test('the script of the page around a frame is that of the example', () => {

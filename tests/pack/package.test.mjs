@@ -33,7 +33,8 @@ it('holds the built library and nothing else', () => {
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
   // The names of what two modules of the element have in common are those of its contents.
-  const shared = /^dist\/element\/(chunk|german|link|player)-[A-Z0-9]+\.js$/
+  const shared =
+    /^dist\/(element|picture)\/(chunk|circle-voronoi-(comparison|regions)|german|link|player|random-circles)-[A-Z0-9]+\.js$/
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)
   const element = [
     ...['index', 'define', 'painter', 'bundle', 'classic', 'inline', 'react'].map((name) => `${name}.js`),
@@ -42,10 +43,13 @@ it('holds the built library and nothing else', () => {
     ),
     ...['element.css', 'custom-elements.json'],
   ].map((name) => `dist/element/${name}`)
+  const picture = ['command.js', 'index.js', 'index.d.ts', 'render.d.ts', 'theme.d.ts'].map(
+    (name) => `dist/picture/${name}`,
+  )
   const view = ['diagram-counts', 'domain', 'layers', 'load'].map((name) => `dist/view/${name}.d.ts`)
   assert.deepEqual(
     files.filter((name) => !shared.test(name)).sort(),
-    [...others, ...built, ...generated, ...element, ...view, ...program, ...compiled].sort(),
+    [...others, ...built, ...generated, ...element, ...picture, ...view, ...program, ...compiled].sort(),
   )
 
   // The sources are not there, so the maps have them.

@@ -5,7 +5,7 @@ import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { answerViews } from '../../web/view/painter/painter-thread.ts'
-import type { FromPainter, ToPainter, Wish } from '../../web/view/protocol.ts'
+import type { DrawnSvg, FromPainter, ToPainter, Wish } from '../../web/view/protocol.ts'
 import { SHADES, type Style } from '../../web/view/style.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -185,12 +185,27 @@ it('says what it was doing when it failed, and for which scene', async () => {
   send({ kind: 'close', scene: 8 })
 })
 
+it('an SVG has the power diagram and what depends on all circles, however soon it is asked for', async () => {
+  await openScene(5)
+  send({ kind: 'layers', scene: 5, layers: { ...DEFAULT_LAYERS, hull: true, power: true }, isPainted: true })
+  const before = saidOf('answer').length
+  const frame = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
+  const told = new Proxy(style, { get: (style, name) => (name === 'power' ? 'power' : Reflect.get(style, name)) })
+  send({ kind: 'ask', scene: 5, request: nextRequest(), name: 'svg', args: [frame, told] })
+  await heard(5)
+  const { elements, found } = saidOf('answer').map(({ value }) => value)[before] as DrawnSvg
+  expect(elements).toContain('stroke="power"')
+  expect(found.hull?.length).toBeGreaterThan(0)
+  send({ kind: 'close', scene: 5 })
+})
+
 describe('one scene', () => {
   it('that cannot be drawn as it was asked for is answered with nothing, and all go on', async () => {
     await openScene(3)
     const draw = (width: number, name: 'image' | 'svg') => {
       const frame = { x: 0, y: 0, scale: 1, width, height: 100 }
-      send({ kind: 'ask', scene: 3, request: nextRequest(), name, args: [frame, 1, style] })
+      const args = name === 'svg' ? [frame, style] : [frame, 1, style]
+      send({ kind: 'ask', scene: 3, request: nextRequest(), name, args })
     }
     draw(2 * LARGEST, 'image')
     draw(Number.NaN, 'svg')
@@ -202,7 +217,12 @@ describe('one scene', () => {
       saidOf('answer')
         .slice(before, -1)
         .map(({ value }) => value),
-    ).toEqual([undefined, undefined, { width: 100 }, expect.stringContaining('<')])
+    ).toEqual([
+      undefined,
+      undefined,
+      { width: 100 },
+      { elements: expect.stringContaining('<'), found: expect.anything() },
+    ])
     send({ kind: 'close', scene: 3 })
   })
 

@@ -36,3 +36,14 @@ it.each([
   expect(`${path}`.startsWith(text)).toBe(true)
   expect(`${other}`).toBe('M9,9')
 })
+
+it('joins an arc that starts where the text already is, whatever the last bit of its cosine', () => {
+  const path = new SvgPath(2)
+  path.moveTo(1 + 1e-12, 0)
+  path.arc(0, 0, 1, 0, Math.PI)
+  expect(String(path)).not.toContain('L')
+  const exact = new SvgPath()
+  exact.moveTo(1 + 1e-12, 0)
+  exact.arc(0, 0, 1, 0, Math.PI)
+  expect(String(exact)).toContain('L')
+})

@@ -12,14 +12,11 @@ import type { View } from '../view/view.ts'
 import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import type { Editing } from './editing.ts'
 import type { Scene } from './history.ts'
-import { cameraOf, circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
+import { cameraLooking, circlesOfLink, LARGEST_ZOOM, regionOfLink, SMALLEST_ZOOM, viewOfLink } from './scene-link.ts'
 import { type State, type Tool, withSelection } from './state.ts'
 import type { Store } from './store.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
-/** How far one may zoom in from the picture without outliers, and out from the whole one. */
-const LARGEST_ZOOM = 1e7
-const SMALLEST_ZOOM = 0.05
 /** How much a button or a key zooms in. */
 const ZOOM_STEP = 1.5
 /** What is zoomed to fills a part of the view: so many times as much is seen. */
@@ -548,13 +545,7 @@ export class EditorActions implements Hands {
 
   /** The camera of a view that somebody else has made up, if it is one of these circles; else all of them. */
   #looking(view: LinkView | undefined, box: Box): Camera {
-    const whole = this.#fitted(box)
-    if (view === undefined) return whole
-    const camera = cameraOf(view, this.#view.size)
-    const [least, most] = this.#zoomLimits(box, box)
-    const isNear = (value: number, from: number, to: number) => value >= from - (to - from) && value <= to + (to - from)
-    const isRight = isNear(view.x, box.minX, box.maxX) && isNear(view.y, box.minY, box.maxY)
-    return isRight && camera.scale >= least && camera.scale <= most ? camera : whole
+    return cameraLooking(view, box, this.#view.size, this.#padding())
   }
 
   #fitted(box: Box): Camera {

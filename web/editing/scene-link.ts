@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
-import type { Circle, Edit } from '../lib/index.ts'
+import type { Box, Circle, Edit } from '../lib/index.ts'
 import type { LinkState, LinkView } from '../lib/link.ts'
-import type { Camera, Size } from '../view/camera.ts'
+import { type Camera, fitted, type Padding, type Size } from '../view/camera.ts'
 import type { CircleTable } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
 import type { Scene } from './history.ts'
@@ -51,6 +51,21 @@ export function viewOfLink({ x, y, scale }: Camera, { width, height }: Size): Li
 
 export function cameraOf({ x, y, span }: LinkView, { width, height }: Size): Camera {
   return { x, y, scale: Math.min(width, height) / span }
+}
+
+/** How far one may zoom out from the whole picture, and in. */
+export const SMALLEST_ZOOM = 0.05
+export const LARGEST_ZOOM = 1e7
+
+/** The camera of a view that somebody else has made up, if it is one of what lies in a box; else that of the whole box. */
+export function cameraLooking(view: LinkView | undefined, box: Box, size: Size, padding: Padding): Camera {
+  const whole = fitted(box, size, padding)
+  if (view === undefined) return whole
+  const camera = cameraOf(view, size)
+  const isNear = (value: number, from: number, to: number) => value >= from - (to - from) && value <= to + (to - from)
+  const isRight = isNear(view.x, box.minX, box.maxX) && isNear(view.y, box.minY, box.maxY)
+  const zoom = camera.scale / whole.scale
+  return isRight && zoom >= SMALLEST_ZOOM && zoom <= LARGEST_ZOOM ? camera : whole
 }
 
 function isCircle(circles: Float64Array, i: number, { x, y, r }: Circle): boolean {

@@ -2,7 +2,7 @@
 // Which discs wait, and what a disc is tested against.
 import type { Circle, Vertex } from '../lib/index.ts'
 import type { Trace, TraceState } from '../lib/wasm/trace.ts'
-import { kindAt } from './steps.ts'
+import { kindAt, type Step } from './steps.ts'
 
 /** A disc that waits in the list, by radius. */
 export interface WaitingDisc {
@@ -109,4 +109,18 @@ export function testedCircles(
   }
   for (const id of pair) tested.delete(id)
   return [...tested].sort((a, b) => a - b)
+}
+
+/** The circles that the disc of a step is tested against. `state`: that after the step. */
+export function testedAt(
+  trace: Trace,
+  { line, event, end }: Step,
+  state: TraceState,
+  circleOf: (id: number) => Circle | undefined,
+): readonly number[] {
+  if (!['take', 'place', 'notEmpty'].includes(line) || event >= trace.length) return []
+  const { kind, circles, disc } = trace.event(event)
+  if (!kind.startsWith('antipodal') || disc === undefined) return []
+  const before = end === event ? state : trace.at(event)
+  return testedCircles(trace, before, circles.slice(0, 2), disc, circleOf)
 }

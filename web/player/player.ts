@@ -7,12 +7,12 @@ import { ASK, BACK, DOT, FORTH, NEXT, PAUSE, PLAY, PREVIOUS } from '../view/icon
 import type { Traced } from '../view/protocol.ts'
 import { computedColors } from '../view/style.ts'
 import type { View } from '../view/view.ts'
-import { type RingMark, ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from './discs.ts'
+import { type RingMark, ringOf, testedAt, turnTo, waitingCount, waitingDiscs } from './discs.ts'
 import { icon } from './icon.ts'
 import css from './player.css?inline'
 import { type Question, questionAfter } from './prediction.ts'
 import { type Line, PROGRAMS, type Program } from './program.ts'
-import { type Colors, circlesAt, sceneOf } from './scene.ts'
+import { type Colors, circlesAt, PLAYER_COLORS, sceneOf } from './scene.ts'
 import { numberOf, sentenceOf } from './sentences.ts'
 import { concerns, nextStep, programOf, type Step, sortOf, stepsOf } from './steps.ts'
 import { drawTimeline } from './timeline.ts'
@@ -55,16 +55,6 @@ const MOST_WAITING = 6
 const REVEALED = 24
 /** Nothing is edited for so long, in milliseconds, before it is played anew. */
 const REST = 150
-
-const COLORS: Colors = {
-  past: 'var(--player-past)',
-  sample: 'var(--player-sample)',
-  current: 'var(--player-current)',
-  good: 'var(--player-good)',
-  bad: 'var(--player-bad)',
-  edge: 'var(--player-edge)',
-  ink: 'var(--player-ink)',
-}
 
 let sheet: CSSStyleSheet | undefined
 
@@ -344,7 +334,7 @@ class MethodPlayer implements Player {
   }
 
   #colorsNow(): Colors {
-    this.#colors ??= computedColors(this.#root, COLORS)
+    this.#colors ??= computedColors(this.#root, PLAYER_COLORS)
     return this.#colors
   }
 
@@ -381,7 +371,7 @@ class MethodPlayer implements Player {
     const state = trace.at(current.end)
     const circles = circlesAt(trace, given, state, ids)
     const circleOf = (id: number) => circles.get(id)
-    const tested = this.#tested(trace, current, state, circleOf)
+    const tested = testedAt(trace, current, state, circleOf)
     render(this.#page(trace, current, state, tested, circleOf), this.#root)
     this.#drawTimeline()
     this.#reveal()
@@ -401,20 +391,6 @@ class MethodPlayer implements Player {
     const below = bottom - around.bottom
     if (above > 0) root.scrollTop -= above + REVEALED
     else if (below > 0) root.scrollTop += below + REVEALED
-  }
-
-  /** `state`: that after the step. */
-  #tested(
-    trace: Trace,
-    step: Step,
-    state: TraceState,
-    circleOf: (id: number) => Circle | undefined,
-  ): readonly number[] {
-    if (!['take', 'place', 'notEmpty'].includes(step.line) || step.event >= trace.length) return []
-    const { kind, circles, disc } = trace.event(step.event)
-    if (!kind.startsWith('antipodal') || disc === undefined) return []
-    const before = step.end === step.event ? state : trace.at(step.event)
-    return testedCircles(trace, before, circles.slice(0, 2), disc, circleOf)
   }
 
   #page(

@@ -18,6 +18,17 @@ export interface Colors {
   readonly ink: string
 }
 
+/** Where the style sheet of the player has them. */
+export const PLAYER_COLORS: Colors = {
+  past: 'var(--player-past)',
+  sample: 'var(--player-sample)',
+  current: 'var(--player-current)',
+  good: 'var(--player-good)',
+  bad: 'var(--player-bad)',
+  edge: 'var(--player-edge)',
+  ink: 'var(--player-ink)',
+}
+
 /** So many circles have their numbers; of more, those that a step is about. */
 const MOST_NUMBERED = 60
 /** How large the head of an arrow is at most, as a part of the extent of all circles. */

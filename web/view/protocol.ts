@@ -85,8 +85,8 @@ export interface Questions {
   touch(x: number, y: number, slack: number): Touching | undefined
   /** What a circle would take. */
   try(circle: Circle): Trial | undefined
-  /** What a frame shows without what stands out: the elements of an SVG. */
-  svg(frame: Frame, pixelRatio: number, style: Style): string | undefined
+  /** What a frame shows without what stands out, once all of it is known. */
+  svg(frame: Frame, style: Style): DrawnSvg | undefined
   /** The same in pixels. */
   image(frame: Frame, pixelRatio: number, style: Style): ImageBitmap | undefined
   /** What the colors of the layers mean. `undefined`: no measure. */
@@ -107,6 +107,12 @@ export interface Questions {
 export interface InProgress {
   readonly scene: number
   readonly kind: ToPainter['kind'] | 'paint' | 'find'
+}
+
+/** The elements of an SVG, and what is drawn above them that depends on all circles. */
+export interface DrawnSvg {
+  readonly elements: string
+  readonly found: Found
 }
 
 export type ToPainter =

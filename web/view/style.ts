@@ -44,21 +44,27 @@ export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
   readonly cellOpacity: number
 }
 
+const NAMES = [...COLORS, 'cellOpacity', ...numbered('tint', TINTS), ...numbered('map', MAP_COLORS)]
+
+/** The custom property of each color of a style, without what stands before it. */
+export const STYLE_PROPERTIES: Readonly<Record<string, string>> = Object.fromEntries(
+  NAMES.map((name) => [name, name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)]),
+)
+
 /**
  * The style that the custom properties of an element say: for `edge` that of `--circle-voronoi-edge`, which a page may set,
  * or else that of the theme.
  */
 export function readStyle(element: Element): Style {
-  const names = [...COLORS, 'cellOpacity', ...numbered('tint', TINTS), ...numbered('map', MAP_COLORS)]
-  const colors = computedColors(
-    element,
-    Object.fromEntries(
-      names.map((name) => {
-        const property = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
-        return [name, `var(--circle-voronoi-${property}, var(--${property}))`]
-      }),
-    ),
-  )
+  const given = Object.entries(STYLE_PROPERTIES).map(([name, property]) => [
+    name,
+    `var(--circle-voronoi-${property}, var(--${property}))`,
+  ])
+  return styleOf(computedColors(element, Object.fromEntries(given)))
+}
+
+/** The style of computed colors, by their names. */
+export function styleOf(colors: Readonly<Record<string, string>>): Style {
   const color = (name: string) => colors[name] as string
   return {
     ...(Object.fromEntries(COLORS.map((name) => [name, color(name)])) as Record<(typeof COLORS)[number], string>),

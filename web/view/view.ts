@@ -16,12 +16,12 @@ import {
 } from './overlay.ts'
 import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
-import { SvgDrawing, svgOf } from './painter/svg-drawing.ts'
 import type { Answer, Edited, Lost, Painter, PainterScene } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, Found, Marks, Questions, Touching, Trial } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
 import { isDark, readStyle, type Style } from './style.ts'
+import { svgPicture } from './svg-picture.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
 const REST = 80
@@ -327,13 +327,10 @@ export class View {
 
   /** What is seen, or another part, as the text of an SVG: without what is selected. */
   async toSVG({ camera, size }: Shot = this): Promise<string> {
-    const { width, height } = size
-    const frame = { ...camera, width, height }
-    const elements = await this.#scene.ask('svg', frame, 1, this.#style)
-    if (elements === undefined) throw notDrawn()
-    const above = new SvgDrawing()
-    this.#drawAbove(above, frame, 1)
-    return svgOf(width, height, [elements, String(above)])
+    const frame = { ...camera, ...size }
+    const drawn = await this.#scene.ask('svg', frame, this.#style)
+    if (drawn === undefined) throw notDrawn()
+    return svgPicture(frame, drawn, this.#style, this.#drawnLayers, this.#above)
   }
 
   /**

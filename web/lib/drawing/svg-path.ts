@@ -15,6 +15,8 @@ import { DecimalText } from './decimal.ts'
  */
 export class SvgPath implements PathSink {
   readonly #text: DecimalText
+  /** Points that are nearer are one point in the text. */
+  readonly #unit: number
   #x = Number.NaN
   #y = Number.NaN
 
@@ -24,6 +26,7 @@ export class SvgPath implements PathSink {
    */
   constructor(digits = Number.POSITIVE_INFINITY) {
     this.#text = new DecimalText(digits)
+    this.#unit = digits < Number.POSITIVE_INFINITY ? 10 ** -digits : 0
   }
 
   /** Returns the text, which is empty if nothing was drawn. */
@@ -65,7 +68,7 @@ export class SvgPath implements PathSink {
     const pointAt = (angle: number) => [x + radius * Math.cos(angle), y + radius * Math.sin(angle)] as const
     const [startX, startY] = pointAt(startAngle)
     if (this.#text.isEmpty) this.moveTo(startX, startY)
-    else if (this.#x !== startX || this.#y !== startY) this.lineTo(startX, startY)
+    else if (!this.#isAt(startX, startY)) this.lineTo(startX, startY)
     // An arc of SVG is less than a full turn: two halves are as good as any.
     const middle = (startAngle + endAngle) / 2
     for (const angle of [middle, endAngle]) {
@@ -78,6 +81,12 @@ export class SvgPath implements PathSink {
 
   closePath(): void {
     this.#text.add('Z')
+  }
+
+  /** Engines may differ in the last bit of a cosine. */
+  #isAt(x: number, y: number): boolean {
+    if (this.#x === x && this.#y === y) return true
+    return Math.abs(this.#x - x) < this.#unit && Math.abs(this.#y - y) < this.#unit
   }
 
   #go(x: number, y: number): void {

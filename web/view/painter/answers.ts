@@ -7,7 +7,6 @@ import { distributionOf } from './distribution.ts'
 import { CanvasDrawing } from './drawing.ts'
 import { factsOf } from './facts.ts'
 import type { PaintedScene } from './painted-scene.ts'
-import { SvgDrawing } from './svg-drawing.ts'
 import { tabulated, tabulatedAll } from './tabulate.ts'
 import { touchingAround, touchingNear } from './touching.ts'
 import { traced } from './traced.ts'
@@ -44,12 +43,7 @@ export const answers = {
       throw error
     }
   },
-  svg: (scene, ...given) =>
-    drawn(() => {
-      const drawing = new SvgDrawing()
-      scene.draw(drawing, ...given)
-      return String(drawing)
-    }),
+  svg: (scene, ...given) => drawn(() => scene.svg(...given)),
   image: (scene, frame, ...given) =>
     drawn(() => {
       const canvas = new OffscreenCanvas(frame.width, frame.height)

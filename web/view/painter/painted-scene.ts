@@ -7,7 +7,18 @@ import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange } from '../circle-table.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
 import { isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
-import type { Described, DomainChange, Fitted, Found, Hit, Marks, Patch, PixelBox, Wish } from '../protocol.ts'
+import type {
+  Described,
+  DomainChange,
+  DrawnSvg,
+  Fitted,
+  Found,
+  Hit,
+  Marks,
+  Patch,
+  PixelBox,
+  Wish,
+} from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
 import { Centers } from './centers.ts'
@@ -23,6 +34,7 @@ import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
 import { leastFirst } from './ring.ts'
+import { SvgDrawing } from './svg-drawing.ts'
 
 /** What is looked at. */
 interface Look extends Wish {
@@ -200,6 +212,13 @@ export class PaintedScene {
   /** What a frame shows, on a drawing. */
   draw(drawing: Drawing, frame: Frame, pixelRatio: number, style: Style): void {
     paint(new Painting(drawing, frame, pixelRatio, this.picture, style))
+  }
+
+  /** What a frame shows, as SVG. What is found is as fine as the frame needs. */
+  svg(frame: Frame, style: Style): DrawnSvg {
+    const drawing = new SvgDrawing()
+    this.draw(drawing, frame, 1, style)
+    return { elements: String(drawing), found: found(this.picture, toleranceOf(frame)) }
   }
 
   counts(): DiagramCounts {

@@ -124,6 +124,8 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     }
     case 'ask':
+      // A picture has all layers.
+      if (message.name === 'svg' || message.name === 'image') await addMissing(scene)
       reply(scene, message)
       return
     case 'layers':
@@ -263,12 +265,20 @@ async function findIn(number: number, scene: PaintedScene): Promise<void> {
     schedule()
   }
   if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
+  // Meanwhile it may have been closed, or changed.
+  await addMissing(scene, () => scenes.get(number) === scene)
+}
+
+/** Adds what the layers show of the method and of the power diagram. */
+async function addMissing(scene: PaintedScene, isThere = () => true): Promise<void> {
+  if (scene.isMethodMissing) {
+    scene.addMethod()
+    schedule()
+  }
   if (!scene.isPowerMissing) return
   const loaded = await comparison().catch(() => undefined)
   // What cannot be loaded is not drawn; it may be there the next time.
-  if (loaded === undefined) return
-  // Meanwhile it may have been closed, or changed.
-  if (scenes.get(number) !== scene || !scene.isPowerMissing) return
+  if (loaded === undefined || !isThere() || !scene.isPowerMissing) return
   scene.addPower(loaded)
   schedule()
 }

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Editing } from '../editing/editing.ts'
+import { cameraLooking } from '../editing/scene-link.ts'
+import { checkOptionNames, isRecord, refuseArgument, refuseOption, shown } from '../lib/base/check.ts'
+import { coordinatesOf } from '../lib/base/coordinates.ts'
+import { METHODS, type Method } from '../lib/base/types.ts'
+import { Diagram } from '../lib/diagram/diagram.ts'
+import { decodeLink, encodeLinkAtOnce, type LinkInput, type LinkState } from '../lib/link.ts'
+import { loadComparison } from '../lib/wasm/comparison.ts'
+import { circleVoronoiOf } from '../lib/wasm/library.ts'
+import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
+import { Trace } from '../lib/wasm/trace.ts'
+import { testedAt } from '../player/discs.ts'
+import { circlesAt, sceneOf } from '../player/scene.ts'
+import { type Step, stepsOf } from '../player/steps.ts'
+import { boundingBox } from '../view/camera.ts'
+import { boxOf, NO_DOMAIN } from '../view/domain.ts'
+import { type AboveLayer, layersFrom, withoutDiagram } from '../view/layers.ts'
+import type { PaintedScene } from '../view/painter/painted-scene.ts'
+import { traced } from '../view/painter/traced.ts'
+import { svgPicture } from '../view/svg-picture.ts'
+import { SceneComputer } from './scene-computer.ts'
+import { playerColors, type Scheme, themeStyle } from './theme.ts'
+
+/** Options of `renderSVG`. */
+export interface PictureOptions extends LoadOptions {
+  /** The width in pixels. Default: 720. */
+  readonly width?: number | undefined
+  /** The height in pixels. Default: 480. */
+  readonly height?: number | undefined
+  /** The colors. Default: `light`. */
+  readonly scheme?: Scheme | undefined
+}
+
+/** Around circles that are all in a picture, in pixels: as in an element without buttons. */
+const ROOM = { top: 16, right: 16, bottom: 16, left: 16 }
+const LONGEST_SIDE = 100_000
+
+/**
+ * Draws a state, as an element or the playground shows it, and returns the text of an SVG. It is the text that `toSVG` of an
+ * element of that size returns, byte for byte. Without a view, all circles are visible.
+ *
+ * @param state a state as `getState` returns it, or a link with circles as text. A link to a data set of the playground is
+ *   not enough, because its circles are there
+ * @throws CircleVoronoiError as `decodeLink` and `compute`; `badArgument`, `badOption`
+ *
+ * @example
+ * import { renderSVG } from 'circle-voronoi/picture'
+ *
+ * const svg = await renderSVG({ circles: [[0, 0, 2], [10, 0, 1], [5, 8, 1.5]], layers: { hull: true } })
+ */
+export async function renderSVG(state: LinkInput | string, options: PictureOptions = {}): Promise<string> {
+  checkOptionNames(options, 'renderSVG', ['width', 'height', 'scheme', 'wasm'])
+  const { width = 720, height = 480, scheme = 'light' } = options
+  for (const [name, side] of Object.entries({ width, height })) {
+    const isRight = typeof side === 'number' && side >= 1 && side <= LONGEST_SIDE
+    if (!isRight) refuseOption(`The option ${name} is a number from 1 to ${LONGEST_SIDE}, not ${shown(side)}.`)
+  }
+  if (scheme !== 'light' && scheme !== 'dark')
+    refuseOption(`The option scheme is "light" or "dark", not ${shown(scheme)}.`)
+  const { circles, edits, view, layers: given, step, method, region, areas } = await checked(state)
+
+  const computer = new SceneComputer(await circleVoronoiOf(await compileCircleVoronoi(options)))
+  const { scene } = computer
+  try {
+    let problem: Error | undefined
+    const editing = new Editing(
+      computer,
+      () => {},
+      (error) => {
+        problem ??= error
+      },
+    )
+    const hasDomain = (region ?? undefined) !== undefined || areas !== undefined
+    const domain = hasDomain ? { region: region ?? undefined, areas } : undefined
+    await editing.open({ circles, dataSet: '', isEdited: false, domain })
+    if (edits !== undefined && problem === undefined) await editing.edit(edits)
+    if (problem !== undefined) throw problem
+    const size = { width, height }
+    const box = boxOf(boundingBox(circles), domain ?? NO_DOMAIN)
+    const frame = { ...cameraLooking(view, box, size, ROOM), ...size }
+    const style = themeStyle(scheme)
+    const played = step === undefined ? undefined : playedAt(scene, step, method, scheme)
+    const layers = played === undefined ? layersFrom(given) : withoutDiagram(layersFrom(given))
+    scene.setLayers(layers)
+    if (scene.isMethodMissing) scene.addMethod()
+    if (scene.isPowerMissing) scene.addPower(await loadComparison(scene.library, {}))
+    return svgPicture(frame, scene.svg(frame, style), style, layers, played ?? [])
+  } finally {
+    scene.dispose()
+  }
+}
+
+/** The state, with circles. All other fields are checked as those of a link are. */
+async function checked(state: LinkInput | string): Promise<LinkState & { circles: Float64Array }> {
+  if (typeof state !== 'string' && !isRecord(state)) {
+    refuseArgument(`renderSVG takes a state or a link, not ${shown(state)}.`)
+  }
+  const said =
+    typeof state === 'string'
+      ? await decodeLink(state.replace(/^.*#/s, ''))
+      : {
+          ...(await decodeLink(encodeLinkAtOnce({ ...state, circles: undefined, names: undefined }))),
+          ...((state.circles ?? undefined) !== undefined && { circles: coordinatesOf(state.circles as never) }),
+        }
+  const { circles, dataSet } = said
+  if (circles === undefined) {
+    const reason = dataSet === undefined ? 'has no circles' : `names the data set "${dataSet}" of the playground`
+    refuseArgument(`The state ${reason}: renderSVG needs the circles themselves.`)
+  }
+  return { ...said, circles }
+}
+
+/** What is drawn above the circles after a step; `undefined`: it is the last one, which is the diagram. */
+function playedAt(
+  { library, picture }: PaintedScene,
+  step: number,
+  method: string | undefined,
+  scheme: Scheme,
+): readonly AboveLayer[] | undefined {
+  const known = METHODS.find((name) => name === method) ?? ('touching-disc' satisfies Method)
+  const { circles: given, ids, diagram, events } = traced(library, picture.diagram, { method: known })
+  const trace = new Trace(new Diagram(diagram), events)
+  const steps = stepsOf(trace)
+  if (step >= steps.length - 1) return undefined
+  const current = steps[step] as Step
+  const state = trace.at(current.end)
+  const circles = circlesAt(trace, given, state, ids)
+  const tested = testedAt(trace, current, state, (id) => circles.get(id))
+  return sceneOf(trace, current, state, tested, circles, playerColors(scheme))
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Computer } from '../editing/editing.ts'
+import type { Edit } from '../lib/index.ts'
+import type { ComputingLibrary } from '../lib/wasm/library.ts'
+import { loadRegions } from '../lib/wasm/load-regions.ts'
+import { CircleTable, NO_CHANGE } from '../view/circle-table.ts'
+import { PaintedScene } from '../view/painter/painted-scene.ts'
+import type { Edited } from '../view/painter.ts'
+import type { DomainChange, Fitted } from '../view/protocol.ts'
+
+/** What the thread of a page does with the circles of a view, here and now. */
+export class SceneComputer implements Computer {
+  readonly scene: PaintedScene
+  circles = new CircleTable(new Float64Array())
+
+  constructor(library: ComputingLibrary) {
+    this.scene = new PaintedScene(library)
+  }
+
+  async setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited> {
+    const { circles: fittedCircles, fitted } = this.scene.open(circles, change, await regionsFor(change))
+    this.circles = new CircleTable(Float64Array.from(fittedCircles ?? circles))
+    return this.#edited(NO_CHANGE, fitted)
+  }
+
+  async apply(edits: readonly Edit[], domain?: DomainChange): Promise<Edited> {
+    const { change, fitted } = this.scene.edit(edits, domain, await regionsFor(domain))
+    return this.#edited(change, fitted)
+  }
+
+  #edited(change: typeof NO_CHANGE, fitted: Fitted | undefined): Edited {
+    const back = this.circles.follow(change)
+    return { counts: this.scene.counts(), inserted: change.inserted, back, fitted, seconds: 0 }
+  }
+}
+
+async function regionsFor({ region, fit }: DomainChange = {}) {
+  return (region ?? undefined) === undefined && fit === undefined ? undefined : loadRegions({})
+}

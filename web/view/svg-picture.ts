@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { AboveLayer, Layers } from './layers.ts'
+import { drawOverlay, NOTHING_STANDS_OUT } from './overlay.ts'
+import type { Frame } from './painter/frame.ts'
+import { SvgDrawing, svgOf } from './painter/svg-drawing.ts'
+import type { DrawnSvg } from './protocol.ts'
+import type { Style } from './style.ts'
+
+/** The text of an SVG with all that a frame shows: in a page, and in Node. `above`: what is played. */
+export function svgPicture(
+  frame: Frame,
+  { elements, found }: DrawnSvg,
+  style: Style,
+  layers: Layers,
+  above: readonly AboveLayer[],
+): string {
+  const overlay = new SvgDrawing()
+  drawOverlay(overlay, frame, 1, style, { ...NOTHING_STANDS_OUT, found, layers, above })
+  return svgOf(frame.width, frame.height, [elements, String(overlay)])
+}
