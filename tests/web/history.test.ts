@@ -48,7 +48,7 @@ describe('what goes back to before edits', () => {
       { ...NO_DOMAIN, areas: [3, 4] },
     ] as const
     const begun = record(EMPTY_HISTORY, [back(0, 1)], 5)
-    const { done } = record(record(begun, [], 5, first), [], 5, second)
+    const { done } = record(record(begun, [], 5, { domain: first }), [], 5, { domain: second })
     expect(plain(done)).toEqual([{ kind: 'edits', gesture: 5, steps: [back(0, 1)], domain: first }])
   })
 
@@ -65,6 +65,7 @@ it('names what came back as it is called now, up to other circles', () => {
     kind: 'opening',
     scene: { circles: new Float64Array(), dataSet: '', isEdited: false },
     ids: Int32Array.of(0),
+    numbering: { numbers: new Map<number, number>(), shift: 0, end: 1 },
   } as const
   const steps: Step[] = [
     { kind: 'remove', id: 1 },
@@ -114,12 +115,14 @@ describe('a history', () => {
   })
 
   it('counts the circles and the names of what was opened', () => {
+    const numbering = { numbers: new Map<number, number>(), shift: 0, end: 1000 }
     const opening = (names?: string[]) => {
       const circles = new Float64Array(3000)
       return {
         kind: 'opening' as const,
         scene: { circles, dataSet: '', isEdited: false, names },
         ids: new Int32Array(1000),
+        numbering,
       }
     }
     const two = { done: [opening(), opening()], undone: [] }

@@ -6,6 +6,7 @@ import { circlesFrom, guessedColumns, type Rows, rowsOf } from '../../web/app/fi
 import { attributesIn } from '../../web/app/files/names.ts'
 import { stippled } from '../../web/app/files/stipple.ts'
 import { randomNumbers } from '../../web/app/random-circles.ts'
+import { NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
 
 const rows = (text: string) => rowsOf(text) as Rows
 
@@ -44,15 +45,19 @@ describe('a table', () => {
     const columns = { x: 1, y: 2, r: 3, name: 0 }
     expect(circlesFrom(table, columns, false, 'f')).toEqual({
       circles: Float64Array.of(1.5, 2, 3, 4, 5, 6),
-      names: ['u', 'v'],
-      columns: [],
+      attributes: { ...NO_ATTRIBUTES, columns: [{ name: 'n', values: ['"u"', '"v"'] }] },
     })
     expect(circlesFrom(table, columns, true, 'f').circles).toEqual(Float64Array.of(1.5, 2, 1.5, 4, 5, 3))
     const same = { ...columns, r: { all: 0.5 }, name: undefined }
     expect(circlesFrom(table, same, false, 'f')).toEqual({
       circles: Float64Array.of(1.5, 2, 0.5, 4, 5, 0.5),
-      names: undefined,
-      columns: [{ name: 'c', values: Float64Array.of(3, 6) }],
+      attributes: {
+        ...NO_ATTRIBUTES,
+        columns: [
+          { name: 'n', values: ['"u"', '"v"'] },
+          { name: 'c', values: ['3', '6'] },
+        ],
+      },
     })
     expect(() => circlesFrom(table, { ...columns, r: 0 }, false, 'f')).toThrow(
       'f, row 1: “u” in column n is not a number.',
@@ -64,38 +69,37 @@ describe('a table', () => {
 })
 
 describe('columns', () => {
-  it.each([
-    ['x,y,r,name,people,area\n1,2,3,A,10,x\n4,5,6,B,,7\n7,8,9,C,30,y\n', 'people'],
-    ['1;2;3;10\n4;5;6;n/a\n7;8;9;30', 'Column 4'],
-    ['[{"x":1,"y":2,"r":3,"people":10},{"x":4,"y":5,"r":6},{"x":7,"y":8,"r":9,"people":30,"area":7}]', 'people'],
-    [
-      JSON.stringify({
-        features: [10, undefined, 30].map((people) => ({ properties: { people, radius: 1, kind: 'town' } })),
-      }),
-      'people',
-    ],
-  ])('are the other ones of which most are numbers: %s', (text, name) => {
-    expect(attributesIn(text, 3).columns).toEqual([{ name, values: Float64Array.of(10, Number.NaN, 30) }])
-    expect(attributesIn(text, 2).columns).toBeUndefined()
+  it('are all other ones of a table, each of one type', () => {
+    const text = 'x,y,r,name,fips,people\n1,2,3,A,01001,10\n4,5,6,B,1003,\n7,8,9,,6037,30.5\n'
+    expect(attributesIn(text, 3)?.columns).toEqual([
+      { name: 'name', values: ['"A"', '"B"', 'null'] },
+      { name: 'fips', values: ['"01001"', '"1003"', '"6037"'] },
+      { name: 'people', values: ['10', 'null', '30.5'] },
+    ])
+    expect(attributesIn(text, 2)).toBeUndefined()
+    expect(attributesIn('1;2;3;1,5\n4;5;6;2', 2)?.columns).toEqual([{ name: 'Column 4', values: ['1.5', '2'] }])
   })
 
-  it('are none where there are centers and radii alone', () => {
-    for (const text of ['x,y,r\n1,2,3\n4,5,6', '[[1,2,3],[4,5,6]]', '[{"cx":1,"cy":2,"r":1},{"cx":4,"cy":2,"r":1}]']) {
-      expect(attributesIn(text, 2).columns).toBeUndefined()
-    }
+  it('are the other members of objects and properties of features', () => {
+    expect(attributesIn('[{"x":1,"y":2,"r":3,"people":10},{"x":4,"y":5,"r":6}]', 2)?.columns).toEqual([
+      { name: 'people', values: ['10', ''] },
+    ])
+    const feature = (properties: object) => ({ properties: { radius: 1, ...properties } })
+    const features = [feature({ label: 'A', isOld: true }), feature({ tags: ['a'] })]
+    expect(attributesIn(JSON.stringify({ features }), 2)?.columns).toEqual([
+      { name: 'label', values: ['"A"', ''] },
+      { name: 'isOld', values: ['true', ''] },
+      { name: 'tags', values: ['', '["a"]'] },
+    ])
+  })
+
+  it('are none where there are centers and radii alone, or it is no such text', () => {
+    const texts = ['x,y,r\n1,2,3\n4,5,6', '[[1,2,3],[4,5,6]]', '[{"cx":1,"cy":2,"r":1},{"cx":4,"cy":2,"r":1}]']
+    for (const text of [...texts, '{"features":']) expect(attributesIn(text, 2)).toBeUndefined()
   })
 })
 
 describe('names', () => {
-  it('are those of a column, of objects or of features, if there is one for each circle', () => {
-    expect(attributesIn('name,x,y,r\nA,1,2,3\nB,4,5,6', 2).names).toEqual(['A', 'B'])
-    expect(attributesIn('[{"x":1,"name":"A"},{"x":2}]', 2).names).toEqual(['A', ''])
-    expect(attributesIn('{"features":[{"properties":{"label":"A"}}]}', 1).names).toEqual(['A'])
-    for (const text of ['name,x,y,r\nA,1,2,3', '[[1,2,3],[4,5,6]]', '{"features":', 'x,y,r\n1,2,3\n4,5,6']) {
-      expect(attributesIn(text, 2).names).toBeUndefined()
-    }
-  })
-
   it('are read from the data sets of the page', () => {
     expect(parseNamed('x,y,r,name\n1,2,3,A\n')).toEqual({ circles: Float64Array.of(1, 2, 3), names: ['A'] })
     expect(parseNamed('x,y,r\n1,2,3\n').names).toBeUndefined()

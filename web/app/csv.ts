@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { DataColumn } from '../editing/history.ts'
+import type { Attributes } from '../editing/attributes.ts'
 import type { Float64s } from '../lib/index.ts'
 
-/** Circles that may have names, one each, and other numbers. */
+/** Circles that may have names, one each, and whatever else a file says of them. */
 export interface NamedCircles {
   readonly circles: Float64s
   readonly names?: readonly string[] | undefined
-  readonly columns?: readonly DataColumn[] | undefined
+  readonly attributes?: Attributes | undefined
 }
 
 /**

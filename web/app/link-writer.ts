@@ -14,7 +14,7 @@ export class LinkWriter {
   }
 
   /**
-   * Without the names of circles, if there is room for the circles alone.
+   * Without the attributes or the names of circles, if there is no room for them.
    *
    * @throws CircleVoronoiError as `encodeLink`
    */
@@ -23,8 +23,10 @@ export class LinkWriter {
     try {
       return await write(state)
     } catch (error) {
-      if (state.names === undefined) throw error
-      return write({ ...state, names: undefined })
+      if (state.names === undefined && state.attributes === undefined) throw error
+      // First without the larger part.
+      const names = state.attributes === undefined ? undefined : state.names
+      return this.linkOf({ ...state, names, attributes: undefined })
     }
   }
 }

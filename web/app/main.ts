@@ -68,7 +68,8 @@ const figure = new Figure(
       drawRegion: () => actions.useTool('draw'),
     },
     played: (kept) => played(kept),
-    onoutcome: () => {
+    onoutcome: (outcome) => {
+      actions.followColumn(outcome)
       // What is shown at first is there without being kept.
       if (hasShown) keeping.changed()
       hasShown = true

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { Editing } from '../editing/editing.ts'
+import { type Attributes, columnsOf, isNumeric } from '../editing/attributes.ts'
+import type { Editing, Outcome } from '../editing/editing.ts'
 import { EditorActions, type HowOpened, type Opened } from '../editing/editor-actions.ts'
 import type { Scene } from '../editing/history.ts'
 import type { State } from '../editing/state.ts'
@@ -10,8 +11,10 @@ import { decodeLink, frameOf, LINK_LIMITS, type LinkFrame, type LinkView } from 
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
 import type { Drawn } from '../view/gestures.ts'
+import type { Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { View } from '../view/view.ts'
+import { cellValues } from './cell-values.ts'
 import {
   DATA_SETS,
   type DataSet,
@@ -37,6 +40,9 @@ export class PageActions extends EditorActions {
   readonly #reader: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
   readonly #shown: () => string
+  readonly #layers: () => Layers
+  /** Those that colors were last made of. */
+  #attributes: Attributes | undefined
 
   constructor(
     store: Store<State>,
@@ -50,6 +56,7 @@ export class PageActions extends EditorActions {
     this.#reader = reader
     this.#make = (recipe) => reader.call('make', recipe)
     this.#shown = () => store.get().dataSet
+    this.#layers = () => view.layers
   }
 
   /** What the tool `draw` draws with. */
@@ -98,9 +105,37 @@ export class PageActions extends EditorActions {
     return this.setDomain({ areas }, gesture, edits)
   }
 
+  /** Opens what is loaded, in the colors of a column if it says so. */
+  override async open(load: () => Promise<Opened>): Promise<HowOpened> {
+    let column: unknown
+    const how = await super.open(async () => {
+      const opened = await load()
+      column = opened.layers?.column
+      return opened
+    })
+    if (how === 'opened' && typeof column === 'string') this.colorBy(column)
+    return how
+  }
+
+  /** Colors cells by a column, if there is one of this name; else as without one. */
+  colorBy(name: string): void {
+    const { circles, attributes } = this.#editing
+    const column = attributes.columns.find((column) => column.name === name)
+    const valueAt = (id: number) => column?.values[this.#editing.numberOf(id)]
+    this.setLayers({ column: column && cellValues(column, circles, valueAt) })
+  }
+
+  /** Has the colors follow the circles and the values of their column. To be called with each outcome. */
+  followColumn({ edited, attributes, isOpened }: Outcome): void {
+    const { column } = this.#layers()
+    const isOther = isOpened || attributes !== this.#attributes || edited.inserted.length > 0
+    this.#attributes = attributes
+    if (column !== undefined && isOther) this.colorBy(column.name)
+  }
+
   /** The names of the columns of numbers that came with the circles. */
   get columns(): readonly string[] {
-    return this.#editing.scene?.columns?.map(({ name }) => name) ?? []
+    return this.#editing.attributes.columns.filter(isNumeric).map(({ name }) => name)
   }
 
   /** Gives cells areas by a column. Circles without a number get the mean: how many, or `undefined` if it is refused. */
@@ -193,12 +228,18 @@ export class PageActions extends EditorActions {
   }
 
   async #linked(text: string): Promise<Opened> {
+<<<<<<< HEAD
     const state = await decodeLink(text)
     const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = state
+=======
+    const said = await decodeLink(text)
+    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = said
+    const attributes = said.attributes && columnsOf(said.attributes, (circles?.length ?? 0) / 3)
+>>>>>>> 15a64dc (The playground keeps, shows, sorts, colors by, edits, links and saves all columns of a file; an unbounded cell is infinite wherever it is told)
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
-        : { circles, names, dataSet: '', isEdited: false }
+        : { circles, names, ...(attributes && { attributes }), dataSet: '', isEdited: false }
     const own = 'domain' in scene ? scene.domain : undefined
     const shown = region === undefined ? own?.region : (region ?? undefined)
     const domain = (shown ?? areas) && { region: shown, areas }

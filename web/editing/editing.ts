@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { NewestQueue } from '../lib/base/newest-queue.ts'
 import type { Circle, Edit, Float64s } from '../lib/index.ts'
+import type { LinkAttributes } from '../lib/link.ts'
 import type { CircleTable, Step } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
 import {
+  type Attributes,
+  attributesOf,
+  type DataColumn,
+  NO_ATTRIBUTES,
+  nameColumn,
+  numberIn,
+  textIn,
+  withValue,
+} from './attributes.ts'
+import {
   EMPTY_HISTORY,
   type History,
   idsOnceOpened,
   limited,
   MOST_BYTES,
+  type Numbering,
   type Opening,
   record,
   renamed,
@@ -32,6 +44,8 @@ export interface Outcome {
   readonly edited: Edited
   readonly history: History
   readonly domain: Domain
+  /** What else is known of circles, by their numbers. */
+  readonly attributes: Attributes
   /** Whether the circles are other ones than before, with ids of their own. */
   readonly isOpened: boolean
 }
@@ -53,9 +67,11 @@ export class Editing {
   readonly #onProblem: (error: Error) => void
   #scene: Scene | undefined
   #domain = NO_DOMAIN
-  /** Where they are not the same: the ids by the numbers of circles, and the numbers by the ids. */
+  #attributes = NO_ATTRIBUTES
+  /** The ids by the numbers of circles, and the numbers by the ids, where a number is not `#shift` more than the id. */
   readonly #ids = new Map<number, number>()
   readonly #numbers = new Map<number, number>()
+  #shift = 0
   #lastAbsent = 0
   #history = EMPTY_HISTORY
   readonly #mostBytes: number
@@ -106,29 +122,86 @@ export class Editing {
 
   /** The id of a circle by its number: the id that it had first. One that comes back by undo has another id. */
   idOf(number: number): number {
-    return this.#ids.get(number) ?? number
+    return this.#ids.get(number) ?? number - this.#shift
   }
 
   /** The number of a circle, which stays the same when it comes back by undo. */
   numberOf(id: number): number {
-    return this.#numbers.get(id) ?? id
+    return this.#numbers.get(id) ?? id + this.#shift
+  }
+
+  /** What else is known of circles, by their numbers. */
+  get attributes(): Attributes {
+    return this.#attributes
+  }
+
+  /** The attributes of the circles as they are, in their order; `undefined`: there are none. */
+  get fileAttributes(): LinkAttributes | undefined {
+    if (this.#attributes === NO_ATTRIBUTES) return undefined
+    return attributesOf(
+      this.#attributes,
+      Array.from(this.circles.ids(), (id) => this.numberOf(id)),
+    )
   }
 
   /** What a circle is called, if it is called anything. */
   nameOf(id: number): string {
-    return this.#scene?.names?.[this.numberOf(id)] ?? ''
+    const number = this.numberOf(id)
+    return this.#scene?.names?.[number] ?? textIn(nameColumn(this.#attributes.columns)?.values[number])
   }
 
-  /** A column in the order of the circles; NaN for circles that were added. */
+  /** The text of a JSON value of a circle in a column; empty, where there is none. */
+  valueOf(id: number, column: string): string {
+    return this.#columnOf(column)?.values[this.numberOf(id)] ?? ''
+  }
+
+  /** A column in the order of the circles; NaN where there is no number. */
   valuesOf(name: string): Float64s {
-    const values = this.#scene?.columns?.find((column) => column.name === name)?.values
-    return Float64Array.from(this.circles.ids(), (id) => values?.[this.numberOf(id)] ?? Number.NaN)
+    const values = this.#columnOf(name)?.values
+    return Float64Array.from(this.circles.ids(), (id) => numberIn(values?.[this.numberOf(id)]))
+  }
+
+  #columnOf(name: string): DataColumn | undefined {
+    return this.#attributes.columns.find((column) => column.name === name)
+  }
+
+  /** Gives a circle another value in a column, as the text of JSON. `undefined`: refused, or void. */
+  setValue(id: number, column: string, value: string, gesture = this.beginGesture()): Promise<Edited | undefined> {
+    const number = this.numberOf(id)
+    return this.#ask(async () => {
+      if (gesture <= this.#lastFormer) return undefined
+      const attributes = withValue(this.#attributes, column, number, value)
+      return this.#apply([], gesture, undefined, attributes)
+    })
   }
 
   #rename(formerId: number, id: number): void {
-    const number = this.numberOf(formerId)
+    this.#giveNumber(id, this.numberOf(formerId))
+  }
+
+  #giveNumber(id: number, number: number): void {
     this.#ids.set(number, id)
     this.#numbers.set(id, number)
+  }
+
+  get #numbering(): Numbering {
+    return { numbers: new Map(this.#numbers), shift: this.#shift, end: this.circles.size + this.#shift }
+  }
+
+  /** Circles that were opened again have the numbers that they had, and so have those that may come back. */
+  #restoreNumbers({ ids, numbering: { numbers, shift, end } }: Opening): (id: number) => number {
+    const numberOf = (id: number) => numbers.get(id) ?? id + shift
+    // The next circles get numbers that none has.
+    this.#shift = end - ids.length
+    ids.forEach((id, k) => {
+      if (numberOf(id) !== k + this.#shift) this.#giveNumber(k, numberOf(id))
+    })
+    const idOf = idsOnceOpened(ids, () => --this.#lastAbsent)
+    return (id) => {
+      const next = idOf(id)
+      if (next < 0) this.#numbers.set(next, numberOf(id))
+      return next
+    }
   }
 
   /**
@@ -168,12 +241,19 @@ export class Editing {
     return this.#ask(apply, edits, key)
   }
 
-  async #apply(edits: readonly Edit[], gesture: number, change?: Partial<Domain>): Promise<Edited> {
+  async #apply(
+    edits: readonly Edit[],
+    gesture: number,
+    change?: Partial<Domain>,
+    attributes?: Attributes,
+  ): Promise<Edited> {
     const before = this.#domain
     const domain = change === undefined ? before : { ...before, ...change, ...this.#byNumber(change.areas) }
     const edited = await this.#computer.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits)))
-    this.#history = record(this.#history, edited.back, gesture, change && before)
+    const former = { domain: change && before, attributes: attributes && this.#attributes }
+    this.#history = record(this.#history, edited.back, gesture, former)
     this.#domain = domain
+    this.#attributes = attributes ?? this.#attributes
     return edited
   }
 
@@ -212,10 +292,17 @@ export class Editing {
     const change = this.#changeTo(domain, this.#sharesOf(domain, steps))
     const edited = await this.#computer.apply(steps.map(plain), change)
     this.#domain = domain
+    const attributes = this.#attributes
+    this.#attributes = entry.attributes ?? attributes
     const former = steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
     for (const [formerId, id] of ids) this.#rename(formerId, id)
-    const back = { ...entry, steps: PackedSteps.of(edited.back), domain: entry.domain && before }
+    const back = {
+      ...entry,
+      steps: PackedSteps.of(edited.back),
+      domain: entry.domain && before,
+      attributes: entry.attributes && attributes,
+    }
     const history = {
       ...this.#history,
       [from]: this.#history[from].slice(0, -1),
@@ -225,12 +312,13 @@ export class Editing {
     return edited
   }
 
-  async #openAgain({ scene, ids }: Opening, from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
+  async #openAgain(entry: Opening, from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
     const before = this.#before()
-    const edited = await this.#become(scene)
+    const edited = await this.#become(entry.scene)
+    const idOf = this.#restoreNumbers(entry)
+    this.#domain = { ...this.#domain, ...this.#byNumber(this.#domain.areas) }
     const left = this.#history[from].slice(0, -1)
     const others = this.#history[to]
-    const idOf = idsOnceOpened(ids, () => --this.#lastAbsent)
     // What is on the other side is about the circles that go.
     const kept = renamed({ ...EMPTY_HISTORY, [from]: left }, idOf)[from]
     this.#history = { ...EMPTY_HISTORY, [from]: kept, [to]: [...others, ...before] }
@@ -245,9 +333,11 @@ export class Editing {
     const edited = await this.#computer.setCircles(circles, this.#changeTo(domain, shares))
     this.#scene = scene
     this.#domain = domain
+    this.#attributes = scene.attributes ?? NO_ATTRIBUTES
     this.#lastFormer = this.#lastGesture
     this.#ids.clear()
     this.#numbers.clear()
+    this.#shift = 0
     return edited
   }
 
@@ -288,17 +378,17 @@ export class Editing {
   /** What goes back to the circles as they are; nothing before the first ones. */
   #before(): Opening[] {
     if (this.#scene === undefined) return []
-    const { dataSet, isEdited } = this.#scene
     const ids = this.circles.ids()
     const isRecorded = [this.#history.done, this.#history.undone].some((side) => side.at(-1)?.kind === 'edits')
     // What moves by itself is not recorded.
-    if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids }]
+    const numbering = this.#numbering
+    if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids, numbering }]
     const circles = this.circles.circles()
-    const names = this.#scene.names && Array.from(ids, (id) => this.nameOf(id))
-    const columns = this.#scene.columns?.map(({ name }) => ({ name, values: this.valuesOf(name) }))
+    const attributes = this.#attributes === NO_ATTRIBUTES ? undefined : this.#attributes
     const domain = this.#domain === NO_DOMAIN ? undefined : { ...this.#domain, areas: this.areas }
-    const isOther = isEdited || !isSame(circles, this.#scene.circles)
-    return [{ kind: 'opening', scene: { circles, dataSet, isEdited: isOther, names, columns, domain }, ids }]
+    const isSameData = attributes === this.#scene.attributes
+    const isEdited = this.#scene.isEdited || !isSameData || !isSame(circles, this.#scene.circles)
+    return [{ kind: 'opening', scene: { ...this.#scene, circles, isEdited, attributes, domain }, ids, numbering }]
   }
 
   /** A circle as it will be once all that was asked is done, if nothing is refused. */
@@ -323,8 +413,8 @@ export class Editing {
       const edited = await job.run()
       this.#history = limited(this.#history, this.#mostBytes)
       if (edited !== undefined) {
-        const { domain } = this
-        this.#onOutcome({ edited, history: this.#history, domain, isOpened: this.circles !== before })
+        const { domain, attributes } = this
+        this.#onOutcome({ edited, history: this.#history, domain, attributes, isOpened: this.circles !== before })
       }
       return edited
     } catch (error) {

@@ -101,11 +101,14 @@ export class EditorActions implements Hands {
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
     // Areas go by the order of the circles.
-    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
+    const attributes = this.#editing.fileAttributes
+    const isWritten = Array.isArray(areas) || attributes !== undefined
+    const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
     const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
     return {
       ...said,
       ...(names && { names }),
+      ...(attributes && { attributes }),
       ...regionOfLink(scene, domain),
       ...(areas !== undefined && { areas }),
       ...(!this.isWhole && { view: viewOfLink(camera, size) }),

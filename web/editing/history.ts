@@ -2,13 +2,8 @@
 import type { Float64s } from '../lib/index.ts'
 import type { Step } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
+import { type Attributes, bytesOfAttributes, NO_ATTRIBUTES } from './attributes.ts'
 import { PackedSteps } from './packed-steps.ts'
-
-/** A number for each circle, NaN where there is none. */
-export interface DataColumn {
-  readonly name: string
-  readonly values: Float64s
-}
 
 /** Circles that are opened at once. */
 export interface Scene {
@@ -19,8 +14,8 @@ export interface Scene {
   readonly isEdited: boolean
   /** What each circle is called; empty: nothing. */
   readonly names?: readonly string[] | undefined
-  /** What else a table says of the circles. */
-  readonly columns?: readonly DataColumn[] | undefined
+  /** What else a file says of the circles. */
+  readonly attributes?: Attributes | undefined
   /** What cells are cut to, and their areas. `undefined`: neither. */
   readonly domain?: Domain | undefined
 }
@@ -31,6 +26,8 @@ interface Edits {
   readonly steps: PackedSteps
   /** The domain before; `undefined`: it stays. */
   readonly domain?: Domain | undefined
+  /** The attributes before, likewise. */
+  readonly attributes?: Attributes | undefined
   readonly gesture: number
 }
 
@@ -40,6 +37,17 @@ export interface Opening {
   readonly scene: Scene
   /** The ids that the circles had, in ascending order. */
   readonly ids: Int32Array
+  /** The numbers of circles by their ids: those of attributes and areas in older entries, too. */
+  readonly numbering: Numbering
+}
+
+/** Which number a circle has. It keeps its number when it comes back by undo, with another id. */
+export interface Numbering {
+  /** Where it is not `shift` more than the id. */
+  readonly numbers: ReadonlyMap<number, number>
+  readonly shift: number
+  /** All numbers are below. */
+  readonly end: number
 }
 
 /** What was done, and what was undone; the newest last. */
@@ -51,14 +59,26 @@ export interface History {
 export const EMPTY_HISTORY: History = { done: [], undone: [] }
 
 /** Adds what goes back to before an edit. Edits of one gesture, a drag for instance, become one entry. */
-export function record({ done }: History, steps: readonly Step[], gesture: number, domain?: Domain): History {
+export function record(
+  { done }: History,
+  steps: readonly Step[],
+  gesture: number,
+  { domain, attributes }: Partial<Pick<Edits, 'domain' | 'attributes'>> = {},
+): History {
   const last = done.at(-1)
-  if (last?.kind !== 'edits' || last.gesture !== gesture)
-    return { done: [...done, { kind: 'edits', steps: PackedSteps.of(steps), gesture, domain }], undone: [] }
+  if (last?.kind !== 'edits' || last.gesture !== gesture) {
+    const entry: Edits = { kind: 'edits', steps: PackedSteps.of(steps), gesture, domain, attributes }
+    return { done: [...done, entry], undone: [] }
+  }
   // What the gesture has replaced or brought goes back to where it was at first.
   const known = last.steps.known()
   const more = steps.filter((step) => step.kind !== 'replace' || !known.has(step.id))
-  const entry = { ...last, steps: last.steps.after(more), domain: last.domain ?? domain }
+  const entry = {
+    ...last,
+    steps: last.steps.after(more),
+    domain: last.domain ?? domain,
+    attributes: last.attributes ?? attributes,
+  }
   return { done: [...done.slice(0, -1), entry], undone: [] }
 }
 
@@ -92,11 +112,13 @@ export function limited({ done, undone }: History, most: number): History {
 }
 
 function bytesOf(entry: Edits | Opening): number {
-  if (entry.kind === 'edits') return ENTRY_BYTES + entry.steps.bytes
-  const { circles, names = [], columns = [] } = entry.scene
+  // Of other attributes, one column is another one, and its texts are mostly the same.
+  if (entry.kind === 'edits') {
+    return ENTRY_BYTES + entry.steps.bytes + 8 * (entry.attributes?.columns[0]?.values.length ?? 0)
+  }
+  const { circles, names = [], attributes = NO_ATTRIBUTES } = entry.scene
   const texts = names.reduce((sum, name) => sum + 2 * name.length + 16, 0)
-  const numbers = columns.reduce((sum, { values }) => sum + values.byteLength, 0)
-  return ENTRY_BYTES + circles.byteLength + entry.ids.byteLength + texts + numbers
+  return ENTRY_BYTES + circles.byteLength + entry.ids.byteLength + texts + bytesOfAttributes(attributes)
 }
 
 /**

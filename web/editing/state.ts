@@ -5,6 +5,7 @@ import { type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { Described, Found } from '../view/protocol.ts'
+import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
 import type { Outcome } from './editing.ts'
 import { EMPTY_HISTORY, type History } from './history.ts'
 
@@ -15,6 +16,8 @@ export interface State {
   readonly edited: Edited | undefined
   readonly history: History
   readonly domain: Domain
+  /** What else is known of circles, by their numbers. */
+  readonly attributes: Attributes
   /** One sentence about what was refused, or empty. */
   readonly problem: string
   /** Those that are selected, the newest last. */
@@ -49,6 +52,7 @@ export const INITIAL_STATE: State = {
   edited: undefined,
   history: EMPTY_HISTORY,
   domain: NO_DOMAIN,
+  attributes: NO_ATTRIBUTES,
   problem: '',
   selection: [],
   selected: undefined,
@@ -65,9 +69,10 @@ export const INITIAL_STATE: State = {
 }
 
 /** The state once circles were opened or edited: those that were selected may be gone, and other circles have other ids. */
-export function stateAfter(state: State, { edited, history, domain, isOpened }: Outcome, circles: CircleTable): State {
+export function stateAfter(state: State, outcome: Outcome, circles: CircleTable): State {
+  const { edited, history, domain, attributes, isOpened } = outcome
   const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
-  const next = { ...withSelection(state, selection, circles), edited, history, domain, problem: '' }
+  const next = { ...withSelection(state, selection, circles), edited, history, domain, attributes, problem: '' }
   return isOpened ? { ...next, described: undefined, hovered: undefined } : next
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { columnsOf } from '../editing/attributes.ts'
 import type { Opened } from '../editing/editor-actions.ts'
 import type { Float64s } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
@@ -12,10 +13,11 @@ const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
 /** Circles as they are opened. */
 export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): Opened {
-  const { region, areas, ...others } = rest
+  const { region, areas, attributes: said, ...others } = rest
+  const attributes = said && columnsOf(said, circles.length / 3)
   const hasDomain = region !== undefined || areas !== undefined
   const domain = hasDomain ? { region: region ?? undefined, areas } : undefined
-  return { circles, dataSet: '', isEdited: false, ...others, domain }
+  return { circles, dataSet: '', isEdited: false, ...others, ...(attributes && { attributes }), domain }
 }
 
 /**

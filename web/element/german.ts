@@ -113,6 +113,7 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   numberFromZero: 'eine Zahl ab 0',
   path: 'ein Paar von Punkten { from: { x, y }, to: { x, y } }',
   data: 'eine Liste von Objekten mit points, segments oder discs als Listen von Zahlen',
+  cellValues: 'ein Objekt mit einem Namen und Werten als Float64Array',
   noLayer: (word, names) => `Es gibt keine Ebene ${word}. Ebenen sind ${listed(names, 'und')}.`,
   notComputed: (reason) => `Das Diagramm konnte nicht berechnet werden: ${reason}.`,
   notDrawn: 'Das Bild konnte nicht gezeichnet werden.',

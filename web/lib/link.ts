@@ -74,6 +74,23 @@ export interface LinkFrame {
 }
 
 /**
+ * What a file says about its circles beyond x, y and r. Each list is empty or has an entry for each circle. Entries are the texts
+ * of JSON values, at most 10,000 letters long.
+ *
+ * @category Links
+ */
+export interface LinkAttributes {
+  /** The other columns or properties of each circle: a JSON object. */
+  readonly properties: readonly string[]
+  /** The id of each circle, or an empty text. */
+  readonly ids: readonly string[]
+  /** The height of each circle, or an empty text. */
+  readonly heights: readonly string[]
+  /** The members of a GeoJSON collection beside its features: a JSON object, or an empty text. */
+  readonly collection: string
+}
+
+/**
  * The content of a link. Fields that are missing are left to the page that opens it.
  *
  * @category Links
@@ -83,6 +100,8 @@ export interface LinkState extends LinkFrame {
   readonly circles?: Float64s | undefined
   /** The name of each circle in `circles`, at most 200 letters long. An empty text means that the circle has no name. */
   readonly names?: readonly string[] | undefined
+  /** What a file says about each circle in `circles`, as `CircleAttributes` of circle-voronoi/files. */
+  readonly attributes?: LinkAttributes | undefined
   /** The name of a data set, instead of circles. */
   readonly dataSet?: string | undefined
   /** The edits in order; ids are those of `DiagramEditor`. */
@@ -111,12 +130,25 @@ export interface LinkInput extends Omit<LinkState, 'circles'> {
 
 const VERSION = 'v1'
 const LONGEST_NAME = 200
+const LONGEST_ATTRIBUTE = 10_000
 const LONGEST_QUESTION = 2000
 const DEEPEST_LAYER = 8
 /** A check has as many levels, each of which is an object and may have a list. */
 const DEEPEST_CHECK = 20
 const FRAME_FIELDS = ['title', 'question', 'check', 'readonly', 'alt', 'lang'] as const
-const FIELDS = ['circles', 'names', 'dataSet', 'edits', 'view', 'layers', 'step', 'method', 'region', 'areas'] as const
+const FIELDS = [
+  'circles',
+  'names',
+  'attributes',
+  'dataSet',
+  'edits',
+  'view',
+  'layers',
+  'step',
+  'method',
+  'region',
+  'areas',
+] as const
 
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
@@ -158,12 +190,13 @@ function linkFrom(letters: string): string {
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null)
     refuseArgument(`The state of a link must be an object, not ${shown(state)}.`)
-  const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = state
+  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, areas } = state
   if (edits !== undefined && !Array.isArray(edits))
     refuseArgument(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> & LinkFrame = {
     circles: circles && [...coordinatesOf(circles)],
     names,
+    attributes,
     dataSet,
     edits: edits && Array.from(edits, listOf),
     view: view && [view.x, view.y, view.span],
@@ -223,6 +256,7 @@ export function frameOf(state: LinkFrame): LinkFrame {
 interface Said extends LinkFrame {
   readonly circles?: readonly number[] | undefined
   readonly names?: readonly string[] | undefined
+  readonly attributes?: LinkAttributes | undefined
   readonly dataSet?: string | undefined
   readonly edits?: readonly (readonly [kind: '+' | '-' | '=', ...numbers: number[]])[] | undefined
   readonly view?: readonly [number, number, number] | undefined
@@ -234,10 +268,11 @@ interface Said extends LinkFrame {
 }
 
 function stateOf(said: Said): LinkState {
-  const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = said
+  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, areas } = said
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
     ...(names && { names }),
+    ...(attributes && { attributes }),
     ...(dataSet !== undefined && { dataSet }),
     ...(edits && { edits: edits.map(editOf) }),
     ...(view && { view: { x: view[0], y: view[1], span: view[2] } }),
@@ -281,7 +316,7 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 /** Why this is not `Said`. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it has no content'
-  const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = said
+  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, areas } = said
   if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0))
     return 'the step is not a whole number from 0'
   if (method !== undefined && !isName(method)) return 'the method is not a name'
@@ -299,6 +334,8 @@ function problemOf(said: unknown): string | undefined {
     if (!Array.isArray(names) || names.length !== count || !names.every(isName))
       return 'there is not one name for each circle'
   }
+  if (attributes !== undefined && !areAttributes(attributes, Array.isArray(circles) ? circles.length / 3 : 0))
+    return 'the attributes are not those of the circles'
   if (dataSet !== undefined) {
     if (!isName(dataSet)) return 'the data set is not a name'
     if (circles !== undefined) return 'it has circles and a data set'
@@ -341,6 +378,31 @@ function problemOfFrame({ title, question, check, readonly, alt, lang }: Record<
 function isRegion(value: unknown): boolean {
   try {
     return ringArraysOf(value as RegionShape).points.every(Number.isFinite)
+  } catch {
+    return false
+  }
+}
+
+/** Whether these are the attributes of so many circles, with texts of JSON that can be read. */
+function areAttributes(value: unknown, count: number): boolean {
+  if (!isRecord(value)) return false
+  const { properties, ids, heights, collection } = value
+  const isList = (list: unknown, isRight: (json: unknown) => boolean) =>
+    Array.isArray(list) && (list.length === 0 || list.length === count) && list.every((text) => isJson(text, isRight))
+  const isId = (id: unknown) => typeof id === 'string' || typeof id === 'number'
+  return (
+    isList(properties, isRecord) &&
+    isList(ids, isId) &&
+    isList(heights, Number.isFinite) &&
+    isJson(collection, isRecord)
+  )
+}
+
+/** Whether it is an empty text, or that of a value of JSON which is right. */
+function isJson(text: unknown, isRight: (value: unknown) => boolean): boolean {
+  if (typeof text !== 'string' || text.length > LONGEST_ATTRIBUTE) return false
+  try {
+    return text === '' || isRight(JSON.parse(text))
   } catch {
     return false
   }

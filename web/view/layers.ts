@@ -31,6 +31,15 @@ export const SAMPLES: Readonly<
   'all-pairs': { least: 0, usual: 0, most: 0 },
 }
 
+/** Values by which cells are colored. */
+export interface CellValues {
+  readonly name: string
+  /** The value of each circle by its id: a number, or the index of a category. NaN: the cell has no color. */
+  readonly values: Float64Array
+  /** The categories, the most frequent first: each of the first ones has a color of its own. `undefined`: numbers. */
+  readonly categories?: readonly string[] | undefined
+}
+
 /** A layer of your own, in the units of the circles. */
 export interface DataLayer {
   readonly id: string
@@ -62,6 +71,8 @@ export interface Layers {
   readonly circles: boolean
   /** The quantity by which cells are colored, or `none`. */
   readonly cells: CellColors
+  /** Values by which cells are colored, in place of `cells`. */
+  readonly column: CellValues | undefined
   readonly edges: boolean
   readonly vertices: boolean
   /** Vertices that are joined by edges of at most this length are drawn as one. `undefined`: no vertices are merged. */
@@ -110,6 +121,7 @@ export interface Layers {
 export const DEFAULT_LAYERS: Layers = {
   circles: true,
   cells: 'auto',
+  column: undefined,
   edges: true,
   vertices: true,
   nearZero: undefined,
@@ -164,10 +176,12 @@ export function isMeasure(colors: CellColors): colors is Measure {
   return colors !== 'auto' && colors !== 'none' && colors !== 'different'
 }
 
-/** What of layers differs from the default, to be kept; not what clients have added. */
+/** What of layers differs from the default, to be kept; not what clients have added. Of values, it is the name. */
 export function keptLayers(layers: Layers): Readonly<Record<string, LayerValue>> {
   const known = DEFAULT_LAYERS as unknown as Record<string, unknown>
-  return Object.fromEntries(Object.entries(layers).filter(([name, value]) => name !== 'data' && value !== known[name]))
+  const { column } = layers
+  const kept = Object.entries(layers).filter(([name, value]) => name !== 'data' && value !== known[name])
+  return { ...Object.fromEntries(kept), ...(column && { column: column.name }) }
 }
 
 /** The layers that were kept: what is unknown or makes no sense is as by default. */
@@ -224,11 +238,21 @@ export function checkLayers(layers: Layers): void {
   const { least, most } = SAMPLES[layers.candidates]
   if (isOther('sampleCount')) refuseValue('sampleCount', (words) => words.wholeNumber(least, most))
   if (layers.path !== undefined && known.path === undefined) refuseValue('path', (words) => words.path)
+  if (!isColumn(layers.column)) refuseValue('column', (words) => words.cellValues)
   if (!Array.isArray(layers.data) || !layers.data.every(isData)) refuseValue('data', (words) => words.data)
 }
 
 function refuse(say: (words: Refusals) => string): never {
   throw new Refusal(ENGLISH_REFUSALS, say)
+}
+
+function isColumn(column: unknown): boolean {
+  if (column === undefined) return true
+  if (!isRecord(column)) return false
+  const { name, values, categories } = column
+  const isList =
+    categories === undefined || (Array.isArray(categories) && categories.every((text) => typeof text === 'string'))
+  return typeof name === 'string' && values instanceof Float64Array && isList
 }
 
 function isData(layer: unknown): boolean {

@@ -317,7 +317,12 @@ export interface Distribution {
 
 /** What the ramp of colors means. */
 export interface Legend {
-  readonly measure: Measure
+  /** `column`: values that a client gives, which have a name (`CellValues`). */
+  readonly measure: Measure | 'column'
+  readonly name?: string | undefined
+  /** The categories that have a color each, in the order of the colors, and whether there are others, which have none. */
+  readonly categories?: readonly string[] | undefined
+  readonly hasOthers?: boolean | undefined
   /** What its beginning, its quarters and its end stand for. */
   readonly knots: readonly number[]
   /** Whether there may be smaller and larger values than those of its ends, which have their colors. */

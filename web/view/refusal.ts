@@ -15,6 +15,7 @@ export interface Refusals {
   readonly numberFromZero: string
   readonly path: string
   readonly data: string
+  readonly cellValues: string
   noLayer(word: string, names: readonly string[]): string
   /** `reason`: of the failure, which may be in English. */
   notComputed(reason: string): string
@@ -51,6 +52,7 @@ export const ENGLISH_REFUSALS: Refusals = {
   numberFromZero: 'a number from 0',
   path: 'two points { from: { x, y }, to: { x, y } }',
   data: 'an array of objects whose points, segments and discs are arrays of numbers',
+  cellValues: 'an object with a name and values as a Float64Array',
   noLayer: (word, names) => `There is no layer ${word}. The layers are ${listed(names, 'and')}.`,
   notComputed: (reason) => `The diagram could not be computed: ${reason}.`,
   notDrawn: 'The picture could not be drawn.',

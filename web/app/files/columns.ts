@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of other programs: which of their columns are centers and radii.
-import type { DataColumn } from '../../editing/history.ts'
+import { type DataColumn, NO_ATTRIBUTES } from '../../editing/attributes.ts'
 import type { NamedCircles } from '../csv.ts'
 
 /** A table of texts. */
@@ -50,12 +50,17 @@ export function rowsOf(text: string): Rows | undefined {
   return heading.filter((_, k) => isNumeric(valuesIn(found, k))).length < 2 ? undefined : found
 }
 
-/** The columns of numbers beside those of centers and radii. */
+/** The columns beside those of centers and radii. A column has one type: numbers, if all of its fields are numerals. */
 export function otherColumns(rows: Rows, used: readonly (number | undefined)[]): DataColumn[] {
-  return rows.heading.flatMap((name, k) => {
-    const values = used.includes(k) ? [] : valuesIn(rows, k)
-    return isNumeric(values) ? [{ name, values: Float64Array.from(values) }] : []
-  })
+  return rows.heading.flatMap((name, k) => (used.includes(k) ? [] : [{ name, values: jsonIn(rows, k) }]))
+}
+
+function jsonIn({ rows, hasDecimalCommas }: Rows, column: number): string[] {
+  const fields = rows.map((row) => row[column] ?? '')
+  const numerals = fields.map((field) => (hasDecimalCommas ? field.replace(',', '.') : field))
+  const isOfNumbers = numerals.every((field) => field === '' || /^-?(0|[1-9]\d*)(\.\d+)?(e[-+]?\d+)?$/i.test(field))
+  if (isOfNumbers) return numerals.map((field) => field || 'null')
+  return fields.map((field) => (field === '' ? 'null' : JSON.stringify(field)))
 }
 
 function valuesIn({ rows, hasDecimalCommas }: Rows, column: number): number[] {
@@ -99,7 +104,7 @@ export function guessedColumns({
 /** @throws Error that names the first row which is no circle */
 export function circlesFrom(rows: Rows, columns: Columns, isDiameter: boolean, file: string): NamedCircles {
   const circles = new Float64Array(3 * rows.rows.length)
-  const { x, y, r, name } = columns
+  const { x, y, r } = columns
   for (const [k, row] of rows.rows.entries()) {
     const value = (column: number) => numberOf(row[column] ?? '', rows.hasDecimalCommas)
     const radius = typeof r === 'number' ? value(r) / (isDiameter ? 2 : 1) : r.all
@@ -114,13 +119,8 @@ export function circlesFrom(rows: Rows, columns: Columns, isDiameter: boolean, f
     if (radius < 0) throw new Error(`${file}, row ${k + 1}: the radius must not be negative (got ${radius}).`)
     circles.set(circle, 3 * k)
   }
-  const used = [x, y, typeof r === 'number' ? r : undefined, name]
-  return { circles, names: namesIn(rows, name), columns: otherColumns(rows, used) }
-}
-
-/** The texts of a column; `undefined`: there is none. */
-export function namesIn({ rows }: Rows, column: number | undefined): readonly string[] | undefined {
-  return column === undefined ? undefined : rows.map((row) => row[column] ?? '')
+  const columnsBeside = otherColumns(rows, [x, y, typeof r === 'number' ? r : undefined])
+  return { circles, ...(columnsBeside.length > 0 && { attributes: { ...NO_ATTRIBUTES, columns: columnsBeside } }) }
 }
 
 function separatorOf(lines: readonly string[]): string | undefined {

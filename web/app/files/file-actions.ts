@@ -10,6 +10,7 @@ import type { LinkFrame, LinkInput } from '../../lib/link.ts'
 import { fitted } from '../../view/camera.ts'
 import { boxOf } from '../../view/domain.ts'
 import { readRegion } from '../../view/region-text.ts'
+import { short } from '../../view/short.ts'
 import type { Shot, View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { sourceOf } from '../data-sets.ts'
@@ -160,9 +161,11 @@ export class FileActions {
   async saveAs(format: SavedFormat): Promise<void> {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
-      const text = await this.#threads.files.call('write', circles, format, this.#editing.domain.region)
+      const { domain, fileAttributes } = this.#editing
+      const text = await this.#threads.files.call('write', circles, format, domain.region, fileAttributes)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
+      if (format === 'cells') toast(cutTo(text))
     })
   }
 
@@ -275,7 +278,8 @@ export class FileActions {
   }
 
   #csv(): Promise<string> {
-    return this.#threads.files.call('write', this.#editing.circles.circles(), 'csv')
+    const { circles, fileAttributes } = this.#editing
+    return this.#threads.files.call('write', circles.circles(), 'csv', undefined, fileAttributes)
   }
 
   get #name(): string {
@@ -293,6 +297,14 @@ export class FileActions {
       return false
     }
   }
+}
+
+/** What the cells of a file are cut to, as a sentence. */
+function cutTo(text: string): string {
+  const box = /^\{"type":"FeatureCollection".*?"bbox":(\[[^\]]*\])/.exec(text)?.[1]
+  if (box === undefined) return 'The cells are those inside the region.'
+  const [minX, minY, maxX, maxY] = (JSON.parse(box) as number[]).map((value) => short(value, 4))
+  return `The cells are cut to the box from ${minX}, ${minY} to ${maxX}, ${maxY}.`
 }
 
 /** Whether these are no text: there is a byte that none has. */

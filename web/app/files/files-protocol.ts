@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between the page and the thread that reads and writes files and links, and makes circles.
 import type { Float64s } from '../../lib/index.ts'
-import type { LinkInput } from '../../lib/link.ts'
+import type { LinkAttributes, LinkInput } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import type { NamedCircles } from '../csv.ts'
 import type { Catalogue, Recipe } from '../generators/generators.ts'
@@ -19,7 +19,7 @@ export interface FilesCalls {
   /** Circles that show a picture. @throws CircleVoronoiError `internal`, if the browser cannot read it */
   stipple(picture: Blob): Read
   /** `region`: what cells are clipped to. @throws CircleVoronoiError as `compute`, `writeDiagram` */
-  write(circles: Float64s, format: SavedFormat, region?: RegionShape): string
+  write(circles: Float64s, format: SavedFormat, region?: RegionShape, attributes?: LinkAttributes): string
   /** @throws CircleVoronoiError as `encodeLink` */
   link(state: LinkInput): string
   /** @throws CircleVoronoiError `badInput`, if there is no family or figure of this name */

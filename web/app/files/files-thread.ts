@@ -2,15 +2,18 @@
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
+import type { Files } from '../../lib/files.ts'
 import { circleAt, type Diagram, type Float64s } from '../../lib/index.ts'
-import { encodeLink } from '../../lib/link.ts'
+import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
+import { boundingBox } from '../../view/camera.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
 import { randomNumbers } from '../random-circles.ts'
 import type { FilesCalls, Read, SavedFormat } from './files-protocol.ts'
 import { attributesIn } from './names.ts'
 import { stippled, tonesOf } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
+import { withAttributes } from './with-attributes.ts'
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<RemoteCall<keyof FilesCalls>>) => void
@@ -54,13 +57,24 @@ async function read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read>
   const table = isSvg ? tableOfSvg(text) : undefined
   if (isSvg && table === undefined) return circlesOfSvg(text, name)
   const { holdsDiagram, readCircles, readDiagram } = await files()
-  if (table !== undefined) return { circles: readCircles(new TextEncoder().encode(table), { name }) }
-  if (holdsDiagram(bytes)) return { circles: readDiagram(bytes, { name }).circles }
-  const circles = readCircles(bytes, { name })
-  return { circles, ...attributesIn(text, circles.length / 3) }
+  const tableBytes = table === undefined ? bytes : new TextEncoder().encode(table)
+  const isDiagram = table === undefined && holdsDiagram(bytes)
+  const circles = isDiagram ? readDiagram(bytes, { name }).circles : readCircles(tableBytes, { name })
+  const attributes = attributesIn(table ?? text, circles.length / 3)
+  return { circles, ...(attributes && { attributes }) }
 }
 
-async function write(circles: Float64s, format: SavedFormat, region?: RegionShape): Promise<string> {
+async function write(
+  circles: Float64s,
+  format: SavedFormat,
+  region?: RegionShape,
+  attributes?: LinkAttributes,
+): Promise<string> {
+  const text = await written(circles, format, region)
+  return attributes === undefined ? text : withAttributes(text, format, attributes)
+}
+
+async function written(circles: Float64s, format: SavedFormat, region?: RegionShape): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
   const { compute } = await library()
   switch (format) {
@@ -72,8 +86,17 @@ async function write(circles: Float64s, format: SavedFormat, region?: RegionShap
       return writeDiagram(compute(circles), { format })
     case 'cells':
       if (region !== undefined) return clippedCells(compute(circles), region)
-      return writeDiagram(compute(circles), { format: 'geojson' })
+      return cellsInBox(compute(circles), writeDiagram)
   }
+}
+
+/** The cells inside a box around all circles as GeoJSON, which says as `bbox` which one that is. */
+function cellsInBox(diagram: Diagram, writeDiagram: Files['writeDiagram']): string {
+  const { minX, minY, maxX, maxY } = boundingBox(diagram.circles)
+  const margin = Math.max(maxX - minX, maxY - minY) / 20 || 1
+  const bounds = [minX - margin, minY - margin, maxX + margin, maxY + margin] as const
+  const text = writeDiagram(diagram, { format: 'geojson', bounds })
+  return text.replace('"FeatureCollection",', (type) => `${type}"bbox":${JSON.stringify(bounds)},`)
 }
 
 /** The cells inside a region as GeoJSON: a feature for each circle, without a geometry where there is no part. */
@@ -84,7 +107,8 @@ async function clippedCells(diagram: Diagram, shape: RegionShape): Promise<strin
     const coordinates = diagram.cellPolygon(i, { region }) ?? []
     const neighbors = [...diagram.neighbors(i, { region })]
     const geometry = coordinates.length === 0 ? null : { type: 'MultiPolygon', coordinates }
-    return { type: 'Feature', properties: { circle: i, r: circleAt(diagram.circles, i).r, area, neighbors }, geometry }
+    const properties = { circle: i, r: circleAt(diagram.circles, i).r, area, neighbors }
+    return JSON.stringify({ type: 'Feature', properties, geometry })
   })
-  return JSON.stringify({ type: 'FeatureCollection', features })
+  return `{"type":"FeatureCollection","features":[\n${features.join(',\n')}\n]}\n`
 }

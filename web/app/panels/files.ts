@@ -10,9 +10,9 @@ import { panelOf } from './panel.ts'
 const OPENED = '.csv,.tsv,.txt,.json,.geojson,.wkt,.svg,image/*'
 
 const SAVED: readonly (readonly [format: SavedFormat, label: string, what: string])[] = [
-  ['csv', 'CSV', 'x, y and r of each circle'],
+  ['csv', 'CSV', 'x, y, r and the other columns of each circle'],
   ['json', 'JSON', 'circles and their diagram'],
-  ['geojson', 'GeoJSON', 'circles as points with a radius'],
+  ['geojson', 'GeoJSON', 'circles as points with a radius and their other properties'],
   ['cells', 'Cells', 'GeoJSON with the cells as polygons'],
 ]
 const PARTS: readonly (readonly [part: Part, label: string])[] = [

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render } from 'lit/html.js'
+import { textIn } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
@@ -17,6 +18,8 @@ const DIGITS = 4
 export function mountInspectorFacts(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
   const name = byId('inspector-name', HTMLParagraphElement)
   const facts = byId('inspector-facts', HTMLElement)
+  const data = byId('inspector-data', HTMLElement)
+  let shownData: readonly unknown[] = []
   render(selectionActions(actions), byId('inspector-actions', HTMLElement))
 
   /** The circle, as it was then, that the facts are of. */
@@ -28,8 +31,19 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
     const isInside = store.get().domain.region !== undefined
     if (asked === described) render(factsOf(told?.cells.get(described.id), isInside), facts)
   }
-  store.subscribe(({ selected, described }) => {
+  store.subscribe(({ selected, described, attributes }) => {
     if (selected === undefined) return
+    if (shownData[0] !== selected || shownData[1] !== attributes) {
+      shownData = [selected, attributes]
+      data.hidden = attributes.columns.length === 0
+      render(
+        attributes.columns.map(({ name }) => {
+          const text = textIn(editing.valueOf(selected, name))
+          return html`<dt title=${name}>${name}</dt><dd title=${text}>${text === '' ? '–' : text}</dd>`
+        }),
+        data,
+      )
+    }
     const about = [editing.nameOf(selected), placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
     name.hidden = about === ''
     if (name.textContent !== about) name.textContent = about
@@ -45,7 +59,10 @@ function placeOf({ circles }: Editing, id: number): string {
 
 function factsOf(cell: CellFacts | undefined, isInside: boolean) {
   if (cell === undefined || cell.hidden) return nothing
-  const text = (value: number) => (Number.isFinite(value) ? short(value, DIGITS) : 'infinite')
+  const text = (value: number) =>
+    Number.isFinite(value)
+      ? short(value, DIGITS)
+      : html`<span aria-label="infinite" title="The cell has no end">∞</span>`
   return html`<dt>${isInside ? 'Area inside the region' : 'Area of the cell'}</dt><dd>${text(cell.area)}</dd>
-    <dt>Perimeter</dt><dd>${text(cell.perimeter)}</dd>`
+    <dt>${isInside ? 'Perimeter inside the region' : 'Perimeter of the cell'}</dt><dd>${text(cell.perimeter)}</dd>`
 }

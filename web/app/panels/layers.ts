@@ -38,6 +38,8 @@ const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
   index: 'by number',
   different: 'neighbors differ',
 }
+/** Before the name of a column, where it is chosen. */
+const COLUMN = 'column:'
 const CANDIDATE_NAMES: Readonly<Record<Candidates, string>> = {
   dynamic: 'dynamic samples',
   uniform: 'equally spaced samples',
@@ -112,7 +114,13 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
     `
   }
 
-  const body = ({ layers, found, edited, domain }: State) => html`
+  const chooseColors = (event: Event) => {
+    const { value } = event.target as HTMLSelectElement
+    if (value.startsWith(COLUMN)) actions.colorBy(value.slice(COLUMN.length))
+    else actions.setLayers({ cells: value as CellColors, column: undefined })
+  }
+
+  const body = ({ layers, found, edited, domain, attributes }: State) => html`
     <fieldset>
       <legend>Diagram</legend>
       ${toggle('circles', 'Circles')}
@@ -120,10 +128,17 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
         ${pictureOf('cells')}<label for="cell-colors">Colors</label>
         <select
           id="cell-colors"
-          .value=${layers.cells}
-          @change=${(event: Event) => actions.setLayers({ cells: (event.target as HTMLSelectElement).value as CellColors })}
+          .value=${layers.column === undefined ? layers.cells : COLUMN + layers.column.name}
+          @change=${chooseColors}
         >
-          ${CELL_COLORS.map((name) => html`<option value=${name} ?selected=${name === layers.cells}>${COLOR_NAMES[name]}</option>`)}
+          ${CELL_COLORS.map((name) => html`<option value=${name} ?selected=${layers.column === undefined && name === layers.cells}>${COLOR_NAMES[name]}</option>`)}
+          ${
+            attributes.columns.length === 0
+              ? nothing
+              : html`<optgroup label="Columns of the file">
+                  ${attributes.columns.map(({ name }) => html`<option value=${COLUMN + name} ?selected=${layers.column?.name === name}>${name}</option>`)}
+                </optgroup>`
+          }
         </select>
       </div>
       ${toggle('edges', 'Edges')} ${toggle('vertices', 'Vertices')}
@@ -238,8 +253,8 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
   `
 
   let shown: readonly unknown[] = []
-  store.subscribe(({ layers, found, edited, domain }) => {
-    const now = [layers, found, edited?.counts.circles, domain.areas, radii.share]
+  store.subscribe(({ layers, found, edited, domain, attributes }) => {
+    const now = [layers, found, edited?.counts.circles, domain.areas, radii.share, attributes.columns]
     if (now.every((value, k) => value === shown[k])) return
     shown = now
     draw()

@@ -25,8 +25,13 @@ export function mountLegend(store: Store<State>, view: View): void {
   const draw = () => {
     place.hidden = legend === undefined || !view.hasDiagram
     if (legend === undefined) return
-    render(bodyOf(legend), place)
-    drawRamp(place.querySelector('canvas') as HTMLCanvasElement, readStyle(byId('figure', HTMLElement)).ramp)
+    const { ramp, map } = readStyle(byId('figure', HTMLElement))
+    render(legend.categories === undefined ? bodyOf(legend) : categoriesOf(legend, map), place)
+    for (const [k, swatch] of place.querySelectorAll<HTMLElement>('.swatch').entries()) {
+      swatch.style.background = map[k] ?? 'transparent'
+    }
+    const canvas = place.querySelector('canvas')
+    if (canvas !== null) drawRamp(canvas, ramp)
   }
   const ask = async () => {
     const asked = shown
@@ -39,7 +44,7 @@ export function mountLegend(store: Store<State>, view: View): void {
   store.subscribe(({ layers, dataSet, edited, history }) => {
     // Other circles, or other colors. Edits leave the meaning of the colors as it is.
     const opened = history.done.length + history.undone.length === 0 ? edited : history.done.findLast(isOpening)
-    const now = [layers.cells, dataSet, opened, edited === undefined]
+    const now = [layers.cells, layers.column, dataSet, opened, edited === undefined]
     if (now.every((value, k) => value === shown[k])) return
     shown = now
     ask()
@@ -52,13 +57,26 @@ export function mountLegend(store: Store<State>, view: View): void {
 
 const isOpening = ({ kind }: State['history']['done'][number]) => kind === 'opening'
 
-function bodyOf({ measure, knots, isClipped }: Legend) {
+/** The name of what is shown. */
+function nameOf({ measure, name }: Legend): string {
+  return measure === 'column' ? (name ?? '') : NAMES[measure]
+}
+
+function categoriesOf(legend: Legend, map: readonly string[]) {
+  const { categories = [], hasOthers = false } = legend
+  const texts = [...categories.slice(0, map.length), ...(hasOthers ? ['others'] : [])]
+  return html`<span>${nameOf(legend)}</span>
+    <ul class="categories">${texts.map((text) => html`<li><span class="swatch"></span><span title=${text}>${text}</span></li>`)}</ul>`
+}
+
+function bodyOf(legend: Legend) {
+  const { knots, isClipped } = legend
   const texts = knots.map(text)
   // Circles that are all the same have one color.
   const isOne = knots[0] === knots.at(-1)
   const ends = (value: string, k: number) =>
     !isClipped ? value : k === 0 ? `≤ ${value}` : k === texts.length - 1 ? `≥ ${value}` : value
-  return html`<span>${NAMES[measure]}</span>
+  return html`<span>${nameOf(legend)}</span>
     <canvas height="1" aria-hidden="true"></canvas>
     <span class="knots">${isOne ? html`<span>${texts[0]}</span>` : texts.map((value, k) => html`<span>${ends(value, k)}</span>`)}</span>`
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { keyed } from 'lit/directives/keyed.js'
 import { html } from 'lit/html.js'
+import { isNumeric } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
@@ -16,6 +18,8 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
   const panel = byId('table', HTMLElement)
   let grid: CircleGrid | undefined
   let problem = ''
+  /** The names and the types of the columns of the file. */
+  let shownColumns = ''
 
   const draw = () => {
     folded.render(body)
@@ -39,7 +43,7 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
   }
 
   const body = () => html`
-    <div id="circle-grid" class="grid"></div>
+    ${keyed(shownColumns, html`<div id="circle-grid" class="grid"></div>`)}
     <div class="choices">
       <button type="button" title="Add a circle in the middle of the view" @click=${() => actions.addFitting(view.camera)}>
         ${icon(PLUS)}Add
@@ -51,6 +55,17 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
     </div>
   `
 
-  store.subscribe((state) => grid?.update(state))
+  store.subscribe((state) => {
+    const columns = state.attributes.columns.map((column) => `${column.name} ${isNumeric(column)}`).join('\n')
+    if (columns === shownColumns) {
+      grid?.update(state)
+      return
+    }
+    // A grid has the columns that it began with.
+    shownColumns = columns
+    grid?.dispose()
+    grid = undefined
+    draw()
+  })
   draw()
 }

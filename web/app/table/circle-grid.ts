@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { isNumeric, numberIn, textIn, valueFrom } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import type { Scene } from '../../editing/history.ts'
 import type { State } from '../../editing/state.ts'
@@ -11,13 +12,25 @@ import type { PageActions } from '../page-actions.ts'
 import './table.css'
 import { type CellText, Grid, type GridContent, type Heading } from './grid.ts'
 import { editsOf, notANumber, numberOf, rowsOf, type Written } from './numbers-written.ts'
-import { BY_ID, COLUMNS, type Column, isMeasured, ordered, placesOf, type Sorting } from './order.ts'
+import {
+  BY_ID,
+  COLUMNS,
+  type Column,
+  dataColumn,
+  dataName,
+  isFixed,
+  isMeasured,
+  ordered,
+  placesOf,
+  ranksOf,
+  type Sorting,
+} from './order.ts'
 
 /** How long nothing changes or is edited before rows are sorted anew, in milliseconds. */
 const REST = 300
 
 const MEASURED: readonly Measured[] = ['area', 'degree', 'gap']
-const HEADINGS: Readonly<Record<Column, Heading>> = {
+const HEADINGS: Readonly<Record<(typeof COLUMNS)[number], Heading>> = {
   id: { name: '#', title: 'Number of the circle', isEditable: false },
   x: { name: 'x', title: 'Center', isEditable: true },
   y: { name: 'y', title: 'Center', isEditable: true },
@@ -29,7 +42,8 @@ const HEADINGS: Readonly<Record<Column, Heading>> = {
 
 /** The circles of the page as rows of a grid. */
 export class CircleGrid implements GridContent {
-  readonly headings = COLUMNS.map((column) => HEADINGS[column])
+  readonly headings: readonly Heading[]
+  readonly #columns: readonly Column[]
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #actions: PageActions
@@ -58,6 +72,18 @@ export class CircleGrid implements GridContent {
     this.#editing = editing
     this.#actions = actions
     this.#view = view
+    const { columns } = editing.attributes
+    this.#columns = [...COLUMNS, ...columns.map(({ name }) => dataColumn(name))]
+    this.headings = [
+      ...COLUMNS.map((column) => HEADINGS[column]),
+      ...columns.map((column) => ({
+        name: column.name,
+        title: `${column.name}, of the file`,
+        isEditable: true,
+        isText: !isNumeric(column),
+      })),
+    ]
+    element.style.setProperty('--data-columns', String(columns.length))
     this.#reorder()
     this.#grid = new Grid(element, this, 'Circles')
     this.update(store.get())
@@ -94,8 +120,9 @@ export class CircleGrid implements GridContent {
 
   cell(row: number, column: number): CellText {
     const id = this.idOf(row)
-    const name = COLUMNS[column] as Column
+    const name = this.#columns[column] as Column
     if (name === 'id') return { text: String(id) }
+    if (!isFixed(name)) return { text: textIn(this.#editing.valueOf(id, dataName(name))) }
     if (!isMeasured(name)) {
       const circle = this.#editing.circles.get(id)
       return { text: circle === undefined ? '' : short(circle[name]) }
@@ -107,12 +134,12 @@ export class CircleGrid implements GridContent {
   }
 
   sortOf(column: number): 'ascending' | 'descending' | 'none' {
-    if (COLUMNS[column] !== this.#sorting.column) return 'none'
+    if (this.#columns[column] !== this.#sorting.column) return 'none'
     return this.#sorting.isDescending ? 'descending' : 'ascending'
   }
 
   async sort(column: number): Promise<void> {
-    const name = COLUMNS[column] as Column
+    const name = this.#columns[column] as Column
     const isDescending = this.#sorting.column === name && !this.#sorting.isDescending
     await this.#sortBy({ column: name, isDescending })
     this.#grid.scrollToTop()
@@ -136,29 +163,57 @@ export class CircleGrid implements GridContent {
   }
 
   written(id: number, column: number): string {
-    return String(this.#editing.circles.get(id)?.[COLUMNS[column] as Written] ?? '')
+    const name = this.#columns[column] as Column
+    if (!isFixed(name)) return textIn(this.#editing.valueOf(id, dataName(name)))
+    return String(this.#editing.circles.get(id)?.[name as Written] ?? '')
   }
 
   async write(id: number, column: number, text: string): Promise<boolean> {
     const circle = this.#editing.circles.get(id)
     // It was deleted meanwhile.
     if (circle === undefined) return true
+    const name = this.#columns[column] as Column
+    if (!isFixed(name)) return this.#writeValues(name, [[id, text]])
     const value = numberOf(text)
     if (value === undefined) {
       this.#actions.complain(notANumber(text))
       return false
     }
-    const changed: Circle = { ...circle, [COLUMNS[column] as Written]: value }
+    const changed: Circle = { ...circle, [name as Written]: value }
     return (await this.#actions.edit([{ kind: 'replace', id, circle: changed }])) !== undefined
   }
 
+  /** All or none of the values that texts become in a column, as one step of undo. Reports whether they were taken. */
+  async #writeValues(name: Column, texts: readonly (readonly [id: number, text: string])[]): Promise<boolean> {
+    const column = this.#editing.attributes.columns.find((column) => column.name === dataName(name))
+    if (column === undefined) return true
+    const values = texts.map(([id, text]) => [id, text, valueFrom(text, column)] as const)
+    const wrong = values.find(([, , value]) => value === undefined)
+    if (wrong !== undefined) {
+      this.#actions.complain(notANumber(wrong[1]))
+      return false
+    }
+    const gesture = this.#actions.beginGesture()
+    const set = values.map(([id, , value]) => this.#editing.setValue(id, column.name, value as string, gesture))
+    return (await Promise.all(set)).every((edited) => edited !== undefined)
+  }
+
   async paste(row: number, column: number, text: string): Promise<void> {
+    const name = this.#columns[column] as Column
+    if (!isFixed(name)) {
+      const lines = text.replace(/\r?\n$/, '').split(/\r?\n/)
+      const ids = [...this.#order.subarray(row, row + lines.length)]
+      await this.#writeValues(
+        name,
+        ids.map((id, k) => [id, lines[k] as string]),
+      )
+      return
+    }
     const rows = rowsOf(text)
     if ('problem' in rows) {
       this.#actions.complain(rows.problem)
       return
     }
-    const name = COLUMNS[column] as Column
     if (isMeasured(name)) {
       this.#actions.complain('Numbers can be pasted into x, y and r.')
       return
@@ -246,10 +301,18 @@ export class CircleGrid implements GridContent {
       this.#sortAtRest()
       return
     }
-    this.#order = new Int32Array(ordered(this.#editing.circles, sorting, measured))
+    this.#order = new Int32Array(ordered(this.#editing.circles, sorting, measured, this.#keysOf(sorting.column)))
     this.#places = new Int32Array(placesOf(this.#order))
     this.#ask()
     this.#grid.render()
+  }
+
+  /** What rows are sorted by in a column of the file, in the order of the ids. */
+  #keysOf(name: Column): number[] {
+    if (isFixed(name)) return []
+    const column = this.#editing.attributes.columns.find((column) => column.name === dataName(name))
+    const values = Array.from(this.#editing.circles.ids(), (id) => this.#editing.valueOf(id, dataName(name)))
+    return column !== undefined && isNumeric(column) ? values.map(numberIn) : ranksOf(values.map(textIn))
   }
 
   /** What is seen is measured, one time after the other. */

@@ -13,6 +13,8 @@ export interface Heading {
   readonly name: string
   readonly title: string
   readonly isEditable: boolean
+  /** Whether its cells are texts, and not numbers. */
+  readonly isText?: boolean
 }
 
 /** What a grid shows, and whom it tells what is done to it. */
@@ -223,8 +225,9 @@ export class Grid {
   #rowElement(role: 'columnheader' | 'gridcell'): HTMLElement {
     const row = document.createElement('div')
     row.role = 'row'
-    this.#content.headings.forEach((_, column) => {
+    this.#content.headings.forEach(({ isText = false }, column) => {
       const cell = row.appendChild(document.createElement('div'))
+      cell.classList.toggle('text', isText)
       cell.role = role
       cell.ariaColIndex = String(column + 1)
     })
@@ -283,13 +286,19 @@ export class Grid {
     } else if (event.key === ' ') {
       if (this.#row === HEADING) this.#content.sort(this.#column)
       else this.#content.choose(this.#row, 'toggle')
-    } else if (TYPED.test(event.key) && !isCommand && !event.altKey) {
+    } else if (this.#isTyped(event.key) && !isCommand && !event.altKey) {
       this.#edit(event.key)
     } else {
       return
     }
     event.preventDefault()
     event.stopPropagation()
+  }
+
+  /** Whether a key begins what is written into the current column. */
+  #isTyped(key: string): boolean {
+    const isText = this.#content.headings[this.#column]?.isText === true
+    return TYPED.test(key) || (isText && [...key].length === 1)
   }
 
   #moveTo(row: number, isThrough: boolean): void {
@@ -309,7 +318,7 @@ export class Grid {
     this.#draw()
     const cell = document.getElementById(this.#elementIdOf(this.#row, this.#column)) as HTMLElement
     const input = document.createElement('input')
-    input.inputMode = 'decimal'
+    input.inputMode = headings[this.#column]?.isText === true ? 'text' : 'decimal'
     input.autocomplete = 'off'
     input.ariaLabel = `${headings[this.#column]?.name} of row ${this.#row + 1}`
     const column = this.#column

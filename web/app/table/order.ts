@@ -4,7 +4,9 @@ import type { Column as Measured, Tabulated } from '../../view/protocol.ts'
 
 /** What the table shows of each circle. */
 export const COLUMNS = ['id', 'x', 'y', 'r', 'area', 'degree', 'gap'] as const
-export type Column = (typeof COLUMNS)[number]
+/** `data:` and a name: a column of the file. */
+export type Column = (typeof COLUMNS)[number] | `data:${string}`
+const DATA = 'data:'
 
 /** What rows are sorted by. */
 export interface Sorting {
@@ -18,8 +20,36 @@ export function isMeasured(column: Column): column is Measured {
   return column === 'area' || column === 'degree' || column === 'gap'
 }
 
-/** The ids of circles as rows. `measured`: numbers of the column, if it is one that the painter's thread finds. */
-export function ordered(circles: CircleTable, { column, isDescending }: Sorting, measured?: Tabulated): Int32Array {
+export function isFixed(column: Column): column is (typeof COLUMNS)[number] {
+  return !column.startsWith(DATA)
+}
+
+/** The column of a file by its name, and the name. */
+export function dataColumn(name: string): Column {
+  return `${DATA}${name}`
+}
+
+export function dataName(column: Column): string {
+  return column.slice(DATA.length)
+}
+
+/** Numbers in the order of texts, as people sort them: 2 before 10. NaN where there is no text. */
+export function ranksOf(texts: readonly string[]): number[] {
+  const { compare } = new Intl.Collator(undefined, { numeric: true })
+  const ranks = new Map([...new Set(texts)].sort(compare).map((text, rank) => [text, rank]))
+  return texts.map((text) => (text === '' ? Number.NaN : (ranks.get(text) as number)))
+}
+
+/**
+ * The ids of circles as rows. `measured`: numbers of the column, if it is one that the painter's thread finds. `given`: those of
+ * a column of the file, in the order of the ids.
+ */
+export function ordered(
+  circles: CircleTable,
+  { column, isDescending }: Sorting,
+  measured?: Tabulated,
+  given: readonly number[] = [],
+): Int32Array {
   const ids = circles.ids()
   if (column === 'id') return isDescending ? ids.reverse() : ids
   const keys = new Float64Array((ids.at(-1) ?? -1) + 1).fill(Number.NaN)
@@ -28,8 +58,12 @@ export function ordered(circles: CircleTable, { column, isDescending }: Sorting,
     measured?.ids.forEach((id, k) => {
       if (id < keys.length) keys[id] = values?.[k] as number
     })
-  } else {
+  } else if (isFixed(column)) {
     for (const id of ids) keys[id] = circles.get(id)?.[column] as number
+  } else {
+    ids.forEach((id, k) => {
+      keys[id] = given[k] ?? Number.NaN
+    })
   }
   const sign = isDescending ? -1 : 1
   // Those without a number come last, and equal ones by their ids.

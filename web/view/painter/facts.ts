@@ -4,6 +4,7 @@ import { circleAt } from '../../lib/base/diagram-data.ts'
 import type { Diagram } from '../../lib/index.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
 import type { CellFacts, Facts } from '../protocol.ts'
+import { cellArea } from './measures.ts'
 import type { Picture } from './picture.ts'
 
 /** What is so of a diagram and of the cells of circles, by their ids. */
@@ -29,7 +30,7 @@ function cellFacts({ diagram, clip }: Pick<Picture, 'diagram' | 'clip'>, i: numb
     bounded: diagram.cells.isBounded(i),
     edges: around.length,
     neighbors: [...new Set(around)].map((k) => numbers?.circles[k] ?? k),
-    area: clip?.areaOf(diagram, i) ?? diagram.cellArea(i),
+    area: clip?.areaOf(diagram, i) ?? cellArea(diagram, i),
     perimeter: clip?.perimeterOf(diagram, i) ?? perimeterOf(diagram, i),
   }
 }

@@ -5,9 +5,9 @@ import { hypotenuse } from '../../lib/base/scale.ts'
 import type { BoundedCurve } from '../../lib/curves/curve.ts'
 import type { Diagram } from '../../lib/index.ts'
 import { outlineArea } from '../../lib/regions/measure.ts'
-import type { Measure } from '../layers.ts'
+import type { CellValues, Measure } from '../layers.ts'
 import type { Legend } from '../protocol.ts'
-import { SHADES } from '../style.ts'
+import { MAP_COLORS, SHADES } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 import type { Clip } from './clip.ts'
 
@@ -25,7 +25,9 @@ const DEGREES = [4, 5, 6, 7, 8]
  * distribution; equal measures have one shade.
  */
 export class Measures {
-  readonly measure: Measure
+  readonly measure: Measure | 'column'
+  /** The values, if a client gives them. */
+  readonly #column: CellValues | undefined
   readonly #diagram: Diagram
   readonly #clip: Clip | undefined
   /** How many areas inside a region are not known, at most. */
@@ -35,9 +37,10 @@ export class Measures {
   /** What takes long to find, by the circles' ids. */
   #known = new Float64Array()
 
-  /** `clip`: what of a cell has an area. */
-  constructor(measure: Measure, diagram: Diagram, clip?: Clip) {
+  /** `clip`: what of a cell has an area. `column`: the values of the measure of that name. */
+  constructor(measure: Measure | 'column', diagram: Diagram, clip?: Clip, column?: CellValues) {
     this.measure = measure
+    this.#column = column
     this.#diagram = diagram
     this.#clip = clip
     this.#missing = clip === undefined ? 0 : diagram.circles.length / 3
@@ -45,13 +48,19 @@ export class Measures {
 
   /** What the shades mean. They stay the same while circles are edited. */
   get legend(): Legend {
-    const knots = this.#knotsNow
-    return { measure: this.measure, knots, isClipped: this.#isClipped }
+    const { name, categories } = this.#column ?? {}
+    const knots = categories === undefined ? this.#knotsNow : []
+    return {
+      ...{ measure: this.measure, knots, isClipped: this.#isClipped, name },
+      ...(categories && { categories: categories.slice(0, MAP_COLORS), hasOthers: categories.length > MAP_COLORS }),
+    }
   }
 
-  /** From 0 to `SHADES` - 1; of an area without end `NONE`: it is not the largest. */
+  /** From 0 to `SHADES` - 1, or the color of a category. Of an area without end, which is not the largest, `NONE`. */
   shadeOf(i: number): number {
-    if (this.valueOf(i) === Number.POSITIVE_INFINITY) return NONE
+    const value = this.valueOf(i)
+    if (Number.isNaN(value) || value === Number.POSITIVE_INFINITY) return NONE
+    if (this.#column?.categories !== undefined) return value < MAP_COLORS ? value : NONE
     return Math.round(placeAmong(this.#knotsNow, this.valueOf(i)) * (SHADES - 1))
   }
 
@@ -63,6 +72,7 @@ export class Measures {
   /** Of a circle by its index. */
   valueOf(i: number): number {
     const diagram = this.#diagram
+    if (this.#column !== undefined) return this.#column.values[idOf(diagram, i)] ?? Number.NaN
     if (this.measure === 'index') return idOf(diagram, i)
     if (this.measure === 'radius') return at(diagram.circles, 3 * i + 2)
     if (this.measure === 'degree') return new Set(diagram.neighbors(i)).size

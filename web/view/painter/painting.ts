@@ -50,7 +50,8 @@ export class Painting {
   /** Those of circles and their cells (`colorOf`). */
   get palette(): readonly string[] {
     const { colors } = this.picture
-    return isMeasure(colors) ? this.style.ramp : this.style.map
+    const hasRamp = colors === 'column' ? this.picture.layers.column?.categories === undefined : isMeasure(colors)
+    return hasRamp ? this.style.ramp : this.style.map
   }
 
   /** What is drawn in the plane goes there. */

@@ -102,11 +102,14 @@ export class Picture {
 
   set layers(layers: Layers) {
     const cells = layers.cells === 'auto' ? this.#automatic : layers.cells
-    if (!isMeasure(cells)) this.#measures = undefined
+    const { column } = layers
+    if (column !== undefined) {
+      if (column !== this.#layers.column) this.#measures = new Measures('column', this.diagram, undefined, column)
+    } else if (!isMeasure(cells)) this.#measures = undefined
     else if (cells === 'area') this.#measures = this.areas()
     else if (cells === 'gap') this.#measures = this.gaps()
     else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram)
-    if (cells !== 'different') this.#coloring = undefined
+    if (cells !== 'different' || column !== undefined) this.#coloring = undefined
     else this.#coloring ??= new Coloring(this.diagram)
     if (!layers.dual) this.#stars = undefined
     if (layers.data !== this.#layers.data) this.data = layers.data.map((layer) => indexed(layer, layer.color))
@@ -135,8 +138,9 @@ export class Picture {
     this.method = { ...result, layers: result.data.map((layer) => indexed(layer, layer.name)) }
   }
 
-  /** What colors say, `auto` being one of the others. */
-  get colors(): CellColors {
+  /** What colors say, `auto` being one of the others; `column`: values that a client gives. */
+  get colors(): CellColors | 'column' {
+    if (this.#layers.column !== undefined) return 'column'
     return this.#layers.cells === 'auto' ? this.#automatic : this.#layers.cells
   }
 

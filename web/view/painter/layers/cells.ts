@@ -14,7 +14,7 @@ const TINTED_CELL = [6, 12] as const
 export const cells: Layer = {
   id: 'cells',
   isClipped: true,
-  isOn: (layers) => layers.cells !== 'none',
+  isOn: (layers) => layers.cells !== 'none' || layers.column !== undefined,
   draw(painting) {
     const { style, width, picture } = painting
     const isBackground = picture.colors === 'radius' || picture.colors === 'different'

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a file says of its circles beside centers and radii: kept, shown, sorted, colored by, edited, undone and linked.
+import { describe, expect, it, vi } from 'vitest'
+import { cellValues } from '../../web/app/cell-values.ts'
+import { LinkWriter } from '../../web/app/link-writer.ts'
+import { PageActions } from '../../web/app/page-actions.ts'
+import { dataColumn, ordered, ranksOf } from '../../web/app/table/order.ts'
+import {
+  attributesOf,
+  columnsOf,
+  isNumeric,
+  membersOf,
+  NO_ATTRIBUTES,
+  nameColumn,
+  numberIn,
+  textIn,
+  valueFrom,
+} from '../../web/editing/attributes.ts'
+import { Editing } from '../../web/editing/editing.ts'
+import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+import { NONE } from '../../web/lib/base/diagram-data.ts'
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
+import { checkLayers, DEFAULT_LAYERS, keptLayers, type Layers, layersFrom } from '../../web/view/layers.ts'
+import { factsOf } from '../../web/view/painter/facts.ts'
+import { Picture } from '../../web/view/painter/picture.ts'
+import { tabulated } from '../../web/view/painter/tabulate.ts'
+import type { View } from '../../web/view/view.ts'
+import { LibraryComputer } from './computer.ts'
+import { library } from './library.ts'
+
+const THREE = Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1)
+const PROPERTIES = [
+  '{"name":"A","fips":"01001","n":12345678901234567890}',
+  '{"name":"B","fips":"1003","n":2.50}',
+  '{"fips":"06037","n":null,"tags":["a, b",{"c":"}"}]}',
+]
+const FILE = { properties: PROPERTIES, ids: ['"x"', '7', ''], heights: ['1.5', '', '2'], collection: '{"crs":{}}' }
+const ATTRIBUTES = columnsOf(FILE, 3)
+const scene = { circles: THREE, dataSet: '', isEdited: false, attributes: ATTRIBUTES }
+const column = (name: string) => ATTRIBUTES.columns.find((column) => column.name === name) as never
+
+describe('attributes', () => {
+  it('are texts of JSON by columns, and files have them again with all digits', () => {
+    expect(membersOf(' { "a\\"{" : [1, {"b": "x,]"}] , "c":-0.50,"d":{}} ')).toEqual([
+      ['a"{', '[1, {"b": "x,]"}]'],
+      ['c', '-0.50'],
+      ['d', '{}'],
+    ])
+    expect(membersOf('{}')).toEqual([])
+    expect(ATTRIBUTES.columns).toEqual([
+      { name: 'name', values: ['"A"', '"B"', ''] },
+      { name: 'fips', values: ['"01001"', '"1003"', '"06037"'] },
+      { name: 'n', values: ['12345678901234567890', '2.50', 'null'] },
+      { name: 'tags', values: ['', '', '["a, b",{"c":"}"}]'] },
+    ])
+    expect(attributesOf(ATTRIBUTES, [0, 1, 2])).toEqual(FILE)
+    expect(attributesOf(ATTRIBUTES, [2, 9, 0])).toEqual({
+      properties: [PROPERTIES[2], '{}', PROPERTIES[0]],
+      ids: ['', '', '"x"'],
+      heights: ['2', '', '1.5'],
+      collection: '{"crs":{}}',
+    })
+  })
+
+  it('have a type for each column: numbers, or what is written', () => {
+    expect(ATTRIBUTES.columns.map(isNumeric)).toEqual([false, false, true, false])
+    expect([numberIn('2.50'), numberIn('"1"'), numberIn('null'), numberIn(undefined)]).toEqual([2.5, NaN, NaN, NaN])
+    expect(['"A\\n"', '2.50', 'null', '', undefined, '[1]'].map(textIn)).toEqual(['A\n', '2.50', '', '', '', '[1]'])
+    expect(nameColumn(ATTRIBUTES.columns)?.name).toBe('name')
+    const named = (...names: string[]) => nameColumn(names.map((name) => ({ name, values: [] })))?.name
+    expect([named('ID', 'Ort'), named('n', 'id'), named('n')]).toEqual(['Ort', 'id', undefined])
+  })
+
+  it('take what is written as a value of their column', () => {
+    expect(
+      ['', ' 7 ', '1,5', '\u22122', '1e3', '12345678901234567890', '+.5'].map((text) => valueFrom(text, column('n'))),
+    ).toEqual(['null', '7', '1.5', '-2', '1e3', '12345678901234567890', '0.5'])
+    for (const text of ['x', '1 2', '0x10', 'Infinity']) expect(valueFrom(text, column('n'))).toBeUndefined()
+    expect(['007', ' a"', ''].map((text) => valueFrom(text, column('fips')))).toEqual(['"007"', '" a\\""', 'null'])
+    expect(['[2]', 'x'].map((text) => valueFrom(text, column('tags')))).toEqual(['[2]', '"x"'])
+  })
+})
+
+async function started() {
+  vi.stubGlobal('requestAnimationFrame', () => {})
+  const store = createStore(INITIAL_STATE)
+  const view = {
+    camera: { x: 0, y: 0, scale: 1 },
+    size: { width: 100, height: 100 },
+    layers: DEFAULT_LAYERS,
+    setCamera() {},
+    setLayers(layers: Partial<Layers>) {
+      view.layers = { ...view.layers, ...layers }
+    },
+  }
+  const editing: Editing = new Editing(
+    new LibraryComputer(async () => {}),
+    (outcome) => {
+      store.update((state) => stateAfter(state, outcome, editing.circles))
+      actions.followColumn(outcome)
+    },
+    ({ message }) => {
+      throw new Error(message)
+    },
+  )
+  const padding = () => ({ top: 0, right: 0, bottom: 0, left: 0 })
+  const files = { call: () => Promise.reject(new Error()), cancel() {} }
+  const actions: PageActions = new PageActions(store, editing, view as unknown as View, padding, files)
+  await actions.open(async () => scene)
+  return { store, view, editing, actions }
+}
+
+describe('in the page, attributes', () => {
+  it('stay with their circles through edits, undo and other circles, and are edited and undone', async () => {
+    const { editing, store } = await started()
+    const values = (name: string) => Array.from(editing.circles.ids(), (id) => textIn(editing.valueOf(id, name)))
+    await editing.edit([{ kind: 'remove', id: 0 }])
+    await editing.edit([{ kind: 'insert', circle: { x: 5, y: 5, r: 1 } }])
+    expect(values('fips')).toEqual(['1003', '06037', ''])
+    await editing.setValue(1, 'fips', '"2"')
+    await editing.setValue(3, 'fips', '"new"')
+    expect(values('fips')).toEqual(['2', '06037', 'new'])
+    expect(store.get().attributes).toBe(editing.attributes)
+    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
+    expect([editing.fileAttributes, values('fips')]).toEqual([undefined, ['', '', '']])
+    await editing.undo()
+    expect(values('fips')).toEqual(['2', '06037', 'new'])
+    expect(editing.fileAttributes?.ids).toEqual(['7', '', ''])
+    expect(editing.fileAttributes?.collection).toBe('{"crs":{}}')
+    await editing.undo()
+    expect(values('fips')).toEqual(['2', '06037', ''])
+    await editing.undo()
+    expect(values('fips')).toEqual(['1003', '06037', ''])
+    await editing.redo()
+    expect(values('fips')).toEqual(['2', '06037', ''])
+    for (let k = 0; k < 3; k++) await editing.undo()
+    expect(values('n').sort()).toEqual(['', '12345678901234567890', '2.50'])
+    expect(editing.nameOf(editing.circles.ids()[2] as number)).toBe('A')
+  })
+
+  it('of several edits of one gesture are one step of undo', async () => {
+    const { editing } = await started()
+    const gesture = editing.beginGesture()
+    for (const id of [0, 1, 2]) await editing.setValue(id, 'n', String(id), gesture)
+    await editing.undo()
+    expect(Array.from([0, 1, 2], (id) => editing.valueOf(id, 'n'))).toEqual(['12345678901234567890', '2.50', 'null'])
+  })
+
+  it('are void for circles that have come since', async () => {
+    const { editing } = await started()
+    const [, set] = await Promise.all([editing.open(scene), editing.setValue(0, 'n', '1')])
+    expect([set, editing.valueOf(0, 'n')]).toEqual([undefined, '12345678901234567890'])
+  })
+
+  it('are in a link with few circles, with the column of the colors, and in none that has no room', async () => {
+    const { editing, actions, view } = await started()
+    await editing.edit([{ kind: 'remove', id: 1 }])
+    actions.colorBy('n')
+    const said = actions.linkState()
+    expect(said?.layers).toEqual({ column: 'n' })
+    const link = await encodeLink(said ?? {})
+    expect((await decodeLink(link)).attributes).toEqual(attributesOf(ATTRIBUTES, [0, 2]))
+    view.layers = DEFAULT_LAYERS
+    await actions.openLink(link)
+    expect(editing.fileAttributes).toEqual(attributesOf(ATTRIBUTES, [0, 2]))
+    expect(view.layers.column?.name).toBe('n')
+
+    const tried: unknown[] = []
+    const files = {
+      call: async (_: string, state: { names?: unknown; attributes?: unknown }) => {
+        tried.push([state.names, state.attributes !== undefined])
+        if (tried.length < 3) throw new Error('too large')
+        return 'v1.x'
+      },
+    }
+    const many = { circles: new Float64Array(9000), names: ['A'], attributes: FILE }
+    expect(await new LinkWriter(files as never).linkOf(many)).toBe('v1.x')
+    expect(tried).toEqual([
+      [['A'], true],
+      [['A'], false],
+      [undefined, false],
+    ])
+  })
+
+  it('of a link are refused unless they are those of its circles', async () => {
+    const wrong: object[] = [
+      { ...FILE, properties: PROPERTIES.slice(1) },
+      { ...FILE, properties: ['{', '{}', '{}'] },
+      { ...FILE, properties: ['[]', '{}', '{}'] },
+      { ...FILE, ids: ['{}', '1', '2'] },
+      { ...FILE, heights: ['"a"', '1', '2'] },
+      { ...FILE, collection: '[' },
+      { ...FILE, properties: [`{"a":"${'x'.repeat(10_000)}"}`, '{}', '{}'] },
+      {},
+    ]
+    for (const attributes of wrong) {
+      await expect(encodeLink({ circles: THREE, attributes: attributes as never })).rejects.toThrow(
+        'the attributes are not those of the circles',
+      )
+    }
+    const none = { properties: [], ids: [], heights: [], collection: '' }
+    expect((await decodeLink(await encodeLink({ circles: THREE, attributes: none }))).attributes).toEqual(none)
+  })
+})
+
+describe('colors by a column', () => {
+  const table = new CircleTable(THREE.slice())
+  const valuesOf = (name: string) => {
+    const { values } = column(name) as { values: string[] }
+    return cellValues(column(name), table, (id) => values[id])
+  }
+
+  it('are numbers, or categories, the most frequent first', () => {
+    expect(valuesOf('n')).toEqual({ name: 'n', values: Float64Array.of(Number('12345678901234567890'), 2.5, NaN) })
+    const kinds = { name: 'kind', values: ['"b"', '"a"', '"b"'] }
+    expect(cellValues(kinds, table, (id) => kinds.values[id])).toEqual({
+      name: 'kind',
+      values: Float64Array.of(0, 1, 0),
+      categories: ['b', 'a'],
+    })
+    expect([...valuesOf('name').values]).toEqual([0, 1, Number.NaN])
+  })
+
+  it('are those of a ramp or of a map, and no color where there is no value', () => {
+    const picture = new Picture(library.edit(THREE))
+    const before = picture.colors
+    picture.layers = { ...DEFAULT_LAYERS, column: { name: 'n', values: Float64Array.of(1, 5, NaN) } }
+    expect([picture.colors, [0, 1, 2].map((i) => picture.colorOf(i))]).toEqual(['column', [8, 45, NONE]])
+    expect(picture.legend).toMatchObject({ measure: 'column', name: 'n', knots: [1, 1, 5, 5, 5] })
+    picture.layers = { ...DEFAULT_LAYERS, column: valuesOf('name') }
+    expect([0, 1, 2].map((i) => picture.colorOf(i))).toEqual([0, 1, NONE])
+    expect(picture.legend).toMatchObject({ name: 'name', categories: ['A', 'B'], hasOthers: false })
+    const many = { name: 'many', values: Float64Array.of(5, 6, 7), categories: [...'abcdefgh'] }
+    picture.layers = { ...DEFAULT_LAYERS, column: many }
+    expect([0, 1, 2].map((i) => picture.colorOf(i))).toEqual([5, NONE, NONE])
+    expect(picture.legend).toMatchObject({ categories: [...'abcdef'], hasOthers: true })
+    picture.layers = DEFAULT_LAYERS
+    expect([picture.colors, picture.legend]).toEqual([before, undefined])
+  })
+
+  it('follow the circles and the values, and end with their column', async () => {
+    const { editing, actions, view } = await started()
+    actions.colorBy('n')
+    const values = () => [...(view.layers.column?.values ?? [])]
+    expect(values()[1]).toBe(2.5)
+    await editing.setValue(1, 'n', '3')
+    expect(values()[1]).toBe(3)
+    await editing.edit([{ kind: 'remove', id: 1 }])
+    await editing.undo()
+    expect(values()[editing.idOf(1)]).toBe(3)
+    await actions.open(async () => ({
+      ...scene,
+      attributes: columnsOf({ ...FILE, properties: ['{"n":1}', '{}', '{}'] }, 3),
+    }))
+    expect(values()).toEqual([1, NaN, NaN])
+    await actions.open(async () => ({ ...scene, attributes: NO_ATTRIBUTES }))
+    expect(view.layers.column).toBeUndefined()
+  })
+
+  it('are kept by their name, and refused where they are no values', () => {
+    const column = { name: 'n', values: new Float64Array(3) }
+    expect(keptLayers({ ...DEFAULT_LAYERS, column })).toEqual({ column: 'n' })
+    expect(layersFrom({ column: 'n' }).column).toBeUndefined()
+    checkLayers({ ...DEFAULT_LAYERS, column })
+    for (const wrong of ['n', { name: 'n' }, { name: 1, values: column.values }, { ...column, categories: [1] }]) {
+      expect(() => checkLayers({ ...DEFAULT_LAYERS, column: wrong as never })).toThrow(
+        'The layer column must be an object with a name and values as a Float64Array',
+      )
+    }
+  })
+})
+
+it('rows are sorted by numbers or by texts, and those without a value come last', () => {
+  const table = new CircleTable(THREE.slice())
+  const sorted = (keys: number[], isDescending = false) => [
+    ...ordered(table, { column: dataColumn('n'), isDescending }, undefined, keys),
+  ]
+  expect(sorted([12, 2.5, Number.NaN])).toEqual([1, 0, 2])
+  expect(sorted([12, 2.5, Number.NaN], true)).toEqual([0, 1, 2])
+  expect(sorted(ranksOf(['town 10', '', 'Town 2']))).toEqual([2, 0, 1])
+})
+
+it('an unbounded cell is infinite wherever it is told, and a bounded one is not cut to a box', () => {
+  const picture = new Picture(library.edit(Float64Array.of(...THREE, 3, 3, 0.5, 40, 40, 1)))
+  const ids = [0, 1, 2, 3, 4]
+  const told = factsOf(picture, { circles: 5, hidden: 0, vertices: 0, edges: 0 }, ids).cells
+  const [areas] = tabulated(picture, ['area'], Int32Array.from(ids)).columns
+  expect(ids.map((id) => told.get(id)?.area)).toEqual([...(areas as Float64Array)])
+  expect([told.get(0)?.area, told.get(0)?.perimeter, told.get(3)?.bounded]).toEqual([Infinity, Infinity, true])
+})
