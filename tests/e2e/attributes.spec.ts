@@ -24,16 +24,24 @@ test('columns of a table are in the table, the inspector, the colors, the link, 
 }, testInfo) => {
   const { page } = app
   await app.openPanel('Files')
-  await page
-    .getByLabel('Open …')
-    .setInputFiles({ name: 'towns.csv', mimeType: 'text/csv', buffer: Buffer.from(TOWNS) })
+  await page.getByLabel('Open …').setInputFiles({ name: 'towns.csv', mimeType: 'text/csv', buffer: Buffer.from(TOWNS) })
   await expect(app.status).toContainText('5 circles')
   await app.openPanel('Table')
   const grid = page.getByRole('grid', { name: 'Circles' })
   const row = (k: number) => grid.getByRole('row').nth(k).getByRole('gridcell')
-  await expect(grid.getByRole('columnheader')).toHaveText(
-    ['#', 'x', 'y', 'r', 'area', 'nbrs', 'nearest', 'name', 'fips', 'kind', 'people'],
-  )
+  await expect(grid.getByRole('columnheader')).toHaveText([
+    '#',
+    'x',
+    'y',
+    'r',
+    'area',
+    'nbrs',
+    'nearest',
+    'name',
+    'fips',
+    'kind',
+    'people',
+  ])
   await expect(row(2)).toContainText(['1', '12', '0', '2', '∞', '', '', 'Bern', '1003', 'city', '134000.5'])
 
   // Sorted by numbers, and those without one are last.

@@ -374,7 +374,7 @@ describe('the manifest', () => {
     const inJson = [...more.matchAll(/`(\w+)`/g)].map(([, name]) => name as string)
     expect([...new Set([...meant, ...inJson])].sort()).toEqual(
       Object.keys(DEFAULT_LAYERS)
-        .filter((name) => name !== 'data')
+        .filter((name) => !['data', 'column'].includes(name))
         .sort(),
     )
     expect(['none', ...colors].sort()).toEqual([...CELL_COLORS].sort())

@@ -228,14 +228,9 @@ export class PageActions extends EditorActions {
   }
 
   async #linked(text: string): Promise<Opened> {
-<<<<<<< HEAD
     const state = await decodeLink(text)
     const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = state
-=======
-    const said = await decodeLink(text)
-    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = said
-    const attributes = said.attributes && columnsOf(said.attributes, (circles?.length ?? 0) / 3)
->>>>>>> 15a64dc (The playground keeps, shows, sorts, colors by, edits, links and saves all columns of a file; an unbounded cell is infinite wherever it is told)
+    const attributes = state.attributes && columnsOf(state.attributes, (circles?.length ?? 0) / 3)
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)

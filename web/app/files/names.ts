@@ -40,8 +40,8 @@ function attributesOfJson(text: string, count: number): Attributes | undefined {
 function geoJsonOf(data: unknown, items: readonly unknown[]): Omit<LinkAttributes, 'properties'> {
   const { ids, heights, collection } = NO_ATTRIBUTES
   if (!isRecord(data) || !Array.isArray(data.features)) return { ids, heights, collection }
-  const listOf = (valueOf: (feature: Record<string, unknown>) => unknown) => {
-    const list = items.map((item) => (isRecord(item) ? (JSON.stringify(valueOf(item)) ?? '') : ''))
+  const listOf = (read: (feature: Record<string, unknown>) => unknown) => {
+    const list = items.map((item) => (isRecord(item) ? (JSON.stringify(read(item)) ?? '') : ''))
     return list.every((text) => text === '') ? [] : list
   }
   const { type: _, features: __, bbox: ___, ...others } = data
