@@ -29,6 +29,7 @@
 #include "edits.h"
 #include "files.h"
 #include "median.h"
+#include "periodic.h"
 #include "reference.h"
 #include "regions.h"
 #include "touching_disc.h"
@@ -215,6 +216,8 @@ OptionValues defaultsOf(const std::string& table) {
   if (table == "--cliffs") return {{"--families", ""}, {"--sizes", "120000"}, {"--limit", "120"}};
   if (table == "--files")
     return {{"--families", "uniform,log-uniform"}, {"--sizes", "1000000"}, {"--repetitions", "3"}};
+  if (table == "--periodic")
+    return {{"--families", "points,uniform"}, {"--sizes", "1000,10000,100000,1000000"}, {"--repetitions", "5"}};
   if (table == "--regions") {
     return {{"--families", "uniform,log-uniform"},
             {"--sizes", "100000,1000000"},
@@ -262,6 +265,7 @@ int usage() {
                "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --edits [--families NAME|FILE.csv,...] [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n"
+               "       circle-voronoi-bench --periodic [--families NAME,...] [--sizes N,...] [--repetitions N]\n"
                "       circle-voronoi-bench --regions [--families NAME,...] [--sizes N,...] [--sides N,...]\n"
                "                            [--repetitions N]\n";
   return 2;
@@ -271,7 +275,7 @@ int usage() {
 
 int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
-  static const std::set<std::string> kTables = {"--areas", "--cliffs", "--edits", "--files", "--regions"};
+  static const std::set<std::string> kTables = {"--areas", "--cliffs", "--edits", "--files", "--periodic", "--regions"};
   const bool hasTable = kTables.contains(first);
   OptionValues options = defaultsOf(first);
   for (int i = hasTable ? 2 : 1; i < argc; i += 2) {
@@ -294,6 +298,8 @@ int main(int argc, char** argv) {
     const auto sizes = sizesOf(options["--sizes"]);
     if (first == "--cliffs") {
       printCliffs(split(options["--families"]), sizes, limit);
+    } else if (first == "--periodic") {
+      bench::benchPeriodic(split(options["--families"]), sizes, repetitions);
     } else if (first == "--regions") {
       bench::benchRegions(split(options["--families"]), sizes, sizesOf(options["--sides"]), repetitions);
     } else {

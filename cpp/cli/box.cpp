@@ -10,7 +10,28 @@
 namespace circle_voronoi::cli {
 namespace {
 
-constexpr std::array<const char*, 4> kBoxNames = {"MINX", "MINY", "MAXX", "MAXY"};
+using Names = std::array<const char*, 4>;
+constexpr Names kBoxNames = {"MINX", "MINY", "MAXX", "MAXY"};
+constexpr Names kLatticeNames = {"AX", "AY", "BX", "BY"};
+
+/// Reads four numbers, or says what is wrong with them; empty: nothing.
+std::string readFour(std::string_view text, const Names& names, Sides sides, std::array<double, 4>& values) {
+  const char* kinds = sides == Sides::finite ? " is not a finite number" : " is not a number";
+  const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
+  if (count != values.size()) {
+    std::string usage;
+    for (const char* name : names) usage += (usage.empty() ? "" : ",") + std::string(name);
+    return "expected " + usage + ", not " + std::to_string(count) + " numbers.";
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string_view field = text.substr(0, text.find(','));
+    const auto value = readNumber(field, sides);
+    if (!value) return std::string(names[i]) + kinds + ": \"" + std::string(field) + "\".";
+    values[i] = *value;
+    text.remove_prefix(std::min(field.size() + 1, text.size()));
+  }
+  return "";
+}
 
 }  // namespace
 
@@ -24,17 +45,8 @@ std::optional<double> readNumber(std::string_view text, Sides sides) {
 }
 
 std::string readBox(std::string_view text, Box& box, Sides sides) {
-  const char* kinds = sides == Sides::finite ? " is not a finite number" : " is not a number";
   std::array<double, 4> values{};
-  const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
-  if (count != values.size()) return "expected MINX,MINY,MAXX,MAXY, not " + std::to_string(count) + " numbers.";
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::string_view field = text.substr(0, text.find(','));
-    const auto value = readNumber(field, sides);
-    if (!value) return std::string(kBoxNames[i]) + kinds + ": \"" + std::string(field) + "\".";
-    values[i] = *value;
-    text.remove_prefix(std::min(field.size() + 1, text.size()));
-  }
+  if (std::string problem = readFour(text, kBoxNames, sides, values); !problem.empty()) return problem;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string min = kBoxNames[i];
     const std::string max = kBoxNames[i + 2];
@@ -44,6 +56,13 @@ std::string readBox(std::string_view text, Box& box, Sides sides) {
   if (sides == Sides::maybeInfinite) return "";
   const auto region = ConvexPolygon::from(box);
   return region ? "" : region.error().message;
+}
+
+std::string readLattice(std::string_view text, Lattice& lattice) {
+  std::array<double, 4> values{};
+  std::string problem = readFour(text, kLatticeNames, Sides::finite, values);
+  lattice = {{values[0], values[1]}, {values[2], values[3]}};
+  return problem;
 }
 
 }  // namespace circle_voronoi::cli

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "circle_voronoi/convex_polygon.h"
+#include "circle_voronoi/periodic.h"
 
 namespace circle_voronoi::cli {
 
@@ -17,5 +18,8 @@ std::optional<double> readNumber(std::string_view text, Sides sides = Sides::fin
 
 /// Reads MINX,MINY,MAXX,MAXY, or says what is wrong with it; empty: nothing. A finite box is one to clip to.
 std::string readBox(std::string_view text, Box& box, Sides sides = Sides::finite);
+
+/// Reads the periods AX,AY,BX,BY, or says what is wrong with the numbers; empty: nothing.
+std::string readLattice(std::string_view text, Lattice& lattice);
 
 }  // namespace circle_voronoi::cli

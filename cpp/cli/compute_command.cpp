@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "box.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/progress.h"
 #include "commands.h"
 #include "failure.h"
@@ -36,6 +38,7 @@ struct ComputeArguments {
   bool resample = Options{}.resample;
   int threads = Options{}.threads;
   std::string trace;
+  std::string lattice;  ///< AX,AY,BX,BY; empty: the circles do not repeat
   TilePart tile;
   std::string progress = "auto";
 };
@@ -57,6 +60,11 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
          needed(&Options::candidates, Candidates::dynamic) + " or " + std::string(nameOf(Candidates::uniform)));
   refuse(resample, candidates == Candidates::dynamic, needed(&Options::candidates, Candidates::dynamic));
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
+  if (!arguments.lattice.empty()) {
+    refuse("--lattice", method == Method::automatic, needed(&Options::method, Method::automatic));
+    if (arguments.tile.isAsked()) throw Failure{kBadInput, "--lattice takes no --known."};
+    if (!arguments.trace.empty()) throw Failure{kBadInput, "--lattice takes no --trace."};
+  }
   if (arguments.tile.isAsked() && !arguments.trace.empty()) throw Failure{kBadInput, "--known takes no --trace."};
 }
 
@@ -64,6 +72,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   refuseUnused(command, arguments);
   settle(arguments.output);
   check(arguments.tile, arguments.output);
+  if (!arguments.lattice.empty()) checkPeriodicOutput(arguments.output);
   refuseSharedFiles(
       {arguments.input, arguments.output.regionFile},
       {{"--output", arguments.output.file}, {"--trace", arguments.trace}, {"--open", arguments.tile.open}});
@@ -90,6 +99,13 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   options.resample = arguments.resample;
   options.threads = arguments.threads;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
+  if (!arguments.lattice.empty()) {
+    Lattice lattice;
+    (void)readLattice(arguments.lattice, lattice);
+    const auto periodic = computePeriodic(circles, lattice, options);
+    if (!periodic) fail(periodic.error(), name + ": ");
+    return writePeriodicDiagram(arguments.output, name, *periodic, progress);
+  }
   const auto computed = [&] {
     auto diagram = compute(circles, options);
     if (!diagram) fail(diagram.error(), name + ": ");
@@ -142,6 +158,15 @@ void addComputeCommand(CLI::App& program) {
       ->capture_default_str()
       ->transform(wholeNumber(kMaxThreads).description("0 to " + std::to_string(kMaxThreads)));
   command
+      ->add_option("--lattice", arguments->lattice,
+                   "The circles repeat with these two periods, as in a box whose opposite sides are glued together "
+                   "(json, csv, svg, geojson, geojsonl, stats)")
+      ->type_name("AX,AY,BX,BY")
+      ->check([](const std::string& text) {
+        Lattice lattice;
+        return readLattice(text, lattice);
+      });
+  command
       ->add_option("--trace", arguments->trace,
                    "Write the events of the method to this file, one line of JSON per event")
       ->type_name("FILE");
@@ -150,7 +175,7 @@ void addComputeCommand(CLI::App& program) {
   command->footer(
       "Formats:\n"
       "  json      the diagram: circles, hidden circles, vertices, edges, hull and stats\n"
-      "  csv       its vertices and edges\n"
+      "  csv       its vertices and edges; with --lattice the neighbors of each circle, with borders and gaps\n"
       "  svg       a drawing with true curves, a group for each layer\n"
       "  geojson   the cells as polygons, with circle, r, area and neighbors\n"
       "  geojsonl  the same features, one per line\n"

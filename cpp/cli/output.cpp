@@ -161,6 +161,29 @@ void writeDiagram(const Output& output, const std::string& name, const Diagram& 
   });
 }
 
+void checkPeriodicOutput(const Output& output) {
+  if (output.format == "wkt" || output.format == "obj") {
+    throw Failure{kBadInput, "--lattice takes no --format " + output.format + "."};
+  }
+  const char* unused = drawingOption(output);
+  if (unused != nullptr && std::string_view(unused) != "--tolerance") {
+    throw Failure{kBadInput, "--lattice takes no " + std::string(unused) + ": cells are written whole."};
+  }
+  if (output.maxDistance) throw Failure{kBadInput, "--lattice takes no --max-distance: cells are written whole."};
+}
+
+void writePeriodicDiagram(const Output& output, const std::string& name, const PeriodicDiagram& periodic,
+                          ProgressLine& progress) {
+  write(output, name, progress, [&](std::ostream& out) {
+    if (output.format == "svg") return writePeriodicSvg(out, periodic, exportOptions(output));
+    if (output.format == "geojson") return writePeriodicGeoJson(out, periodic, exportOptions(output));
+    if (output.format == "geojsonl") return writePeriodicGeoJsonLines(out, periodic, exportOptions(output));
+    if (output.format == "csv") return writeContactsCsv(out, periodic, output.digits);
+    if (output.format == "stats") return writeStatsJson(out, periodic.diagram);
+    return writePeriodicJson(out, periodic, output.digits);
+  });
+}
+
 void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
                   ProgressLine& progress) {
   if (output.digits) throw Failure{kBadInput, "--digits is for diagrams; circles keep the digits that they have."};

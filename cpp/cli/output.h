@@ -10,6 +10,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/export.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/region.h"
 #include "files.h"
 #include "progress_line.h"
@@ -52,6 +53,12 @@ ExportOptions exportOptions(const Output& output);
 /// Writes a diagram. Errors call the input `name`. Throws Failure if the format draws the diagram and it is not
 /// certified, or if something could not be written.
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress);
+
+/// Throws Failure if a format or an option is given that is not for periodic diagrams, before any work is done.
+void checkPeriodicOutput(const Output& output);
+/// Writes a periodic diagram. Errors call the input `name`. Throws Failure if something could not be written.
+void writePeriodicDiagram(const Output& output, const std::string& name, const PeriodicDiagram& periodic,
+                          ProgressLine& progress);
 
 /// Writes circles without a diagram. Errors call the input `name`. Throws Failure if the format is only for diagrams,
 /// or if something could not be written.

@@ -50,6 +50,9 @@ struct OutlinePiece {
 /// around them.
 using Outline = std::vector<std::vector<OutlinePiece>>;
 
+/// Returns the outline of a bounded cell. It is empty if the cell is unbounded, or there is none.
+[[nodiscard]] Outline outline(const Diagram& diagram, CircleIndex circle);
+
 /// Returns the outline of the part of a cell inside a region. It is empty if cell and region do not meet. It has
 /// several loops if the region cuts the cell apart.
 [[nodiscard]] Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region);

@@ -14,6 +14,7 @@
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/point.h"
 #include "circle_voronoi/region.h"
 
@@ -111,5 +112,28 @@ Result<void> writeObj(std::ostream& out, const Diagram& diagram, const ExportOpt
 ///
 /// `digits` is the largest number of digits that discs have after the decimal point, from 0. By default they have all.
 Result<void> writeDiagramCsv(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
+
+// The functions below write the cells of the given circles of a periodic diagram. The box, the region and the maximum
+// distance of the options must not be given. Errors: those of the functions above; badOption.
+
+/// Writes a drawing of the box with a margin around it. Cells and circles that cross a side of the box are drawn on
+/// both sides. Images outside the box are dimmed. The given circles are the group given, which the drawing uses several
+/// times.
+Result<void> writePeriodicSvg(std::ostream& out, const PeriodicDiagram& periodic, const ExportOptions& options = {});
+
+/// Writes the cells as GeoJSON, whole, and around the circles where these were given. The properties are those of
+/// `writeGeoJson` for a diagram and shifts, which has the shift of each neighbor. A hidden circle also has hiderShift.
+Result<void> writePeriodicGeoJson(std::ostream& out, const PeriodicDiagram& periodic,
+                                  const ExportOptions& options = {});
+
+/// Writes the features of `writeGeoJson`, one a line, and nothing else.
+Result<void> writePeriodicGeoJsonLines(std::ostream& out, const PeriodicDiagram& periodic,
+                                       const ExportOptions& options = {});
+
+/// Writes the contact table (contactTable) with the columns circle, neighbor, shift_a, shift_b, length, gap, area,
+/// packing_fraction. The last two are those of the circle. Hidden circles have no contacts and no line.
+///
+/// `digits` is the largest number of digits after the decimal point, from 0. By default all numbers have all digits.
+Result<void> writeContactsCsv(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {});
 
 }  // namespace circle_voronoi

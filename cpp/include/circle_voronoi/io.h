@@ -12,6 +12,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/region.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -79,6 +80,11 @@ Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circ
 /// Errors: badOption if `digits` is negative; badInput if there are not as many vertexCircles as vertices; notWritten
 /// if the stream fails.
 Result<void> writeJson(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
+
+/// Writes a periodic diagram in the same format, with three more members: lattice, the two periods; images, for each
+/// circle of the diagram its given circle and its shift, the given circles first; neighbors, for each given circle the
+/// images beside it, with shifts relative to it. `readDiagram` reads it as the diagram of the images.
+Result<void> writePeriodicJson(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {});
 
 /// Reads a diagram in the format of `writeJson`, to the bit. Unknown keys are skipped. Of `stats` whatever is present
 /// is read, except for the certificate: call `certify` to get one. If the diagram fits together, its sides are linked

@@ -6,12 +6,16 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "estimate.h"
+#include "final_cells_inside.h"
 #include "guarded.h"
 #include "infinity.h"
 #include "three_touch_disc.h"
 #include "validate.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {
@@ -19,53 +23,44 @@ namespace {
 /// What is known, in the units of the scaled circles.
 class Outside {
  public:
-  Outside(const Known& known, double unit)
-      : box_{scaled(known.box.minX, unit), scaled(known.box.minY, unit), scaled(known.box.maxX, unit),
-             scaled(known.box.maxY, unit)},
-        reach_(known.maxRadius / unit) {}
-
-  /// Returns whether nothing is outside.
-  bool isNothing() const {
-    return box_.minX == -kInfinite && box_.minY == -kInfinite && box_.maxX == kInfinite && box_.maxY == kInfinite;
+  Outside(std::span<const HalfPlane> known, double maxRadius, double unit) : reach_(maxRadius / unit) {
+    // A line that is too far off for a double is as if it were nearer, which is on the safe side.
+    constexpr double kFarthest = 0x1p900;
+    for (const auto& [normal, offset] : known) {
+      if (!std::isinf(offset)) sides_.push_back({normal, std::clamp(offset / unit, -kFarthest, kFarthest)});
+    }
   }
 
-  /// Returns how much farther out the box would have to be for a disc to be final, or more: below 0 if it is. `error`
+  /// Returns whether nothing is outside.
+  bool isNothing() const { return sides_.empty(); }
+
+  /// Returns how much farther out the lines would have to be for a disc to be final, or more: below 0 if it is. `error`
   /// is that of each number of the disc.
   double excess(const Vertex& disc, double error) const {
-    const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + reach_;
+    const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + std::abs(reach_);
     double excess = -kInfinite;
-    const auto consider = [&](double inside, double side) {
-      if (std::isinf(side)) return;
-      // Three roundings of numbers that are no larger than the sum of all.
-      const double rounding = 4 * kUnitRoundoff * (size + std::abs(side)) + kUnderflowError;
+    for (const auto& [normal, offset] : sides_) {
+      // Seven roundings of numbers that are no larger than the sum of all, two of them of the normal.
+      const double rounding = 8 * kUnitRoundoff * (size + std::abs(offset)) + kUnderflowError;
+      const double inside = dot(normal, {disc.x, disc.y}) - offset;
       const double value = disc.r + reach_ - inside + (2 * error + rounding);
       // Not std::max, which passes over what is not a number.
       if (!(value <= excess)) excess = value;
-    };
-    consider(disc.x - box_.minX, box_.minX);
-    consider(box_.maxX - disc.x, box_.maxX);
-    consider(disc.y - box_.minY, box_.minY);
-    consider(box_.maxY - disc.y, box_.maxY);
+    }
     return std::isnan(excess) ? kInfinite : excess;
   }
 
  private:
-  /// A side that is too far off for a double is as if it were nearer, which is on the safe side.
-  static double scaled(double value, double unit) {
-    constexpr double kFarthest = 0x1p900;
-    return std::isinf(value) ? value : std::clamp(value / unit, -kFarthest, kFarthest);
-  }
-
-  Box box_;
+  std::vector<HalfPlane> sides_;
   double reach_;
 };
 
-/// Returns how much farther out the box would have to be for a vertex to be final, or more.
+/// Returns how much farther out the lines would have to be for a vertex to be final, or more.
 ///
 /// vertexOf is right to 36 bits of the distances of the circles from each other and from the disc's center. These are
 /// at most twice the farthest of the three from it, and each is computed within a part of 2^-30.
-double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circles) {
-  const auto disc = vertexOf(*circles[0], *circles[1], *circles[2]);
+double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circles,
+                const std::optional<Vertex>& disc) {
   if (!disc) return outside.isNothing() ? -kInfinite : kInfinite;
   double farthest = 0;
   double size = 0;
@@ -74,6 +69,10 @@ double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circ
     size = std::max(size, std::abs(c->x) + std::abs(c->y) + std::abs(c->r));
   }
   return outside.excess(*disc, 0x1p-33 * farthest + 4 * kUnitRoundoff * (size + farthest));
+}
+
+std::optional<Vertex> inUnits(const Vertex& disc, double unit) {
+  return Vertex{disc.x / unit, disc.y / unit, disc.r / unit};
 }
 
 std::optional<Error> checkKnown(const Known& known) {
@@ -98,7 +97,11 @@ bool fits(const Diagram& diagram) {
          all(diagram.hull, isCircle);
 }
 
-FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, const Outside& outside) {
+}  // namespace
+
+FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const HalfPlane> known,
+                            double maxRadius, bool knowsVertices) {
+  const Outside outside(known, maxRadius, scaled.unit);
   const auto& circles = scaled.circles;
   FinalCells result;
   result.neededHalo.assign(circles.size(), 0);
@@ -111,10 +114,13 @@ FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, con
   };
 
   result.vertices.reserve(diagram.vertexCircles.size());
-  for (auto triple : diagram.vertexCircles) {
+  for (std::size_t v = 0; v < diagram.vertexCircles.size(); ++v) {
+    auto triple = diagram.vertexCircles[v];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto circle = [&](std::size_t k) { return &circles[static_cast<std::size_t>(triple[k])]; };
-    const double excess = excessOf(outside, {circle(0), circle(1), circle(2)});
+    const auto disc =
+        knowsVertices ? inUnits(diagram.vertices[v], scaled.unit) : vertexOf(*circle(0), *circle(1), *circle(2));
+    const double excess = excessOf(outside, {circle(0), circle(1), circle(2)}, disc);
     result.vertices.push_back(excess < 0);
     for (const CircleIndex i : triple) need(i, excess);
   }
@@ -134,8 +140,6 @@ FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, con
   return result;
 }
 
-}  // namespace
-
 Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
   return guarded([&]() -> Result<FinalCells> {
     if (auto error = checkKnown(known)) return *std::move(error);
@@ -144,7 +148,9 @@ Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
     }
     const auto scaled = validate(diagram.circles, diagram.weights);
     if (!scaled) return scaled.error();
-    return finalCellsOf(scaled.value(), diagram, Outside(known, scaled.value().unit));
+    const auto& [minX, minY, maxX, maxY] = known.box;
+    const HalfPlane sides[] = {{{1, 0}, minX}, {{-1, 0}, -maxX}, {{0, 1}, minY}, {{0, -1}, -maxY}};
+    return finalCellsInside(scaled.value(), diagram, sides, known.maxRadius);
   });
 }
 

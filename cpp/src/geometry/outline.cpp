@@ -174,6 +174,15 @@ Outline limitedOutline(const Diagram& diagram, CircleIndex circle, const Limits&
   return Clipper(diagram, circle, limits, disc).run();
 }
 
+Outline outline(const Diagram& diagram, CircleIndex circle) {
+  std::vector<OutlinePiece> loop;
+  for (const SideIndex side : diagram.sides(circle)) {
+    loop.push_back({sideCurve(diagram, side), side, diagram.neighborOf(side)});
+    if (!loop.back().curve.isBounded()) return {};
+  }
+  return loop.empty() ? Outline{} : Outline{std::move(loop)};
+}
+
 Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region) {
   return limitedOutline(diagram, circle, {&region});
 }

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "cell_polygons.h"
 #include "checks.h"
 #include "circle_voronoi/export.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/tile.h"
+#include "periodic_options.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -39,8 +46,34 @@ void writeGeometry(Writer& out, const std::vector<CellPolygons::Polygon>& polygo
   out << (isOne ? "}" : "]}");
 }
 
-/// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one.
-bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selection, std::string_view separator) {
+void writeShift(Writer& out, const Shift& shift) { out << "[" << shift[0] << "," << shift[1] << "]"; }
+
+void writeShifts(Writer& out, const PeriodicDiagram& periodic, CircleIndex circle) {
+  out << R"(,"shifts":[)";
+  std::string_view comma;
+  for (const CircleImage& neighbor : neighbors(periodic, circle)) {
+    out << comma;
+    writeShift(out, neighbor.shift);
+    comma = ",";
+  }
+  out << "]";
+}
+
+std::vector<CellPolygons::Polygon> movedBack(std::vector<CellPolygons::Polygon> polygons,
+                                             const PeriodicDiagram& periodic, CircleIndex circle) {
+  const Vector move = offsetOf(periodic.lattice, periodic.shiftOf[static_cast<std::size_t>(circle)]);
+  for (auto& polygon : polygons) {
+    for (auto& ring : polygon) {
+      for (Point& p : ring) p = {p.x - move.x, p.y - move.y};
+    }
+  }
+  return polygons;
+}
+
+/// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one. Of a
+/// periodic diagram the neighbors have shifts, and cells lie where the circles were given.
+bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selection, std::string_view separator,
+                   const PeriodicDiagram* periodic = nullptr) {
   const Diagram& diagram = frame.diagram;
   const CellPolygons polygons(frame);
   std::vector<std::int32_t> hiders(diagram.circles.size(), kNone);
@@ -58,14 +91,23 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
       comma = ",";
     }
     out << "]";
+    if (periodic != nullptr) writeShifts(out, *periodic, i);
     if (const std::int32_t hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
       out << R"(,"hiddenBy":)" << selection.id(hider);
+      if (periodic != nullptr) {
+        out << R"(,"hiderShift":)";
+        writeShift(out, periodic->imageFrom(i, hider).shift);
+      }
     }
     if (!frame.attributes.empty() && !frame.attributes[static_cast<std::size_t>(i)].empty()) {
       out << "," << frame.attributes[static_cast<std::size_t>(i)];
     }
     out << R"(},"geometry":)";
-    writeGeometry(out, polygons.polygons(i));
+    if (periodic == nullptr) {
+      writeGeometry(out, polygons.polygons(i));
+    } else {
+      writeGeometry(out, movedBack(polygons.polygons(i), *periodic, i));
+    }
     out << "}";
     between = separator;
     isAny = true;
@@ -85,6 +127,39 @@ Result<void> writeGeoJson(std::ostream& stream, const Diagram& diagram, const Ex
 
 Result<void> writeGeoJsonLines(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   return writePartsGeoJsonLines(stream, diagram, {}, options);
+}
+
+namespace {
+
+/// Writes the cells of the given circles.
+Result<void> writePeriodic(std::ostream& stream, const PeriodicDiagram& periodic, const ExportOptions& options,
+                           std::string_view before, std::string_view separator, std::string_view after) {
+  return guarded([&]() -> Result<void> {
+    const std::vector<std::int64_t> ids(periodic.circleOf.begin(), periodic.circleOf.end());
+    std::vector<std::uint8_t> isChosen(ids.size());
+    std::fill_n(isChosen.begin(), periodic.circleCount, std::uint8_t{1});
+    std::vector<std::string> attributes(options.attributes.begin(), options.attributes.end());
+    auto own = periodicOptions(periodic, options);
+    if (!own) return own.error();
+    if (!attributes.empty()) attributes.resize(ids.size());
+    own.value().attributes = attributes;
+    return unguardedWritingIn(stream, periodic.diagram, own.value(), [&](Writer& out, const ExportFrame& frame) {
+      out << before;
+      writeFeatures(out, frame, {ids, isChosen}, separator, &periodic);
+      out << after;
+    });
+  });
+}
+
+}  // namespace
+
+Result<void> writePeriodicGeoJson(std::ostream& stream, const PeriodicDiagram& periodic, const ExportOptions& options) {
+  return writePeriodic(stream, periodic, options, "{\"type\":\"FeatureCollection\",\"features\":[\n", ",\n", "\n]}\n");
+}
+
+Result<void> writePeriodicGeoJsonLines(std::ostream& stream, const PeriodicDiagram& periodic,
+                                       const ExportOptions& options) {
+  return writePeriodic(stream, periodic, options, "", "\n", periodic.circleCount > 0 ? "\n" : "");
 }
 
 Result<void> writePartsGeoJsonLines(std::ostream& stream, const Diagram& diagram, const Selection& selection,

@@ -2,22 +2,12 @@
 #include "checks.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/stats.h"
+#include "diagram_json.h"
 #include "digits.h"
 #include "writer.h"
 
 namespace circle_voronoi {
 namespace {
-
-/// `[` the items, each written by `item(i)`, a line each, `]`.
-template <class Item>
-void writeLines(Writer& out, std::size_t count, Item item) {
-  out << "[";
-  for (std::size_t i = 0; i < count; ++i) {
-    out << (i == 0 ? "\n  " : ",\n  ");
-    item(i);
-  }
-  out << (count == 0 ? "]" : "\n ]");
-}
 
 template <class Struct, class Field, std::size_t count>
 void writeFields(Writer& out, const Struct& values, const std::array<NamedMember<Struct, Field>, count>& fields) {
@@ -50,7 +40,10 @@ void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
   out << "}";
 }
 
-void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits) {
+}  // namespace
+
+void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits,
+                  const std::function<void()>& writeMore) {
   const DecimalGrid grid(digits);
   out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n ";
   if (diagram.metric != Metric::circles) out << "\"metric\": \"" << metricName(diagram.metric) << "\",\n ";
@@ -83,17 +76,17 @@ void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits
     out << separator << circle;
     separator = ", ";
   }
-  out << "],\n \"stats\": ";
+  out << "],\n ";
+  writeMore();
+  out << "\"stats\": ";
   writeStats(out, diagram, " ");
   out << "}\n";
 }
 
-}  // namespace
-
 Result<void> writeJson(std::ostream& stream, const Diagram& diagram, std::optional<int> digits) {
   if (auto checked = checkDigits(digits); !checked) return checked;
   if (auto checked = checkVertices(diagram); !checked) return checked;
-  return writing(stream, [&](Writer& out) { writeDiagram(out, diagram, digits); });
+  return writing(stream, [&](Writer& out) { writeDiagram(out, diagram, digits, [] {}); });
 }
 
 Result<void> writeStatsJson(std::ostream& stream, const Diagram& diagram) {

@@ -10,9 +10,13 @@
 #include "chord.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/hull.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/queries.h"
 #include "edge_points.h"
+#include "infinity.h"
+#include "periodic_options.h"
 #include "prefetch.h"
+#include "vectors.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -96,9 +100,10 @@ void tracePiece(Writer& out, const ExportFrame& frame, const OutlinePiece& piece
   trace(out, points.begin(), points.end(), frame.round(piece.curve.end));
 }
 
-void writeCells(Writer& out, const EdgePoints& edges) {
+void writeCells(Writer& out, const EdgePoints& edges, std::int32_t count) {
   const ExportFrame& frame = edges.frame;
   edges.visitCells([&](std::int32_t i) {
+    if (i >= count) return;
     const auto begin = [&] { out << "<path data-circle=\"" << i << "\" d=\""; };
     if (edges.isWhole(i)) {
       const auto sides = frame.diagram.sides(i);
@@ -120,9 +125,11 @@ void writeCells(Writer& out, const EdgePoints& edges) {
   });
 }
 
-void writeEdges(Writer& out, const EdgePoints& edges) {
+template <class IsDrawn>
+void writeEdges(Writer& out, const EdgePoints& edges, IsDrawn isDrawn) {
   const ExportFrame& frame = edges.frame;
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(frame.diagram.edges.size()); ++e) {
+    if (!isDrawn(frame.diagram.edges[static_cast<std::size_t>(e)])) continue;
     const auto begin = [&] { out << "<path data-edge=\"" << e << "\" d=\""; };
     if (edges.hasInside(e)) {
       begin();
@@ -187,10 +194,10 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 }
 
 /// Circles of radius below `visible` are drawn as dots.
-void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
+void writeCircles(Writer& out, const ExportFrame& frame, double visible, std::int32_t count) {
   const Box& box = frame.box;
   const auto& circles = frame.diagram.circles;
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+  for (std::int32_t i = 0; i < count; ++i) {
     const Circle& circle = circles[static_cast<std::size_t>(i)];
     const auto& [x, y] = frame.round({circle.x, circle.y});
     const double r = frame.grid.round(std::max(circle.r, 0.0));
@@ -290,10 +297,11 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
     const auto ownGroup = [&](std::string_view name, auto write) {
       if (std::ranges::find(figure.groups, name) != figure.groups.end()) group(name, write);
     };
-    ownGroup("cells", [&] { writeCells(out, edges); });
+    const auto count = static_cast<std::int32_t>(diagram.circles.size());
+    ownGroup("cells", [&] { writeCells(out, edges, count); });
     ownGroup("dual", [&] { writeDual(out, frame); });
-    ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
-    ownGroup("edges", [&] { writeEdges(out, edges); });
+    ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit, count); });
+    ownGroup("edges", [&] { writeEdges(out, edges, [](const Edge&) { return true; }); });
     ownGroup("vertices", [&] { writeVertices(out, edges, frame.grid.round(kVertexPixels * unit)); });
     ownGroup("hull", [&] { writeHull(out, frame); });
     for (const SvgLayer& layer : figure.layers) group(layer.name, [&] { writeLayer(out, frame, layer, unit); });
@@ -301,7 +309,117 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
   });
 }
 
+constexpr std::string_view kPeriodicStyle = R"(.images { opacity: 0.35; }
+.lattice { fill: none; stroke: #1f4e79; stroke-width: 1; stroke-dasharray: 6 4; }
+)";
+constexpr double kPeriodicMargin = 0.15;
+/// A drawing may repeat the given circles this often.
+constexpr double kMostCopies = 1000;
+
+/// The shifts of the copies of the given cells that a drawing shows.
+std::vector<Vector> copiesIn(const PeriodicDiagram& periodic, const Box& view) {
+  const auto& [a, b] = periodic.lattice;
+  // The box around what the given circles are drawn as.
+  Box own = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+  const auto include = [&](double x, double y, double r) {
+    own = {std::min(own.minX, x - r), std::min(own.minY, y - r), std::max(own.maxX, x + r), std::max(own.maxY, y + r)};
+  };
+  for (std::int32_t i = 0; i < periodic.circleCount; ++i) {
+    const Circle& c = periodic.diagram.circles[static_cast<std::size_t>(i)];
+    include(c.x, c.y, std::max(c.r, 0.0));
+    for (const SideIndex side : periodic.diagram.sides(i)) {
+      const Vertex& v = periodic.diagram.vertices[static_cast<std::size_t>(periodic.diagram.originOf(side))];
+      include(v.x, v.y, std::max(c.r, 0.0));
+    }
+  }
+  std::vector<Vector> copies;
+  const double area = cross(a, b);
+  Box places = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+  for (const double x : {view.minX - own.maxX, view.maxX - own.minX}) {
+    for (const double y : {view.minY - own.maxY, view.maxY - own.minY}) {
+      const Vector place = {cross({x, y}, b) / area, cross(a, {x, y}) / area};
+      places = {std::min(places.minX, place.x), std::min(places.minY, place.y), std::max(places.maxX, place.x),
+                std::max(places.maxY, place.y)};
+    }
+  }
+  for (double k = std::ceil(places.minX); k <= places.maxX; ++k) {
+    for (double l = std::ceil(places.minY); l <= places.maxY; ++l) {
+      const Vector move = {k * a.x + l * b.x, k * a.y + l * b.y};
+      if (own.maxX + move.x < view.minX || own.minX + move.x > view.maxX || own.maxY + move.y < view.minY ||
+          own.minY + move.y > view.maxY) {
+        continue;
+      }
+      if (static_cast<double>(copies.size()) == kMostCopies) {
+        throw Refusal{{ErrorCode::badOption, kNone, "The box is too narrow to be drawn."}};
+      }
+      copies.push_back(move);
+    }
+  }
+  return copies;
+}
+
+/// Draws the given circles once and uses them wherever an image of them meets the drawing: inside the box, and dimmed
+/// around it.
+void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& periodic) {
+  const Box box = boxOf(periodic.lattice);
+  const double margin = kPeriodicMargin * std::max(box.maxX - box.minX, box.maxY - box.minY);
+  const Box view = {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
+  const std::vector<Vector> copies = periodic.circleCount > 0 ? copiesIn(periodic, view) : std::vector<Vector>();
+  const double width = view.maxX - view.minX;
+  const double height = view.maxY - view.minY;
+  const double unit = std::max(width, height) / SvgFigure{}.pixels;
+  const EdgePoints edges = drawnEdges(frame);
+  const Vector a = periodic.lattice.a;
+  const Vector b = periodic.lattice.b;
+  const auto writeOutline = [&](std::string_view attributes) {
+    out << "<path" << attributes << " d=\"M0 0";
+    for (const Point corner : {Point{a.x, a.y}, Point{a.x + b.x, a.y + b.y}, Point{b.x, b.y}}) {
+      writePoint(out, "L", frame.round(corner));
+    }
+    out << "Z\"/>\n";
+  };
+  const auto isDrawn = [&](const Edge& edge) {
+    const auto isGiven = [&](CircleIndex i) { return i < periodic.circleCount; };
+    if (isGiven(edge.left) && isGiven(edge.right)) return true;
+    if (!isGiven(edge.left) && !isGiven(edge.right)) return false;
+    // One of the two twins.
+    const auto [given, image] =
+        isGiven(edge.left) ? std::pair(edge.left, edge.right) : std::pair(edge.right, edge.left);
+    const auto [other, shift] = periodic.imageFrom(given, image);
+    return given != other ? given < other : shift > Shift{};
+  };
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
+      << "\" viewBox=\"" << view.minX << " " << -view.maxY << " " << width << " " << height << "\">\n"
+      << "<title>Periodic Voronoi diagram of circles</title>\n<desc>" << std::int32_t{periodic.circleCount}
+      << " circles in a box with opposite sides glued together</desc>\n"
+      << kStyle << kPeriodicStyle << "</style>\n<defs>\n<clipPath id=\"box\">";
+  writeOutline("");
+  out << "</clipPath>\n<g id=\"given\">\n<g class=\"cells\">\n";
+  writeCells(out, edges, periodic.circleCount);
+  out << "</g>\n<g class=\"circles\">\n";
+  writeCircles(out, frame, kPointPixels * unit, periodic.circleCount);
+  out << "</g>\n<g class=\"edges\">\n";
+  writeEdges(out, edges, isDrawn);
+  out << "</g>\n</g>\n<g id=\"copies\">\n";
+  for (const Vector& move : copies) {
+    out << "<use href=\"#given\" x=\"" << move.x << "\" y=\"" << move.y << "\"/>\n";
+  }
+  out << "</g>\n</defs>\n<g transform=\"scale(1,-1)\">\n<g class=\"images\"><use href=\"#copies\"/></g>\n"
+      << "<g clip-path=\"url(#box)\"><use href=\"#copies\"/></g>\n";
+  writeOutline(" class=\"lattice\"");
+  out << "</g>\n</svg>\n";
+}
+
 }  // namespace
+
+Result<void> writePeriodicSvg(std::ostream& stream, const PeriodicDiagram& periodic, const ExportOptions& options) {
+  return guarded([&]() -> Result<void> {
+    const auto own = periodicOptions(periodic, options);
+    if (!own) return own.error();
+    return unguardedWritingIn(stream, periodic.diagram, own.value(),
+                              [&](Writer& out, const ExportFrame& frame) { drawPeriodic(out, frame, periodic); });
+  });
+}
 
 Result<void> writeSvg(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   return guarded([&] {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "circle_voronoi/diagram.h"
+#include "writer.h"
+
+namespace circle_voronoi {
+
+/// `[` the items, each written by `item(i)`, a line each, `]`.
+template <class Item>
+void writeLines(Writer& out, std::size_t count, Item item) {
+  out << "[";
+  for (std::size_t i = 0; i < count; ++i) {
+    out << (i == 0 ? "\n  " : ",\n  ");
+    item(i);
+  }
+  out << (count == 0 ? "]" : "\n ]");
+}
+
+/// Writes a diagram in the format of `writeJson`. `writeMore` may write further members, each with a comma after it.
+void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits,
+                  const std::function<void()>& writeMore);
+
+}  // namespace circle_voronoi

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/periodic.h"
+
+namespace circle_voronoi {
+
+/// Returns the vector that a shift stands for.
+inline Vector offsetOf(const Lattice& lattice, const Shift& shift) {
+  const auto& [a, b] = lattice;
+  return {shift[0] * a.x + shift[1] * b.x, shift[0] * a.y + shift[1] * b.y};
+}
+
+/// Returns the smallest box with the parallelogram of the periods at the origin.
+Box boxOf(const Lattice& lattice);
+
+/// Returns the options with a box around all circles of the diagram and the cells of the given ones, which it does not
+/// cut, and with the tolerance that the periods need. Without attributes.
+/// Errors: badOption if a box, a region or a maximum distance is given; badInput if there are not as many attributes as
+/// circles.
+Result<ExportOptions> periodicOptions(const PeriodicDiagram& periodic, const ExportOptions& options);
+
+}  // namespace circle_voronoi
