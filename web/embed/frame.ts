@@ -85,6 +85,11 @@ export class Frame {
     await this.#show(() => decodeLink(typeof state === 'string' ? state.replace(/^.*#/, '') : encodeLinkAtOnce(state)))
   }
 
+  /** Shows circles of an earlier session, as if the reader had edited those of the link. */
+  restore(circles: Float64Array): void {
+    this.#figure.circles = circles
+  }
+
   /** Shows the circles of the link again. */
   async startOver(): Promise<void> {
     const { region = null, ...start } = this.#start ?? {}

@@ -236,6 +236,17 @@ export class FileActions {
     if (!isOpened) tab?.close()
   }
 
+  /** Saves a SCORM 1.2 file that asks the question in a learning management system. */
+  async saveCourse(frame: LinkFrame): Promise<void> {
+    await this.#try(async () => {
+      const link = await this.#shortLink(this.#questionState(frame))
+      const { coursePackage } = await import('../course/course-package.ts')
+      const { title = 'Voronoi diagram of circles', lang = 'en' } = frame
+      const bytes = await coursePackage({ link, title, lang }, addressOf('element.js'))
+      save(new Blob([bytes], { type: 'application/zip' }), 'question-scorm.zip')
+    })
+  }
+
   /** A check names circles by their places in the link. */
   #questionState(frame: LinkFrame): LinkInput {
     const { circles } = this.#editing

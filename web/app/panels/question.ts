@@ -7,7 +7,7 @@ import { holds, idsOf, numbersIn, withIds } from '../../element/check.ts'
 import type { Check } from '../../lib/check-types.ts'
 import type { LinkFrame } from '../../lib/link.ts'
 import { icon } from '../../player/icon.ts'
-import { ADD, BIN, CHAIN, CODE } from '../../view/icons.ts'
+import { ADD, BIN, CHAIN, CODE, DOWN } from '../../view/icons.ts'
 import type { CellFacts, Facts } from '../../view/protocol.ts'
 import { short } from '../../view/short.ts'
 import type { View } from '../../view/view.ts'
@@ -173,6 +173,9 @@ export class QuestionForm {
         </button>
         <button type="button" title="Copy the address of the frame, for sites that embed addresses" @click=${() => this.#copy('link')}>
           ${icon(CHAIN)}Copy question link
+        </button>
+        <button type="button" title="Save a SCORM 1.2 file for Moodle, ILIAS and other course systems, which reports who has solved the question" @click=${() => this.#files.saveCourse(this.#frame)}>
+          ${icon(DOWN)}SCORM file
         </button>
         <button type="button" title="Open the frame in a new tab" @click=${() => this.#files.openQuestion(this.#frame)}>Try it</button>
       </div>

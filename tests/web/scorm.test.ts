@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { describe, expect, it } from 'vitest'
+import type { FrameMessage } from '../../web/element/frame-types.ts'
+import { durationOf, findApi, type ScormApi, ScormSession } from '../../web/embed/scorm.ts'
+import { decodeLink } from '../../web/lib/link.ts'
+
+/** A system that keeps values, and the calls in their order. */
+class System implements ScormApi {
+  readonly values: Record<string, string>
+  readonly calls: string[] = []
+  constructor(values: Record<string, string> = { 'cmi.core.lesson_status': 'not attempted' }) {
+    this.values = values
+  }
+  LMSInitialize = () => this.#called('initialize')
+  LMSGetValue = (name: string) => this.values[name] ?? ''
+  LMSSetValue = (name: string, value: string) => {
+    this.values[name] = value
+    return this.#called(`${name}=${value}`)
+  }
+  LMSCommit = () => this.#called('commit')
+  LMSFinish = () => this.#called('finish')
+  #called(call: string): string {
+    this.calls.push(call)
+    return 'true'
+  }
+}
+
+const told = (met: boolean | undefined, circles = [[0, 0, 1]]): FrameMessage => ({
+  type: 'circle-voronoi',
+  height: 100,
+  state: { circles, layers: {} },
+  met,
+  answer: '',
+  error: undefined,
+})
+
+describe('a session of a course', () => {
+  it('is incomplete until the check is met, then passed for good', async () => {
+    const system = new System()
+    const session = new ScormSession(system, true)
+    expect(system.calls).toEqual(['initialize', 'cmi.core.lesson_status=incomplete', 'commit'])
+    await session.tell(told(false))
+    expect(system.values['cmi.core.lesson_status']).toBe('incomplete')
+    await session.tell(told(true, [[5, 6, 2]]))
+    expect(system.values).toMatchObject({ 'cmi.core.lesson_status': 'passed', 'cmi.core.score.raw': '100' })
+    expect(system.calls.at(-1)).toBe('commit')
+    await session.tell(told(false, [[7, 6, 2]]))
+    expect(system.values['cmi.core.lesson_status']).toBe('passed')
+    session.finish()
+    session.finish()
+    expect(system.calls.slice(-2)).toEqual(['commit', 'finish'])
+    expect(system.calls.filter((call) => call === 'finish')).toHaveLength(1)
+    expect((await decodeLink(system.values['cmi.suspend_data'] as string)).circles).toEqual(Float64Array.of(7, 6, 2))
+    expect(system.values['cmi.core.session_time']).toMatch(/^0000:00:0\d\.\d\d$/)
+    expect(system.values['cmi.core.exit']).toBe('')
+  })
+
+  it('goes on where it was, and takes no pass away', async () => {
+    const before = new System()
+    const first = new ScormSession(before, true)
+    await first.tell(told(false, [[1, 2, 3]]))
+    first.finish()
+    expect(before.values['cmi.core.exit']).toBe('suspend')
+    const again = new ScormSession(new System(before.values), true)
+    expect((await decodeLink(again.suspended)).circles).toEqual(Float64Array.of(1, 2, 3))
+    const passed = new System({ 'cmi.core.lesson_status': 'passed' })
+    new ScormSession(passed, true).finish()
+    expect(passed.values['cmi.core.lesson_status']).toBe('passed')
+  })
+
+  it('is completed where there is nothing to pass, and keeps no circles that are too many', async () => {
+    const system = new System()
+    const session = new ScormSession(system, false)
+    expect(system.values['cmi.core.lesson_status']).toBe('completed')
+    await session.tell(
+      told(
+        undefined,
+        Array.from({ length: 2000 }, (_, k) => [Math.sin(k), Math.cos(k), 1e-3]),
+      ),
+    )
+    session.finish()
+    expect(system.values['cmi.suspend_data']).toBe('')
+  })
+
+  it('finds the interface in windows around it and in the one that opened it', () => {
+    const api = new System()
+    const top = { opener: null } as unknown as Window & { parent: Window }
+    Object.assign(top, { parent: top })
+    expect(findApi(top)).toBeUndefined()
+    const forbidden = {
+      get API() {
+        throw new Error('another origin')
+      },
+      opener: null,
+      parent: Object.assign({ API: api, opener: null }),
+    } as unknown as Window
+    expect(findApi(forbidden)).toBe(api)
+    expect(findApi(Object.assign({ ...top, opener: forbidden }, { parent: top }) as Window)).toBe(api)
+  })
+
+  it('tells times as hours, minutes and seconds', () => {
+    expect(durationOf(0)).toBe('0000:00:00.00')
+    expect(durationOf(3_723_450)).toBe('0001:02:03.45')
+    expect(durationOf(59_999)).toBe('0001:00:00.00'.replace('0001:00', '0000:01'))
+  })
+})
