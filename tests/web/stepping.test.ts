@@ -25,7 +25,7 @@ async function played() {
   const store = createStore<State>({ ...INITIAL_STATE, step: 0, edited: {} as State['edited'] })
   const [asked, told]: [number[], number[]] = [[], []]
   let report = (_: number) => {}
-  const dispose = vi.fn()
+  const [dispose, play] = [vi.fn(), vi.fn()]
   vi.mocked(mountPlayer).mockImplementation((_, { onstep }: PlayerOptions) => {
     let shown = 0
     report = (step) => {
@@ -36,7 +36,7 @@ async function played() {
       asked.push(step)
       if (step !== shown) report(step)
     }
-    return { ready: Promise.resolve(), stepTo, dispose } as unknown as Player
+    return { ready: Promise.resolve(), stepTo, dispose, play } as unknown as Player
   })
   const showStep = (step: number | undefined) => store.update((state) => ({ ...state, step }))
   const stepping = new Stepping({
@@ -48,7 +48,8 @@ async function played() {
     onstep: (step) => told.push(step),
   })
   await stepping.whenReady()
-  return { stepOf: () => store.get().step, showStep, report: (step: number) => report(step), asked, told, dispose }
+  const fakes = { dispose, play, stepping }
+  return { stepOf: () => store.get().step, showStep, report: (step: number) => report(step), asked, told, ...fakes }
 }
 
 it('the step that the player shows becomes the step of the state', async () => {
@@ -81,4 +82,18 @@ it('a closed player does not open again if it reports a step before it hears tha
   frame()
   expect(stepOf()).toBeUndefined()
   expect(dispose).toHaveBeenCalledOnce()
+})
+
+it('a player that is closed while it plays does not play when it is opened again', async () => {
+  const { stepping, showStep, play } = await played()
+  stepping.play()
+  expect(play).toHaveBeenCalledOnce()
+  showStep(undefined)
+  frame()
+  showStep(0)
+  frame()
+  await stepping.whenReady()
+  expect(play).toHaveBeenCalledOnce()
+  stepping.play()
+  expect(play).toHaveBeenCalledTimes(2)
 })

@@ -9,6 +9,7 @@ import { computedColors } from '../view/style.ts'
 import type { View } from '../view/view.ts'
 import { type RingMark, ringOf, testedAt, turnTo, waitingCount, waitingDiscs } from './discs.ts'
 import { icon } from './icon.ts'
+import { Playback } from './playback.ts'
 import css from './player.css?inline'
 import { type Question, questionAfter } from './prediction.ts'
 import { type Line, PROGRAMS, type Program } from './program.ts'
@@ -85,9 +86,8 @@ class MethodPlayer implements Player {
   #steps: readonly Step[] = []
   #program: Program = 'touching'
   #step = 0
-  #timer: ReturnType<typeof setTimeout> | undefined
+  readonly #playback = new Playback(() => this.#next())
   #isPlaying = false
-  #speed = 1
   #goal: Goal = 'stage'
   #selected: number | undefined
   readonly #breakpoints = new Set<number>()
@@ -141,7 +141,7 @@ class MethodPlayer implements Player {
   }
 
   pause(): void {
-    clearTimeout(this.#timer)
+    this.#playback.stop()
     this.#isPlaying = false
     this.#draw()
   }
@@ -166,7 +166,8 @@ class MethodPlayer implements Player {
   }
 
   dispose(): void {
-    clearTimeout(this.#timer)
+    this.#isPlaying = false
+    this.#playback.stop()
     this.#run += 1
     this.#watching.abort()
     for (const end of this.#unlisten) end()
@@ -245,17 +246,16 @@ class MethodPlayer implements Player {
 
   #go(): void {
     if (this.#step === this.#steps.length - 1) this.stepTo(0)
-    this.#wait()
+    this.#playback.start()
   }
 
-  #wait(): void {
-    this.#timer = setTimeout(() => {
-      if (this.#question() !== undefined) return this.pause()
-      this.stepTo(this.#step + 1)
-      const isStop = this.#step === this.#steps.length - 1 || this.#breakpoints.has(this.#step)
-      if (isStop) return this.pause()
-      this.#wait()
-    }, 1000 / this.#speed)
+  /** Plays the next step. Returns whether to go on. */
+  #next(): boolean {
+    const isAsked = this.#question() !== undefined
+    if (!isAsked) this.stepTo(this.#step + 1)
+    const isStop = isAsked || this.#step === this.#steps.length - 1 || this.#breakpoints.has(this.#step)
+    if (isStop) this.pause()
+    return this.#isPlaying
   }
 
   /** What the reader is asked now. */
@@ -434,7 +434,7 @@ class MethodPlayer implements Player {
           ${icon(FORTH, true)}
         </button>
         <select aria-label=${words.speed} @change=${(event: Event) => this.#setSpeed(Number((event.target as HTMLSelectElement).value))}>
-          ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === this.#speed}>${speed} / s</option>`)}
+          ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === this.#playback.speed}>${speed} / s</option>`)}
         </select>
         <span class="where">${step}<span class="of"> / ${last}</span></span>
         <span class="jump">
@@ -484,10 +484,7 @@ class MethodPlayer implements Player {
   }
 
   #setSpeed(speed: number): void {
-    this.#speed = speed
-    if (!this.#isPlaying) return
-    clearTimeout(this.#timer)
-    this.#wait()
+    this.#playback.speed = speed
   }
 
   #questionPart(): TemplateResult | typeof nothing {

@@ -84,6 +84,7 @@ export class CircleGrid implements GridContent {
       })),
     ]
     element.style.setProperty('--data-columns', String(columns.length))
+    element.classList.toggle('has-data', columns.length > 0)
     this.#reorder()
     this.#grid = new Grid(element, this, 'Circles')
     this.update(store.get())

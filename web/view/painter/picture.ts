@@ -149,6 +149,13 @@ export class Picture {
     return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.shadeOf(i) ?? 0
   }
 
+  /** Whether discs have colors, and cells the same, but weaker. Otherwise the cells alone have them. */
+  get areDiscsColored(): boolean {
+    const { colors } = this
+    const { column } = this.#layers
+    return column === undefined ? ['radius', 'different', 'none'].includes(colors) : column.categories !== undefined
+  }
+
   /** What the shades mean; `undefined`: colors say nothing. */
   get legend(): Legend | undefined {
     return this.#measures?.legend

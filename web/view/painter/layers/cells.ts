@@ -17,8 +17,7 @@ export const cells: Layer = {
   isOn: (layers) => layers.cells !== 'none' || layers.column !== undefined,
   draw(painting) {
     const { style, width, picture } = painting
-    const isBackground = picture.colors === 'radius' || picture.colors === 'different'
-    const opacity = isBackground ? style.cellOpacity * shareOf(width, TINTED_CELL) : 1
+    const opacity = picture.areDiscsColored ? style.cellOpacity * shareOf(width, TINTED_CELL) : 1
     if (opacity > 0) fillCells(painting, opacity)
   },
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at } from '../../../lib/base/diagram-data.ts'
+import { at, NONE } from '../../../lib/base/diagram-data.ts'
 import type { PathSink } from '../../../lib/index.ts'
 import { DOT_RADIUS, isSeen } from '../../style.ts'
 import { addDisc } from '../disc-path.ts'
@@ -28,11 +28,8 @@ export const discs: Layer = {
   draw(painting) {
     const { style, palette, width, picture } = painting
     const { discs, dots, specks } = pathsOf(painting)
-    const { colors } = picture
-    // Else the cells are what is colored.
-    const isColored = colors === 'radius' || colors === 'different' || colors === 'none'
     const fill = (path: PathSink, color: number, opacity: number) => {
-      if (isColored) painting.fill(path, palette[color] as string, opacity)
+      if (picture.areDiscsColored && color !== NONE) painting.fill(path, palette[color] as string, opacity)
       else painting.fill(path, style.edge, SHADE * opacity)
     }
     const share = shareOf(width, CELL_WITH_DOTS)

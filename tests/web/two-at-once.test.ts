@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happens while something else does, and what is forgotten afterwards: parts of the page without a browser.
+import type { TemplateResult } from 'lit/html.js'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { mountFiles } from '../../web/app/panels/files.ts'
+import { mountNumbers } from '../../web/app/panels/numbers.ts'
+import { CircleGrid } from '../../web/app/table/circle-grid.ts'
+import { Editing } from '../../web/editing/editing.ts'
+import { EditorActions } from '../../web/editing/editor-actions.ts'
+import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+import type { View } from '../../web/view/view.ts'
+import { LibraryComputer } from './computer.ts'
+
+/** What the open panel shows. */
+let body: () => unknown = () => undefined
+let onopen: () => void = () => {}
+vi.mock('../../web/app/panels/by-id.ts', () => ({
+  byId: () => ({ querySelector: () => null, querySelectorAll: () => [] }),
+}))
+vi.mock('../../web/app/panels/panel.ts', () => ({
+  panelOf: (_: unknown, __: string, ___: () => void, options: { onopen?: () => void } = {}) => {
+    onopen = options.onopen ?? (() => {})
+    return {
+      isOpen: true,
+      render: (made: () => unknown) => {
+        body = made
+      },
+    }
+  },
+}))
+vi.mock('../../web/app/panels/histogram.ts', () => ({ Histogram: class {} }))
+vi.mock('../../web/app/table/grid.ts', () => ({
+  Grid: class {
+    isEditing = false
+    render() {}
+    goTo() {}
+    cancelEdit() {}
+    scrollToTop() {}
+    dispose() {}
+  },
+}))
+
+/** All values in a template, also those of templates in it. */
+function valuesIn(template: unknown): unknown[] {
+  if (Array.isArray(template)) return template.flatMap(valuesIn)
+  const { strings, values } = (template ?? {}) as Partial<TemplateResult>
+  return strings === undefined
+    ? [typeof template === 'symbol' ? '' : template]
+    : [...strings, ...(values ?? []).flatMap(valuesIn)]
+}
+
+let frames: (() => void)[] = []
+const draw = () => {
+  const due = frames
+  frames = []
+  for (const frame of due) frame()
+}
+afterEach(() => vi.useRealTimers())
+beforeEach(() => {
+  frames = []
+  vi.stubGlobal('HTMLElement', class {})
+  vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
+})
+
+async function started() {
+  const store = createStore(INITIAL_STATE)
+  const editing: Editing = new Editing(
+    new LibraryComputer(async () => {}),
+    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
+    () => {},
+  )
+  const answers: ((answer: unknown) => void)[] = []
+  const view = {
+    camera: { x: 0, y: 0, scale: 1 },
+    size: { width: 100, height: 100 },
+    ask: () => new Promise((resolve) => answers.push(resolve)),
+    setCamera() {},
+  } as unknown as View
+  const actions = new EditorActions(store, editing, view, () => ({ top: 0, right: 0, bottom: 0, left: 0 }))
+  const circles = Float64Array.from({ length: 30 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))
+  await editing.open({ circles, dataSet: '', isEdited: false })
+  draw()
+  return { store, editing, actions, view, answers }
+}
+
+describe('numbers', () => {
+  const distribution = (median: number) => ({
+    degrees: Int32Array.of(0, 1),
+    areas: Int32Array.of(1),
+    areaStep: 1,
+    medianArea: median,
+    certificate: { certified: true },
+  })
+
+  it('of circles that have changed since they were asked for are not shown', async () => {
+    vi.useFakeTimers()
+    const { store, editing, view, answers } = await started()
+    mountNumbers(store, view)
+    onopen()
+    await vi.advanceTimersByTimeAsync(1000)
+    expect(answers).toHaveLength(1)
+    const edited = editing.edit([{ kind: 'remove', id: 3 }])
+    await edited
+    draw()
+    answers[0]?.(distribution(1234))
+    await vi.advanceTimersByTimeAsync(0)
+    expect(valuesIn(body())).not.toContain('1234')
+    await vi.advanceTimersByTimeAsync(1000)
+    answers[1]?.(distribution(5678))
+    await vi.advanceTimersByTimeAsync(0)
+    expect(valuesIn(body()).join(' ')).toContain('5680')
+  })
+
+  it('of a method are forgotten where the circles have changed since', async () => {
+    const { store, editing, view, answers } = await started()
+    mountNumbers(store, view)
+    const compute = valuesIn(body()).find(
+      (value) => typeof value === 'function' && value.name === 'compute',
+    ) as () => void
+    compute()
+    await editing.edit([{ kind: 'remove', id: 3 }])
+    draw()
+    answers.at(-1)?.({ problem: 'It is refused.' })
+    await new Promise((resolve) => setTimeout(resolve))
+    expect(valuesIn(body()).join(' ')).not.toContain('It is refused.')
+    compute()
+    answers.at(-1)?.({ problem: 'It is refused.' })
+    await new Promise((resolve) => setTimeout(resolve))
+    expect(valuesIn(body()).join(' ')).toContain('It is refused.')
+  })
+})
+
+it('the same file can be chosen twice: the field forgets it', async () => {
+  const opened: unknown[] = []
+  mountFiles({ openFile: async (file: unknown) => opened.push(file) } as never)
+  const open = valuesIn(body()).find((value) => typeof value === 'function' && value.name === 'open') as (
+    event: object,
+  ) => Promise<void>
+  const target = { files: ['a file'], value: 'C:\\fakepath\\a.csv' }
+  await open({ target })
+  expect([opened, target.value]).toEqual([['a file'], ''])
+})
+
+it('Shift in the table selects from the circle that was selected last, in the picture, too', async () => {
+  const { store, editing, actions, view } = await started()
+  const element = { style: { setProperty() {} }, classList: { toggle() {} } } as unknown as HTMLElement
+  const grid = new CircleGrid(element, store, editing, actions as never, view)
+  store.subscribe((state) => grid.update(state))
+  grid.choose(1, 'only')
+  draw()
+  actions.select([6])
+  draw()
+  grid.choose(8, 'through')
+  expect(store.get().selection).toEqual([6, 7, 8])
+})
+
+it('an old problem is gone once something else is selected', async () => {
+  const { store, actions } = await started()
+  actions.complain('The radius must not be negative.')
+  actions.select([2])
+  expect(store.get().problem).toBe('')
+})
