@@ -140,6 +140,31 @@ describe('in the page, attributes', () => {
     expect(editing.nameOf(editing.circles.ids()[2] as number)).toBe('A')
   })
 
+  it('are those of their circles after other ones were opened and undone: of old, new and removed ones', async () => {
+    const { editing } = await started()
+    const insert = (x: number) => editing.edit([{ kind: 'insert', circle: { x, y: 5, r: 1 } }])
+    const names = () =>
+      Array.from(editing.circles.ids(), (id) => `${editing.circles.get(id)?.x} ${textIn(editing.valueOf(id, 'fips'))}`)
+    await editing.edit([{ kind: 'remove', id: 1 }])
+    await insert(20)
+    await editing.setValue(3, 'fips', '"new"')
+    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
+    await editing.undo()
+    expect(names()).toEqual(['0 01001', '0 06037', '20 new'])
+    // One that comes now has no value of another one.
+    await insert(30)
+    expect(names()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
+    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
+    await editing.undo()
+    expect(names()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
+    for (let k = 0; k < 3; k++) await editing.undo()
+    expect(names()).toEqual(['0 01001', '0 06037'])
+    await editing.undo()
+    expect(names()).toEqual(['0 01001', '0 06037', '9 1003'])
+    for (let k = 0; k < 4; k++) await editing.redo()
+    expect(names().sort()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
+  })
+
   it('of several edits of one gesture are one step of undo', async () => {
     const { editing } = await started()
     const gesture = editing.beginGesture()
