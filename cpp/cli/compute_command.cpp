@@ -9,6 +9,7 @@
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/periodic.h"
 #include "circle_voronoi/progress.h"
+#include "circles_input.h"
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
@@ -17,7 +18,6 @@
 #include "progress_line.h"
 #include "tile_part.h"
 #include "trace_lines.h"
-#include "weights_option.h"
 #include "whole_number.h"
 
 namespace circle_voronoi::cli {
@@ -29,9 +29,8 @@ const auto kCandidatesChoices = choices<Candidates>();
 constexpr int kMaxThreads = 1024;
 
 struct ComputeArguments {
-  std::string input;
+  CirclesInput input;
   Output output;
-  bool weights = Options{}.weights;
   std::string method{nameOf(Options{}.method)};
   std::string candidates{nameOf(Options{}.candidates)};
   std::optional<int> samples = Options{}.samples;
@@ -65,34 +64,32 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
     if (arguments.tile.isAsked()) throw Failure{kBadInput, "--lattice takes no --known."};
     if (!arguments.trace.empty()) throw Failure{kBadInput, "--lattice takes no --trace."};
   }
-  if (arguments.tile.isAsked() && !arguments.trace.empty()) throw Failure{kBadInput, "--known takes no --trace."};
+  if (!arguments.tile.isAsked()) return;
+  if (!arguments.trace.empty()) throw Failure{kBadInput, "--known takes no --trace."};
+  if (arguments.input.options.skipInvalid) throw Failure{kBadInput, "--known takes no --skip-invalid."};
 }
 
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {
+  settleInput(command, arguments.input);
   refuseUnused(command, arguments);
   settle(arguments.output);
   check(arguments.tile, arguments.output);
   if (!arguments.lattice.empty()) checkPeriodicOutput(arguments.output);
   refuseSharedFiles(
-      {arguments.input, arguments.output.regionFile},
+      {arguments.input.file, arguments.output.regionFile},
       {{"--output", arguments.output.file}, {"--trace", arguments.trace}, {"--open", arguments.tile.open}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
   if (arguments.tile.isAsked()) {
-    return computeTilePart(arguments.tile, arguments.output, arguments.input, arguments.weights, arguments.threads,
-                           progress);
+    return computeTilePart(arguments.tile, arguments.output, arguments.input, arguments.threads, progress);
   }
-  const std::string name = inputName(arguments.input);
-  const auto circles = [&] {
-    const std::string text = readText(arguments.input);
-    auto read = readCircles(text, name, {arguments.weights});
-    if (!read) throw Failure{kBadInput, read.error().message};
-    keepAttributes(arguments.output, text, name);
-    return *std::move(read);
-  }();
+  const std::string name = inputName(arguments.input.file);
+  CircleFile file = readInput(arguments.input, readText(arguments.input.file));
+  const std::vector<Circle>& circles = file.circles;
+  arguments.output.attributes = std::move(file.attributes);
 
   Options options;
-  options.weights = arguments.weights;
+  options.weights = arguments.input.weights();
   options.method = kMethodChoices.at(arguments.method);
   options.candidates = kCandidatesChoices.at(arguments.candidates);
   options.samples = arguments.samples;
@@ -104,6 +101,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
     (void)readLattice(arguments.lattice, lattice);
     const auto periodic = computePeriodic(circles, lattice, options);
     if (!periodic) fail(periodic.error(), name + ": ");
+    noteSkipped(file, progress);
     return writePeriodicDiagram(arguments.output, name, *periodic, progress);
   }
   const auto computed = [&] {
@@ -111,12 +109,17 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
     if (!diagram) fail(diagram.error(), name + ": ");
     return std::move(diagram).value();
   };
-  if (arguments.trace.empty()) return writeDiagram(arguments.output, name, computed(), progress);
   Diagram diagram;
-  writeText(arguments.trace, [&](std::ostream& out) {
-    options.observer = [&](const TraceEvent& event) { writeTraceEvent(out, event); };
+  if (arguments.trace.empty()) {
     diagram = computed();
-  });
+  } else {
+    writeText(arguments.trace, [&](std::ostream& out) {
+      options.observer = [&](const TraceEvent& event) { writeTraceEvent(out, event); };
+      diagram = computed();
+    });
+  }
+  noteSkipped(file, progress);
+  noteHidden(diagram, progress);
   writeDiagram(arguments.output, name, diagram, progress);
 }
 
@@ -125,13 +128,9 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
 void addComputeCommand(CLI::App& program) {
   const auto arguments = std::make_shared<ComputeArguments>();
   CLI::App* command = program.add_subcommand("compute", "Compute the Voronoi diagram of the circles in a file");
-  command
-      ->add_option(
-          "FILE", arguments->input,
-          "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property r; - is standard input")
-      ->type_name("")
-      ->required();
-  addWeightsOption(*command, arguments->weights);
+  addCirclesInput(
+      *command, arguments->input,
+      "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property r; - is standard input");
   addOutputOptions(*command, arguments->output);
   command->add_option(flagOf(&Options::method), arguments->method, "How to build the diagram")
       ->type_name("METHOD")

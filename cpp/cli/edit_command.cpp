@@ -9,6 +9,7 @@
 #include "change_lines.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/io.h"
+#include "circles_input.h"
 #include "commands.h"
 #include "edit_script.h"
 #include "failure.h"
@@ -16,39 +17,49 @@
 #include "output.h"
 #include "progress_line.h"
 #include "trace_lines.h"
-#include "weights_option.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
 struct EditArguments {
-  std::string input;
+  CirclesInput input;
   std::string script;
   std::string changes;
   std::string trace;
-  bool weights = EditorOptions{}.weights;
   Output output;
   std::string progress = "auto";
 };
 
-/// Reads the circles to be edited. Sets `weights` if the file of a diagram says so.
-std::vector<Circle> readEditedCircles(const std::string& input, bool& weights) {
-  const std::string name = inputName(input);
-  const std::string text = readText(input);
-  if (!holdsDiagram(text)) {
-    auto circles = readCircles(text, name, {weights});
-    if (!circles) fail(circles.error(), "");
-    return *std::move(circles);
-  }
-  auto diagram = readDiagram(text, name);
-  if (!diagram) fail(diagram.error(), "");
-  weights = diagram->weights;
-  const Metric metric = diagram->metric;
-  if (metric != Metric::circles) {
-    throw Failure{kBadInput, name + ": the metric " + std::string(metricName(metric)) +
+/// Reads the circles to be edited. Sets whether they are weights if the file of a diagram says so.
+CircleFile readEditedCircles(const CLI::App& command, CirclesInput& input) {
+  const std::string name = inputName(input.file);
+  const std::string text = readText(input.file);
+  if (!holdsDiagram(text)) return readInput(input, text);
+  refuseColumnOptions(command, name);
+  auto file = readDiagramFile(text, name);
+  if (!file) fail(file.error(), "");
+  const Diagram& diagram = file->diagram;
+  input.options.weights = diagram.weights;
+  if (diagram.metric != Metric::circles) {
+    throw Failure{kBadInput, name + ": the metric " + std::string(metricName(diagram.metric)) +
                                  " cannot be edited, only that of circles."};
   }
-  return std::move(diagram->circles);
+  return {std::move(file->diagram.circles), std::move(file->attributes), {}};
+}
+
+/// Returns the attributes of the circles of these ids, which are indices for the circles of the file. An inserted
+/// circle has none.
+CircleAttributes attributesOf(CircleAttributes attributes, const std::vector<CircleId>& ids) {
+  for (auto* list : {&attributes.properties, &attributes.ids, &attributes.heights}) {
+    if (list->empty()) continue;
+    std::vector<std::string> entries;
+    for (const CircleId id : ids) {
+      const auto index = static_cast<std::size_t>(id);
+      entries.push_back(index < list->size() ? (*list)[index] : "");
+    }
+    *list = std::move(entries);
+  }
+  return attributes;
 }
 
 /// Makes the edits of a script, and tells each change.
@@ -65,20 +76,22 @@ void makeEdits(DiagramEditor& editor, const EditArguments& arguments, std::ostre
   }
 }
 
-void runEdit(EditArguments& arguments) {
+void runEdit(const CLI::App& command, EditArguments& arguments) {
+  settleInput(command, arguments.input);
   settle(arguments.output);
-  if (arguments.input == kStandardStream && arguments.script == kStandardStream) {
+  if (arguments.input.file == kStandardStream && arguments.script == kStandardStream) {
     throw Failure{kBadInput, "The circles and the script cannot both be standard input."};
   }
   refuseSharedFiles(
-      {arguments.input, arguments.script, arguments.output.regionFile},
+      {arguments.input.file, arguments.script, arguments.output.regionFile},
       {{"--output", arguments.output.file}, {"--changes", arguments.changes}, {"--trace", arguments.trace}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
-  const std::vector<Circle> circles = readEditedCircles(arguments.input, arguments.weights);
+  CircleFile read = readEditedCircles(command, arguments.input);
+  const std::string name = inputName(arguments.input.file);
   progress.show("compute");
-  auto made = DiagramEditor::from(circles, {arguments.weights});
-  if (!made) fail(made.error(), inputName(arguments.input) + ": ");
+  auto made = DiagramEditor::from(read.circles, {arguments.input.weights()});
+  if (!made) fail(made.error(), name + ": ");
   DiagramEditor editor = std::move(made).value();
   const auto makeAll = [&](std::ostream* changes) { makeEdits(editor, arguments, changes, progress); };
   const auto makeAndWrite = [&](const std::string& file) {
@@ -92,15 +105,19 @@ void runEdit(EditArguments& arguments) {
     std::ostringstream changes;
     writeText(arguments.trace, [&](std::ostream& out) {
       const auto observed = editor.observe([&out](const TraceEvent& event) { writeTraceEvent(out, event); });
-      if (!observed) fail(observed.error(), inputName(arguments.input) + ": ");
+      if (!observed) fail(observed.error(), name + ": ");
       makeAll(arguments.changes.empty() ? nullptr : &changes);
       (void)editor.observe({});  // nothing to fail
     });
     if (!arguments.changes.empty()) writeText(arguments.changes, [&](std::ostream& out) { out << changes.str(); });
   }
   const auto diagram = editor.snapshot();
-  if (!diagram) fail(diagram.error(), inputName(arguments.input) + ": ");
-  writeDiagram(arguments.output, inputName(arguments.input), diagram.value(), progress);
+  if (!diagram) fail(diagram.error(), name + ": ");
+  const auto numbers = editor.numbers();
+  if (!numbers) fail(numbers.error(), name + ": ");
+  arguments.output.attributes = attributesOf(std::move(read.attributes), numbers->circles);
+  noteSkipped(read, progress);
+  writeDiagram(arguments.output, name, diagram.value(), progress);
 }
 
 }  // namespace
@@ -108,10 +125,8 @@ void runEdit(EditArguments& arguments) {
 void addEditCommand(CLI::App& program) {
   const auto arguments = std::make_shared<EditArguments>();
   CLI::App* command = program.add_subcommand("edit", "Insert, remove and replace circles of a diagram");
-  command
-      ->add_option("FILE", arguments->input, "Circles as compute reads them, or a diagram as JSON; - is standard input")
-      ->type_name("")
-      ->required();
+  addCirclesInput(*command, arguments->input,
+                  "Circles as compute reads them, or a diagram as JSON; - is standard input");
   command
       ->add_option("--script", arguments->script,
                    "The edits, one per line: insert,x,y,r or remove,id or replace,id,x,y,r; - is standard input")
@@ -123,13 +138,12 @@ void addEditCommand(CLI::App& program) {
       ->type_name("FILE");
   command->add_option("--trace", arguments->trace, "Write the events to this file, one line of JSON per event")
       ->type_name("FILE");
-  addWeightsOption(*command, arguments->weights);
   addOutputOptions(*command, arguments->output);
   addProgressOption(*command, arguments->progress);
   command->footer(
       "Circle i of the file has id i; each circle that is inserted gets the next one. The first edit that cannot be "
       "made\nends the program. Formats are those of compute.");
-  command->callback([arguments] { runEdit(*arguments); });
+  command->callback([arguments, command] { runEdit(*command, *arguments); });
 }
 
 }  // namespace circle_voronoi::cli

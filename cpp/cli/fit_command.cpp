@@ -10,21 +10,20 @@
 
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
+#include "circles_input.h"
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
 #include "output.h"
 #include "progress_line.h"
-#include "weights_option.h"
 #include "whole_number.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
 struct FitArguments {
-  std::string input;
+  CirclesInput input;
   Output output;
-  bool weights = false;
   std::string areas;
   bool shares = AreaFitOptions{}.shares;
   double areaTolerance = AreaFitOptions{}.tolerance;
@@ -53,18 +52,17 @@ double partDone(double first, double error, double tolerance) {
   return std::clamp(std::log(first / error) / std::log(first / tolerance), 0.0, 1.0);
 }
 
-void runFit(FitArguments& arguments) {
+void runFit(const CLI::App& command, FitArguments& arguments) {
+  settleInput(command, arguments.input);
   settle(arguments.output);
-  refuseSharedFiles({arguments.input, arguments.output.regionFile}, {{"--output", arguments.output.file}});
+  refuseSharedFiles({arguments.input.file, arguments.output.regionFile}, {{"--output", arguments.output.file}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
-  const std::string name = inputName(arguments.input);
-  const std::string text = readText(arguments.input);
-  const auto sites = readCircles(text, name, {.weights = arguments.weights, .points = true});
-  if (!sites) throw Failure{kBadInput, sites.error().message};
-  const auto areas = readNumbers(text, name, arguments.areas);
-  if (!areas) throw Failure{kBadInput, areas.error().message};
-  keepAttributes(arguments.output, text, name);
+  const std::string name = inputName(arguments.input.file);
+  CircleFile file = readInput(arguments.input, readText(arguments.input.file));
+  const auto areas = numbersIn(file.attributes, arguments.areas);
+  if (!areas) throw Failure{kBadInput, name + ": " + areas.error().message};
+  arguments.output.attributes = std::move(file.attributes);
 
   AreaFitOptions options;
   options.shares = arguments.shares;
@@ -76,8 +74,9 @@ void runFit(FitArguments& arguments) {
     if (step.step == 0) first = step.error;
     progress.show("fit", partDone(first, step.error, options.tolerance));
   };
-  const auto fit = fitAreas(*sites, *areas, *arguments.output.region, options);
+  const auto fit = fitAreas(file.circles, *areas, *arguments.output.region, options);
   if (!fit) fail(withFlags(fit.error()), name + ": ");
+  noteSkipped(file, progress);
   writeDiagram(arguments.output, name, fit->diagram, progress);
 }
 
@@ -86,12 +85,9 @@ void runFit(FitArguments& arguments) {
 void addFitCommand(CLI::App& program) {
   const auto arguments = std::make_shared<FitArguments>();
   CLI::App* command = program.add_subcommand("fit", "Find weights for which the cells have given areas in a region");
-  command
-      ->add_option("FILE", arguments->input,
-                   "Sites, as the circles that compute reads; r is the weight to start from, 0 if there is none")
-      ->type_name("")
-      ->required();
-  addWeightsOption(*command, arguments->weights);
+  addCirclesInput(*command, arguments->input,
+                  "Sites, as the circles that compute reads; r is the weight to start from, 0 if there is none",
+                  Skipping::possible, Radii::optional);
   command->add_option("--areas", arguments->areas, "The column or property that has the area of each cell")
       ->type_name("COLUMN")
       ->required();
@@ -114,7 +110,7 @@ void addFitCommand(CLI::App& program) {
       ->description("A file with the region that the cells divide, as GeoJSON or well-known text");
   addProgressOption(*command, arguments->progress);
   command->footer("The result is the diagram of the sites with the weights as radii, in any format of compute.");
-  command->callback([arguments] { runFit(*arguments); });
+  command->callback([arguments, command] { runFit(*command, *arguments); });
 }
 
 }  // namespace circle_voronoi::cli

@@ -12,6 +12,7 @@
 #include "box.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
+#include "circles_input.h"
 #include "failure.h"
 #include "whole_number.h"
 
@@ -38,7 +39,7 @@ const char* drawingOption(const Output& output) {
                                                                 : nullptr;
 }
 
-using WriteCircles = Result<void> (*)(std::ostream&, std::span<const Circle>);
+using WriteCircles = Result<void> (*)(std::ostream&, std::span<const Circle>, const CircleAttributes&);
 const std::map<std::string, WriteCircles> kCircleFormats = {
     {"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}};
 
@@ -49,6 +50,14 @@ void write(const Output& output, const std::string& name, ProgressLine& progress
   if (output.file == kStandardStream) progress.end();
   progress.show("write");
   writeText(output.file, [&](std::ostream& out) { checkWritten(writer(out), name + ": "); });
+}
+
+/// Says on standard error that members of a collection such as `crs` get lost, where they do among circles and cells
+/// that keep their other attributes.
+void noteCollection(const Output& output, ProgressLine& progress) {
+  const bool isLost = output.format == "csv" || output.format == "json" || output.format == "geojsonl";
+  if (!isLost || output.attributes.collection.empty()) return;
+  note("The format " + output.format + " has no place for the members of the collection, such as crs.", progress);
 }
 
 }  // namespace
@@ -133,13 +142,6 @@ void settle(Output& output) {
   output.region = *std::move(region);
 }
 
-void keepAttributes(Output& output, const std::string& text, const std::string& name) {
-  if (output.format != "geojson" && output.format != "geojsonl") return;
-  auto attributes = readAttributes(text, name);
-  if (!attributes) throw Failure{kBadInput, attributes.error().message};
-  output.attributes = *std::move(attributes);
-}
-
 ExportOptions exportOptions(const Output& output) {
   ExportOptions options;
   if (!output.bounds.empty()) (void)readBox(output.bounds, options.bounds.emplace());
@@ -147,17 +149,18 @@ ExportOptions exportOptions(const Output& output) {
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   options.maxDistance = output.maxDistance;
   options.digits = output.digits;
-  options.attributes = output.attributes;
+  options.attributes = &output.attributes;
   return options;
 }
 
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress) {
   const auto found = kExports.find(output.format);
+  if (output.format == "geojsonl") noteCollection(output, progress);
   write(output, name, progress, [&](std::ostream& out) {
     if (found != kExports.end()) return found->second(out, diagram, exportOptions(output));
     if (output.format == "stats") return writeStatsJson(out, diagram);
     if (output.format == "csv") return writeDiagramCsv(out, diagram, output.digits);
-    return writeJson(out, diagram, output.digits);
+    return writeDiagramFile(out, diagram, output.attributes, output.digits);
   });
 }
 
@@ -180,7 +183,7 @@ void writePeriodicDiagram(const Output& output, const std::string& name, const P
     if (output.format == "geojsonl") return writePeriodicGeoJsonLines(out, periodic, exportOptions(output));
     if (output.format == "csv") return writeContactsCsv(out, periodic, output.digits);
     if (output.format == "stats") return writeStatsJson(out, periodic.diagram);
-    return writePeriodicJson(out, periodic, output.digits);
+    return writePeriodicJson(out, periodic, output.digits, output.attributes);
   });
 }
 
@@ -194,7 +197,8 @@ void writeCircles(const Output& output, const std::string& name, std::span<const
     throw Failure{kBadInput,
                   "Circles alone cannot be written as " + output.format + "; compute writes their diagram so."};
   }
-  write(output, name, progress, [&](std::ostream& out) { return found->second(out, circles); });
+  noteCollection(output, progress);
+  write(output, name, progress, [&](std::ostream& out) { return found->second(out, circles, output.attributes); });
 }
 
 }  // namespace circle_voronoi::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "circle_voronoi/attributes.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/export.h"
@@ -27,8 +28,8 @@ struct Output {
   double tolerance = 0;         ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};
-  std::optional<Region> region = {};         ///< what `settle` reads from the file
-  std::vector<std::string> attributes = {};  ///< of the circles (ExportOptions)
+  std::optional<Region> region = {};  ///< what `settle` reads from the file
+  CircleAttributes attributes = {};   ///< of the circles
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -42,9 +43,6 @@ std::string endingOf(const std::string& file);
 /// Called before any work. Throws Failure if no format has this extension, if an option is given that the format does
 /// not use, or if the file of the region does not hold one.
 void settle(Output& output);
-
-/// Keeps the attributes of the circles of a text, which has been read as circles, if the format has a place for them.
-void keepAttributes(Output& output, const std::string& text, const std::string& name);
 
 /// Returns the box, the region, the tolerance, the maximum distance and the digits that the user gave. The output must
 /// outlive them.
@@ -60,7 +58,8 @@ void checkPeriodicOutput(const Output& output);
 void writePeriodicDiagram(const Output& output, const std::string& name, const PeriodicDiagram& periodic,
                           ProgressLine& progress);
 
-/// Writes circles without a diagram. Errors call the input `name`. Throws Failure if the format is only for diagrams,
+/// Writes circles without a diagram, and their attributes. Says on standard error if the format has no place for one of
+/// them. Errors call the input `name`. Throws Failure if the format is only for diagrams,
 /// or if something could not be written.
 void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
                   ProgressLine& progress);

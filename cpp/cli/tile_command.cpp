@@ -5,35 +5,35 @@
 
 #include "box.h"
 #include "circle_voronoi/tile.h"
+#include "circles_input.h"
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
 #include "progress_line.h"
 #include "tiler.h"
-#include "weights_option.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
 struct TileArguments {
-  std::string input;
+  CirclesInput input;
   std::string folder;
-  bool weights = false;
   double size = 0;
   double halo = 0;
   std::string progress = "auto";
 };
 
-void runTile(const TileArguments& arguments) {
+void runTile(const CLI::App& command, TileArguments& arguments) {
+  settleInput(command, arguments.input);
   ProgressLine progress(arguments.progress);
-  TileStream stream(inputName(arguments.input), {arguments.weights});
+  TileStream stream(inputName(arguments.input.file), arguments.input.options);
   Tiler tiler(arguments.folder, arguments.size, arguments.halo);
   const auto add = [&](const Result<Tile>& tile) {
-    if (!tile) throw Failure{kBadInput, tile.error().message};
+    if (!tile) throw inputFailure(tile.error());
     tiler.add(tile.value());
   };
   progress.show("cut");
-  readPieces(arguments.input, [&](std::string_view piece, double done) {
+  readPieces(arguments.input.file, [&](std::string_view piece, double done) {
     add(stream.read(piece));
     progress.show("cut", done);
   });
@@ -48,10 +48,8 @@ void addTileCommand(CLI::App& program) {
   const auto arguments = std::make_shared<TileArguments>();
   CLI::App* command =
       program.add_subcommand("tile", "Cut any number of circles into tiles, a file each, for compute --known");
-  command
-      ->add_option("FILE", arguments->input, "Circles: CSV, with ids in a column id if it has one; - is standard input")
-      ->type_name("")
-      ->required();
+  addCirclesInput(*command, arguments->input,
+                  "Circles: CSV, with ids in a column id if it has one; - is standard input", Skipping::impossible);
   const auto addLength = [&](const char* name, double& length, const char* what) {
     command->add_option(name, length, what)->type_name("LENGTH")->required()->check([](const std::string& text) {
       const auto value = readNumber(text);
@@ -63,12 +61,11 @@ void addTileCommand(CLI::App& program) {
   command->add_option("-o,--output", arguments->folder, "The folder for the tiles, which is empty or new")
       ->type_name("FOLDER")
       ->required();
-  addWeightsOption(*command, arguments->weights);
   addProgressOption(*command, arguments->progress);
   command->footer(
       "Each tile is a file with the columns id, x, y, r, done. The file tiles.txt has a line for each: its name, the\n"
       "number of circles in its core, its core and what is known of it, as compute takes them with --max-radius 0.");
-  command->callback([arguments] { runTile(*arguments); });
+  command->callback([arguments, command] { runTile(*command, *arguments); });
 }
 
 }  // namespace circle_voronoi::cli

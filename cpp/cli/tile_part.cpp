@@ -163,14 +163,14 @@ void check(const TilePart& part, const Output& output) {
   }
 }
 
-void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights, int threads,
+void computeTilePart(const TilePart& part, const Output& output, const CirclesInput& input, int threads,
                      ProgressLine& progress) {
-  const std::string name = inputName(input);
-  const auto tile = readTile(readText(input), name, {weights});
-  if (!tile) throw Failure{kBadInput, tile.error().message};
+  const std::string name = inputName(input.file);
+  const auto tile = readTile(readText(input.file), name, input.options);
+  if (!tile) throw inputFailure(tile.error());
   const auto& circles = tile.value().circles;
   Options options;
-  options.weights = weights;
+  options.weights = input.weights();
   options.threads = threads;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto diagram = compute(circles, options);

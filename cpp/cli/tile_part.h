@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "circles_input.h"
 #include "output.h"
 #include "progress_line.h"
 
@@ -27,7 +28,7 @@ void check(const TilePart& part, const Output& output);
 
 /// Computes the diagram of a tile and writes what of it is final and owned by circles of the core that are not done.
 /// Throws Failure, with the status kNotFinal if circles of the core are left.
-void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights, int threads,
+void computeTilePart(const TilePart& part, const Output& output, const CirclesInput& input, int threads,
                      ProgressLine& progress);
 
 }  // namespace circle_voronoi::cli

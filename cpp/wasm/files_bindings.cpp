@@ -34,10 +34,11 @@ constexpr std::array<Formats<Result<void> (*)(std::ostream&, const Diagram&, con
      {"geojsonl", writeGeoJsonLines},
      {"wkt", writeWkt},
      {"obj", writeObj}}};
-constexpr std::array<Formats<Result<void> (*)(std::ostream&, const Diagram&, std::optional<int>)>, 3> kOthers = {
-    {{"json", writeJson}, {"csv", writeDiagramCsv}, {"stats", writeStats}}};
-constexpr std::array<Formats<Result<void> (*)(std::ostream&, std::span<const Circle>)>, 3> kCircleFormats = {
-    {{"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}}};
+constexpr std::array<Formats<Result<void> (*)(std::ostream&, const Diagram&, std::optional<int>)>, 2> kOthers = {
+    {{"csv", writeDiagramCsv}, {"stats", writeStats}}};
+constexpr std::string_view kDiagramFile = "json";
+constexpr std::array<Formats<Result<void> (*)(std::ostream&, std::span<const Circle>, const CircleAttributes&)>, 3>
+    kCircleFormats = {{{"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}}};
 
 template <class List>
 auto named(const List& list, std::string_view name) {
@@ -121,9 +122,73 @@ std::optional<Error> judge(Diagram& diagram) {
 /// Those of a power diagram have no certificate, but are diagrams to be kept.
 bool isJudged(const Diagram& diagram) { return diagram.metric != Metric::power; }
 
-val readCirclesValue(const std::string& text, const std::string& name, bool weights) {
+/// Text of all entries, a line each: no entry has a line end. Empty if there are none.
+std::string linesOf(const std::vector<std::string>& entries) {
+  std::string lines;
+  for (const std::string& entry : entries) {
+    if (&entry != entries.data()) lines += '\n';
+    lines += entry;
+  }
+  return lines;
+}
+
+/// The entries of such a text; `count` is 0 if there are none.
+std::vector<std::string> entriesFrom(const val& lists, const char* name, std::size_t count) {
+  const auto lines = lists[name].as<std::string>();
+  std::vector<std::string> entries;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < count && !lines.empty(); ++i) {
+    const std::size_t to = std::min(lines.find('\n', from), lines.size());
+    entries.push_back(lines.substr(from, to - from));
+    from = to + 1;
+  }
+  return entries;
+}
+
+val attributesValue(const CircleAttributes& attributes) {
+  val result = val::object();
+  result.set("properties", linesOf(attributes.properties));
+  result.set("ids", linesOf(attributes.ids));
+  result.set("heights", linesOf(attributes.heights));
+  result.set("collection", attributes.collection);
+  return result;
+}
+
+CircleAttributes attributesFrom(const val& value, std::size_t count) {
+  if (value.isUndefined()) return {};
+  return {entriesFrom(value, "properties", count), entriesFrom(value, "ids", count),
+          entriesFrom(value, "heights", count), value["collection"].as<std::string>()};
+}
+
+ReadOptions readOptionsFrom(const val& value) {
+  const auto text = [&](const char* name) { return value[name].as<std::string>(); };
+  return {.weights = value["weights"].as<bool>(),
+          .radii = value["points"].as<bool>() ? Radii::none : Radii::needed,
+          .x = text("x"),
+          .y = text("y"),
+          .radius = text("radius"),
+          .id = text("id"),
+          .skipInvalid = value["skipInvalid"].as<bool>()};
+}
+
+/// `options`: those of ReadCirclesOptions, all of them given.
+val readCircleFileValue(const std::string& text, const std::string& name, const val& options) {
   return valueOf([&] {
-    const auto circles = readCircles(text, name, {weights});
+    const auto file = readCircleFile(text, name, readOptionsFrom(options));
+    if (!file) return errorValue(file.error());
+    val result = val::object();
+    result.set("circles", float64Array(file->circles));
+    result.set("attributes", attributesValue(file->attributes));
+    val skipped = val::array();
+    for (const Error& error : file->skipped) skipped.call<void>("push", errorValue(error)["error"]);
+    result.set("skipped", skipped);
+    return result;
+  });
+}
+
+val readCirclesValue(const std::string& text, const std::string& name, const val& options) {
+  return valueOf([&] {
+    const auto circles = readCircles(text, name, readOptionsFrom(options));
     if (!circles) return errorValue(circles.error());
     val result = val::object();
     result.set("circles", float64Array(circles.value()));
@@ -134,28 +199,31 @@ val readCirclesValue(const std::string& text, const std::string& name, bool weig
 /// A diagram with its circles, judged.
 val readDiagramValue(const std::string& text, const std::string& name) {
   return valueOf([&] {
-    auto read = readDiagram(text, name);
+    auto read = readDiagramFile(text, name);
     if (!read) return errorValue(read.error());
-    Diagram& diagram = read.value();
+    Diagram& diagram = read->diagram;
     const auto error = isJudged(diagram) ? judge(diagram) : std::nullopt;
     if (error) return errorValue(*error);
     val result = diagramValue(diagram);
     result.set("metric", std::string(metricName(diagram.metric)));
     result.set("circles", float64Array(diagram.circles));
+    result.set("attributes", attributesValue(read->attributes));
     return result;
   });
 }
 
-val writeCirclesValue(const val& coordinates, const std::string& format) {
+/// `attributes` may be undefined.
+val writeCirclesValue(const val& coordinates, const std::string& format, const val& attributes) {
   return valueOf([&] {
     const auto found = named(kCircleFormats, format);
     if (found == kCircleFormats.end()) return errorValue(unknownFormat(format));
     const std::vector<Circle> circles = itemsFrom<double, Circle>(coordinates);
-    return textValue([&](std::ostream& out) { return found->second(out, circles); });
+    const CircleAttributes kept = attributesFrom(attributes, circles.size());
+    return textValue([&](std::ostream& out) { return found->second(out, circles, kept); });
   });
 }
 
-/// `options`: `bounds`, `region`, `maxDistance`, `tolerance` and `digits`, each possibly undefined.
+/// `options`: `bounds`, `region`, `maxDistance`, `tolerance`, `digits` and `attributes`, each possibly undefined.
 val writeDiagramValue(const val& value, const std::string& format, const val& options) {
   return valueOf([&] {
     Diagram diagram = diagramFrom(value);
@@ -166,12 +234,18 @@ val writeDiagramValue(const val& value, const std::string& format, const val& op
     const auto error = isDrawn || isJudged(diagram) ? judge(diagram) : std::nullopt;
     if (error) return errorValue(*error);
     diagram.stats = statsFrom(value["stats"]);
+    const CircleAttributes attributes = attributesFrom(options["attributes"], diagram.circles.size());
     if (isDrawn) {
       ExportOptions drawn = exportOptionsFrom(options);
       const auto region = regionFrom(options["region"]);
       if (region && !region->ok()) return errorValue(region->error());
+      drawn.attributes = &attributes;
       if (region) drawn.region = &region->value();
       return textValue([&](std::ostream& out) { return found->second(out, diagram, drawn); });
+    }
+    if (format == kDiagramFile) {
+      return textValue(
+          [&](std::ostream& out) { return writeDiagramFile(out, diagram, attributes, digitsFrom(options)); });
     }
     const auto other = named(kOthers, format);
     if (other == kOthers.end()) return errorValue(unknownFormat(format));
@@ -185,6 +259,7 @@ bool holdsDiagramValue(const std::string& text) { return holdsDiagram(text); }
 
 EMSCRIPTEN_BINDINGS(circle_voronoi_files) {
   emscripten::function("readCircles", &readCirclesValue);
+  emscripten::function("readCircleFile", &readCircleFileValue);
   emscripten::function("readDiagram", &readDiagramValue);
   emscripten::function("holdsDiagram", &holdsDiagramValue);
   emscripten::function("writeCircles", &writeCirclesValue);

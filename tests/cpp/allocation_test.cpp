@@ -236,7 +236,7 @@ TEST(Allocation, MayFailInReadersOfCircles) {
   const auto circles = someCircles();
   for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
     std::ostringstream text;
-    ASSERT_TRUE(write(text, circles));
+    ASSERT_TRUE(write(text, circles, {}));
     const std::string written = text.str();
     failEachAllocation([&] { return readCircles(written, "file"); },
                        [&](const std::vector<Circle>& read) { ASSERT_TRUE(read == circles); });

@@ -72,8 +72,8 @@ TEST_F(CliConvert, CirclesAreWhatTheFormatsPromise) {
             Json::parse(R"([{"x": 1, "y": 2, "r": 3}, {"x": -4.5, "y": 0.005, "r": 0}])"));
   EXPECT_EQ(Json::parse(textOf("convert - --format geojson", csv)),
             Json::parse(R"({"type": "FeatureCollection", "features": [
-    {"type": "Feature", "properties": {"circle": 0, "r": 3}, "geometry": {"type": "Point", "coordinates": [1, 2]}},
-    {"type": "Feature", "properties": {"circle": 1, "r": 0},
+    {"type": "Feature", "properties": {"r": 3}, "geometry": {"type": "Point", "coordinates": [1, 2]}},
+    {"type": "Feature", "properties": {"r": 0},
      "geometry": {"type": "Point", "coordinates": [-4.5, 0.005]}}]})"));
   for (const char* format : {"csv", "json", "geojson"}) {
     const std::string none = textOf("convert - --format " + std::string(format), "x,y,r\n");
@@ -99,7 +99,7 @@ TEST_F(CliConvert, WeightsAreOfAnySign) {
     EXPECT_EQ(textOf("compute --weights -" + box, csv), textOf("compute -" + box, plain));
   }
   expectFailure(run("convert --weights " + path("weights.json")), 2,
-                path("weights.json") + ": --weights is for circles alone; a diagram's file says what its radii are.");
+                path("weights.json") + ": --weights is for circles alone; a diagram's file says what its circles are.");
 
   textOf("tile --weights - --size 10 --halo 20 -o " + path("tiles"), csv);
   const std::string known = " --format csv --max-radius 0 --core=0,0,10,10 --known=-inf,-inf,inf,inf ";

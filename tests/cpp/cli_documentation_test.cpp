@@ -134,7 +134,7 @@ TEST_F(CliDocumentation, BashCompletesCommands) {
 
 TEST_F(CliDocumentation, BashCompletesOptions) {
   for (const std::string& command : kCommands) EXPECT_EQ(completions(command + " -"), options(command));
-  EXPECT_EQ(completions("compute circles.csv --s"), Words{"--samples"});
+  EXPECT_EQ(completions("compute circles.csv --sa"), Words{"--samples"});
 }
 
 TEST_F(CliDocumentation, BashCompletesWhatOptionsTake) {

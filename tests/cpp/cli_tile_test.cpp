@@ -224,7 +224,7 @@ TEST_F(CliTile, ReadsATableInPiecesWithItsIdsAndLineNumbers) {
   EXPECT_EQ(lines[60'000], "419993,59999,2,0.25,1");
   EXPECT_NE(readFile(path("tiles/x-1y0.csv")).find("\n1,-3,2,1,0\n"), std::string::npos);
   expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("more"), table + "c\t1\tz\t3\t1\t0"), 2,
-                "standard input:120003: y is not a number: \"z\".");
+                "standard input:120003: y is not a number: \"z\" (circle 60000, fid 1).");
   expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("most"), table + "c\t-1\t0\t3\t1\t0"), 2,
                 "standard input:120003: Circle 60000 has a negative radius.");
   // Of a piece after the first, and not the first circle in it.

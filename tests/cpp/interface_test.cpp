@@ -161,7 +161,7 @@ std::vector<std::function<Result<void>(std::ostream&)>> writers(const Diagram& d
     all.emplace_back([&, write](std::ostream& out) { return write(out, diagram, {}); });
   }
   for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
-    all.emplace_back([&, write](std::ostream& out) { return write(out, diagram.circles); });
+    all.emplace_back([&, write](std::ostream& out) { return write(out, diagram.circles, {}); });
   }
   all.emplace_back([&](std::ostream& out) { return writeStatsJson(out, diagram); });
   all.emplace_back([&](std::ostream& out) { return writePartsCsv(out, diagram, {}); });

@@ -74,7 +74,7 @@ std::vector<std::string> goodTexts() {
   std::vector<std::string> texts;
   for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
     std::ostringstream out;
-    EXPECT_TRUE(write(out, circles));
+    EXPECT_TRUE(write(out, circles, {}));
     texts.push_back(out.str());
   }
   texts.push_back("# trees\nname;cx;cy;rad\n\"oak; old\";1,5;2;3\n;-0;\"2,5\";0\n");

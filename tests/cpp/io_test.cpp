@@ -83,10 +83,14 @@ TEST(ReadCsv, ColumnsAreFoundByName) {
 }
 
 TEST(ReadCsv, SaysWhichColumnsCannotBeTold) {
-  EXPECT_EQ(errorOf("x,y,r,radius\n1,2,3,4\n"), "test:1: the columns r and radius both mean r.");
-  EXPECT_EQ(errorOf("\nlon,lat,Y,r\n"), "test:2: the columns lat and Y both mean y.");
-  EXPECT_EQ(errorOf("x,y,size\n1,2,3\n"), "test:1: no column is called r, rad or radius.");
-  EXPECT_EQ(errorOf("a,b\n"), "test:1: no column is called x, cx, lon or longitude.");
+  EXPECT_EQ(errorOf("x,y,r,radius\n1,2,3,4\n"),
+            "test:1: the columns r and radius both mean r; choose one by the option radius.");
+  EXPECT_EQ(errorOf("\nlon,lat,Y,r\n"), "test:2: the columns lat and Y both mean y; choose one by the option y.");
+  EXPECT_EQ(errorOf("x,y,size\n1,2,3\n"),
+            "test:1: no column is called r, rad or radius, only x, y, size; name one by the option radius.");
+  EXPECT_EQ(
+      errorOf("a,b\n"),
+      "test:1: no column is called x, cx, lon, long, lng, longitude or easting, only a, b; name one by the option x.");
   EXPECT_EQ(errorOf("1,2,3,4\n"), "test:1: there are 4 columns; a header has to name x, y and r.");
   EXPECT_EQ(errorOf("oak,1,2,3\n"), "test:1: there are 4 columns; a header has to name x, y and r.");
   EXPECT_EQ(errorOf("x,y,r\n1,2,3,4\n"), "test:2: there are 4 fields in 3 columns.");
@@ -170,12 +174,12 @@ TEST(ReadGeoJson, TakesRBeforeRadiusInWhateverOrder) {
 TEST(ReadGeoJson, NamesTheBadLine) {
   const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
   EXPECT_EQ(errorOf(collection(std::string(1, '\n') + feature(point, "{}"))),
-            "test:2: a feature has no number as its property r or radius.");
+            "test:2: feature 0 has no number as its property r, rad or radius.");
   EXPECT_EQ(errorOf(collection(std::string(2, '\n') + feature(point, "null"))),
-            "test:3: a feature has no number as its property r or radius.");
-  EXPECT_EQ(errorOf(collection(feature("null", "{}"))), "test:1: the geometry of a feature is not a Point.");
+            "test:3: feature 0 has no number as its property r, rad or radius.");
+  EXPECT_EQ(errorOf(collection(feature("null", "{}"))), "test:1: feature 0 has no geometry.");
   EXPECT_EQ(errorOf(collection(feature(R"({"type": "Point", "coordinates": [1]})", R"({"r": 1})"))),
-            "test:1: a Point has no two numbers as its coordinates.");
+            "test:1: feature 0 is a Point without two numbers as its coordinates.");
   EXPECT_EQ(errorOf(collection(std::string(1, '\n') + feature(point, R"({"r": -1})"))),
             "test:2: Circle 0 has a negative radius.");
   EXPECT_TRUE(errorOf("{\"type\":\n]").starts_with("test:2: bad JSON: "));
@@ -219,7 +223,7 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("[[1,2,3],\n\n[1,\"2\",3]]"), "test:3: expected a number for y, not a string.");
   EXPECT_EQ(errorOf("[{\"x\":1,\n\"y\":null,\"r\":1}]"), "test:2: expected a number for y, not null.");
   EXPECT_EQ(errorOf("[{\"x\":1,\"x\":1}]"), "test:1: x is given twice.");
-  EXPECT_EQ(errorOf("[{\"y\":1,\"x\":1}]"), "test:1: a circle has no r.");
+  EXPECT_EQ(errorOf("[{\"y\":1,\"x\":1}]"), "test:1: a circle has no r, rad or radius.");
   EXPECT_EQ(errorOf("[1,2,3]"), "test:1: expected a circle, [x,y,r] or {\"x\":..,\"y\":..,\"r\":..}, not a number.");
   EXPECT_EQ(errorOf("{\"x\":1}"), "test:1: expected an array of circles or a GeoJSON FeatureCollection.");
   EXPECT_TRUE(errorOf("[[1,2,3],\n[1,2,").starts_with("test:2: bad JSON: "));
@@ -274,18 +278,6 @@ TEST(ReadCircles, NamesTheLineOfACircleThatComputeWouldReject) {
   EXPECT_EQ(readCircles("1,nan,3\n", "test").error().code, ErrorCode::nonFinite);
   EXPECT_EQ(readCircles("1,inf,3\n", "test").error().code, ErrorCode::nonFinite);
   EXPECT_EQ(readCircles("[[1e200,0,0]]", "test").error().code, ErrorCode::coordinateTooLarge);
-}
-
-TEST(ReadAttributes, QuotationMarksAreDoubledInATable) {
-  const auto attributes = readAttributes("x,y,r,note\n1,2,3,\"a\"\"\"\"b\"\n", "test");
-  ASSERT_TRUE(attributes) << attributes.error().message;
-  EXPECT_EQ(*attributes, (std::vector<std::string>{R"("note":"a\"\"b")"}));
-}
-
-TEST(ReadNumbers, TakesAColumnWhoseNameIsOneOfTheOutput) {
-  const auto numbers = readNumbers("x,y,r,area\n1,2,3,4.5\n", "test", "area");
-  ASSERT_TRUE(numbers) << numbers.error().message;
-  EXPECT_EQ(*numbers, std::vector<double>{4.5});
 }
 
 TEST(ReadRegion, TakesWellKnownTextOfAnyDimension) {

@@ -48,7 +48,7 @@ const FLAWS: Record<Flaw, true> = {
   cellNotClosed: true,
   hullNotClosed: true,
 }
-const FILE_OPTIONS: Record<keyof DiagramFileOptions, string> = {
+const FILE_OPTIONS: Record<keyof DiagramFileOptions, string | undefined> = {
   format: '--format',
   // Where a polygon would do as well, in what draws, the name is that of the region and not of the box.
   bounds: '--bounds',
@@ -56,6 +56,8 @@ const FILE_OPTIONS: Record<keyof DiagramFileOptions, string> = {
   maxDistance: '--max-distance',
   tolerance: '--tolerance',
   digits: '--digits',
+  // On the command line they are those of the input.
+  attributes: undefined,
 }
 
 /** The words that an option takes. */
@@ -125,7 +127,7 @@ it('the options and formats of files are those of the command line', async () =>
   const files = await loadFiles()
   const unknown = messageOf(() => files.writeDiagram(library.compute(CIRCLES), { form: 'svg' } as object))
   expect(listedAfter('its options are ', unknown)).toEqual(Object.keys(FILE_OPTIONS))
-  for (const flag of Object.values(FILE_OPTIONS)) expect(HELP).toMatch(new RegExp(`^  ${flag} `, 'm'))
+  for (const flag of Object.values(FILE_OPTIONS)) if (flag) expect(HELP).toMatch(new RegExp(`^  ${flag} `, 'm'))
   expect(choicesOf('--format')).toEqual([...DIAGRAM_FORMATS].sort())
   expect(DIAGRAM_FORMATS).toEqual(expect.arrayContaining([...CIRCLE_FORMATS]))
 })

@@ -59,7 +59,7 @@ std::optional<std::string> tryCircles(std::string_view text) {
     return "the error of readCircles is not one line of text: " + circles.error().message;
   }
   for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
-    const auto again = readCircles(written(write, circles.value()), kName);
+    const auto again = readCircles(written(write, circles.value(), CircleAttributes{}), kName);
     if (!again || !isSame(again.value(), circles.value())) return "circles do not come back";
   }
   return std::nullopt;

@@ -17,7 +17,6 @@ import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.t
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { readCircles } from '../../web/element/read-circles.ts'
 import { ENGLISH } from '../../web/element/refusals.ts'
-import { loadFiles } from '../../web/lib/files.ts'
 import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { sentenceOf } from '../../web/player/sentences.ts'
@@ -31,24 +30,6 @@ import { library } from './library.ts'
 const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
 
 describe('circles', () => {
-  const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-files.wasm', import.meta.url))
-  const texts = [
-    read('tests/fixtures/spruces.csv'),
-    '0.1,1e-300,3\n1.7976931348623157e149,-0,+5\n',
-    '# trees\nname; r ; y;x\noak;0,5;2;1\nbirch;1,25;3;1\n',
-    'x\ty\tr\r\n1\t2\t3\r\n\r\n',
-    '1 2 3\n 4  5 6\n',
-    '1,5;2;3\n-0,25;5;6,5\n',
-    '"lon","lat","radius"\n8.5,47.25,2\n',
-    '[[1, 2, 3], {"r": 4, "x": 5, "y": 6, "name": "oak"}]',
-    '{"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"Point","coordinates":[1,2]},"properties":{"r":0.1}}]}',
-  ]
-
-  test('are those that the reader of files reads, to the bit', async () => {
-    const files = await loadFiles({ wasm })
-    for (const text of texts) expect(readCircles(text), text.slice(0, 40)).toEqual(files.readCircles(text))
-  })
-
   test('as the arrays of a diagram are written', () => {
     expect(readCircles('{"circles": [0, 0, 1, 5, 0, 2]}')).toEqual(Float64Array.of(0, 0, 1, 5, 0, 2))
     expect(readCircles('[]')).toHaveLength(0)
@@ -57,15 +38,16 @@ describe('circles', () => {
   test.each([
     ['', 'There are no circles in this.'],
     ['x,y,r\n', 'There are no circles in this.'],
-    ['1,2,3\n4,5\n', 'Line 2 is not three numbers x, y and r: 4 5'],
-    ['1,2,3,4\n', 'Line 1 is not three numbers x, y and r: 1 2 3 4'],
-    ['x,y,r\n1,2,0x10\n', 'Line 2 is not three numbers x, y and r: 1 2 0x10'],
-    ['1,2,Infinity\n', 'Line 1 is not three numbers x, y and r: 1 2 Infinity'],
+    ['1,2,3\n4,5\n', 'Line 2 is not three numbers x, y and r: 4,5'],
+    ['1,2,3,4\n', 'Line 1 is not three numbers x, y and r: 1,2,3,4'],
+    ['x,y,r\n1,2,0x10\n', 'Line 2 is not three numbers x, y and r: 1,2,0x10'],
+    ['1,2,Infinity\n', 'Line 1 is not three numbers x, y and r: 1,2,Infinity'],
     ['[[1, 2]]', 'Circle 0 does not have three numbers x, y and r.'],
-    ['[1, 2]', 'Three numbers per circle are needed, but there are 2.'],
+    ['[1, 2]', 'Circle 0 does not have three numbers x, y and r.'],
+    ['{"circles": [1, 2]}', 'Three numbers per circle are needed, but there are 2.'],
     ['{"circles": 7}', 'The circles are neither a typed array nor a list, but 7.'],
     ['[[1, 2, 3]', /^The circles are not valid JSON: /],
-    ['{"features": [null]}', 'Circle 0 does not have three numbers x, y and r.'],
+    ['{"type": "FeatureCollection", "features": [null]}', 'Circle 0 does not have three numbers x, y and r.'],
   ])('%j is refused', (text, message) => {
     expect(() => readCircles(text)).toThrow(message)
   })

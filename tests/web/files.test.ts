@@ -72,7 +72,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badOption',
-    'There is no option digits of writeCircles; its only one is format.',
+    'There is no option digits of writeCircles; its options are format and attributes.',
     () => f.writeCircles([], { digits: 3 }),
   ],
   ['badInput', 'circles is no Float64Array of 3 numbers each.', () => f.writeDiagram({})],
@@ -160,7 +160,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badOption',
-    'There is no option box of writeDiagram; its options are format, bounds, region, maxDistance, tolerance and digits.',
+    'There is no option box of writeDiagram; its options are format, bounds, region, maxDistance, tolerance, digits and attributes.',
     () => f.writeDiagram(diagram, { box: [0, 0, 1, 1] }),
   ],
 ]

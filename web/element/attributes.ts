@@ -94,7 +94,9 @@ export function parseAreas(text: string): Areas {
 /** @throws Refusal */
 export function checkedAreas(areas: unknown, got = areas): Areas {
   const isList = Array.isArray(areas) && areas.length > 0
-  if (areas === 'equal' || (isList && areas.every((area) => Number.isFinite(area) && area > 0))) return areas
+  if (areas === 'equal' || (isList && areas.every((area) => Number.isFinite(area) && area > 0))) {
+    return isList ? areas.slice() : areas
+  }
   refuse((words) => words.must(words.areas, words.sharesOrEqual, shownValue(got)))
 }
 

@@ -364,7 +364,7 @@ export class CircleVoronoiElement extends Base {
    * in both directions. The attribute has these three numbers. `undefined` shows all circles.
    */
   get view(): LinkView | undefined {
-    return this.#view ?? this.#read('view', parseView)
+    return structuredClone(this.#view ?? this.#read('view', parseView))
   }
 
   set view(view: LinkView | string | undefined | null) {
@@ -378,7 +378,7 @@ export class CircleVoronoiElement extends Base {
    * layers of the attribute.
    */
   get layers(): Layers {
-    return this.#layers ?? this.#read('layers', parseLayers) ?? DEFAULT_LAYERS
+    return structuredClone(this.#layers ?? this.#read('layers', parseLayers) ?? DEFAULT_LAYERS)
   }
 
   set layers(layers: Partial<Layers> | string | undefined | null) {
@@ -393,7 +393,8 @@ export class CircleVoronoiElement extends Base {
    * those inside. A region whose rings cross causes an `error` event.
    */
   get region(): RegionShape | undefined {
-    return this.#figure?.editing.scene === undefined ? this.#region : this.#figure.editing.domain.region
+    const { scene, domain } = this.#figure?.editing ?? {}
+    return structuredClone(scene === undefined ? this.#region : domain?.region)
   }
 
   set region(region: RegionShape | string | undefined | null) {
@@ -413,8 +414,8 @@ export class CircleVoronoiElement extends Base {
    * while points are moved; an added circle gets the mean of the others. `undefined` if circles keep their radii.
    */
   get areas(): Areas | undefined {
-    if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.areas
-    return this.#areas ?? this.#read('areas', parseAreas)
+    const { scene, areas } = this.#figure?.editing ?? {}
+    return structuredClone(scene !== undefined ? areas : (this.#areas ?? this.#read('areas', parseAreas)))
   }
 
   set areas(areas: Areas | string | undefined | null) {
@@ -501,11 +502,12 @@ export class CircleVoronoiElement extends Base {
 
   /** The condition that the circles must meet before the form can be submitted, for example `{ cell: 3, edges: 3 }`. */
   get check(): Check | undefined {
-    return this.#check
+    return structuredClone(this.#check)
   }
 
   set check(check: Check | string | undefined | null) {
-    this.#reflect('check', typeof check === 'object' && check !== null ? JSON.stringify(check) : check)
+    if (typeof check !== 'object' || check === null) this.#reflect('check', check)
+    else this.#try('check', () => this.#reflect('check', JSON.stringify(check)))
   }
 
   /** The name of the field in a form. Its value is JSON: `{ "circles": [[x, y, r], ...], "check": true }`. */
@@ -544,7 +546,7 @@ export class CircleVoronoiElement extends Base {
 
   /** The ids of the selected circles. A selection that you set before the circles are visible is applied when they are. */
   get selection(): readonly number[] {
-    return this.#nextSelection ?? this.#selection
+    return (this.#nextSelection ?? this.#selection).slice()
   }
 
   set selection(selection: readonly number[] | undefined | null) {

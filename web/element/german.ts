@@ -157,6 +157,7 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   line: (k) => `Zeile ${k}`,
   row: (k) => `Zeile ${k} der Tabelle`,
   notThree: (place, fields) => `${place} hat nicht drei Zahlen x, y und r: ${fields}`,
+  notCircle: (index) => `Kreis ${index} hat nicht drei Zahlen x, y und r.`,
   noCircles: 'Darin sind keine Kreise.',
   notLoaded: (src, status) => `${src} kann nicht geladen werden: Die Antwort ist ${status}.`,
   within: (src, sentence) => `${src}: ${sentence}`,

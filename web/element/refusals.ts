@@ -34,6 +34,7 @@ export interface ElementRefusals extends Refusals {
   line(k: number): string
   row(k: number): string
   notThree(place: string, fields: string): string
+  notCircle(index: number): string
   readonly noCircles: string
   notLoaded(src: string, status: number): string
   within(src: string, sentence: string): string
@@ -74,6 +75,7 @@ export const ENGLISH: ElementRefusals = {
   line: (k) => `Line ${k}`,
   row: (k) => `Row ${k} of the table`,
   notThree: (place, fields) => `${place} is not three numbers x, y and r: ${fields}`,
+  notCircle: (index) => `Circle ${index} does not have three numbers x, y and r.`,
   noCircles: 'There are no circles in this.',
   notLoaded: (src, status) => `${src} cannot be loaded: the answer is ${status}.`,
   within: (src, sentence) => `${src}: ${sentence}`,

@@ -9,6 +9,7 @@ import {
   checkMaxDistance,
   checkOptionNames,
   checkTolerance,
+  isRecord,
   refuseArgument,
   refuseOption,
   shown,
@@ -41,6 +42,9 @@ export const CIRCLE_FORMATS = ['csv', 'json', 'geojson'] as const
  */
 export const DIAGRAM_FORMATS = ['json', 'csv', 'stats', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj'] as const
 const DRAWN: readonly string[] = ['svg', 'geojson', 'geojsonl', 'wkt', 'obj']
+/** The formats that say more about circles than x, y and r. */
+const ATTRIBUTED: readonly string[] = ['json', 'geojson', 'geojsonl']
+const READ_OPTIONS = ['weights', 'points', 'x', 'y', 'radius', 'id', 'skipInvalid'] as const
 const DRAWN_OPTIONS = ['bounds', 'region', 'maxDistance', 'tolerance'] as const
 
 /**
@@ -51,6 +55,48 @@ const DRAWN_OPTIONS = ['bounds', 'region', 'maxDistance', 'tolerance'] as const
 export interface CircleFileOptions {
   /** `csv` with a header, `json` objects, or `geojson` points with a property r. Default: `csv`. */
   readonly format?: (typeof CIRCLE_FORMATS)[number] | undefined
+  /** What else the file says about the circles. `csv` and `json` have no place for `collection`. Default: nothing. */
+  readonly attributes?: CircleAttributes | undefined
+}
+
+/**
+ * What a file says about its circles beyond x, y and r. Each list is empty or has an entry for each circle. Entries are
+ * the text of JSON values, so that no number loses digits: `JSON.parse(attributes.properties[i]).name`.
+ *
+ * @category Files
+ */
+export interface CircleAttributes {
+  /** The other columns, properties or members of each circle: a JSON object. */
+  readonly properties: readonly string[]
+  /** The id of each circle: a JSON string or number, or empty if there is none. */
+  readonly ids: readonly string[]
+  /** The height of each circle, which is the third coordinate: a JSON number, or empty if there is none. */
+  readonly heights: readonly string[]
+  /** The members of a GeoJSON collection beside its features, such as `crs`: a JSON object, or empty. */
+  readonly collection: string
+}
+
+/**
+ * The circles of a file and what it says about them.
+ *
+ * @category Files
+ */
+export interface CircleFile {
+  /** x, y and r of each circle. */
+  readonly circles: Float64s
+  readonly attributes: CircleAttributes
+  /** The rows and features that were skipped, with `skipInvalid`: the index of each in the file, and why. */
+  readonly skipped: readonly { readonly index: number; readonly message: string }[]
+}
+
+/**
+ * A diagram and what its file says about its circles.
+ *
+ * @category Files
+ */
+export interface ReadDiagram {
+  readonly diagram: Diagram
+  readonly attributes: CircleAttributes
 }
 
 /**
@@ -82,6 +128,8 @@ export interface DiagramFileOptions {
    * fail certification. Default: enough digits for a tenth of the tolerance; all digits in `json` and `csv`.
    */
   readonly digits?: number | undefined
+  /** What else the file says about the circles, in `json`, `geojson` and `geojsonl`. Default: nothing. */
+  readonly attributes?: CircleAttributes | undefined
 }
 
 /**
@@ -102,6 +150,21 @@ export interface ReadOptions {
 export interface ReadCirclesOptions extends ReadOptions {
   /** Whether radii are additive weights, and may be negative. Default: false. */
   readonly weights?: boolean | undefined
+  /** Whether all radii are 0, so that no column is needed for them. Default: false. */
+  readonly points?: boolean | undefined
+  /** The column of a table, or the member of JSON objects, that has x. Default: one of the usual names. */
+  readonly x?: string | undefined
+  /** The column or member that has y. Default: one of the usual names. */
+  readonly y?: string | undefined
+  /** The column, member or property of GeoJSON points that has the radius. Default: one of the usual names. */
+  readonly radius?: string | undefined
+  /** The column, member or property that has the id. Default: `id`. */
+  readonly id?: string | undefined
+  /**
+   * Whether rows and features that are no circles are skipped rather than refused: those without a place or a radius,
+   * with a number that is not finite, or with another geometry than a point. Default: false.
+   */
+  readonly skipInvalid?: boolean | undefined
 }
 
 /**
@@ -112,12 +175,19 @@ export interface ReadCirclesOptions extends ReadOptions {
 export interface Files {
   /**
    * Reads circles from CSV (x, y, r, or columns found by name), JSON (`[[x, y, r], ...]` or objects) or GeoJSON points
-   * with a property r, and returns x, y, r of each.
+   * with a property r, rad or radius, and returns x, y, r of each.
    *
    * @throws CircleVoronoiError whose message begins with the file's name and the line: `badInput`, and what `compute`
    *   would refuse
    */
   readCircles(text: string | Uint8Array, options?: ReadCirclesOptions): Float64s
+  /**
+   * Reads circles like `readCircles`, and what the file says about them. A column of a table has one type: numbers, booleans,
+   * JSON or text.
+   *
+   * @throws CircleVoronoiError as `readCircles`
+   */
+  readCircleFile(text: string | Uint8Array, options?: ReadCirclesOptions): CircleFile
   /**
    * Reads a diagram from JSON and checks it: its certificate says whether it is correct. There is no certificate for
    * power diagrams.
@@ -125,9 +195,15 @@ export interface Files {
    * @throws CircleVoronoiError as `readCircles`
    */
   readDiagram(text: string | Uint8Array, options?: ReadOptions): Diagram
+  /**
+   * Reads a diagram like `readDiagram`, and what the file says about its circles.
+   *
+   * @throws CircleVoronoiError as `readCircles`
+   */
+  readDiagramFile(text: string | Uint8Array, options?: ReadOptions): ReadDiagram
   /** Returns whether a text contains a diagram for `readDiagram` rather than circles for `readCircles`. */
   holdsDiagram(text: string | Uint8Array): boolean
-  /** Writes circles. `readCircles` reads the same bits again. */
+  /** Writes circles. `readCircleFile` reads the same bits and the same attributes again. */
   writeCircles(circles: Circles, options?: CircleFileOptions): string
   /**
    * Writes a diagram and checks it again.
@@ -159,28 +235,42 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
 
   return {
     readCircles(text, options = {}) {
-      const name = nameOf(options, 'readCircles', ['name', 'weights'])
-      const { weights = false }: { weights?: unknown } = options
-      if (typeof weights !== 'boolean') refuseOption('The option weights is true or false.')
-      return unwrap(module.readCircles(textOf(text, 'readCircles'), name, weights)).circles
+      const name = nameOf(options, 'readCircles', ['name', ...READ_OPTIONS])
+      return unwrap(module.readCircles(textOf(text, 'readCircles'), name, columnsOf(options))).circles
+    },
+    readCircleFile(text, options = {}) {
+      const name = nameOf(options, 'readCircleFile', ['name', ...READ_OPTIONS])
+      const read = unwrap(module.readCircleFile(textOf(text, 'readCircleFile'), name, columnsOf(options)))
+      const skipped = read.skipped.map(({ circle, message }) => ({ index: circle, message }))
+      return { circles: read.circles, attributes: attributesFrom(read.attributes), skipped }
     },
     readDiagram(text, options = {}) {
       const name = nameOf(options, 'readDiagram', ['name'])
       return new Diagram(unwrap(module.readDiagram(textOf(text, 'readDiagram'), name)))
     },
+    readDiagramFile(text, options = {}) {
+      const name = nameOf(options, 'readDiagramFile', ['name'])
+      const { attributes, ...data } = unwrap(module.readDiagram(textOf(text, 'readDiagramFile'), name))
+      return { diagram: new Diagram(data), attributes: attributesFrom(attributes) }
+    },
     holdsDiagram(text) {
       return module.holdsDiagram(textOf(text, 'holdsDiagram'))
     },
     writeCircles(circles, options = {}) {
-      checkOptionNames(options, 'writeCircles', ['format'])
+      checkOptionNames(options, 'writeCircles', ['format', 'attributes'])
       const format = formatOf(options.format ?? 'csv', CIRCLE_FORMATS)
-      return decoder.decode(unwrap(module.writeCircles(coordinatesOf(circles), format)).text)
+      const coordinates = coordinatesOf(circles)
+      const attributes = linesOf(options.attributes, coordinates.length / 3)
+      return decoder.decode(unwrap(module.writeCircles(coordinates, format, attributes)).text)
     },
     writeDiagram(diagram, options = {}) {
-      checkOptionNames(options, 'writeDiagram', ['format', ...DRAWN_OPTIONS, 'digits'])
+      checkOptionNames(options, 'writeDiagram', ['format', ...DRAWN_OPTIONS, 'digits', 'attributes'])
       const format = formatOf(options.format ?? 'json', DIAGRAM_FORMATS)
       const unused = DRAWN.includes(format) ? undefined : DRAWN_OPTIONS.find((name) => options[name] !== undefined)
       if (unused !== undefined) refuseOption(`The format ${format} takes no ${unused}.`)
+      if (options.attributes !== undefined && !ATTRIBUTED.includes(format)) {
+        refuseOption(`The format ${format} takes no attributes.`)
+      }
       const { bounds, maxDistance, tolerance, digits } = options
       const region = regionOption(options, 'writeDiagram')
       if (format === 'stats' && digits !== undefined) refuseOption('The format stats takes no digits.')
@@ -191,10 +281,85 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       checkMaxDistance(diagram, 'writeDiagram', maxDistance)
       const { metric, stats } = diagram
       const data = { metric, ...arrays, stats: statsOf(stats) }
-      return decoder.decode(
-        unwrap(module.writeDiagram(data, format, { bounds: sides, region, maxDistance, tolerance, digits })).text,
-      )
+      const attributes = linesOf(options.attributes, arrays.circles.length / 3)
+      const written = { bounds: sides, region, maxDistance, tolerance, digits, attributes }
+      return decoder.decode(unwrap(module.writeDiagram(data, format, written)).text)
     },
+  }
+}
+
+/** The options about columns, all of them given. */
+function columnsOf(options: ReadCirclesOptions) {
+  const flag = (name: 'weights' | 'points' | 'skipInvalid'): boolean => {
+    const value: unknown = options[name] ?? false
+    if (typeof value !== 'boolean') refuseOption(`The option ${name} is true or false.`)
+    return value
+  }
+  const column = (name: 'x' | 'y' | 'radius' | 'id'): string => {
+    const value: unknown = options[name] ?? ''
+    if (typeof value !== 'string') refuseOption(`The option ${name} is the name of a column, not ${shown(value)}.`)
+    return value
+  }
+  const columns = {
+    weights: flag('weights'),
+    points: flag('points'),
+    skipInvalid: flag('skipInvalid'),
+    x: column('x'),
+    y: column('y'),
+    radius: column('radius'),
+    id: column('id'),
+  }
+  if (columns.points && columns.radius !== '') refuseOption('The option points takes no radius.')
+  return columns
+}
+
+function attributesFrom({ properties, ids, heights, collection }: WasmAttributes): CircleAttributes {
+  const entries = (lines: string) => (lines === '' ? [] : lines.split('\n'))
+  return {
+    properties: entries(properties).map((members) => `{${members}}`),
+    ids: entries(ids),
+    heights: entries(heights),
+    collection: collection === '' ? '' : `{${collection}}`,
+  }
+}
+
+/** Attributes as lines, of so many circles. They come from outside, so that each is checked. */
+function linesOf(attributes: CircleAttributes | undefined, count: number): WasmAttributes | undefined {
+  if (attributes === undefined) return undefined
+  const { properties = [], ids = [], heights = [], collection = '' }: Partial<CircleAttributes> = Object(attributes)
+  const members = (text: string) => (text === '' ? '' : oneLine(text).replace(/^ *\{|\} *$/g, ''))
+  const lines = (name: string, list: readonly string[], isRight: (value: unknown) => boolean) => {
+    if (!Array.isArray(list)) refuseOption(`The ${name} of attributes are a list, not ${shown(list)}.`)
+    if (list.length !== 0 && list.length !== count) {
+      refuseOption(`There are ${list.length} ${name} in the attributes of ${count} circles.`)
+    }
+    const wrong = list.findIndex((text: unknown) => text !== '' && !isRight(parsed(text)))
+    if (wrong >= 0) refuseOption(`The ${name} of circle ${wrong} are ${shown(list[wrong])}, which is not such JSON.`)
+    return list
+  }
+  if (collection !== '' && !isRecord(parsed(collection)))
+    refuseOption('The collection of attributes is no JSON object.')
+  return {
+    properties: lines('properties', properties, isRecord).map(members).join('\n'),
+    ids: lines('ids', ids, (value) => typeof value === 'string' || typeof value === 'number')
+      .map(oneLine)
+      .join('\n'),
+    heights: lines('heights', heights, Number.isFinite).map(oneLine).join('\n'),
+    collection: members(collection),
+  }
+}
+
+/** Line ends stand between the values of JSON only. */
+function oneLine(json: string): string {
+  return json.trim().replace(/[\r\n]/g, ' ')
+}
+
+/** The value of a text of JSON; `undefined` if it is none. */
+function parsed(json: unknown): unknown {
+  try {
+    return JSON.parse(json as string)
+  } catch {
+    return undefined
   }
 }
 

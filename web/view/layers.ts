@@ -118,7 +118,7 @@ export interface Layers {
   readonly data: readonly DataLayer[]
 }
 
-export const DEFAULT_LAYERS: Layers = {
+export const DEFAULT_LAYERS: Layers = Object.freeze({
   circles: true,
   cells: 'auto',
   column: undefined,
@@ -142,8 +142,8 @@ export const DEFAULT_LAYERS: Layers = {
   missedEdges: false,
   candidates: 'dynamic',
   sampleCount: undefined,
-  data: [],
-}
+  data: Object.freeze([]),
+})
 
 /** The method is played step by step for so many circles at most. */
 export const MOST_PLAYED = 1000
@@ -218,7 +218,8 @@ export function checkedLayers(given: unknown): Layers {
   const set = Object.entries(given).filter(([, value]) => value !== undefined && value !== null)
   const layers = { ...DEFAULT_LAYERS, ...Object.fromEntries(set) } as Layers
   checkLayers(layers)
-  return layers
+  // Copies, so that nobody changes them afterwards, and nothing else that could not be sent to a thread.
+  return { ...layers, path: layersFrom(layers).path, data: layers.data.map(plainData) }
 }
 
 /** @throws Refusal of a name that no layer has, or a value that would end the thread that draws */
@@ -255,12 +256,23 @@ function isColumn(column: unknown): boolean {
   return typeof name === 'string' && values instanceof Float64Array && isList
 }
 
-function isData(layer: unknown): boolean {
+function isData(layer: unknown): layer is DataLayer {
   if (!isRecord(layer)) return false
-  const { points, segments, discs } = layer as Partial<DataLayer>
-  return [points, segments, discs].every(
-    (list) => list === undefined || Array.isArray(list) || ArrayBuffer.isView(list),
-  )
+  const { id, color, points, segments, discs }: Partial<Record<keyof DataLayer, unknown>> = layer
+  return typeof id === 'string' && typeof color === 'string' && [points, segments, discs].every(isNumbersOrNone)
+}
+
+/** Integers of any size would end the thread that draws. */
+function isNumbersOrNone(list: unknown): boolean {
+  if (list === undefined) return true
+  const isList = Array.isArray(list) || (ArrayBuffer.isView(list) && !(list instanceof DataView))
+  return isList && Array.prototype.every.call(list, (item: unknown) => typeof item === 'number')
+}
+
+function plainData({ id, color, points, segments, discs }: DataLayer): DataLayer {
+  const copied = (list: Float64Array | undefined) => list && Float64Array.from(list)
+  const lists = { points: copied(points), segments: copied(segments), discs: copied(discs) }
+  return { id, color, ...Object.fromEntries(Object.entries(lists).filter(([, list]) => list !== undefined)) }
 }
 
 function isNumber(value: unknown): value is number {

@@ -102,6 +102,15 @@ export class Superseded extends Error {
 
 /** A value as it can stand in a sentence of any language. */
 export function shownValue(value: unknown): string {
-  const text = JSON.stringify(value) ?? typeof value
+  const text = jsonOf(value) ?? typeof value
   return text.length > 40 ? `${text.slice(0, 40)}…` : text
+}
+
+/** JSON of any value: with integers of any size, and for an object that has no JSON, the name of its type. */
+function jsonOf(value: unknown): string | undefined {
+  try {
+    return JSON.stringify(value, (_, part) => (typeof part === 'bigint' ? `${part}n` : part))
+  } catch {
+    return Object.prototype.toString.call(value)
+  }
 }

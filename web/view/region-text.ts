@@ -5,7 +5,8 @@ import { reasonOf } from '../lib/base/errors.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
-const WKT = /^\s*(?:SRID=\d+;\s*)?(MULTI)?POLYGON\s*(?:ZM?\s*|M\s*)?(\(.*\))\s*;?\s*$/is
+// Of a text without white space around it: looking for some before the end at each parenthesis would take long.
+const WKT = /^(?:SRID=\d+;\s*)?(MULTI)?POLYGON\s*(?:ZM?\s*|M\s*)?(\(.*\))$/is
 const NUMBERS = /[^(),]+/g
 
 /** Whether a text has a region in it, and is not the address of one. */
@@ -19,7 +20,12 @@ export function isRegionText(text: string): boolean {
  * @throws CircleVoronoiError `badInput` or `badOption`
  */
 export function readRegion(text: string): RegionShape {
-  return plainRegion(/^\s*[[{]/.test(text) ? polygonsIn(fromJson(text)) : fromWkt(text))
+  return /^\s*[[{]/.test(text) ? regionOfJson(fromJson(text)) : plainRegion(fromWkt(text))
+}
+
+/** The same of JSON that was parsed. */
+export function regionOfJson(given: unknown): RegionShape {
+  return plainRegion(polygonsIn(given as RegionShape))
 }
 
 function fromJson(text: string): RegionShape {
@@ -41,7 +47,7 @@ function polygonsIn(shape: RegionShape): RegionShape {
 }
 
 function fromWkt(text: string): RegionShape {
-  const [, isMulti, body] = WKT.exec(text) ?? []
+  const [, isMulti, body] = WKT.exec(text.trim().replace(/;$/, '').trimEnd()) ?? []
   if (body === undefined) refuse((words) => words.notRegion(shownValue(text.trim())))
   const json = body
     .replace(/EMPTY/gi, '()')

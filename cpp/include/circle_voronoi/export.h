@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
+#include "circle_voronoi/attributes.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
@@ -39,9 +40,10 @@ struct ExportOptions {
   /// as the tolerance requires. With this option rounding may move points by more than the tolerance, and the default
   /// box grows to coordinates with that many digits.
   std::optional<int> digits = {};
-  /// For each circle members of a JSON object, without braces, that GeoJSON features get as properties after their own
-  /// (readAttributes). Empty, or one entry for each circle.
-  std::span<const std::string> attributes = {};
+  /// What GeoJSON features say about their circles beside the properties of their own (readCircleFile): other
+  /// properties, the id of the feature, the height as the property `z`, and the members of the collection. A property
+  /// with a name that `writeGeoJson` uses itself, such as area, gets `input_` in front. It must outlive the call.
+  const CircleAttributes* attributes = nullptr;
 };
 
 /// Returns the default box if no digits are given.
@@ -93,7 +95,8 @@ Result<void> writeSvgFigure(std::ostream& out, const Diagram& diagram, const Svg
 
 /// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
 /// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
-/// circle, r, area, neighbors (circles), and for hidden circles hiddenBy.
+/// circle, r, area, neighbors (circles), and for hidden circles hiddenBy. If bounds, a region or a maximum distance is
+/// given, neighbors are those that share a part of an edge inside.
 Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Writes the features of `writeGeoJson`, one a line, and nothing else. You can concatenate such texts.

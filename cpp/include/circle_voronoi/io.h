@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
+#include "circle_voronoi/attributes.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
@@ -17,41 +18,72 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
+/// Whether the circles of a file have radii.
+enum class Radii {
+  needed,    ///< each circle must have one
+  optional,  ///< 0 for a circle without one
+  none,      ///< 0 for all circles; a column that is called r is one like others
+};
+
+/// Which circles a file has. Names of columns are also those of properties of GeoJSON points and of members of JSON
+/// objects. Upper and lower case are the same.
 struct ReadOptions {
   bool weights = false;  ///< whether radii may be negative (Options::weights)
-  bool points = false;   ///< whether circles may lack r, which is 0 then; a table has a header
+  Radii radii = Radii::needed;
+  std::string x = {};        ///< the column of the x coordinates; empty: by its usual names
+  std::string y = {};        ///< the column of the y coordinates; empty: by its usual names
+  std::string radius = {};   ///< the column of the radii; empty: by its usual names
+  std::string id = {};       ///< the column of the ids; empty: `id`
+  bool skipInvalid = false;  ///< whether rows and features that are no circles are skipped rather than refused
+};
+
+/// The circles of a file and what it says about them.
+struct CircleFile {
+  std::vector<Circle> circles = {};
+  CircleAttributes attributes = {};
+  /// Why each row or feature was skipped (ReadOptions::skipInvalid). `circle` is its index in the file.
+  std::vector<Error> skipped = {};
 };
 
 /// Reads circles from UTF-8 text. The text may begin with a byte-order mark. Lines end in LF, CRLF or CR. The first
 /// character tells the format:
 ///
 /// - `[` begins JSON: `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`.
-/// - `{` begins a GeoJSON FeatureCollection of Points with a property `radius` or `r`.
+/// - `{` begins a GeoJSON FeatureCollection of Points with a property for the radius. A MultiPoint of one point is a
+///   Point.
 /// - Anything else is a table (CSV) with a line for each circle.
 ///
 /// In a table, commas, semicolons, tabs or spaces separate the fields, whichever occurs in the first line. Fields may
 /// be in quotation marks. Empty lines and lines that begin with `#` are skipped. The first line may name the columns,
-/// in any order and case: x, cx, lon or longitude; y, cy, lat or latitude; r, rad or radius. Other columns are ignored.
-/// Without such a line there are three columns: x, y, r. If commas do not separate the fields, or inside quotation
-/// marks, commas may be decimal marks. A text has one kind of decimal mark.
+/// in any order and case: x, cx, lon, long, lng, longitude or easting; y, cy, lat, latitude or northing; r, rad or
+/// radius. Without such a line there are three columns: x, y, r. If commas do not separate the fields, or inside
+/// quotation marks, commas may be decimal marks. A text has one kind of decimal mark.
+///
+/// JSON and GeoJSON have the same names. If an object has several of them, the first in these lists counts.
 ///
 /// `name` is what errors call the text. Each message is one sentence that starts with `name:line:`.
-/// Errors: badInput, also for an empty text and for a line of a table longer than 64 MiB; and what `compute` would
-/// reject, so that the message can name the line: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles.
+/// Errors: badInput, also for an empty text, for a line of a table longer than 64 MiB, and if all circles are skipped;
+/// and what `compute` would reject, so that the message can name the line: nonFinite, negativeRadius,
+/// coordinateTooLarge, tooManyCircles. badOption if x or y is named for GeoJSON.
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
-/// Reads what a text that `readCircles` accepts says about its circles beyond x, y and r: the other columns of a table,
-/// the other properties of GeoJSON points, the other members of JSON objects. Returns for each circle the members of a
-/// JSON object, without braces and on one line, for ExportOptions::attributes. Circles may lack r
-/// (ReadOptions::points).
+/// Reads circles like `readCircles`, and what the file says about them.
 ///
-/// Fields of a table become numbers where they are numbers of JSON, otherwise strings, and null where they are empty. A
-/// name that `writeGeoJson` uses itself, such as area, gets `input_` in front. Errors: badInput.
-Result<std::vector<std::string>> readAttributes(std::string_view text, std::string_view name);
+/// All fields of a column of a table become values of one type. They are numbers if all are numerals of JSON, with the
+/// decimal mark of the table; empty fields, NA, NaN and null are null then. They are booleans if all are true or false,
+/// and values of JSON if all are objects or arrays. In all other columns they are strings, exactly as they are written;
+/// so are all fields of a column with a number in quotation marks or with a leading zero. Empty fields are null.
+/// Numbers keep all digits that are written.
+///
+/// A column or member `id` (ReadOptions::id) is a property and also the id of the circle. A column or member `z` of
+/// numbers is a property and also the height of the circle.
+///
+/// Errors: those of `readCircles`; badInput also for a field that is not UTF-8.
+Result<CircleFile> readCircleFile(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
-/// Reads one number for each circle of a text that `readCircles` accepts: a column of a table, a property of GeoJSON
-/// points, or a member of JSON objects. Errors: badInput, also if a circle has no such number.
-Result<std::vector<double>> readNumbers(std::string_view text, std::string_view name, std::string_view column);
+/// Returns one number for each circle: a column, a property or a member.
+/// Errors: badInput if a circle has no such number.
+Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::string_view column);
 
 /// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, or
 /// well-known text (POLYGON or MULTIPOLYGON). Coordinates beyond the second of a position are ignored.
@@ -60,16 +92,23 @@ Result<std::vector<double>> readNumbers(std::string_view text, std::string_view 
 /// Errors: badInput; also those of Region::fromPolygons.
 Result<Region> readRegion(std::string_view text, std::string_view name);
 
-// The functions below write circles so that `readCircles` reads them back to the same bits: as CSV with a header line,
-// as JSON objects, and as GeoJSON Points with the properties circle (the index) and r. Radii may be negative
-// (ReadOptions::weights).
+// The functions below write circles so that `readCircleFile` reads them back to the same bits, with their attributes:
+// as CSV with a header line, as JSON objects, and as GeoJSON Points with the property r. Radii may be negative
+// (ReadOptions::weights). Ids are the column or member `id`, or the id of the feature. Heights are the column or member
+// `z`, or the third coordinate. A property whose name means something else to the reader gets `input_` in front.
 //
-// Errors: nonFinite, coordinateTooLarge, tooManyCircles, badArithmetic; notWritten if the stream fails. If the stream
-// throws, its exception passes through.
+// CSV and JSON have no place for CircleAttributes::collection. In CSV a value that is an object or an array is its JSON
+// text, and a property that a circle lacks is null.
+//
+// Errors: nonFinite, coordinateTooLarge, tooManyCircles, badArithmetic; badInput if there are not as many attributes as
+// circles; notWritten if the stream fails. If the stream throws, its exception passes through.
 
-Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles);
-Result<void> writeCirclesJson(std::ostream& out, std::span<const Circle> circles);
-Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles);
+Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles,
+                             const CircleAttributes& attributes = {});
+Result<void> writeCirclesJson(std::ostream& out, std::span<const Circle> circles,
+                              const CircleAttributes& attributes = {});
+Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles,
+                                 const CircleAttributes& attributes = {});
 
 /// Writes a diagram in the project's JSON format, version 1 (README). It records whether radii are weights.
 ///
@@ -83,8 +122,22 @@ Result<void> writeJson(std::ostream& out, const Diagram& diagram, std::optional<
 
 /// Writes a periodic diagram in the same format, with three more members: lattice, the two periods; images, for each
 /// circle of the diagram its given circle and its shift, the given circles first; neighbors, for each given circle the
-/// images beside it, with shifts relative to it. `readDiagram` reads it as the diagram of the images.
-Result<void> writePeriodicJson(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {});
+/// images beside it, with shifts relative to it. `readDiagram` reads it as the diagram of the images. `attributes` are
+/// those of the given circles (writeDiagramFile).
+Result<void> writePeriodicJson(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {},
+                               const CircleAttributes& attributes = {});
+
+/// A diagram and what its file says about its circles.
+struct DiagramFile {
+  Diagram diagram = {};
+  CircleAttributes attributes = {};
+};
+
+/// Writes a diagram like `writeJson`, and attributes of its circles: a circle has the members `id`, `z` and
+/// `properties`, and the diagram the member `collection`. Readers that do not know these members skip them.
+/// Errors: those of `writeJson`; badInput also if there are not as many attributes as circles.
+Result<void> writeDiagramFile(std::ostream& out, const Diagram& diagram, const CircleAttributes& attributes,
+                              std::optional<int> digits = {});
 
 /// Reads a diagram in the format of `writeJson`, to the bit. Unknown keys are skipped. Of `stats` whatever is present
 /// is read, except for the certificate: call `certify` to get one. If the diagram fits together, its sides are linked
@@ -92,6 +145,9 @@ Result<void> writePeriodicJson(std::ostream& out, const PeriodicDiagram& periodi
 ///
 /// Errors: those of `readCircles`; badInput also for another format or version.
 Result<Diagram> readDiagram(std::string_view text, std::string_view name);
+
+/// Reads a diagram like `readDiagram`, and what the file says about its circles.
+Result<DiagramFile> readDiagramFile(std::string_view text, std::string_view name);
 
 /// Returns whether a text is meant for `readDiagram` and not for `readCircles`: a JSON object with the key `format`, as
 /// far as it is well-formed, and no key of GeoJSON before that.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "circle_voronoi/attributes.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/tile.h"
@@ -21,6 +22,16 @@ inline Result<void> checkVertices(const Diagram& diagram) {
 inline Result<void> checkDigits(std::optional<int> digits) {
   if (!digits || *digits >= 0) return {};
   return errorWith(ErrorCode::badOption, "The number of digits must not be negative.");
+}
+
+/// Errors: badInput if a list of attributes is not empty and does not have an entry for each circle.
+inline Result<void> checkAttributes(const CircleAttributes& attributes, std::size_t circleCount) {
+  for (const auto* list : {&attributes.properties, &attributes.ids, &attributes.heights}) {
+    if (!list->empty() && list->size() != circleCount) {
+      return errorWith(ErrorCode::badInput, "There are not as many attributes as circles.");
+    }
+  }
+  return {};
 }
 
 /// Errors: badInput if a span of a selection does not have an entry for each circle.

@@ -3,26 +3,27 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "column_names.h"
 #include "csv_table.h"
 #include "text.h"
+#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
 
 using Fields = std::span<const CsvField>;
-using Names = std::array<std::string_view, 4>;
+using Names = std::vector<std::string_view>;
 
-/// What a header may call the columns of x, y and r.
-constexpr std::array<Names, 3> kNames = {
-    {{"x", "cx", "lon", "longitude"}, {"y", "cy", "lat", "latitude"}, {"r", "rad", "radius"}}};
-
-constexpr Names kIdNames = {"id", "fid"};
-constexpr Names kDoneNames = {"done"};
+/// What a tile calls the columns of ids and of what is done.
+const Names kTileIds = {"id", "fid"};
+const Names kDoneNames = {"done"};
 
 /// The columns of x, y and r.
 using Columns = std::array<std::size_t, 3>;
@@ -44,32 +45,14 @@ std::string nameOfSeparator(char separator) {
   }
 }
 
-bool isName(std::string_view text, std::string_view name) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
-  return !name.empty() && std::ranges::equal(text, name, {}, lower);
-}
-
 bool isOneOf(const Names& names, std::string_view text) {
-  return std::ranges::any_of(names, [&](std::string_view name) { return isName(text, name); });
+  return std::ranges::any_of(names, [&](std::string_view name) { return isSameName(text, name); });
 }
-
-bool isNameOf(std::size_t number, std::string_view text) { return isOneOf(kNames[number], text); }
 
 /// Without the empty fields at the end.
 Fields filled(Fields fields) {
   while (!fields.empty() && fields.back().text.empty()) fields = fields.first(fields.size() - 1);
   return fields;
-}
-
-/// "x, cx, lon or longitude"
-std::string listOfNames(std::size_t number) {
-  std::string list;
-  const auto& names = kNames[number];
-  const auto count = static_cast<std::size_t>(std::ranges::find(names, "") - names.begin());
-  for (std::size_t i = 0; i < count; ++i) {
-    list += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + std::string(names[i]);
-  }
-  return list;
 }
 
 /// What is wrong with a field, quoted.
@@ -82,25 +65,26 @@ bool isNumber(const CsvField& field, char separator) {
   return !CsvNumberReader(separator).read(field, value);
 }
 
-/// The columns that a header names; nothing if it does not name x, y and, unless these are points, r.
-std::optional<Columns> columnsOf(const CsvTable& table, bool points) {
+/// The columns that a header names; nothing if it does not name those that are needed.
+std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names) {
   const Fields fields = table.fields();
   Columns columns{};
   columns.fill(kNoColumn);
   for (std::size_t number = 0; number < columns.size(); ++number) {
-    const auto named = [&](const CsvField& field) { return isNameOf(number, field.text); };
+    const auto named = [&](const CsvField& field) { return names.means(number, field.text); };
     const auto found = std::ranges::find_if(fields, named);
-    if (found == fields.end() && number == 2 && points) break;
+    if (found == fields.end() && !names.isNeeded(number)) break;
     if (found == fields.end()) return std::nullopt;
     columns[number] = static_cast<std::size_t>(found - fields.begin());
   }
   for (std::size_t number = 0; number < columns.size() && columns[number] != kNoColumn; ++number) {
     const Fields rest = fields.subspan(columns[number] + 1);
-    const auto other = std::ranges::find_if(rest, [&](const CsvField& field) { return isNameOf(number, field.text); });
+    const auto other =
+        std::ranges::find_if(rest, [&](const CsvField& field) { return names.means(number, field.text); });
     if (other != rest.end()) {
       throw ReadFailure{table.offset(), "the columns " + std::string(fields[columns[number]].text) + " and " +
-                                            std::string(other->text) + " both mean " + std::string(kNames[number][0]) +
-                                            "."};
+                                            std::string(other->text) + " both mean " + ColumnNames::plain(number) +
+                                            "; choose one by the option " + ColumnNames::option(number) + "."};
     }
   }
   return columns;
@@ -116,14 +100,22 @@ std::string threeNumbersExpected(char separator) {
   return "expected three numbers x,y,r separated by " + nameOfSeparator(separator) + ".";
 }
 
+/// "name, lat, lon"
+std::string listOfFields(Fields fields) {
+  std::string list;
+  for (const CsvField& field : fields) list += (list.empty() ? "" : ", ") + textOf(field);
+  return list;
+}
+
 /// Why the first record is neither a header nor a circle.
-std::string problemOf(const CsvTable& table) {
+std::string problemOf(const CsvTable& table, const ColumnNames& names) {
   const Fields fields = filled(table.fields());
   const auto isANumber = [&](const CsvField& field) { return isNumber(field, table.separator()); };
   if (fields.size() > 1 && std::ranges::none_of(fields, isANumber)) {
-    for (std::size_t number = 0; number < kNames.size(); ++number) {
-      if (std::ranges::none_of(fields, [&](const CsvField& field) { return isNameOf(number, field.text); })) {
-        return "no column is called " + listOfNames(number) + ".";
+    for (std::size_t number = 0; number < ColumnNames::kCount; ++number) {
+      if (std::ranges::none_of(fields, [&](const CsvField& field) { return names.means(number, field.text); })) {
+        return "no column is called " + names.listOf(number) + ", only " + listOfFields(fields) +
+               "; name one by the option " + ColumnNames::option(number) + ".";
       }
     }
   }
@@ -134,28 +126,40 @@ std::string problemOf(const CsvTable& table) {
   double value = 0;
   CsvNumberReader reader(table.separator());
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (const auto problem = reader.read(fields[i], value)) return std::string(kNames[i][0]) + *problem;
+    if (const auto problem = reader.read(fields[i], value)) return ColumnNames::plain(i) + *problem;
   }
   return "";
 }
 
 /// The column of one of the names, if there is one.
-std::optional<std::size_t> columnNamed(const Names& names, const CsvTable& table) {
+template <class IsName>
+std::optional<std::size_t> columnNamed(const CsvTable& table, IsName isName) {
   const Fields fields = table.fields();
-  const auto found = std::ranges::find_if(fields, [&](const CsvField& field) { return isOneOf(names, field.text); });
+  const auto found = std::ranges::find_if(fields, [&](const CsvField& field) { return isName(field.text); });
   if (found == fields.end()) return std::nullopt;
   return static_cast<std::size_t>(found - fields.begin());
 }
 
-CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& header) {
+CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& header, const ColumnNames& names,
+                     bool isOfTile) {
   CsvLayout layout;
   layout.separator = table.separator();
   if (!header) return layout;
   layout.hasHeader = true;
   layout.width = table.fields().size();
   layout.columns = *header;
-  layout.id = columnNamed(kIdNames, table);
-  layout.done = columnNamed(kDoneNames, table);
+  for (std::size_t k = 0; k < layout.names.size(); ++k) {
+    if (layout.columns[k] != kNoColumn) layout.names[k] = textOf(table.fields()[layout.columns[k]]);
+  }
+  layout.id = columnNamed(table, [&](std::string_view name) {
+    return isOfTile && !names.hasId() ? isOneOf(kTileIds, name) : names.isId(name);
+  });
+  if (names.hasId() && !layout.id) {
+    throw ReadFailure{table.offset(),
+                      "no column is called " + names.id() + ", only " + listOfFields(filled(table.fields())) + "."};
+  }
+  if (layout.id) layout.idName = textOf(table.fields()[*layout.id]);
+  layout.done = columnNamed(table, [](std::string_view name) { return isOneOf(kDoneNames, name); });
   return layout;
 }
 
@@ -169,7 +173,8 @@ std::optional<std::string> readCount(const CsvField& field, std::int64_t most, s
 
 }  // namespace
 
-std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole, bool points) {
+std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& options, bool isWhole, bool isOfTile) {
+  const ColumnNames names(options);
   std::optional<ReadFailure> failure;
   std::optional<CsvTable> widest;
   for (const char separator : kSeparators) {
@@ -180,14 +185,14 @@ std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole, bool poin
       if (!failure) failure = reason;
       continue;
     }
-    const auto header = columnsOf(table, points);
-    if (header || isThreeNumbers(table)) return layoutFrom(table, header);
+    const auto header = columnsOf(table, names);
+    if (header || isThreeNumbers(table)) return layoutFrom(table, header, names, isOfTile);
     const std::size_t width = filled(table.fields()).size();
     const std::size_t widestWidth = widest ? filled(widest->fields()).size() : 0;
     if (width > widestWidth || (width == widestWidth && separator == kDefaultSeparator)) widest = table;
   }
   if (!widest) throw *failure;
-  throw ReadFailure{widest->offset(), problemOf(*widest)};
+  throw ReadFailure{widest->offset(), problemOf(*widest, names)};
 }
 
 std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& value) {
@@ -223,7 +228,6 @@ std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bo
   CsvTable table(text, layout_.separator, isLast);
   if (layout_.hasHeader && !isPastHeader_) (void)table.next();
   isPastHeader_ = true;
-  std::array<double, 3> values{};
   while (table.next()) {
     const Fields fields = table.fields();
     const std::size_t width = layout_.width;
@@ -235,42 +239,83 @@ std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bo
                                                           : threeNumbersExpected(layout_.separator)};
     }
     const auto fieldOf = [&](std::size_t column) { return column < count ? fields[column] : CsvField{}; };
-    for (std::size_t i = 0; i < values.size() && layout_.columns[i] != kNoColumn; ++i) {
-      if (const auto problem = numbers_.read(fieldOf(layout_.columns[i]), values[i])) {
-        throw ReadFailure{table.offset(), std::string(kNames[i][0]) + *problem};
+    if (!skipsInvalid_) {
+      readCircle(table, fieldOf, circles);
+    } else {
+      try {
+        readCircle(table, fieldOf, circles);
+      } catch (const ReadFailure& failure) {
+        skipped_.push_back(failure);
       }
     }
-    if (isOfTile_) readNames(table, fieldOf, circles);
-    circles.circles.push_back({values[0], values[1], values[2]});
-    circles.offsets.push_back(table.offset());
+    ++next_;
   }
   return table.rest();
 }
 
 template <class FieldOf>
+void CsvRowReader::readCircle(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles) {
+  const auto fail = [&](std::string reason, ErrorCode code = ErrorCode::badInput) {
+    if (layout_.id && !fieldOf(*layout_.id).text.empty()) {
+      reason.pop_back();  // the full stop
+      reason += " (circle " + std::to_string(next_) + ", " + layout_.idName + " " + textOf(fieldOf(*layout_.id)) + ").";
+    }
+    throw ReadFailure{table.offset(), std::move(reason), code, next_};
+  };
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < values.size() && layout_.columns[i] != kNoColumn; ++i) {
+    const CsvField field = fieldOf(layout_.columns[i]);
+    if (const auto problem = numbers_.read(field, values[i])) fail(layout_.names[i] + *problem);
+    if (!std::isfinite(values[i])) {
+      fail(layout_.names[i] + quoting(" is not a finite number", field), ErrorCode::nonFinite);
+    }
+  }
+  const Circle circle = {values[0], values[1], values[2]};
+  if (skipsInvalid_) {  // else `validate` says it, of all circles of a text
+    if (const auto objection = objectionTo(circle, weights_)) {
+      fail("Circle " + std::to_string(next_) + " " + objection->what, objection->code);
+    }
+  }
+  if (isOfTile_) readNames(table, fieldOf, circles);
+  circles.circles.push_back(circle);
+  circles.offsets.push_back(table.offset());
+}
+
+template <class FieldOf>
 void CsvRowReader::readNames(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles) {
-  std::int64_t id = next_++;
+  std::int64_t id = next_;
   std::int64_t done = 0;
-  const auto read = [&](std::optional<std::size_t> column, const Names& names, std::int64_t most, std::int64_t& value) {
+  const auto read = [&](std::optional<std::size_t> column, const std::string& name, std::int64_t most,
+                        std::int64_t& value) {
     if (!column) return;
     if (const auto problem = readCount(fieldOf(*column), most, value)) {
-      throw ReadFailure{table.offset(), std::string(names[0]) + *problem};
+      throw ReadFailure{table.offset(), name + *problem, ErrorCode::badInput, next_};
     }
   };
-  read(layout_.id, kIdNames, kMostId, id);
-  read(layout_.done, kDoneNames, 1, done);
+  read(layout_.id, layout_.idName, kMostId, id);
+  read(layout_.done, "done", 1, done);
   circles.ids.push_back(id);
   circles.done.push_back(done != 0);
 }
 
-Result<PlacedCircles> readCsv(std::string_view text, std::string_view name, bool points) try {
-  const auto layout = layoutOf(text, true, points);
+std::string textOf(const CsvField& field) {
+  std::string text(field.text);
+  if (!field.isQuoted) return text;
+  for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1)) text.erase(at, 1);
+  return text;
+}
+
+Result<ReadCircles> readCsv(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep) try {
+  const auto layout = layoutOf(text, options);
   if (!layout) return errorAt(name, text, 0, "the text is empty but for comments.");
-  PlacedCircles circles;
-  CsvRowReader(*layout).read(text, circles);
-  return circles;
+  ReadCircles result;
+  CsvRowReader rows(*layout, options);
+  rows.read(text, result.placed);
+  if (keep == Keep::attributes) result.attributes = attributesOf(text, *layout, rows.decimalMark(), rows.skipped());
+  result.skipped = rows.skipped();
+  return result;
 } catch (const ReadFailure& failure) {
-  return errorAt(name, text, failure.offset, failure.reason);
+  return errorAt(name, text, failure);
 }
 
 }  // namespace circle_voronoi

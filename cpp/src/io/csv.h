@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "csv_table.h"
 #include "text.h"
@@ -22,9 +23,13 @@ class CsvNumberReader {
   /// What is wrong with a field as a number; otherwise nothing, and `value` is set.
   std::optional<std::string> read(const CsvField& field, double& value);
 
+  /// The decimal mark of the numbers so far; 0 if they had none.
+  char mark() const { return mark_; }
+  bool mayBeComma() const { return mayBeComma_; }
+
  private:
   bool mayBeComma_;
-  char mark_ = 0;  ///< of the numbers so far; 0: they had none
+  char mark_ = 0;
 };
 
 /// In place of a column that a table does not have.
@@ -35,38 +40,61 @@ struct CsvLayout {
   char separator = ',';
   bool hasHeader = false;
   std::size_t width = 3;
-  std::array<std::size_t, 3> columns = {0, 1, 2};  ///< of x, y and r; kNoColumn for r if all are 0
-  std::optional<std::size_t> id;                   ///< of a tile (tile.h)
-  std::optional<std::size_t> done;                 ///< likewise
+  std::array<std::size_t, 3> columns = {0, 1, 2};      ///< of x, y and r; kNoColumn for r if all are 0
+  std::array<std::string, 3> names = {"x", "y", "r"};  ///< what the header calls these
+  std::optional<std::size_t> id;                       ///< of the ids
+  std::string idName;                                  ///< what the header calls it
+  std::optional<std::size_t> done;                     ///< of a tile (tile.h)
 };
 
 /// The layout with which the first record is a header or a circle; nothing if there is no record. `isWhole` is that of
-/// CsvTable: the beginning of a text has the layout of the text, or none yet. `points`: whether a header need not name
-/// r (ReadOptions::points). Throws ReadFailure.
-std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole = true, bool points = false);
+/// CsvTable: the beginning of a text has the layout of the text, or none yet. Throws ReadFailure.
+std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& options, bool isWhole = true,
+                                  bool isOfTile = false);
 
 /// Reads the rows of a table, whose text may come in pieces.
 class CsvRowReader {
  public:
   /// `isOfTile`: with ids, which are those of the rows from 0 where there is no such column, and what is done.
-  explicit CsvRowReader(const CsvLayout& layout, bool isOfTile = false)
-      : layout_(layout), isOfTile_(isOfTile), numbers_(layout.separator) {}
+  explicit CsvRowReader(const CsvLayout& layout, const ReadOptions& options, bool isOfTile = false)
+      : layout_(layout),
+        weights_(options.weights),
+        skipsInvalid_(options.skipInvalid),
+        isOfTile_(isOfTile),
+        numbers_(layout.separator) {}
 
   /// Adds the circles of a piece, and returns where the rest begins, with which the next piece has to begin: nothing if
   /// this piece ends the text (`isLast`). Throws ReadFailure, after adding the circles before the failure.
   std::size_t read(std::string_view text, PlacedCircles& circles, bool isLast = true);
 
+  /// The rows that were skipped, in their order.
+  const std::vector<ReadFailure>& skipped() const { return skipped_; }
+  /// The decimal mark of x, y and r; 0 if they had none.
+  char decimalMark() const { return numbers_.mark(); }
+
  private:
   static constexpr std::int64_t kMostId = std::numeric_limits<std::int64_t>::max();
 
   template <class FieldOf>
+  void readCircle(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles);
+  template <class FieldOf>
   void readNames(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles);
 
   CsvLayout layout_;
+  bool weights_;
+  bool skipsInvalid_;
   bool isOfTile_;
   CsvNumberReader numbers_;
   bool isPastHeader_ = false;
   std::int64_t next_ = 0;
+  std::vector<ReadFailure> skipped_;
 };
+
+/// A field as text: without the doubling of quotation marks.
+std::string textOf(const CsvField& field);
+
+/// What a table says about the circles of its rows. `mark`: the decimal mark of x, y and r, or 0.
+CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, char mark,
+                              const std::vector<ReadFailure>& skipped);
 
 }  // namespace circle_voronoi

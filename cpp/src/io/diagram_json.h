@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "circle_voronoi/attributes.h"
 #include "circle_voronoi/diagram.h"
 #include "writer.h"
 
@@ -22,7 +23,7 @@ void writeLines(Writer& out, std::size_t count, Item item) {
 }
 
 /// Writes a diagram in the format of `writeJson`. `writeMore` may write further members, each with a comma after it.
-void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits,
+void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits, const CircleAttributes& attributes,
                   const std::function<void()>& writeMore);
 
 }  // namespace circle_voronoi

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 #include "checks.h"
@@ -72,8 +73,8 @@ Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& 
     return errorWith(ErrorCode::badOption, "The tolerance must be finite and positive.");
   }
   if (auto checked = checkMaxDistance(options.maxDistance); !checked) return checked.error();
-  if (!options.attributes.empty() && options.attributes.size() != diagram.circles.size()) {
-    return errorWith(ErrorCode::badInput, "There are not as many attributes as circles.");
+  if (options.attributes != nullptr) {
+    if (auto checked = checkAttributes(*options.attributes, diagram.circles.size()); !checked) return checked.error();
   }
   if (options.region != nullptr && options.bounds) {
     return errorWith(ErrorCode::badOption, "Cells are clipped to a box or to a region, not to both.");
@@ -97,6 +98,7 @@ ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, Conve
       hasDigits(options.digits.has_value()),
       grid(gridOf(its, options)),
       box(boxOf(its, options, grid)),
+      isClipped(options.bounds || options.region != nullptr || options.maxDistance),
       region(std::move(itsRegion)),
       limits{&region, options.maxDistance},
       clipped(std::move(itsClip)),
@@ -120,6 +122,21 @@ std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge) {
   std::vector<EdgeCurve> curves;
   for (const CurvePart& part : keptParts(frame.diagram, edge, frame.limits)) curves.push_back(part.curve);
   return curves;
+}
+
+std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle) {
+  if (frame.clipped) return frame.clipped->neighbors(circle);
+  std::vector<CircleIndex> neighbors;
+  std::unordered_set<std::int32_t> found;
+  for (const SideIndex side : frame.diagram.sides(circle)) {
+    const CircleIndex neighbor = frame.diagram.neighborOf(side);
+    if (frame.isClipped) {
+      if (keptParts(frame.diagram, Diagram::edgeOf(side), frame.limits).empty()) continue;
+      if (!found.insert(neighbor).second) continue;
+    }
+    neighbors.push_back(neighbor);
+  }
+  return neighbors;
 }
 
 EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece) {

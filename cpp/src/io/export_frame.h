@@ -48,11 +48,12 @@ struct ExportFrame {
   bool hasDigits;  ///< whether digits are given
   DecimalGrid grid;
   Box box;
+  bool isClipped;                         ///< by options, rather than by the default box
   ConvexPolygon region;                   ///< the box
   Limits limits;                          ///< of cells and edges, unless there is a region
   std::optional<ClippedDiagram> clipped;  ///< the diagram in the region, if there is one
-  std::span<const std::string> attributes;
-  double tolerance;      ///< of curves: the part that rounding leaves
+  const CircleAttributes* attributes;     ///< null: none
+  double tolerance;                       ///< of curves: the part that rounding leaves
 };
 
 /// Returns the outline of the kept part of a cell.
@@ -60,6 +61,10 @@ Outline outlineIn(const ExportFrame& frame, CircleIndex circle);
 
 /// Returns the kept parts of an edge, in its direction.
 std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge);
+
+/// Returns the neighbors of a cell. If the options clip the diagram, these are the neighbors that share a part of an
+/// edge inside, each once.
+std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle);
 
 /// Returns the curve of a piece of an outline in the direction of its edge, with the same bits for both cells.
 /// Precondition: the piece does not belong to the region's boundary.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "circle_members.h"
+#include "column_names.h"
+#include "items.h"
 #include "json_reader.h"
 #include "text.h"
 
@@ -23,41 +27,69 @@ void readType(JsonReader& reader, std::optional<std::string>& type) {
   readOnce(reader, type, JsonKind::string, "type", [&] { return std::string(reader.string()); });
 }
 
-struct Position {
+/// The coordinates of a geometry, as far as a circle needs them: a position, or the first of several.
+struct Coordinates {
   double x = 0;
   double y = 0;
+  std::string height;
+  int numbers = 0;    ///< of the position, up to two
+  int positions = 0;  ///< in a list of positions
+  bool isList = false;
+  bool isEmpty = true;
 };
 
-/// Two numbers, and perhaps more values, such as a height.
-Position readPosition(JsonReader& reader) {
-  Position position;
-  int count = 0;
+/// Reads the rest of a position that has been entered.
+void readPosition(JsonReader& reader, std::string_view text, Coordinates& to) {
+  for (int count = 0; reader.nextItem(); ++count) {
+    to.isEmpty = false;
+    const bool isNumber = reader.kind() == JsonKind::number;
+    const std::size_t begin = reader.offset();
+    if (count < 2 && isNumber && to.numbers == count) {
+      (count == 0 ? to.x : to.y) = reader.number();
+      ++to.numbers;
+    } else {
+      reader.skip();
+      if (count == 2 && isNumber) to.height = text.substr(begin, reader.offset() - begin);
+    }
+  }
+}
+
+Coordinates readCoordinates(JsonReader& reader, std::string_view text) {
+  Coordinates result;
+  JsonReader inside = reader;  // to look at the first item
+  inside.enterArray();
+  result.isList = inside.nextItem() && inside.kind() == JsonKind::array;
   reader.enterArray();
-  for (; reader.nextItem(); ++count) {
-    if (count < 2 && reader.kind() != JsonKind::number) break;
-    if (count < 2) {
-      (count == 0 ? position.x : position.y) = reader.number();
+  if (!result.isList) {
+    readPosition(reader, text, result);
+    return result;
+  }
+  for (; reader.nextItem(); ++result.positions) {
+    result.isEmpty = false;
+    if (result.positions == 0) {
+      reader.enterArray();
+      readPosition(reader, text, result);
     } else {
       reader.skip();
     }
   }
-  if (count < 2) reader.fail("a Point has no two numbers as its coordinates.");
-  return position;
+  return result;
 }
 
 struct Geometry {
   std::optional<std::string> type;
-  std::optional<Position> position;
+  std::optional<Coordinates> coordinates;
 };
 
-Geometry readGeometry(JsonReader& reader) {
+Geometry readGeometry(JsonReader& reader, std::string_view text) {
   Geometry geometry;
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
     if (*key == "type") {
       readType(reader, geometry.type);
     } else if (*key == "coordinates") {
-      readOnce(reader, geometry.position, JsonKind::array, "coordinates", [&] { return readPosition(reader); });
+      readOnce(reader, geometry.coordinates, JsonKind::array, "coordinates",
+               [&] { return readCoordinates(reader, text); });
     } else {
       reader.skip();
     }
@@ -65,75 +97,112 @@ Geometry readGeometry(JsonReader& reader) {
   return geometry;
 }
 
-struct Radius {
-  std::optional<double> radius;
-  std::optional<double> r;
+/// Why a geometry is not one point; empty if it is.
+std::string problemOf(const std::optional<Geometry>& geometry) {
+  if (!geometry) return " has no geometry.";
+  if (!geometry->type) return " has a geometry without a type.";
+  const std::string& type = *geometry->type;
+  if (type != "Point" && type != "MultiPoint") return " is a " + type + "; a circle needs a Point.";
+  const auto& coordinates = geometry->coordinates;
+  if (coordinates && coordinates->isEmpty) return " is an empty " + type + ".";
+  if (type == "MultiPoint" && coordinates && coordinates->isList && coordinates->positions > 1) {
+    return " is a MultiPoint of " + std::to_string(coordinates->positions) + " points; a circle needs one Point.";
+  }
+  const bool isPosition = coordinates && coordinates->isList == (type == "MultiPoint") && coordinates->numbers == 2;
+  return isPosition ? "" : " is a " + type + " without two numbers as its coordinates.";
+}
+
+/// Reads the features of a collection.
+class FeatureReader {
+ public:
+  FeatureReader(JsonReader& reader, std::string_view text, const ReadOptions& options, Keep keep)
+      : reader_(reader), text_(text), names_(options), keep_(keep), items_(options, keep) {}
+
+  ReadCircles read() {
+    std::int64_t index = 0;
+    items_.read(reader_, [&](ItemReader::Item& item) { readFeature(item, index++); });
+    return items_.take();
+  }
+
+ private:
+  void readFeature(ItemReader::Item& item, std::int64_t index) {
+    std::optional<std::string> type;
+    std::optional<Geometry> geometry;
+    std::optional<CircleMembers> properties;
+    const auto failAsNone = [&] { reader_.fail("an item of the list of features is no Feature."); };
+    if (reader_.kind() != JsonKind::object) {
+      reader_.skip();  // the error is about the value, not about what stands before it
+      failAsNone();
+    }
+    reader_.enterObject();
+    while (const auto key = reader_.nextKey()) {
+      if (*key == "type") {
+        readType(reader_, type);
+      } else if (*key == "geometry") {
+        readOnce(reader_, geometry, JsonKind::object, "geometry", [&] { return readGeometry(reader_, text_); });
+      } else if (*key == "properties") {
+        readOnce(reader_, properties, JsonKind::object, "properties", [&] {
+          CircleMembers members(names_, ColumnNames::kRadius, keep_);
+          members.read(reader_, text_);
+          return members;
+        });
+      } else if (*key == "id") {
+        const std::string value = rawValue(reader_, text_);
+        if (isIdValue(value)) item.id = value;
+      } else {
+        reader_.skip();
+      }
+    }
+    if (type != "Feature") failAsNone();
+    if (names_.hasId() && properties) item.id = properties->id();
+    const auto fail = [&](const std::string& problem) {
+      const std::string id = item.id.empty() ? "" : " (id " + item.id + ")";
+      reader_.fail("feature " + std::to_string(index) + id + problem);
+    };
+    if (const std::string problem = problemOf(geometry); !problem.empty()) fail(problem);
+    const double* r = properties ? properties->number(ColumnNames::kRadius) : nullptr;
+    if (r == nullptr && names_.isNeeded(ColumnNames::kRadius)) {
+      fail(" has no number as its property " + names_.listOf(ColumnNames::kRadius) + ".");
+    }
+    item.circle = {geometry->coordinates->x, geometry->coordinates->y, r == nullptr ? 0 : *r};
+    item.height = geometry->coordinates->height;
+    if (properties) item.properties = properties->others();
+  }
+
+  JsonReader& reader_;
+  std::string_view text_;
+  ColumnNames names_;
+  Keep keep_;
+  ItemReader items_;
 };
-
-Radius readProperties(JsonReader& reader) {
-  Radius result;
-  reader.enterObject();
-  while (const auto key = reader.nextKey()) {
-    if (*key == "radius") {
-      readOnce(reader, result.radius, JsonKind::number, "radius", [&] { return reader.number(); });
-    } else if (*key == "r") {
-      readOnce(reader, result.r, JsonKind::number, "r", [&] { return reader.number(); });
-    } else {
-      reader.skip();
-    }
-  }
-  return result;
-}
-
-Circle readFeature(JsonReader& reader, bool points) {
-  std::optional<std::string> type;
-  std::optional<Geometry> geometry;
-  std::optional<Radius> properties;
-  if (reader.kind() != JsonKind::object) reader.fail("an item of the list of features is no Feature.");
-  reader.enterObject();
-  while (const auto key = reader.nextKey()) {
-    if (*key == "type") {
-      readType(reader, type);
-    } else if (*key == "geometry") {
-      readOnce(reader, geometry, JsonKind::object, "geometry", [&] { return readGeometry(reader); });
-    } else if (*key == "properties") {
-      readOnce(reader, properties, JsonKind::object, "properties", [&] { return readProperties(reader); });
-    } else {
-      reader.skip();
-    }
-  }
-  if (type != "Feature") reader.fail("an item of the list of features is no Feature.");
-  if (!geometry || geometry->type != "Point") reader.fail("the geometry of a feature is not a Point.");
-  if (!geometry->position) reader.fail("a Point has no two numbers as its coordinates.");
-  const auto r = properties && properties->r ? properties->r : properties ? properties->radius : std::nullopt;
-  if (!r && !points) reader.fail("a feature has no number as its property r or radius.");
-  return {geometry->position->x, geometry->position->y, r.value_or(0)};
-}
-
-PlacedCircles readFeatures(JsonReader& reader, bool points) {
-  PlacedCircles result;
-  reader.enterArray();
-  while (reader.nextItem()) {
-    result.circles.push_back(readFeature(reader, points));
-    result.offsets.push_back(reader.offset());
-  }
-  return result;
-}
 
 }  // namespace
 
-Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name, bool points) try {
+Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, const ReadOptions& options,
+                                Keep keep) try {
+  for (const auto& [option, column] : {std::pair("x", &options.x), std::pair("y", &options.y)}) {
+    if (column->empty()) continue;
+    Error error =
+        errorAt(name, text, 0, std::string("GeoJSON takes no column as ") + option + "; a Point has its coordinates.");
+    error.code = ErrorCode::badOption;
+    return error;
+  }
   JsonReader reader(text);
   std::optional<std::string> type;
-  std::optional<PlacedCircles> circles;
+  std::optional<ReadCircles> circles;
+  Members others;
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
     if (*key == "type") {
       readType(reader, type);
     } else if (*key == "features") {
-      readOnce(reader, circles, JsonKind::array, "features", [&] { return readFeatures(reader, points); });
+      readOnce(reader, circles, JsonKind::array, "features",
+               [&] { return FeatureReader(reader, text, options, keep).read(); });
+    } else if (*key == "bbox") {
+      reader.skip();  // of points; what is written may have another one
     } else {
-      reader.skip();
+      const std::string member(*key);
+      others.add(member, rawValue(reader, text));
     }
   }
   reader.finish();
@@ -141,9 +210,10 @@ Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name, 
     return errorAt(name, text, 0, "expected an array of circles or a GeoJSON FeatureCollection.");
   }
   if (!circles) return errorAt(name, text, 0, "a FeatureCollection has no list of features.");
+  if (keep == Keep::attributes) circles->attributes.collection = others.take();
   return *std::move(circles);
 } catch (const ReadFailure& failure) {
-  return errorAt(name, text, failure.offset, failure.reason);
+  return errorAt(name, text, failure);
 }
 
 }  // namespace circle_voronoi

@@ -21,4 +21,7 @@ Box boxOf(const Lattice& lattice);
 /// circles.
 Result<ExportOptions> periodicOptions(const PeriodicDiagram& periodic, const ExportOptions& options);
 
+/// Returns the attributes of all images: those of the given circles, which come first, and nothing for the others.
+CircleAttributes imageAttributes(const PeriodicDiagram& periodic, const CircleAttributes* attributes);
+
 }  // namespace circle_voronoi

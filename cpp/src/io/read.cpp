@@ -5,23 +5,41 @@
 #include "validate.h"
 
 namespace circle_voronoi {
+namespace {
 
-Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options) {
-  return guarded([&]() -> Result<std::vector<Circle>> {
+Result<CircleFile> readFile(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep) {
+  return guarded([&]() -> Result<CircleFile> {
     const auto content = contentOf(text, name);
     if (!content) return content.error();
     const std::string_view rest = content.value();
     const char begin = rest[rest.find_first_not_of(" \t\r\n")];
-    auto read = begin == '['   ? readJson(rest, name, options.points)
-                : begin == '{' ? readGeoJson(rest, name, options.points)
-                               : readCsv(rest, name, options.points);
+    auto read = begin == '['   ? readJson(rest, name, options, keep)
+                : begin == '{' ? readGeoJson(rest, name, options, keep)
+                               : readCsv(rest, name, options, keep);
     if (!read) return read.error();
+    auto& [placed, attributes, skipped] = read.value();
     // Only here is it known on which line a circle stands.
-    if (const auto judged = validate(read.value().circles, options.weights); !judged) {
-      return placed(judged.error(), read.value().offsets, name, rest);
+    if (const auto judged = validate(placed.circles, options.weights); !judged) {
+      return circle_voronoi::placed(judged.error(), placed.offsets, name, rest);
     }
-    return std::move(read.value().circles);
+    CircleFile file = {std::move(placed.circles), std::move(attributes), errorsAt(name, rest, skipped)};
+    if (!file.circles.empty() || file.skipped.empty()) return file;
+    Error error = file.skipped.front();
+    error.message = error.message.substr(0, error.message.size() - 1) + "; all others are invalid as well.";
+    return error;
   });
+}
+
+}  // namespace
+
+Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options) {
+  auto file = readFile(text, name, options, Keep::circles);
+  if (!file) return file.error();
+  return std::move(file.value().circles);
+}
+
+Result<CircleFile> readCircleFile(std::string_view text, std::string_view name, const ReadOptions& options) {
+  return readFile(text, name, options, Keep::attributes);
 }
 
 }  // namespace circle_voronoi

@@ -8,6 +8,7 @@
 #include "circle_voronoi/io.h"
 #include "guarded.h"
 #include "json_reader.h"
+#include "members.h"
 #include "read_stats.h"
 #include "text.h"
 #include "validate.h"
@@ -72,7 +73,7 @@ const std::array<Section, 5> kSections = {{
 
 class DiagramReader {
  public:
-  explicit DiagramReader(std::string_view text) : reader_(text) {}
+  DiagramReader(std::string_view text, Keep keep) : reader_(text), text_(text), keep_(keep) {}
 
   void read() {
     expect(JsonKind::object, [] { return "an object"; });
@@ -87,6 +88,7 @@ class DiagramReader {
   }
 
   Diagram diagram;
+  CircleAttributes attributes;
   std::vector<std::size_t> circleOffsets;  ///< where each circle ends in the text
 
  private:
@@ -123,6 +125,8 @@ class DiagramReader {
       diagram.weights = reader_.boolean();
     } else if (key == "stats") {
       diagram.stats = readStats(reader_);
+    } else if (key == "collection" && keep_ == Keep::attributes && reader_.kind() == JsonKind::object) {
+      attributes.collection = membersOf(rawValue(reader_, text_));
     } else {
       reader_.skip();
     }
@@ -160,6 +164,28 @@ class DiagramReader {
       section.add(values_, diagram);
       if (isOfCircles) circleOffsets.push_back(reader_.offset());
     }
+    if (!isOfCircles) return;
+    for (auto* list : {&attributes.properties, &attributes.ids, &attributes.heights}) {
+      if (!list->empty()) list->resize(item_);
+    }
+  }
+
+  /// Reads a member of circle `item_` that is none of its numbers.
+  void readAttribute(std::string_view key) {
+    const auto keep = [&](std::vector<std::string>& list, std::string value) {
+      list.resize(item_ + 1);
+      list[item_] = std::move(value);
+    };
+    const JsonKind kind = keep_ == Keep::circles ? JsonKind::null : reader_.kind();
+    if (key == "id" && (kind == JsonKind::string || kind == JsonKind::number)) {
+      keep(attributes.ids, rawValue(reader_, text_));
+    } else if (key == "z" && kind == JsonKind::number) {
+      keep(attributes.heights, rawValue(reader_, text_));
+    } else if (key == "properties" && kind == JsonKind::object) {
+      keep(attributes.properties, membersOf(rawValue(reader_, text_)));
+    } else {
+      reader_.skip();
+    }
   }
 
   void readItem(const Section& section) {
@@ -174,7 +200,11 @@ class DiagramReader {
         if (!key) break;
         field = std::ranges::find(section.fields, *key, &Field::key);
         if (field == section.fields.end()) {
-          reader_.skip();
+          if (&section == kSections.data()) {
+            readAttribute(*key);
+          } else {
+            reader_.skip();
+          }
           continue;
         }
       }
@@ -218,6 +248,8 @@ class DiagramReader {
   }
 
   JsonReader reader_;
+  std::string_view text_;
+  Keep keep_;
   bool hasFormat_ = false;
   bool hasVersion_ = false;
   bool hasMetric_ = false;
@@ -229,23 +261,37 @@ class DiagramReader {
 
 }  // namespace
 
-Result<Diagram> readDiagram(std::string_view text, std::string_view name) {
-  return guarded([&]() -> Result<Diagram> {
+namespace {
+
+Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep keep) {
+  return guarded([&]() -> Result<DiagramFile> {
     const auto content = contentOf(text, name);
     if (!content) return content.error();
     const std::string_view rest = content.value();
-    DiagramReader reader(rest);
+    DiagramReader reader(rest, keep);
     try {
       reader.read();
     } catch (const ReadFailure& failure) {
-      return errorAt(name, rest, failure.offset, failure.reason);
+      return errorAt(name, rest, failure);
     }
     if (const auto judged = validate(reader.diagram.circles, reader.diagram.weights); !judged) {
       return placed(judged.error(), reader.circleOffsets, name, rest);
     }
     linkSides(reader.diagram);
-    return std::move(reader.diagram);
+    return DiagramFile{std::move(reader.diagram), std::move(reader.attributes)};
   });
+}
+
+}  // namespace
+
+Result<Diagram> readDiagram(std::string_view text, std::string_view name) {
+  auto file = readKept(text, name, Keep::circles);
+  if (!file) return file.error();
+  return std::move(file.value().diagram);
+}
+
+Result<DiagramFile> readDiagramFile(std::string_view text, std::string_view name) {
+  return readKept(text, name, Keep::attributes);
 }
 
 }  // namespace circle_voronoi

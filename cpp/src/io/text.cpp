@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text.h"
 
+#include <algorithm>
+
 #include "utf8.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// How many lines end before a place in the text.
-std::size_t lineEndsBefore(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
+/// How many lines end before a place in the text, after another one.
+std::size_t lineEndsBetween(std::string_view text, std::size_t from, std::size_t offset) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const bool isInside = before[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
-    if ((before[i] == '\n' || before[i] == '\r') && !isInside) ++count;
+  for (std::size_t i = from; i < std::min(offset, text.size()); ++i) {
+    const bool isInside = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if ((text[i] == '\n' || text[i] == '\r') && !isInside) ++count;
   }
   return count;
 }
+
+std::size_t lineEndsBefore(std::string_view text, std::size_t offset) { return lineEndsBetween(text, 0, offset); }
 
 /// `name:line: `
 std::string placeOf(std::string_view name, std::string_view text, std::size_t offset, std::size_t linesBefore) {
@@ -34,6 +37,26 @@ Result<std::string_view> contentOf(std::string_view text, std::string_view name)
 Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason,
               std::size_t linesBefore) {
   return {ErrorCode::badInput, -1, placeOf(name, text, offset, linesBefore) + printable(reason)};
+}
+
+Error errorAt(std::string_view name, std::string_view text, const ReadFailure& failure, std::size_t linesBefore) {
+  Error error = errorAt(name, text, failure.offset, failure.reason, linesBefore);
+  error.code = failure.code;
+  error.circle = failure.circle;
+  return error;
+}
+
+std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadFailure> failures) {
+  std::vector<Error> errors;
+  std::size_t lines = 0;
+  std::size_t counted = 0;
+  for (ReadFailure failure : failures) {
+    lines += lineEndsBetween(text, counted, failure.offset);
+    counted = failure.offset;
+    failure.offset = 0;
+    errors.push_back(errorAt(name, "", failure, lines));
+  }
+  return errors;
 }
 
 Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,

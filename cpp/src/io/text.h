@@ -10,6 +10,7 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/io.h"
 
 namespace circle_voronoi {
 
@@ -25,6 +26,15 @@ struct PlacedCircles {
 struct ReadFailure {
   std::size_t offset;
   std::string reason;
+  ErrorCode code = ErrorCode::badInput;
+  std::int64_t circle = kNone;  ///< the index of the row, the feature or the item that is no circle
+};
+
+/// The circles of a file, and the failures of those that were skipped.
+struct ReadCircles {
+  PlacedCircles placed;
+  CircleAttributes attributes;
+  std::vector<ReadFailure> skipped;
 };
 
 /// The text after a byte-order mark. Errors: badInput, if it is UTF-16, or nothing but white space.
@@ -35,6 +45,12 @@ Result<std::string_view> contentOf(std::string_view text, std::string_view name)
 Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason,
               std::size_t linesBefore = 0);
 
+/// The same of a failure.
+Error errorAt(std::string_view name, std::string_view text, const ReadFailure& failure, std::size_t linesBefore = 0);
+
+/// The same of failures in the order of their places, in linear time.
+std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadFailure> failures);
+
 /// The error of `validate` with the line of the circle that it is about; `offsets` as those of PlacedCircles.
 Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
              std::size_t linesBefore = 0);
@@ -42,15 +58,16 @@ Error placed(Error error, std::span<const std::size_t> offsets, std::string_view
 /// How many lines end in the text.
 std::size_t lineEnds(std::string_view text);
 
-// `points`: ReadOptions::points.
+// Whether the attributes of circles are kept.
+enum class Keep { circles, attributes };
 
 /// A table of circles (io.h).
-Result<PlacedCircles> readCsv(std::string_view text, std::string_view name, bool points);
+Result<ReadCircles> readCsv(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
 
-/// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; other keys of an object are skipped.
-Result<PlacedCircles> readJson(std::string_view text, std::string_view name, bool points);
+/// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`.
+Result<ReadCircles> readJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
 
-/// A GeoJSON FeatureCollection of Points with a property `radius` or `r`.
-Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name, bool points);
+/// A GeoJSON FeatureCollection of Points.
+Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
 
 }  // namespace circle_voronoi

@@ -39,7 +39,7 @@ class TileStream::Impl {
     try {
       size = rows_->read(rest_, circles, isLast);
     } catch (const ReadFailure& reason) {
-      failed = errorAt(name_, rest_, reason.offset, reason.reason, linesBefore_);
+      failed = errorAt(name_, rest_, reason, linesBefore_);
     }
     // An error in a circle comes first: circles are those before the failure.
     if (const auto judged = validate(circles.circles, options_.weights, circlesBefore_); !judged) {
@@ -68,14 +68,14 @@ class TileStream::Impl {
       if (const auto content = contentOf(rest_, name_); !content) return content.error();
       if (head[begin] == '[' || head[begin] == '{') return failure("a tile has to be a table (CSV), not JSON.");
       try {
-        layout = layoutOf(head, isLast && !isCut);
+        layout = layoutOf(head, options_, isLast && !isCut, true);
       } catch (const ReadFailure& reason) {
-        return errorAt(name_, text, reason.offset, reason.reason);
+        return errorAt(name_, text, reason);
       }
     }
     if (layout) {
       rest_.erase(0, rest_.size() - text.size());
-      rows_.emplace(*layout, true);
+      rows_.emplace(*layout, options_, true);
       return true;
     }
     if (isCut) return failure("the first 64 MiB have neither a header nor a circle.");

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "attribute_writer.h"
 #include "cell_polygons.h"
 #include "checks.h"
 #include "circle_voronoi/export.h"
@@ -46,6 +48,20 @@ void writeGeometry(Writer& out, const std::vector<CellPolygons::Polygon>& polygo
   out << (isOne ? "}" : "]}");
 }
 
+/// Writes what a file said about a circle, after the properties of `writeGeoJson`.
+void writeAttributes(Writer& out, const CircleAttributes& attributes, std::size_t circle) {
+  const std::string_view height = entryOf(attributes.heights, circle);
+  const auto isOwn = [&](std::string_view name) {
+    constexpr std::array<std::string_view, 7> kWritten = {"circle",    "r",      "area",      "neighbors",
+                                                          "hiddenBy", "shifts", "hiderShift"};
+    return std::ranges::find(kWritten, name) != kWritten.end() || (!height.empty() && name == "z");
+  };
+  visitProperties(attributes, circle, isOwn, [&](std::string_view name, std::string_view value) {
+    out << "," << jsonString(name) << ":" << value;
+  });
+  if (!height.empty()) out << R"(,"z":)" << height;
+}
+
 void writeShift(Writer& out, const Shift& shift) { out << "[" << shift[0] << "," << shift[1] << "]"; }
 
 void writeShifts(Writer& out, const PeriodicDiagram& periodic, CircleIndex circle) {
@@ -82,13 +98,19 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
   bool isAny = false;
   polygons.visit([&](std::int32_t i) {
     if (!selection.contains(i)) return;
-    out << between << R"({"type":"Feature","properties":{"circle":)" << selection.id(i) << R"(,"r":)"
-        << diagram.circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << frame.area(polygons.area(i))
-        << R"(,"neighbors":[)";
+    out << between;
+    writeFeatureStart(out, frame.attributes, static_cast<std::size_t>(i));
+    out << R"("circle":)" << selection.id(i) << R"(,"r":)" << diagram.circles[static_cast<std::size_t>(i)].r
+        << R"(,"area":)" << frame.area(polygons.area(i)) << R"(,"neighbors":[)";
     std::string_view comma;
-    for (const SideIndex side : diagram.sides(i)) {
-      out << comma << selection.id(diagram.neighborOf(side));
+    const auto add = [&](CircleIndex neighbor) {
+      out << comma << selection.id(neighbor);
       comma = ",";
+    };
+    if (periodic == nullptr) {
+      std::ranges::for_each(neighborsIn(frame, i), add);
+    } else {  // one for each shift
+      for (const SideIndex side : diagram.sides(i)) add(diagram.neighborOf(side));
     }
     out << "]";
     if (periodic != nullptr) writeShifts(out, *periodic, i);
@@ -99,9 +121,7 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
         writeShift(out, periodic->imageFrom(i, hider).shift);
       }
     }
-    if (!frame.attributes.empty() && !frame.attributes[static_cast<std::size_t>(i)].empty()) {
-      out << "," << frame.attributes[static_cast<std::size_t>(i)];
-    }
+    if (frame.attributes != nullptr) writeAttributes(out, *frame.attributes, static_cast<std::size_t>(i));
     out << R"(},"geometry":)";
     if (periodic == nullptr) {
       writeGeometry(out, polygons.polygons(i));
@@ -119,7 +139,8 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
 
 Result<void> writeGeoJson(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
-    out << R"({"type":"FeatureCollection","features":[)" << (diagram.circles.empty() ? "" : "\n");
+    writeCollectionStart(out, options.attributes);
+    out << (diagram.circles.empty() ? "" : "\n");
     writeFeatures(out, frame, {}, ",\n");
     out << "\n]}\n";
   });
@@ -133,18 +154,20 @@ namespace {
 
 /// Writes the cells of the given circles.
 Result<void> writePeriodic(std::ostream& stream, const PeriodicDiagram& periodic, const ExportOptions& options,
-                           std::string_view before, std::string_view separator, std::string_view after) {
+                           bool isCollection, std::string_view separator, std::string_view after) {
   return guarded([&]() -> Result<void> {
     const std::vector<std::int64_t> ids(periodic.circleOf.begin(), periodic.circleOf.end());
     std::vector<std::uint8_t> isChosen(ids.size());
     std::fill_n(isChosen.begin(), periodic.circleCount, std::uint8_t{1});
-    std::vector<std::string> attributes(options.attributes.begin(), options.attributes.end());
     auto own = periodicOptions(periodic, options);
     if (!own) return own.error();
-    if (!attributes.empty()) attributes.resize(ids.size());
-    own.value().attributes = attributes;
+    const CircleAttributes attributes = imageAttributes(periodic, options.attributes);
+    own.value().attributes = &attributes;
     return unguardedWritingIn(stream, periodic.diagram, own.value(), [&](Writer& out, const ExportFrame& frame) {
-      out << before;
+      if (isCollection) {
+        writeCollectionStart(out, &attributes);
+        out << "\n";
+      }
       writeFeatures(out, frame, {ids, isChosen}, separator, &periodic);
       out << after;
     });
@@ -154,12 +177,12 @@ Result<void> writePeriodic(std::ostream& stream, const PeriodicDiagram& periodic
 }  // namespace
 
 Result<void> writePeriodicGeoJson(std::ostream& stream, const PeriodicDiagram& periodic, const ExportOptions& options) {
-  return writePeriodic(stream, periodic, options, "{\"type\":\"FeatureCollection\",\"features\":[\n", ",\n", "\n]}\n");
+  return writePeriodic(stream, periodic, options, true, ",\n", "\n]}\n");
 }
 
 Result<void> writePeriodicGeoJsonLines(std::ostream& stream, const PeriodicDiagram& periodic,
                                        const ExportOptions& options) {
-  return writePeriodic(stream, periodic, options, "", "\n", periodic.circleCount > 0 ? "\n" : "");
+  return writePeriodic(stream, periodic, options, false, "\n", periodic.circleCount > 0 ? "\n" : "");
 }
 
 Result<void> writePartsGeoJsonLines(std::ostream& stream, const Diagram& diagram, const Selection& selection,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "attribute_writer.h"
 #include "checks.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/stats.h"
@@ -42,16 +43,23 @@ void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
 
 }  // namespace
 
-void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits,
+void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits, const CircleAttributes& attributes,
                   const std::function<void()>& writeMore) {
   const DecimalGrid grid(digits);
   out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n ";
   if (diagram.metric != Metric::circles) out << "\"metric\": \"" << metricName(diagram.metric) << "\",\n ";
   if (diagram.weights) out << "\"weights\": true,\n ";
+  if (!attributes.collection.empty()) out << "\"collection\": {" << attributes.collection << "},\n ";
   out << "\"circles\": ";
   writeLines(out, diagram.circles.size(), [&](std::size_t i) {
     out << "{\"x\": " << diagram.circles[i].x << ", \"y\": " << diagram.circles[i].y
-        << ", \"r\": " << diagram.circles[i].r << "}";
+        << ", \"r\": " << diagram.circles[i].r;
+    if (const auto height = entryOf(attributes.heights, i); !height.empty()) out << ", \"z\": " << height;
+    if (const auto id = entryOf(attributes.ids, i); !id.empty()) out << ", \"id\": " << id;
+    if (const auto members = entryOf(attributes.properties, i); !members.empty()) {
+      out << ", \"properties\": {" << members << "}";
+    }
+    out << "}";
   });
   out << ",\n \"hidden\": ";
   writeLines(out, diagram.hidden.size(), [&](std::size_t i) {
@@ -84,9 +92,15 @@ void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits
 }
 
 Result<void> writeJson(std::ostream& stream, const Diagram& diagram, std::optional<int> digits) {
+  return writeDiagramFile(stream, diagram, {}, digits);
+}
+
+Result<void> writeDiagramFile(std::ostream& stream, const Diagram& diagram, const CircleAttributes& attributes,
+                              std::optional<int> digits) {
   if (auto checked = checkDigits(digits); !checked) return checked;
   if (auto checked = checkVertices(diagram); !checked) return checked;
-  return writing(stream, [&](Writer& out) { writeDiagram(out, diagram, digits, [] {}); });
+  if (auto checked = checkAttributes(attributes, diagram.circles.size()); !checked) return checked;
+  return writing(stream, [&](Writer& out) { writeDiagram(out, diagram, digits, attributes, [] {}); });
 }
 
 Result<void> writeStatsJson(std::ostream& stream, const Diagram& diagram) {

@@ -35,8 +35,9 @@ Result<ExportOptions> periodicOptions(const PeriodicDiagram& periodic, const Exp
   if (options.bounds || options.region != nullptr || options.maxDistance) {
     return Error{ErrorCode::badOption, kNone, "The cells of a periodic diagram are written whole."};
   }
-  if (!options.attributes.empty() && options.attributes.size() != static_cast<std::size_t>(periodic.circleCount)) {
-    return Error{ErrorCode::badInput, kNone, "There are not as many attributes as circles."};
+  if (options.attributes != nullptr) {
+    const auto checked = checkAttributes(*options.attributes, static_cast<std::size_t>(periodic.circleCount));
+    if (!checked) return checked.error();
   }
   const Diagram& diagram = periodic.diagram;
   Box box = exportBox(diagram.circles);
@@ -52,18 +53,30 @@ Result<ExportOptions> periodicOptions(const PeriodicDiagram& periodic, const Exp
   const double margin = (own.maxX - own.minX) + (own.maxY - own.minY);
   ExportOptions result = options;
   result.bounds = Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
-  result.attributes = {};
+  result.attributes = nullptr;
   if (!result.tolerance) result.tolerance = kPeriodicTolerance * std::max(own.maxX - own.minX, own.maxY - own.minY);
   return result;
 }
 
-Result<void> writePeriodicJson(std::ostream& stream, const PeriodicDiagram& periodic, std::optional<int> digits) {
+CircleAttributes imageAttributes(const PeriodicDiagram& periodic, const CircleAttributes* attributes) {
+  if (attributes == nullptr) return {};
+  CircleAttributes result = *attributes;
+  for (auto* list : {&result.properties, &result.ids, &result.heights}) {
+    if (!list->empty()) list->resize(periodic.circleOf.size());
+  }
+  return result;
+}
+
+Result<void> writePeriodicJson(std::ostream& stream, const PeriodicDiagram& periodic, std::optional<int> digits,
+                               const CircleAttributes& attributes) {
+  const auto known = checkAttributes(attributes, static_cast<std::size_t>(periodic.circleCount));
+  if (!known) return known.error();
   if (auto checked = checkDigits(digits); !checked) return checked;
   if (auto checked = checkVertices(periodic.diagram); !checked) return checked;
   return writing(stream, [&](Writer& out) {
     const Vector a = periodic.lattice.a;
     const Vector b = periodic.lattice.b;
-    writeDiagram(out, periodic.diagram, digits, [&] {
+    writeDiagram(out, periodic.diagram, digits, imageAttributes(periodic, &attributes), [&] {
       out << "\"lattice\": [[" << a.x << ", " << a.y << "], [" << b.x << ", " << b.y << "]],\n \"images\": ";
       writeLines(out, periodic.circleOf.size(), [&](std::size_t i) {
         writeImage(out, {periodic.circleOf[i], periodic.shiftOf[i]});

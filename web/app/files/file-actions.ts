@@ -21,7 +21,7 @@ import { toast } from '../panels/toast.ts'
 import { circlesFrom, rowsOf } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
 import type { Read, SavedFormat } from './files-protocol.ts'
-import { isRegion, isRegionFile } from './region-file.ts'
+import { type ReadsRegion, regionOfFile, regionOfText } from './region-file.ts'
 import { elementCode, embedCode, save } from './saving.ts'
 import { withLink, withTable } from './svg-scene.ts'
 
@@ -72,18 +72,25 @@ export class FileActions {
   /** Opens a file of circles, or of polygons as the region. One that cannot be read changes nothing. */
   async openFile(file: File): Promise<HowOpened> {
     const gesture = this.#actions.beginGesture()
-    if (await isRegionFile(file)) return this.openRegion(file, gesture)
+    // What is too large is not read at all.
+    const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file)
+    if (region !== undefined) return this.#clipTo(region, file.name, gesture)
     return this.#actions.openRead(() => this.#readFile(file))
   }
 
   /** Clips the cells to the polygons of a file. What cannot be a region changes nothing. */
   async openRegion(file: File, gesture = this.#actions.beginGesture()): Promise<HowOpened> {
-    return this.#clipTo(file.size > LARGEST_FILE ? '' : await file.text(), file.name, gesture)
+    if (file.size > LARGEST_FILE) {
+      this.#actions.complain(`${file.name}: the file is too large.`)
+      return 'refused'
+    }
+    const text = await file.text()
+    return this.#clipTo(() => readRegion(text), file.name, gesture)
   }
 
-  async #clipTo(text: string, name: string, gesture?: number): Promise<HowOpened> {
+  async #clipTo(read: ReadsRegion, name: string, gesture?: number): Promise<HowOpened> {
     try {
-      const edited = await this.#actions.setDomain({ region: readRegion(text) }, gesture)
+      const edited = await this.#actions.setDomain({ region: read() }, gesture)
       if (edited === undefined) return 'refused'
     } catch (error) {
       this.#actions.complain(`${name}: ${(error as Error).message}`)
@@ -99,7 +106,8 @@ export class FileActions {
     const link = /^\S*#(v\d+\.[\w-]+)$/.exec(text.trim())?.[1]
     if (link !== undefined) return this.#actions.openLink(link)
     const name = 'The pasted text'
-    if (isRegion(text)) return this.#clipTo(text, 'the pasted polygons')
+    const region = regionOfText(text)
+    if (region !== undefined) return this.#clipTo(region, 'the pasted polygons')
     const read = () => this.#read(new TextEncoder().encode(text), name)
     const isTable = !/^\s*[[{<]/.test(text)
     if (!isTable || this.#editing.circles.count === 0) return this.#actions.openRead(read)

@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { isRecord } from '../../lib/base/check.ts'
-import { isRegionText } from '../../view/region-text.ts'
+import type { RegionShape } from '../../lib/regions/region-shape.ts'
+import { isRegionText, readRegion, regionOfJson } from '../../view/region-text.ts'
 
 /** So much of a file says whether it may be one of polygons, in bytes. */
 const HEAD = 4096
 const GEOJSON = /"type"\s*:\s*"(FeatureCollection|Feature|GeometryCollection|(Multi)?Polygon)"/
 const RINGS = /^\s*\[\s*\[\s*[[{]/
 
-/** Whether a file has polygons, and no points: those are circles. */
-export async function isRegionFile(file: File): Promise<boolean> {
-  if (file.type.startsWith('image/')) return false
-  return mayBeRegion(await file.slice(0, HEAD).text()) && isRegion(await file.text())
+/** Reads a region from what was parsed. @throws CircleVoronoiError as `readRegion` */
+export type ReadsRegion = () => RegionShape
+
+/** The region of a file that has polygons and no points, which are circles; `undefined`: it has none. */
+export async function regionOfFile(file: Blob): Promise<ReadsRegion | undefined> {
+  if (file.type.startsWith('image/')) return undefined
+  return mayBeRegion(await file.slice(0, HEAD).text()) ? regionOfText(await file.text()) : undefined
 }
 
-/** The same of a text. */
-export function isRegion(text: string): boolean {
-  if (!mayBeRegion(text.slice(0, HEAD))) return false
-  if (!/^\s*[[{]/.test(text)) return true
+/** The same of a text. JSON is parsed once. */
+export function regionOfText(text: string): ReadsRegion | undefined {
+  if (!mayBeRegion(text.slice(0, HEAD))) return undefined
+  if (!/^\s*[[{]/.test(text)) return () => readRegion(text)
   try {
     const shape: unknown = JSON.parse(text)
     const types = typesIn(shape)
-    return Array.isArray(shape) || (types.some((type) => type.endsWith('Polygon')) && !types.includes('Point'))
+    const hasAny = (end: string) => types.some((type) => type.endsWith(end))
+    const isRegion = Array.isArray(shape) || (hasAny('Polygon') && !hasAny('Point'))
+    return isRegion ? () => regionOfJson(shape) : undefined
   } catch {
     // Readers say what is wrong with it.
-    return false
+    return undefined
   }
 }
 

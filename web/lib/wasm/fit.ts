@@ -146,8 +146,11 @@ function sitesWith(
 
 function numbersOf(list: unknown, name: string): Float64s {
   const isList = list instanceof Float64Array || list instanceof Float32Array || Array.isArray(list)
-  if (!isList || !Array.prototype.every.call(list, (item) => typeof item === 'number')) {
-    refuseArgument(`fitAreas takes a list of numbers as ${name}, not ${shown(list)}.`)
+  if (!isList) refuseArgument(`fitAreas takes a list of numbers as ${name}, not ${shown(list)}.`)
+  const items = list as readonly unknown[]
+  for (let k = 0; k < items.length; k++) {
+    if (typeof items[k] === 'number') continue
+    refuseArgument(`fitAreas takes a list of numbers as ${name}, but item ${k} is ${shown(items[k])}.`)
   }
-  return Float64Array.from(list as readonly number[])
+  return Float64Array.from(items as readonly number[])
 }

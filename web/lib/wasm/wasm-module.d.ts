@@ -134,17 +134,55 @@ interface WasmWriteOptions {
   readonly maxDistance: number | undefined
   readonly tolerance: number | undefined
   readonly digits: number | undefined
+  readonly attributes: WasmAttributes | undefined
+}
+
+/** Which columns are circles; an empty name stands for the usual ones. */
+interface WasmReadOptions {
+  readonly weights: boolean
+  readonly points: boolean
+  readonly skipInvalid: boolean
+  readonly x: string
+  readonly y: string
+  readonly radius: string
+  readonly id: string
+}
+
+/** What a file says about its circles, in JSON: a line for each circle, or nothing. Objects have no braces. */
+interface WasmAttributes {
+  readonly properties: string
+  readonly ids: string
+  readonly heights: string
+  readonly collection: string
 }
 
 interface WasmFilesModule {
   readCircles(
     text: string | Uint8Array,
     name: string,
-    weights: boolean,
+    options: WasmReadOptions,
   ): WasmError | { readonly circles: import('../base/types.ts').Float64s }
-  readDiagram(text: string | Uint8Array, name: string): WasmError | import('../base/types.ts').DiagramData
+  readCircleFile(
+    text: string | Uint8Array,
+    name: string,
+    options: WasmReadOptions,
+  ):
+    | WasmError
+    | {
+        readonly circles: import('../base/types.ts').Float64s
+        readonly attributes: WasmAttributes
+        readonly skipped: readonly { readonly circle: number; readonly message: string }[]
+      }
+  readDiagram(
+    text: string | Uint8Array,
+    name: string,
+  ): WasmError | (import('../base/types.ts').DiagramData & { readonly attributes: WasmAttributes })
   holdsDiagram(text: string | Uint8Array): boolean
-  writeCircles(circles: Float64Array, format: string): WasmError | { readonly text: Uint8Array }
+  writeCircles(
+    circles: Float64Array,
+    format: string,
+    attributes: WasmAttributes | undefined,
+  ): WasmError | { readonly text: Uint8Array }
   writeDiagram(
     diagram: Omit<import('../base/types.ts').DiagramData, 'certificate'>,
     format: string,

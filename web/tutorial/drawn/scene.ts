@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the figures that the tutorial draws itself have in common: circles in a frame, as SVG.
+import { escaped } from '../../lib/drawing/escaped.ts'
 import type { Circle, CircleVoronoi, Diagram, Float64s, Point } from '../../lib/index.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
@@ -206,8 +207,4 @@ function at({ x, y }: Point): string {
 
 function short(value: number): string {
   return `${Number(value.toFixed(3))}`
-}
-
-function escaped(text: string): string {
-  return text.replace(/[&<>]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[c] as string)
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { escaped } from '../../lib/drawing/escaped.ts'
 import { SvgPath } from '../../lib/drawing/svg-path.ts'
 import type { PathSink } from '../../lib/index.ts'
 import type { Drawing } from './drawing.ts'
@@ -16,24 +17,27 @@ export class SvgDrawing implements Drawing {
   }
 
   cover(color: string): void {
-    this.#elements.push(`<rect width="100%" height="100%" fill="${color}"/>`)
+    this.#elements.push(`<rect width="100%" height="100%" fill="${escaped(color)}"/>`)
   }
 
   fill(path: PathSink, color: string, opacity = 1): void {
-    this.#add(path, `fill="${color}"${opacity === 1 ? '' : ` fill-opacity="${opacity}"`}`)
+    this.#add(path, `fill="${escaped(color)}"${opacity === 1 ? '' : ` fill-opacity="${opacity}"`}`)
   }
 
   write(text: string, x: number, y: number, size: number, color: string, rim: string): void {
     const place = `x="${x.toFixed(DIGITS)}" y="${y.toFixed(DIGITS)}" text-anchor="middle" dominant-baseline="central"`
     const font = `font-family="system-ui, sans-serif" font-weight="600" font-size="${size}"`
-    const look = `fill="${color}" stroke="${rim}" stroke-width="${size / 4}" paint-order="stroke"`
-    this.#elements.push(`<text ${place} ${font} ${look}>${text}</text>`)
+    const look = `fill="${escaped(color)}" stroke="${escaped(rim)}" stroke-width="${size / 4}" paint-order="stroke"`
+    this.#elements.push(`<text ${place} ${font} ${look}>${escaped(text)}</text>`)
   }
 
   stroke(path: PathSink, color: string, width: number, dash: readonly number[] = [], opacity = 1): void {
     const dashes = dash.length === 0 ? '' : ` stroke-dasharray="${dash.join(' ')}"`
     const alpha = opacity === 1 ? '' : ` stroke-opacity="${opacity}"`
-    this.#add(path, `fill="none" stroke="${color}" stroke-width="${Number(width.toFixed(2))}"${dashes}${alpha}`)
+    this.#add(
+      path,
+      `fill="none" stroke="${escaped(color)}" stroke-width="${Number(width.toFixed(2))}"${dashes}${alpha}`,
+    )
   }
 
   clip(path: PathSink | undefined): void {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circles_input.h"
+
+#include <array>
+#include <iostream>
+#include <utility>
+
+#include "failure.h"
+#include "files.h"
+#include "option_flag.h"
+
+namespace circle_voronoi::cli {
+namespace {
+
+const std::string kWeights = flagOf(&Options::weights);
+constexpr std::array<const char*, 6> kColumnOptions = {"--x", "--y", "--radius", "--points", "--id", "--skip-invalid"};
+
+bool isGiven(const CLI::App& command, const std::string& option) {
+  return command.get_option_no_throw(option) != nullptr && command.count(option) > 0;
+}
+
+}  // namespace
+
+void addCirclesInput(CLI::App& command, CirclesInput& input, const std::string& description, Skipping skipping,
+                     Radii radii) {
+  input.options.radii = radii;
+  // Whether it is missing is known once --weights is: see settleInput.
+  command.add_option("FILE", input.file, description)->type_name("");
+  command
+      .add_option(kWeights, input.options.radius,
+                  "Radii are additive weights and may be negative; COLUMN, if it is given, has them")
+      ->type_name("COLUMN")
+      ->expected(0, 1);
+  const auto addColumn = [&](const char* name, std::string& column, const char* what) {
+    return command.add_option(name, column, what)->type_name("COLUMN");
+  };
+  addColumn("--x", input.options.x, "The column, or the member of JSON objects, that has x");
+  addColumn("--y", input.options.y, "The column, or the member of JSON objects, that has y");
+  CLI::Option* radius =
+      addColumn("--radius", input.options.radius, "The column, property or member that has the radius");
+  command
+      .add_flag_callback(
+          "--points", [&input] { input.options.radii = Radii::none; }, "All radii are 0; no column is needed for them")
+      ->excludes(radius);
+  addColumn("--id", input.options.id, "The column, property or member that has the id; by default id");
+  if (skipping == Skipping::possible) {
+    command.add_flag("--skip-invalid", input.options.skipInvalid,
+                     "Skip rows and features that are no circles, and say how many there are");
+  }
+}
+
+void settleInput(const CLI::App& command, CirclesInput& input) {
+  ReadOptions& options = input.options;
+  options.weights = isGiven(command, kWeights);
+  if (options.weights) {
+    const bool hasRadius = isGiven(command, "--radius");
+    std::string word =
+        command.get_option(kWeights)->results().empty() ? "" : command.get_option(kWeights)->results()[0];
+    if (input.file.empty()) std::swap(input.file, word);
+    if (hasRadius && !word.empty()) throw Failure{kBadInput, kWeights + " " + word + " takes no --radius."};
+    if (isGiven(command, "--points")) throw Failure{kBadInput, kWeights + " takes no --points."};
+    options.radius = hasRadius ? command.get_option("--radius")->as<std::string>() : word;
+  }
+  if (input.file.empty()) throw Failure{kBadInput, "FILE is required"};
+}
+
+void refuseColumnOptions(const CLI::App& command, const std::string& name) {
+  const auto refuse = [&](const std::string& option) {
+    if (!isGiven(command, option)) return;
+    throw Failure{kBadInput,
+                  name + ": " + option + " is for circles alone; a diagram's file says what its circles are."};
+  };
+  refuse(kWeights);
+  for (const char* option : kColumnOptions) refuse(option);
+}
+
+CircleFile readInput(const CirclesInput& input, const std::string& text) {
+  auto file = readCircleFile(text, inputName(input.file), input.options);
+  if (!file) throw inputFailure(file.error());
+  return *std::move(file);
+}
+
+Failure inputFailure(Error error) {
+  constexpr std::string_view kOption = "the option ";
+  if (const std::size_t at = error.message.rfind(kOption); at != std::string::npos) {
+    error.message.replace(at, kOption.size(), "--");
+  }
+  return {kBadInput, error.message};
+}
+
+void noteSkipped(const CircleFile& file, ProgressLine& progress) {
+  const std::size_t count = file.skipped.size();
+  if (count == 0) return;
+  note(std::to_string(count) + " of " + std::to_string(count + file.circles.size()) + (count == 1 ? " was" : " were") +
+           " skipped; the first: " + file.skipped.front().message,
+       progress);
+}
+
+void noteHidden(const Diagram& diagram, ProgressLine& progress) {
+  const std::size_t count = diagram.hidden.size();
+  if (4 * count <= diagram.circles.size()) return;
+  note(std::to_string(count) + " of " + std::to_string(diagram.circles.size()) +
+           " circles are hidden inside others and have no cell. Perhaps their radii have another unit than x and y, as "
+           "meters and degrees do (see --project), or are diameters or another column (see --radius).",
+       progress);
+}
+
+void note(const std::string& sentence, ProgressLine& progress) {
+  progress.end();
+  std::cerr << "circle-voronoi: " << sentence << '\n';
+}
+
+}  // namespace circle_voronoi::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "circle_voronoi/attributes.h"
+#include "column_names.h"
+#include "members.h"
+#include "writer.h"
+
+namespace circle_voronoi {
+
+/// Returns the entry of a circle in a list of attributes, which may be empty.
+inline std::string_view entryOf(const std::vector<std::string>& list, std::size_t circle) {
+  return list.empty() ? std::string_view() : std::string_view(list[circle]);
+}
+
+/// Visits the properties of a circle under names that none of the file's own members has: `isOwn(name)` says which
+/// names these are. `visit(name, value)` gets the JSON of the value. Leaves out a property that repeats the id or the
+/// height under the name of a member that the file has for it.
+template <class IsOwn, class Visit>
+void visitProperties(const CircleAttributes& attributes, std::size_t circle, IsOwn isOwn, Visit visit) {
+  const std::string_view id = entryOf(attributes.ids, circle);
+  const std::string_view height = entryOf(attributes.heights, circle);
+  visitMembers(entryOf(attributes.properties, circle), [&](std::string_view name, std::string_view value) {
+    if (!isOwn(name)) return visit(name, value);
+    const bool isId = isSameName(name, "id");
+    const std::string_view repeated = isId ? id : isSameName(name, "z") ? height : std::string_view();
+    const bool isRepeated =
+        value == repeated || (repeated.empty() && value == "null" && (isId || isSameName(name, "z")));
+    if (!isRepeated) visit("input_" + std::string(name), value);
+  });
+}
+
+/// Writes the beginning of a collection, up to its features. `attributes` may be null.
+inline void writeCollectionStart(Writer& out, const CircleAttributes* attributes) {
+  out << R"({"type":"FeatureCollection",)";
+  if (attributes != nullptr && !attributes->collection.empty()) out << attributes->collection << ",";
+  out << R"("features":[)";
+}
+
+/// Writes the beginning of a feature, up to its properties. `attributes` may be null.
+inline void writeFeatureStart(Writer& out, const CircleAttributes* attributes, std::size_t circle) {
+  out << R"({"type":"Feature",)";
+  if (attributes != nullptr) {
+    if (const auto id = entryOf(attributes->ids, circle); !id.empty()) out << R"("id":)" << id << ",";
+  }
+  out << R"("properties":{)";
+}
+
+}  // namespace circle_voronoi

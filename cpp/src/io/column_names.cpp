@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "column_names.h"
+
+#include <algorithm>
+#include <span>
+
+namespace circle_voronoi {
+namespace {
+
+constexpr std::array<std::string_view, 7> kNamesOfX = {"x", "cx", "lon", "long", "lng", "longitude", "easting"};
+constexpr std::array<std::string_view, 5> kNamesOfY = {"y", "cy", "lat", "latitude", "northing"};
+constexpr std::array<std::string_view, 3> kNamesOfR = {"r", "rad", "radius"};
+// web/lib/read-circles/names.ts has the same lists; tests/files/readings.json holds them together.
+constexpr std::array<std::span<const std::string_view>, ColumnNames::kCount> kNames = {kNamesOfX, kNamesOfY, kNamesOfR};
+constexpr std::array<std::string_view, ColumnNames::kCount> kOptions = {"x", "y", "radius"};
+
+}  // namespace
+
+bool isSameName(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+ColumnNames::ColumnNames(const ReadOptions& options)
+    : own_{options.x, options.y, options.radius},
+      id_(options.id.empty() ? "id" : options.id),
+      hasId_(!options.id.empty()),
+      radii_(options.radii) {}
+
+std::optional<std::size_t> ColumnNames::rank(std::size_t k, std::string_view name) const {
+  if (k == kRadius && radii_ == Radii::none) return std::nullopt;
+  if (!own_[k].empty()) return isSameName(name, own_[k]) ? std::optional<std::size_t>(0) : std::nullopt;
+  const auto found = std::ranges::find_if(kNames[k], [&](std::string_view known) { return isSameName(name, known); });
+  if (found == kNames[k].end()) return std::nullopt;
+  return static_cast<std::size_t>(found - kNames[k].begin());
+}
+
+std::string ColumnNames::listOf(std::size_t k) const {
+  if (!own_[k].empty()) return own_[k];
+  std::string list;
+  const auto names = kNames[k];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
+  }
+  return list;
+}
+
+std::string ColumnNames::plain(std::size_t k) { return std::string(kNames[k].front()); }
+
+std::string ColumnNames::option(std::size_t k) { return std::string(kOptions[k]); }
+
+}  // namespace circle_voronoi

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "circle_voronoi/io.h"
+
+namespace circle_voronoi {
+
+/// Returns whether two names are the same but for the case of ASCII letters.
+bool isSameName(std::string_view a, std::string_view b);
+
+/// The names of the columns of a table, of the members of a JSON object and of the properties of a GeoJSON point that
+/// mean x, y, r or the id of a circle.
+class ColumnNames {
+ public:
+  static constexpr std::size_t kCount = 3;  ///< x, y and r
+  static constexpr std::size_t kRadius = 2;
+
+  explicit ColumnNames(const ReadOptions& options);
+
+  /// Returns whether each circle needs number k. It is 0 if there is none.
+  bool isNeeded(std::size_t k) const { return k != kRadius || radii_ == Radii::needed; }
+
+  /// Returns whether all radii are 0.
+  bool hasNoRadii() const { return radii_ == Radii::none; }
+
+  /// Returns how early a name stands among those of number k, from 0; nothing if it is none of them.
+  std::optional<std::size_t> rank(std::size_t k, std::string_view name) const;
+  bool means(std::size_t k, std::string_view name) const { return rank(k, name).has_value(); }
+  bool isId(std::string_view name) const { return isSameName(name, id_); }
+  /// Returns whether the user has named the column of ids.
+  bool hasId() const { return hasId_; }
+  const std::string& id() const { return id_; }
+
+  /// Returns "x, cx, lon, long, lng, longitude or easting".
+  std::string listOf(std::size_t k) const;
+  /// Returns the name of number k in the library: x, y or r.
+  static std::string plain(std::size_t k);
+  /// Returns the name of the option that names the column of number k.
+  static std::string option(std::size_t k);
+
+ private:
+  std::array<std::string, kCount> own_;  ///< names that the user gave; empty: the usual ones
+  std::string id_;
+  bool hasId_;
+  Radii radii_;
+};
+
+}  // namespace circle_voronoi

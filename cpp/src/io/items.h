@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "circle_voronoi/io.h"
+#include "json_reader.h"
+#include "text.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+
+/// Reads an array of circles in JSON. Skips the items that are no circles, if that is asked for.
+class ItemReader {
+ public:
+  struct Item {
+    Circle circle = {};
+    std::string properties = {};
+    std::string id = {};
+    std::string height = {};
+  };
+
+  ItemReader(const ReadOptions& options, Keep keep)
+      : weights_(options.weights), skipsInvalid_(options.skipInvalid), keep_(keep) {}
+
+  /// Reads the array that comes next. `readItem(item)` reads an item. Throws ReadFailure.
+  template <class ReadItem>
+  void read(JsonReader& reader, ReadItem readItem) {
+    reader.enterArray();
+    for (std::int64_t index = 0; reader.nextItem(); ++index) {
+      Item item;
+      if (!skipsInvalid_) {
+        try {
+          readItem(item);
+        } catch (ReadFailure& failure) {
+          failure.circle = index;
+          throw;
+        }
+        add(std::move(item), reader.offset());
+        continue;
+      }
+      const JsonReader before = reader;
+      try {
+        readItem(item);
+        if (const auto objection = objectionTo(item.circle, weights_)) {
+          throw ReadFailure{reader.offset(), "Circle " + std::to_string(index) + " " + objection->what,
+                            objection->code};
+        }
+        add(std::move(item), reader.offset());
+      } catch (ReadFailure& failure) {
+        failure.circle = index;
+        result_.skipped.push_back(failure);
+        // What is not JSON cannot be skipped.
+        reader = before;
+        reader.skip();
+      }
+    }
+  }
+
+  /// Returns what was read. Lists of attributes without any are empty.
+  ReadCircles take() {
+    const auto clearUnused = [](auto& list) {
+      if (std::ranges::all_of(list, &std::string::empty)) list.clear();
+    };
+    clearUnused(result_.attributes.properties);
+    clearUnused(result_.attributes.ids);
+    clearUnused(result_.attributes.heights);
+    return std::move(result_);
+  }
+
+ private:
+  void add(Item item, std::size_t offset) {
+    result_.placed.circles.push_back(item.circle);
+    result_.placed.offsets.push_back(offset);
+    if (keep_ == Keep::circles) return;
+    result_.attributes.properties.push_back(std::move(item.properties));
+    result_.attributes.ids.push_back(std::move(item.id));
+    result_.attributes.heights.push_back(std::move(item.height));
+  }
+
+  bool weights_;
+  bool skipsInvalid_;
+  Keep keep_;
+  ReadCircles result_;
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "members.h"
+
+#include <algorithm>
+#include <array>
+
+#include "text.h"
+
+namespace circle_voronoi {
+
+std::string jsonString(std::string_view text) {
+  constexpr std::string_view kHexDigits = "0123456789abcdef";
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      result += "\\u00";
+      result += kHexDigits[static_cast<unsigned char>(c) >> 4];
+      result += kHexDigits[static_cast<unsigned char>(c) & 15];
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+bool isJsonNumber(std::string_view text) {
+  if (text.empty()) return false;
+  try {
+    JsonReader reader(text);
+    if (reader.offset() != 0 || reader.kind() != JsonKind::number || reader.offset() != 0) return false;
+    (void)reader.number();
+    return reader.offset() == text.size();
+  } catch (const ReadFailure&) {
+    return false;
+  }
+}
+
+bool isMissingNumber(std::string_view text) {
+  constexpr std::array<std::string_view, 6> kMissing = {"NA", "N/A", "NaN", "nan", "null", "NULL"};
+  return std::ranges::find(kMissing, text) != kMissing.end();
+}
+
+std::string oneLine(std::string_view value) {
+  std::string line(value);
+  std::ranges::replace_if(
+      line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return line;
+}
+
+std::string rawValue(JsonReader& reader, std::string_view text) {
+  (void)reader.kind();
+  const std::size_t begin = reader.offset();
+  reader.skip();
+  return oneLine(text.substr(begin, reader.offset() - begin));
+}
+
+std::string membersOf(std::string_view object) {
+  const std::size_t begin = object.find_first_not_of(" \t", object.find('{') + 1);
+  const std::size_t end = object.find_last_not_of(" \t", object.rfind('}') - 1) + 1;
+  return std::string(object.substr(begin, end - begin));
+}
+
+}  // namespace circle_voronoi

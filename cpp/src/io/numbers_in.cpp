@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/io.h"
+#include "column_names.h"
+#include "guarded.h"
+#include "members.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// The number of a property; nothing if it has none. A number of a table may be in quotation marks.
+std::optional<double> numberNamed(const std::string& members, std::string_view column) {
+  std::optional<double> number;
+  visitMembers(members, [&](std::string_view name, std::string_view value) {
+    if (number || !isSameName(name, column)) return;
+    if (value.size() > 2 && value.starts_with('"')) value = value.substr(1, value.size() - 2);
+    if (isJsonNumber(value)) number = JsonReader(value).number();
+  });
+  return number;
+}
+
+}  // namespace
+
+Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::string_view column) {
+  return guarded([&]() -> Result<std::vector<double>> {
+    std::vector<double> numbers;
+    for (const std::string& members : attributes.properties) {
+      const auto number = numberNamed(members, column);
+      if (!number) {
+        return Error{ErrorCode::badInput, static_cast<std::int64_t>(numbers.size()),
+                     "circle " + std::to_string(numbers.size()) + " has no number \"" + std::string(column) + "\"."};
+      }
+      numbers.push_back(*number);
+    }
+    return numbers;
+  });
+}
+
+}  // namespace circle_voronoi

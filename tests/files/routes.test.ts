@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which attributes survive which route: the table of docs/shell.md, cell by cell, in the program and in JavaScript. A cell that
+// says "no" is tested as well.
+import { execFileSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { afterAll, describe, expect, it } from 'vitest'
+import { type CircleAttributes, loadFiles } from '../../web/lib/files.ts'
+import { library } from '../web/library.ts'
+
+const PROGRAM = new URL('../../build/native/circle-voronoi', import.meta.url).pathname
+const folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-routes-'))
+afterAll(() => rmSync(folder, { recursive: true }))
+const files = await loadFiles()
+
+/** Three stores, in no order that a program would choose, with everything that may be said of a circle. */
+const STORES = JSON.stringify({
+  type: 'FeatureCollection',
+  name: 'stores',
+  crs: { type: 'name', properties: { name: 'urn:ogc:def:crs:OGC:1.3:CRS84' } },
+  features: [
+    ['c3', '01003', 149.3, -35.5, 600.5],
+    ['a1', '01001', 149.149, -35.315, 578.25],
+    ['b2', '06037', 149, -35.2, 612],
+  ].map(([id, fips, x, y, z], k) => ({
+    type: 'Feature',
+    id,
+    properties: {
+      radius: 0.01 + k / 100,
+      fips,
+      count: k + 1,
+      address: { zip: '01730', tags: ['a', 'b'] },
+      empty: null,
+    },
+    geometry: { type: 'Point', coordinates: [x, y, z] },
+  })),
+}).replaceAll('"count":1', '"count":12345678901234567890')
+const REGION = 'POLYGON ((148 -37, 151 -37, 151 -34, 148 -34))'
+
+/** What of the stores is there after a route. */
+type Survival = Readonly<Record<(typeof ATTRIBUTES)[number], boolean>>
+const ATTRIBUTES = ['columns', 'type', 'digits', 'nested', 'id', 'height', 'collection', 'order'] as const
+
+/** The features of a text of cells or points, as GeoJSON. */
+function survivalIn(text: string): Survival {
+  const { crs, features } = JSON.parse(text) as {
+    readonly crs?: { readonly properties: { readonly name: string } }
+    readonly features: readonly {
+      readonly id?: string
+      readonly properties: Readonly<Record<string, unknown>> & { readonly address?: { readonly zip: string } }
+      readonly geometry: { readonly type: string; readonly coordinates: readonly unknown[] }
+    }[]
+  }
+  const each = (isSo: (feature: (typeof features)[number], k: number) => boolean) => features.every(isSo)
+  const fips = ['01003', '01001', '06037']
+  return {
+    columns: each(({ properties }) => properties.fips !== undefined && properties.count !== undefined),
+    type: each(
+      ({ properties }, k) => typeof properties.fips === 'string' && typeof properties.count === 'number' && k < 3,
+    ),
+    digits: text.includes('"count":12345678901234567890'),
+    nested: each(({ properties }) => properties.address?.zip === '01730'),
+    id: each(({ id }, k) => id === ['c3', 'a1', 'b2'][k]),
+    height: each(({ properties, geometry }, k) => {
+      const height = geometry.type === 'Point' ? geometry.coordinates[2] : properties.z
+      return height === [600.5, 578.25, 612][k]
+    }),
+    collection: crs?.properties.name === 'urn:ogc:def:crs:OGC:1.3:CRS84',
+    order: each(({ properties }, k) => Number(properties.fips) === Number(fips[k])),
+  }
+}
+
+function program(args: readonly string[], input?: string): string {
+  return execFileSync(PROGRAM, args, { input, encoding: 'utf8', stdio: ['pipe', 'pipe', 'ignore'] })
+}
+
+function file(name: string, text: string): string {
+  const path = join(folder, name)
+  writeFileSync(path, text)
+  return path
+}
+
+const script = file('script.csv', 'replace,0,149.3,-35.4,0.01\n')
+const region = file('region.wkt', REGION)
+const points = ['convert', '-', '--format', 'geojson']
+const cells = (more: readonly string[]) => ['--format', 'geojson', ...more]
+
+/** The routes, as the table calls them. The last step of each gives GeoJSON. */
+const routes: Readonly<Record<string, () => string>> = {
+  '`convert` to `csv`': () => program(points, program(['convert', '-', '--format', 'csv'], STORES)),
+  '`convert` to `json`': () => program(points, program(['convert', '-', '--format', 'json'], STORES)),
+  '`convert` to `geojson`': () => program(points, STORES),
+  '`compute` to `json`, then `convert`': () => program(points, program(['compute', '-'], STORES)),
+  '`compute` to `json`, then `convert --circles` to `csv`': () =>
+    program(points, program(['convert', '-', '--circles', '--format', 'csv'], program(['compute', '-'], STORES))),
+  '`compute` to `geojson`': () => program(['compute', '-', ...cells([])], STORES),
+  '`compute` to `geojsonl`': () => collectionOf(program(['compute', '-', '--format', 'geojsonl'], STORES)),
+  '`compute --region` to `geojson`': () => program(['compute', '-', ...cells(['--region', region])], STORES),
+  '`edit` to `geojson`': () => program(['edit', '-', ...cells(['--script', script])], STORES),
+  '`edit` of a diagram to `json`, then `convert`': () =>
+    program(points, program(['edit', '-', '--script', script], program(['compute', '-'], STORES))),
+  '`fit` to `geojson`': () =>
+    program(['fit', '-', '--areas', 'radius2', '--shares', ...cells(['--region', region])], withAreas()),
+  '`certify` of `json`, then `convert`': () => {
+    const diagram = file('diagram.json', program(['compute', '-'], STORES))
+    program(['certify', diagram])
+    return program(points, readFileSync(diagram, 'utf8'))
+  },
+  'JavaScript, circles as `csv`': () => circlesThrough('csv'),
+  'JavaScript, circles as `json`': () => circlesThrough('json'),
+  'JavaScript, circles as `geojson`': () => circlesThrough('geojson'),
+  'JavaScript, diagrams as `json`': () => {
+    const { circles, attributes } = files.readCircleFile(STORES)
+    const read = files.readDiagramFile(files.writeDiagram(library.compute(circles), { attributes }))
+    return files.writeDiagram(read.diagram, { format: 'geojson', attributes: read.attributes })
+  },
+}
+
+function withAreas(): string {
+  return STORES.replaceAll('"radius":', '"radius2":1,"radius":')
+}
+
+function collectionOf(lines: string): string {
+  return `{"type":"FeatureCollection","features":[${lines.trimEnd().split('\n').join(',')}]}`
+}
+
+function circlesThrough(format: 'csv' | 'json' | 'geojson'): string {
+  const { circles, attributes } = files.readCircleFile(STORES)
+  const read = files.readCircleFile(files.writeCircles(circles, { format, attributes }))
+  expect(read.circles).toEqual(circles)
+  return files.writeCircles(read.circles, { format: 'geojson', attributes: read.attributes })
+}
+
+/** The table of the document: for each route what it says of each attribute. */
+function documented(): ReadonlyMap<string, Survival> {
+  const text = readFileSync(new URL('../../docs/shell.md', import.meta.url), 'utf8')
+  const lines = text.split('\n').filter((line) => line.startsWith('|'))
+  const start = lines.findIndex((line) => line.startsWith('| route |'))
+  const rows = lines.slice(start).map((line) =>
+    line
+      .split('|')
+      .slice(1, -1)
+      .map((field) => field.trim()),
+  )
+  const [heading = [], , ...body] = rows
+  expect(heading.slice(1)).toEqual([...ATTRIBUTES])
+  return new Map(
+    body
+      .slice(0, Object.keys(routes).length)
+      .map(([route = '', ...says]) => [
+        route,
+        Object.fromEntries(ATTRIBUTES.map((name, k) => [name, says[k] === 'yes'])) as Survival,
+      ]),
+  )
+}
+
+describe('attributes survive as the document says', () => {
+  const table = documented()
+  it('on all routes', () => {
+    expect([...table.keys()]).toEqual(Object.keys(routes))
+  })
+  it.each(Object.entries(routes))('%s', (name, route) => {
+    expect(survivalIn(route())).toEqual(table.get(name))
+  })
+})
+
+it('a table goes to GeoJSON and back', () => {
+  const table = 'x,y,r,id,z,fips,n,note\n0,0,1,A,1.50,01001,1,"a ""b"", c"\n5,0,1,B,2,"1003",,\n'
+  expect(program(['convert', '-', '--format', 'csv'], program(points, table))).toBe(table)
+  const read = files.readCircleFile(table)
+  const geojson = files.writeCircles(read.circles, { format: 'geojson', attributes: read.attributes })
+  const back = files.readCircleFile(geojson)
+  expect(files.writeCircles(back.circles, { attributes: back.attributes })).toBe(table)
+})
+
+describe('attributes of JavaScript', () => {
+  const { circles, attributes } = files.readCircleFile('x,y,r,code\n0,0,1,01\n6,0,1,02\n')
+  const wrong: readonly [Partial<CircleAttributes>, string][] = [
+    [{ properties: ['{}'] }, 'There are 1 properties in the attributes of 2 circles.'],
+    [{ properties: ['{}', '[]'] }, 'The properties of circle 1 are "[]", which is not such JSON.'],
+    [{ ids: ['1', 'a'] }, 'The ids of circle 1 are "a", which is not such JSON.'],
+    [{ heights: ['"1"', '1'] }, 'The heights of circle 0 are "\\"1\\"", which is not such JSON.'],
+    [{ collection: '7' }, 'The collection of attributes is no JSON object.'],
+    [{ properties: 'ab' as never }, 'The properties of attributes are a list, not "ab".'],
+  ]
+  it.each(wrong)('%j are refused', (part, message) => {
+    expect(() => files.writeCircles(circles, { attributes: { ...attributes, ...part } })).toThrow(message)
+  })
+  it('are texts of JSON, and belong to formats that have a place for them', () => {
+    expect(attributes).toEqual({ properties: ['{"code":"01"}', '{"code":"02"}'], ids: [], heights: [], collection: '' })
+    const diagram = library.compute(circles)
+    expect(() => files.writeDiagram(diagram, { format: 'svg', attributes })).toThrow(
+      'The format svg takes no attributes.',
+    )
+  })
+  it('skipped rows are counted, and columns are those that are named', () => {
+    const table = 'n;a;b\nA;1;2\nB;;2\nC;5;6\n'
+    const options = { x: 'a', y: 'b', points: true, id: 'n', skipInvalid: true } as const
+    expect(files.readCircleFile(table, options)).toEqual({
+      circles: Float64Array.of(1, 2, 0, 5, 6, 0),
+      attributes: { properties: ['{"n":"A"}', '{"n":"C"}'], ids: ['"A"', '"C"'], heights: [], collection: '' },
+      skipped: [{ index: 1, message: 'the text:3: a is empty (circle 1, n B).' }],
+    })
+    expect(() => files.readCircles(table, { x: 'a', y: 'b' })).toThrow('name one by the option radius.')
+    expect(() => files.readCircles(table, { points: true, radius: 'a' })).toThrow('The option points takes no radius.')
+    expect(() => files.readCircles(table, { x: 7 as never })).toThrow('The option x is the name of a column, not 7.')
+  })
+})
