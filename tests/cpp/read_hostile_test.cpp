@@ -68,7 +68,7 @@ TEST(ReadHostile, NothingElseThatIsNestedTakesTheStack) {
                               readTile(text, "text").ok() ? "" : readTile(text, "text").error().message}) {
       EXPECT_TRUE(error.empty() || (error.starts_with("text:") && error.ends_with('.'))) << error;
     }
-    (void)readAttributes(text, "text");
+    (void)readCircleFile(text, "text");
     (void)readNumbers(text, "text", "a");
     (void)holdsDiagram(text);
   }

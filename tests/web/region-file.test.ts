@@ -52,7 +52,7 @@ it('a file that is too large is refused before it is read, whatever it looks lik
     openRead: (read: () => Promise<unknown>) => read().catch((error: Error) => complain(error.message)),
   }
   const nothing = undefined as never
-  const opening = new FileActions(nothing, nothing, actions as never, nothing, nothing, nothing)
+  const opening = new FileActions(nothing, nothing, actions as never, nothing, nothing)
   const read = vi.fn()
   const file = {
     name: 'huge.geojson',
