@@ -42,11 +42,11 @@ it('areas that are no numbers are named', async () => {
     [1, 1],
     [5, 5],
   ] as const
-  const fit = (areas: unknown) => () => regions.fitAreas(sites, areas as number[], { region })
-  expect(fit(['1', '2'])).toThrow('fitAreas takes a list of numbers as areas, but item 0 is "1".')
-  expect(fit([1, undefined])).toThrow('but item 1 is undefined.')
-  expect(fit(new Array(2))).toThrow('but item 0 is undefined.')
-  expect(fit('12')).toThrow('fitAreas takes a list of numbers as areas, not "12".')
+  const fitting = (areas: unknown) => () => regions.fitAreas(sites, areas as number[], { region })
+  expect(fitting(['1', '2'])).toThrow('fitAreas takes a list of numbers as areas, but item 0 is "1".')
+  expect(fitting([1, undefined])).toThrow('but item 1 is undefined.')
+  expect(fitting(new Array(2))).toThrow('but item 0 is undefined.')
+  expect(fitting('12')).toThrow('fitAreas takes a list of numbers as areas, not "12".')
 })
 
 describe('layers of data', () => {

@@ -3,10 +3,10 @@
 import { describe, expect, it } from 'vitest'
 import { parseNamed } from '../../web/app/csv.ts'
 import { circlesFrom, guessedColumns, type Rows, rowsOf } from '../../web/app/files/columns.ts'
-import { attributesIn } from '../../web/app/files/names.ts'
 import { stippled } from '../../web/app/files/stipple.ts'
 import { randomNumbers } from '../../web/app/random-circles.ts'
-import { NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
+import { attributesOf, columnsOf, NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
+import { loadFiles } from '../../web/lib/files.ts'
 
 const rows = (text: string) => rowsOf(text) as Rows
 
@@ -68,34 +68,49 @@ describe('a table', () => {
   })
 })
 
-describe('columns', () => {
+describe('columns', async () => {
+  const files = await loadFiles()
+  const columnsIn = (text: string, count: number) => columnsOf(files.readCircleFile(text).attributes, count).columns
+
   it('are all other ones of a table, each of one type', () => {
     const text = 'x,y,r,name,fips,people\n1,2,3,A,01001,10\n4,5,6,B,1003,\n7,8,9,,6037,30.5\n'
-    expect(attributesIn(text, 3)?.columns).toEqual([
+    expect(columnsIn(text, 3)).toEqual([
       { name: 'name', values: ['"A"', '"B"', 'null'] },
       { name: 'fips', values: ['"01001"', '"1003"', '"6037"'] },
       { name: 'people', values: ['10', 'null', '30.5'] },
     ])
-    expect(attributesIn(text, 2)).toBeUndefined()
-    expect(attributesIn('1;2;3;1,5\n4;5;6;2', 2)?.columns).toEqual([{ name: 'Column 4', values: ['1.5', '2'] }])
   })
 
-  it('are the other members of objects and properties of features', () => {
-    expect(attributesIn('[{"x":1,"y":2,"r":3,"people":10},{"x":4,"y":5,"r":6}]', 2)?.columns).toEqual([
-      { name: 'people', values: ['10', ''] },
-    ])
-    const feature = (properties: object) => ({ properties: { radius: 1, ...properties } })
+  it('are the other members of objects and properties of features, with all digits', () => {
+    const objects = '[{"x":1,"y":2,"r":3,"people":12345678901234567890},{"x":4,"y":5,"r":6}]'
+    expect(columnsIn(objects, 2)).toEqual([{ name: 'people', values: ['12345678901234567890', ''] }])
+    const feature = (properties: object) => ({
+      type: 'Feature',
+      properties: { radius: 1, ...properties },
+      geometry: { type: 'Point', coordinates: [0, 0] },
+    })
     const features = [feature({ label: 'A', isOld: true }), feature({ tags: ['a'] })]
-    expect(attributesIn(JSON.stringify({ features }), 2)?.columns).toEqual([
+    expect(columnsIn(JSON.stringify({ type: 'FeatureCollection', features }), 2)).toEqual([
       { name: 'label', values: ['"A"', ''] },
       { name: 'isOld', values: ['true', ''] },
       { name: 'tags', values: ['', '["a"]'] },
     ])
   })
 
-  it('are none where there are centers and radii alone, or it is no such text', () => {
-    const texts = ['x,y,r\n1,2,3\n4,5,6', '[[1,2,3],[4,5,6]]', '[{"cx":1,"cy":2,"r":1},{"cx":4,"cy":2,"r":1}]']
-    for (const text of [...texts, '{"features":']) expect(attributesIn(text, 2)).toBeUndefined()
+  it('are none where there are centers and radii alone', () => {
+    for (const text of ['x,y,r\n1,2,3\n4,5,6', '[[1,2,3],[4,5,6]]', '[{"cx":1,"cy":2,"r":1},{"cx":4,"cy":2,"r":1}]']) {
+      expect(columnsIn(text, 2)).toEqual([])
+    }
+  })
+
+  it('are written as they were read, in each format', () => {
+    const table = 'x,y,r,name,fips,n\n0,0,1,A,01001,1\n6,0,1,B,1003,2.5\n0,8,1,,06037,\n'
+    const read = files.readCircleFile(table)
+    const attributes = attributesOf(columnsOf(read.attributes, 3), [0, 1, 2])
+    for (const format of ['csv', 'geojson', 'json'] as const) {
+      const back = files.readCircleFile(files.writeCircles(read.circles, { format, attributes }))
+      expect([format, columnsOf(back.attributes, 3)]).toEqual([format, columnsOf(read.attributes, 3)])
+    }
   })
 })
 

@@ -345,8 +345,15 @@ function linesOf(attributes: CircleAttributes | undefined, count: number): WasmA
       .map(oneLine)
       .join('\n'),
     heights: lines('heights', heights, Number.isFinite).map(oneLine).join('\n'),
-    collection: members(collection),
+    collection: members(foreignMembers(collection)),
   }
+}
+
+/** A collection without the members that the writers write themselves, and without the box of other features. */
+function foreignMembers(collection: string): string {
+  const { type, features, bbox, ...others }: Record<string, unknown> = Object(parsed(collection))
+  if (type === undefined && features === undefined && bbox === undefined) return collection
+  return Object.keys(others).length === 0 ? '' : JSON.stringify(others)
 }
 
 /** Line ends stand between the values of JSON only. */

@@ -108,7 +108,7 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
       comma = ",";
     };
     if (periodic == nullptr) {
-      std::ranges::for_each(neighborsIn(frame, i), add);
+      for (const CircleIndex neighbor : neighborsIn(frame, i)) add(neighbor);
     } else {  // one for each shift
       for (const SideIndex side : diagram.sides(i)) add(diagram.neighborOf(side));
     }

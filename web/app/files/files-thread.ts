@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
+import { columnsOf } from '../../editing/attributes.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
-import type { Files } from '../../lib/files.ts'
-import { circleAt, type Diagram, type Float64s } from '../../lib/index.ts'
+import type { CircleAttributes, Files } from '../../lib/files.ts'
+import type { Diagram, Float64s } from '../../lib/index.ts'
 import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import { boundingBox } from '../../view/camera.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
 import { randomNumbers } from '../random-circles.ts'
 import type { FilesCalls, Read, SavedFormat } from './files-protocol.ts'
-import { attributesIn } from './names.ts'
 import { stippled, tonesOf } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
-import { withAttributes } from './with-attributes.ts'
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<RemoteCall<keyof FilesCalls>>) => void
@@ -56,12 +55,22 @@ async function read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read>
   const isSvg = /^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)
   const table = isSvg ? tableOfSvg(text) : undefined
   if (isSvg && table === undefined) return circlesOfSvg(text, name)
-  const { holdsDiagram, readCircles, readDiagram } = await files()
+  const { holdsDiagram, readCircleFile, readDiagramFile } = await files()
   const tableBytes = table === undefined ? bytes : new TextEncoder().encode(table)
   const isDiagram = table === undefined && holdsDiagram(bytes)
-  const circles = isDiagram ? readDiagram(bytes, { name }).circles : readCircles(tableBytes, { name })
-  const attributes = attributesIn(table ?? text, circles.length / 3)
-  return { circles, ...(attributes && { attributes }) }
+  if (!isDiagram) {
+    const { circles, attributes } = readCircleFile(tableBytes, { name })
+    return withColumns(circles, attributes)
+  }
+  const { diagram, attributes } = readDiagramFile(bytes, { name })
+  return withColumns(diagram.circles, attributes)
+}
+
+function withColumns(circles: Float64s, given: CircleAttributes): Read {
+  const attributes = columnsOf(given, circles.length / 3)
+  const { columns, ids, heights, collection } = attributes
+  const isAny = columns.length + ids.length + heights.length + collection.length > 0
+  return isAny ? { circles, attributes } : { circles }
 }
 
 async function write(
@@ -70,45 +79,28 @@ async function write(
   region?: RegionShape,
   attributes?: LinkAttributes,
 ): Promise<string> {
-  const text = await written(circles, format, region)
-  return attributes === undefined ? text : withAttributes(text, format, attributes)
-}
-
-async function written(circles: Float64s, format: SavedFormat, region?: RegionShape): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
-  const { compute } = await library()
+  const { compute, loadRegions } = await library()
   switch (format) {
     case 'csv':
-      return writeCircles(circles, { format })
+      return writeCircles(circles, { format, attributes })
     case 'geojson':
-      return writeCircles(circles, { format })
+      return writeCircles(circles, { format, attributes })
     case 'json':
-      return writeDiagram(compute(circles), { format })
-    case 'cells':
-      if (region !== undefined) return clippedCells(compute(circles), region)
-      return cellsInBox(compute(circles), writeDiagram)
+      return writeDiagram(compute(circles), { format, attributes })
+    case 'cells': {
+      if (region === undefined) return cellsInBox(compute(circles), writeDiagram, attributes)
+      const clip = (await loadRegions()).region(region)
+      return writeDiagram(compute(circles), { format: 'geojson', region: clip, attributes })
+    }
   }
 }
 
 /** The cells inside a box around all circles as GeoJSON, which says as `bbox` which one that is. */
-function cellsInBox(diagram: Diagram, writeDiagram: Files['writeDiagram']): string {
+function cellsInBox(diagram: Diagram, writeDiagram: Files['writeDiagram'], attributes?: LinkAttributes): string {
   const { minX, minY, maxX, maxY } = boundingBox(diagram.circles)
   const margin = Math.max(maxX - minX, maxY - minY) / 20 || 1
   const bounds = [minX - margin, minY - margin, maxX + margin, maxY + margin] as const
-  const text = writeDiagram(diagram, { format: 'geojson', bounds })
+  const text = writeDiagram(diagram, { format: 'geojson', bounds, attributes })
   return text.replace('"FeatureCollection",', (type) => `${type}"bbox":${JSON.stringify(bounds)},`)
-}
-
-/** The cells inside a region as GeoJSON: a feature for each circle, without a geometry where there is no part. */
-async function clippedCells(diagram: Diagram, shape: RegionShape): Promise<string> {
-  const region = (await (await library()).loadRegions()).region(shape)
-  const areas = diagram.cellAreas({ region })
-  const features = Array.from(areas, (area, i) => {
-    const coordinates = diagram.cellPolygon(i, { region }) ?? []
-    const neighbors = [...diagram.neighbors(i, { region })]
-    const geometry = coordinates.length === 0 ? null : { type: 'MultiPolygon', coordinates }
-    const properties = { circle: i, r: circleAt(diagram.circles, i).r, area, neighbors }
-    return JSON.stringify({ type: 'Feature', properties, geometry })
-  })
-  return `{"type":"FeatureCollection","features":[\n${features.join(',\n')}\n]}\n`
 }
