@@ -73,7 +73,8 @@ class ClippedDiagram {
  public:
   /// Clips a certified diagram, or one of comparison.h, to a region. Cells are also cut at `maxDistance` from their
   /// circle, if that is given (bufferOutline). The diagram and the region must outlive the result.
-  /// Errors: badOption if `maxDistance` is not finite, exceeds kRegionLimit, or is given for Metric::power;
+  /// Errors: badInput if the arrays of the diagram do not fit together (checked in linear time, so that nothing outside
+  /// them is read); badOption if `maxDistance` is not finite, exceeds kRegionLimit, or is given for Metric::power;
   /// coordinateTooLarge if coordinates are so far apart that rounding hides how the boundary runs through the diagram;
   /// tooManyCircles if memory runs out; internal.
   static Result<ClippedDiagram> from(const Diagram& diagram, const Region& region,

@@ -60,7 +60,7 @@ struct ExportOptions {
 // numbers in CSV. Reading these back gives the same bits. With ExportOptions::digits, areas are rounded, and points on
 // the box are rounded along it.
 //
-// Errors: notCertified if the diagram is not certified; badInput if there are not as many vertexCircles as vertices;
+// Errors: notCertified if the diagram is not certified; badInput if the arrays do not fit together;
 // badOption if an option is out of range; notWritten if the stream fails; tooManyCircles if memory runs out. After the
 // last two the stream may hold a part of the text. If the stream throws, its exception passes through.
 

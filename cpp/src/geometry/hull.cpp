@@ -28,7 +28,9 @@ void turnOnce(std::vector<HullArc>& arcs) {
                            [](double partial, const HullArc& arc) { return partial + arc.angle; });
   };
   const auto widest = [&]() -> HullArc& { return *std::ranges::max_element(arcs, {}, &HullArc::angle); };
-  for (auto excess = std::lround(sum() / kFullTurn) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
+  // Numbers that a program has changed may have no angles.
+  const double turns = std::isfinite(sum()) ? sum() / kFullTurn : 1;
+  for (auto excess = std::lround(turns) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
     HullArc& arc = excess > 0 ? widest() : *std::ranges::max_element(arcs, {}, &HullArc::r);
     arc.angle = excess > 0 ? 0 : kFullTurn;
   }

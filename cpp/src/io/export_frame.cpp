@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "check_arrays.h"
 #include "checks.h"
 #include "clip_parts.h"
 
@@ -68,6 +69,7 @@ Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& 
     return Error{ErrorCode::notCertified, diagram.certificate.circle,
                  "The diagram is not certified: " + diagram.certificate.message};
   }
+  if (auto checked = checkArrays(diagram); !checked) return checked.error();
   if (auto checked = checkDigits(options.digits); !checked) return checked.error();
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance))) {
     return errorWith(ErrorCode::badOption, "The tolerance must be finite and positive.");

@@ -10,6 +10,7 @@
 #include "areas_and_arcs.h"
 #include "at.h"
 #include "cell_limits.h"
+#include "check_arrays.h"
 #include "circle_arc.h"
 #include "clip_parts.h"
 #include "clip_polygons.h"
@@ -325,6 +326,11 @@ Result<ClippedDiagram> ClippedDiagram::make(const Diagram& diagram, const Region
     if (auto checked = checkMaxDistance(maxDistance); !checked) return checked.error();
     if (maxDistance && diagram.metric == Metric::power) {
       return errorWith(ErrorCode::badOption, "A power diagram has no maximum distance.");
+    }
+    if (auto checked = checkArrays(diagram); !checked) return checked.error();
+    const auto isMissing = [&](CircleIndex i) { return i < 0 || at(i) >= diagram.circles.size(); };
+    if (circles && std::ranges::any_of(*circles, isMissing)) {
+      return errorWith(ErrorCode::badInput, "A cell to clip is none of the diagram.");
     }
     return ClippedDiagram(std::make_shared<const Parts>(diagram, region, maxDistance, circles));
   });

@@ -71,6 +71,20 @@ export function checkData(data: unknown, caller: string): void {
   checkThing(data, 'vertexCircles', caller, 'a diagram')
 }
 
+/** @throws CircleVoronoiError `badInput`: arrays that a program has changed would lead outside them, or around without an end */
+export function refuseArrays(thing: string, index: number): never {
+  const message = `The arrays of the diagram do not fit together at ${thing} ${index}. They must not be changed.`
+  throw new CircleVoronoiError('badInput', message)
+}
+
+/** @throws CircleVoronoiError `nonFinite`: there are coordinates that are not finite */
+export function refuseInfinite(circles: Float64Array): never {
+  const circle = Math.floor(circles.findIndex((value) => !Number.isFinite(value)) / 3)
+  throw new CircleVoronoiError('nonFinite', `Circle ${circle} has a coordinate that is not a finite number.`, {
+    circle,
+  })
+}
+
 /** @throws CircleVoronoiError `badArgument`, if `circles` are not x, y and r of each in one array */
 export function checkCircles(circles: unknown, caller: string): void {
   if (!(circles instanceof Float64Array)) {

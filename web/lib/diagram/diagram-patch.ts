@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { refuseArgument } from '../base/check.ts'
+import { refuseArgument, refuseArrays } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData, Float64s, Int32s, SnapshotNumbers } from '../base/types.ts'
 import type { Change } from './change.ts'
@@ -218,7 +218,8 @@ export class DiagramPatch {
     const some = at(this.#firstSide.list, circle)
     if (some === NONE) return
     let least = some
-    for (let side = at(this.#nextSide.list, some); side !== some; side = at(this.#nextSide.list, side)) {
+    let left = this.#nextSide.length
+    for (let side = this.#sideAfter(some, left); side !== some; side = this.#sideAfter(side, --left)) {
       least = Math.min(least, side)
     }
     this.#firstSide.list[circle] = least
@@ -232,7 +233,7 @@ export class DiagramPatch {
       let side = start
       do {
         hull.push(this.#circleOf(side))
-        side = at(this.#nextSide.list, side ^ 1)
+        side = this.#sideAfter(side ^ 1, this.#nextSide.length - hull.length)
       } while (side !== start)
       return Int32Array.from(hull)
     }
@@ -260,7 +261,8 @@ export class DiagramPatch {
       const vertex = this.#originOf(side)
       if (vertex === NONE) {
         let previous = side
-        while (at(nextSide, previous) !== side) previous = at(nextSide, previous)
+        let left = this.#nextSide.length
+        while (at(nextSide, previous) !== side) previous = this.#sideAfter(previous, left--)
         nextSide[previous] = name
       } else {
         const slot = this.#slotOf(vertex, this.#circleOf(side))
@@ -314,12 +316,19 @@ export class DiagramPatch {
     this.#circleOfId.put(id, to)
     if (first === NONE) return
     let side = first
+    let left = this.#nextSide.length
     do {
       const vertex = this.#originOf(side)
       if (vertex !== NONE) this.#vertexCircles.list[this.#slotOf(vertex, from)] = to
       this.#edges.list[4 * (side >> 1) + (side & 1)] = to
-      side = at(this.#nextSide.list, side)
+      side = this.#sideAfter(side, left--)
     } while (side !== first)
+  }
+
+  /** The side after one, in a walk of which `left` sides are left at most. */
+  #sideAfter(side: number, left: number): number {
+    if (left < 0) refuseArrays('side', side)
+    return at(this.#nextSide.list, side)
   }
 
   #resize(circles: number, vertices: number, edges: number): void {

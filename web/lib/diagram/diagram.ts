@@ -88,7 +88,8 @@ export interface Cell {
  * input; the default is the bounding box of the circles plus a margin of a twentieth of its size.
  *
  * The methods expect a certified diagram. Data structures that they need are built in linear time on first use. All
- * methods throw a `CircleVoronoiError`: `badOption` for options that make no sense, `badArgument` for other arguments.
+ * methods throw a `CircleVoronoiError`: `badOption` for options that make no sense, `badArgument` for other arguments,
+ * and `badInput` or `nonFinite` if a program has changed the arrays so that they no longer fit together.
  *
  * @category Diagrams
  * @example

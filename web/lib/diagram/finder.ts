@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { refuseArrays, refuseInfinite } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import { facing, turn } from '../base/scale.ts'
 import type { Vector } from '../base/types.ts'
@@ -64,6 +65,7 @@ export class Finder {
       this.#minX = minX
       this.#minY = minY
       const [width, height] = [maxX - minX, maxY - minY]
+      if (!Number.isFinite(width + height)) refuseInfinite(circles)
       const wanted = Math.max(1, visible / PER_BUCKET)
       const extent = Math.max(width, height) // a product of the smallest numbers would be 0
       const share = Math.max(Math.sqrt(((width / extent) * (height / extent)) / wanted), 1 / wanted)
@@ -205,7 +207,9 @@ export class Finder {
     let nearest = NONE
     const r = at(circles, 3 * circle + 2)
     const toCenter = plainDistance(circles, circle, x, y)
+    let left = nextSide.length
     do {
+      if (left-- === 0) refuseArrays('circle', circle)
       // neighborOf(side), to which calls are too much here.
       const neighbor = at(edges, 4 * (side >> 1) + 1 - (side & 1))
       side = at(nextSide, side)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkData, checkLength } from '../base/check.ts'
+import { checkData, checkLength, refuseArrays } from '../base/check.ts'
 import { at, edgeOf, NONE } from '../base/diagram-data.ts'
 import { hypotenuse } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
@@ -74,17 +74,23 @@ export function mergeVertices(diagram: DiagramData, nearZero?: number): MergedDi
   const around: number[][] = members.map(() => [])
   const isShortSide = (side: number) => isShort[side >> 1] === 1
   vertexSides.forEach((start, slot) => {
-    const list = around[at(mergedVertex, Math.floor(slot / 3))] as number[]
+    const vertex = Math.floor(slot / 3)
+    const list = around[at(mergedVertex, vertex)] ?? refuseArrays('vertex', vertex)
     for (let side = start; !isShortSide(side) && isMet[side] === 0; ) {
       isMet[side] = 1
       list.push(at(edges, 4 * (side >> 1) + (side & 1)))
       side = at(nextSide, side ^ 1)
-      while (isShortSide(side)) side = at(nextSide, side)
+      let left = nextSide.length
+      while (isShortSide(side)) {
+        if (left-- === 0) refuseArrays('vertex', vertex)
+        side = at(nextSide, side)
+      }
     }
   })
 
   const firstCircle = new Int32Array(members.length + 1)
   around.forEach((list, v) => {
+    if (list.length === 0) refuseArrays('vertex', members[v] as number)
     firstCircle[v + 1] = at(firstCircle, v) + list.length
   })
   const circles = new Int32Array(at(firstCircle, members.length))

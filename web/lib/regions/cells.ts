@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { refuseArrays } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import { hypotenuse, unitFor } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
@@ -32,6 +33,8 @@ export class Cells {
   /**
    * Returns the largest distance from the center of a circle to a point of its cell: infinity for an unbounded cell,
    * NaN if there is no cell.
+   *
+   * @throws CircleVoronoiError `badInput`, if the arrays of the diagram were changed so that the cell's sides lead elsewhere
    */
   reach(circle: number): number {
     if (!this.exists(circle)) return Number.NaN
@@ -41,7 +44,9 @@ export class Cells {
     if (first === NONE) return Number.POSITIVE_INFINITY
     let reach = 0
     let side = first
+    let left = nextSide.length
     do {
+      this.#checkSide(side, circle, left--)
       reach = Math.max(reach, this.#reachOf(side))
       side = at(nextSide, side)
     } while (side !== first)
@@ -56,14 +61,21 @@ export class Cells {
   /**
    * Returns the sides of a cell, counter-clockwise; none if there is no cell or it is the whole plane. In an unbounded
    * cell, the side that ends at infinity is followed by the side that begins there.
+   *
+   * @throws CircleVoronoiError `badInput`, if the arrays of the diagram were changed so that the cell's sides lead elsewhere
    */
   sides(circle: number): Int32Array {
     const { firstSide, nextSide } = this.diagram
     // Past the circles there are no sides either.
     const first = firstSide[circle] ?? NONE
     if (first === NONE) return new Int32Array()
-    const sides = [first]
-    for (let side = at(nextSide, first); side !== first; side = at(nextSide, side)) sides.push(side)
+    const sides: number[] = []
+    let side = first
+    do {
+      this.#checkSide(side, circle, nextSide.length - sides.length)
+      sides.push(side)
+      side = at(nextSide, side)
+    } while (side !== first)
     return new Int32Array(sides)
   }
 
@@ -160,6 +172,15 @@ export class Cells {
     const dx = at(circles, 3 * circle) - at(circles, 3 * other)
     const dy = at(circles, 3 * circle + 1) - at(circles, 3 * other + 1)
     return 2 ** -49 * (hypotenuse(dx, dy) + Math.abs(at(circles, 3 * circle + 2) - at(circles, 3 * other + 2)))
+  }
+
+  /** Checks a side that a walk around a cell comes to, which may have `left` sides more. */
+  #checkSide(side: number, circle: number, left: number): void {
+    const { circles, vertices } = this.diagram
+    const other = this.neighborOf(side)
+    const origin = this.originOf(side)
+    const isOfCell = this.circleOf(side) === circle && other >= 0 && other < circles.length / 3
+    if (!(left > 0 && isOfCell && origin >= NONE && origin < vertices.length / 3)) refuseArrays('circle', circle)
   }
 
   /** The distance from the center of the side's circle to where it begins, which the side before has, too. */

@@ -114,7 +114,9 @@ function turnedOnce(angles: readonly number[], radii: readonly number[]): number
   })
   const sum = () => result.reduce((partial, angle) => partial + angle, 0)
   const widest = () => result.indexOf(result.reduce((one, other) => Math.max(one, other)))
-  for (let excess = Math.round(sum() / FULL_TURN) - 1; excess !== 0; excess -= Math.sign(excess)) {
+  // Numbers that a program has changed may have no angles.
+  const turns = Number.isFinite(sum()) ? sum() / FULL_TURN : 1
+  for (let excess = Math.round(turns) - 1; excess !== 0; excess -= Math.sign(excess)) {
     result[excess > 0 ? widest() : radii.indexOf(largest)] = excess > 0 ? 0 : FULL_TURN
   }
   // What the arcs now lack is what rounding made of others that hardly turn.

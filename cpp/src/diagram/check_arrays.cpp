@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_arrays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Where arrays do not fit together: a thing and its index.
+struct Place {
+  const char* thing;
+  std::size_t index;
+};
+
+bool isIndex(std::int32_t index, std::size_t count) { return index >= 0 && static_cast<std::size_t>(index) < count; }
+
+/// The first item for which a condition fails.
+template <class Items, class Condition>
+std::optional<Place> firstWithout(const char* thing, const Items& items, Condition condition) {
+  const auto found = std::find_if_not(items.begin(), items.end(), condition);
+  if (found == items.end()) return std::nullopt;
+  return Place{thing, static_cast<std::size_t>(found - items.begin())};
+}
+
+std::optional<Place> outsideRange(const Diagram& diagram) {
+  const std::size_t circles = diagram.circles.size();
+  const std::size_t vertices = diagram.vertices.size();
+  const std::size_t sides = 2 * diagram.edges.size();
+  const auto isCircle = [&](CircleIndex i) { return isIndex(i, circles); };
+  const auto areAll = [](const auto& triple, auto condition) {
+    return std::all_of(triple.begin(), triple.end(), condition);
+  };
+  const auto isEnd = [&](VertexIndex v) { return v == kNone || isIndex(v, vertices); };
+  const auto isSide = [&](SideIndex side) { return isIndex(side, sides); };
+  auto place = firstWithout("vertex", diagram.vertices, [](const Vertex& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.r);
+  });
+  if (!place) {
+    place = firstWithout("vertex", diagram.vertexCircles, [&](const auto& triple) { return areAll(triple, isCircle); });
+  }
+  if (!place) {
+    place = firstWithout("edge", diagram.edges, [&](const Edge& edge) {
+      return isCircle(edge.left) && isCircle(edge.right) && edge.left != edge.right && isEnd(edge.start) &&
+             isEnd(edge.end);
+    });
+  }
+  if (!place) {
+    place = firstWithout("hidden circle", diagram.hidden, [&](const HiddenCircle& hidden) {
+      return isCircle(hidden.circle) && (hidden.by == kNone || isCircle(hidden.by));
+    });
+  }
+  if (!place) place = firstWithout("place of the hull", diagram.hull, isCircle);
+  if (!place) place = firstWithout("side", diagram.links.nextSide, isSide);
+  if (!place) {
+    place =
+        firstWithout("vertex", diagram.links.vertexSides, [&](const auto& triple) { return areAll(triple, isSide); });
+  }
+  if (!place) {
+    place =
+        firstWithout("circle", diagram.links.firstSide, [&](SideIndex side) { return side == kNone || isSide(side); });
+  }
+  return place;
+}
+
+/// Precondition: all indices are in range.
+std::optional<Place> wronglyLinked(const Diagram& diagram) {
+  const auto& [nextSide, vertexSides, firstSide] = diagram.links;
+  for (std::size_t i = 0; i < nextSide.size(); ++i) {
+    const SideIndex side = static_cast<std::int32_t>(i);
+    const SideIndex next = nextSide[i];
+    if (diagram.circleOf(next) != diagram.circleOf(side) || diagram.originOf(next) != diagram.targetOf(side)) {
+      return Place{"side", i};
+    }
+  }
+  // A side leads to sides of the same cell, so cycles around different cells have no side in common.
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < firstSide.size(); ++i) {
+    const SideIndex first = firstSide[i];
+    if (first == kNone) continue;
+    if (diagram.circleOf(first) != static_cast<std::int32_t>(i)) return Place{"circle", i};
+    SideIndex side = first;
+    do {
+      if (++count > nextSide.size()) return Place{"circle", i};
+      side = nextSide[static_cast<std::size_t>(side)];
+    } while (side != first);
+  }
+  if (count != nextSide.size()) return Place{"side", count};
+  const auto& hull = diagram.hull;
+  const auto isUnbounded = [](const Edge& edge) {
+    return std::size_t{edge.start == kNone} + std::size_t{edge.end == kNone};
+  };
+  std::size_t unbounded = 0;
+  for (const Edge& edge : diagram.edges) unbounded += isUnbounded(edge);
+  if (unbounded != (hull.size() > 1 ? hull.size() : 0)) return Place{"place of the hull", 0};
+  for (std::size_t v = 0; v < vertexSides.size(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SideIndex side = vertexSides[v][k];
+      const bool isHere = diagram.originOf(side) == static_cast<std::int32_t>(v);
+      if (!isHere || diagram.circleOf(side) != diagram.vertexCircles[v][k]) return Place{"vertex", v};
+    }
+  }
+  return std::nullopt;
+}
+
+Error misfit(const std::string& where) {
+  return {ErrorCode::badInput, kNone,
+          "The arrays of the diagram do not fit together" + where + ". They must not be changed."};
+}
+
+}  // namespace
+
+Result<void> checkArrays(const Diagram& diagram) {
+  for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
+    if (const auto objection = objectionTo(diagram.circles[i], diagram.weights)) {
+      return Error{objection->code, static_cast<std::int64_t>(i),
+                   "Circle " + std::to_string(i) + " " + objection->what};
+    }
+  }
+  const bool fitsInLength = diagram.vertexCircles.size() == diagram.vertices.size() &&
+                            diagram.links.nextSide.size() == 2 * diagram.edges.size() &&
+                            diagram.links.vertexSides.size() == diagram.vertices.size() &&
+                            diagram.links.firstSide.size() == diagram.circles.size();
+  if (!fitsInLength) return misfit(" in their lengths");
+  auto place = outsideRange(diagram);
+  if (!place) place = wronglyLinked(diagram);
+  if (place) return misfit(std::string(" at ") + place->thing + " " + std::to_string(place->index));
+  return {};
+}
+
+}  // namespace circle_voronoi
