@@ -88,6 +88,7 @@ void addOutputOptions(CLI::App& command, Output& output) {
       .add_option("--region", output.regionFile,
                   "A file with the region to clip to, as GeoJSON or well-known text (svg, geojson, geojsonl, wkt, obj)")
       ->type_name("FILE");
+  command.add_flag("--dissolve", output.dissolve, "Merge polygons of the region that share borders or overlap");
   command
       .add_option("--tolerance", output.tolerance,
                   "The largest distance between the output and the true curves (svg, geojson, geojsonl, wkt, obj); by "
@@ -135,10 +136,17 @@ void settle(Output& output) {
     if (const char* unused = drawingOption(output))
       throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
   }
+  if (output.dissolve && output.regionFile.empty()) throw Failure{kBadInput, "--dissolve needs --region."};
   if (output.regionFile.empty()) return;
   if (!output.bounds.empty()) throw Failure{kBadInput, "--region takes no --bounds."};
-  auto region = readRegion(readText(output.regionFile), inputName(output.regionFile));
-  if (!region) throw Failure{kBadInput, region.error().message};
+  auto region = readRegion(readText(output.regionFile), inputName(output.regionFile), {.dissolve = output.dissolve});
+  if (!region) {
+    std::string message = region.error().message;
+    constexpr std::string_view kOption = "Set `dissolve` to merge them.";
+    if (message.ends_with(kOption))
+      message.replace(message.size() - kOption.size(), kOption.size(), "--dissolve merges them.");
+    throw Failure{kBadInput, message};
+  }
   output.region = *std::move(region);
 }
 

@@ -24,6 +24,7 @@ struct Output {
   std::string format;           ///< empty until `settle` chooses it
   std::string bounds;           ///< MINX,MINY,MAXX,MAXY; empty: the default
   std::string regionFile;       ///< empty: no region
+  bool dissolve = false;        ///< whether polygons of the region that overlap are merged
   bool isRegionNeeded = false;  ///< whether the command itself uses the region, whatever the format
   double tolerance = 0;         ///< 0: the default
   std::optional<double> maxDistance = {};

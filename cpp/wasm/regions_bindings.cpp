@@ -33,13 +33,13 @@ std::vector<Item> copyOf(std::span<const Item> items) {
 }
 
 /// `points`: x and y of each. `polygonOffsets`: undefined if the rings are those of any polygons.
-val createRegion(const val& points, const val& ringOffsets, const val& polygonOffsets) {
+val createRegion(const val& points, const val& ringOffsets, const val& polygonOffsets, bool dissolve) {
   return valueOf([&] {
     const auto corners = itemsFrom<double, Point>(points);
     const auto rings = itemsFrom<std::int32_t, std::int32_t>(ringOffsets);
     std::vector<std::int32_t> polygons;
     if (!polygonOffsets.isUndefined()) polygons = itemsFrom<std::int32_t, std::int32_t>(polygonOffsets);
-    auto region = Region::fromArrays(corners, rings, polygons);
+    auto region = Region::fromArrays(corners, rings, polygons, {.dissolve = dissolve});
     if (!region.ok()) return errorValue(region.error());
     val result = val::object();
     result.set("points", float64Array(copyOf(region->points())));

@@ -134,7 +134,7 @@ TEST(Region, RefusesWrongNesting) {
   EXPECT_EQ(messageOfPolygons({{square(0, 0, 9), square(1, 1, 5), square(2, 2, 1)}}),
             "Ring 2 of the region is a hole inside another hole.");
   EXPECT_EQ(messageOfPolygons({{square(0, 0, 9)}, {square(1, 1, 1)}}),
-            "Polygons 0 and 1 of the region overlap: one contains the other.");
+            "Polygons 0 and 1 of the region overlap: one contains the other. Set `dissolve` to merge them.");
 }
 
 TEST(Region, RefusesWhatIsNoRegion) {

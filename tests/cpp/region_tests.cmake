@@ -3,6 +3,7 @@
 add_executable(circle_voronoi_region_tests
   clipped_diagram_test.cpp
   clipped_polygons_test.cpp
+  dissolve_test.cpp
   fit_areas_test.cpp
   recompute_test.cpp
   region_shapes.cpp

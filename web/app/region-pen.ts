@@ -3,6 +3,7 @@ import { ARROWS } from '../editing/keyboard.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Point } from '../lib/index.ts'
+import { isDissolved, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ringsOf } from '../view/domain.ts'
 import type { Drawn } from '../view/gestures.ts'
 import type { View } from '../view/view.ts'
@@ -10,7 +11,7 @@ import type { PageActions } from './page-actions.ts'
 
 /**
  * Draws a polygon, corner by corner, while the tool is `draw`. Once it is closed it is part of the region: inside of it a hole,
- * outside another polygon. One that cannot be stays to be mended.
+ * outside another polygon. In a region whose polygons are merged it is merged, too. One that cannot be stays to be mended.
  */
 export class RegionPen {
   readonly #store: Store<State>
@@ -67,7 +68,7 @@ export class RegionPen {
     }
     const ring = this.#corners.map(({ x, y }) => [x, y] as const)
     const { region } = this.#store.get().domain
-    const edited = await this.#actions.setDomain({ region: [...ringsOf(region), ring] })
+    const edited = await this.#actions.setDomain({ region: withRing(region, ring) })
     if (edited !== undefined) this.#actions.useTool('select')
   }
 
@@ -109,4 +110,11 @@ export class RegionPen {
 
 function distance(one: Point, other: Point): number {
   return Math.hypot(one.x - other.x, one.y - other.y)
+}
+
+/** The region with one ring more: in one whose polygons are merged it is another polygon. */
+function withRing(region: RegionShape | undefined, ring: readonly (readonly [x: number, y: number])[]): RegionShape {
+  if (region === undefined || !isDissolved(region)) return [...ringsOf(region), ring]
+  const { coordinates } = region as Extract<RegionShape, { type: 'MultiPolygon' }>
+  return { type: 'MultiPolygon', coordinates: [...coordinates, [ring]], dissolve: true }
 }

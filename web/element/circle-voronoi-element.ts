@@ -85,6 +85,7 @@ const ATTRIBUTES = [
   'check',
   'circles',
   'controls',
+  'dissolve',
   'lang',
   'layers',
   'method',
@@ -287,6 +288,9 @@ export class CircleVoronoiElement extends Base {
         this.#region = undefined
         this.#changeDomain()
         return
+      case 'dissolve':
+        this.#changeDomain()
+        return
       case 'areas':
         this.#areas = undefined
         this.#changeDomain()
@@ -390,7 +394,7 @@ export class CircleVoronoiElement extends Base {
    * The region to which cells are clipped: polygons with holes. Set GeoJSON (`Polygon`, `MultiPolygon`, `Feature`,
    * `FeatureCollection`), a list of rings of points, or text like the attribute: GeoJSON, rings in JSON, well-known text
    * (`POLYGON ((0 0, 9 0, 9 9, 0 9))`) or the address of such a file. `undefined` if there is none. Areas of cells are
-   * those inside. A region whose rings cross causes an `error` event.
+   * those inside. A region whose rings cross causes an `error` event, unless `dissolve` is set.
    */
   get region(): RegionShape | undefined {
     const { scene, domain } = this.#figure?.editing ?? {}
@@ -405,6 +409,15 @@ export class CircleVoronoiElement extends Base {
         this.#changeDomain()
       })
     }
+  }
+
+  /** Whether polygons of the region that share borders or overlap, as administrative areas do, are merged. */
+  get dissolve(): boolean {
+    return this.hasAttribute('dissolve')
+  }
+
+  set dissolve(isDissolved: boolean | undefined | null) {
+    this.toggleAttribute('dissolve', isDissolved === true)
   }
 
   /**
@@ -855,6 +868,7 @@ export class CircleVoronoiElement extends Base {
     let region = this.#region
     try {
       if (region === undefined && text) region = await regionFrom(text, this.baseURI, signal)
+      if (region !== undefined && this.dissolve) region = plainRegion(region, true)
     } catch (error) {
       // A text that is none was told of as it was set.
       if (!signal.aborted && !this.#wrong.has('region')) this.#fail('region', error as Error)
@@ -1129,6 +1143,7 @@ const PROPERTIES = [
   'view',
   'layers',
   'region',
+  'dissolve',
   'areas',
   'method',
   'samples',

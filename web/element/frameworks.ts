@@ -20,6 +20,7 @@ export interface CircleVoronoiProps {
   check?: Check | string | null | undefined
   circles?: Circles | string | null | undefined
   controls?: string | boolean | null | undefined
+  dissolve?: boolean | null | undefined
   lang?: string | undefined
   layers?: Partial<Layers> | string | null | undefined
   method?: Method | null | undefined

@@ -103,7 +103,7 @@ export type { CircleVoronoi, FinalCells, Known } from './wasm/library.ts'
 export type { LoadOptions } from './wasm/load-options.ts'
 export { loadCircleVoronoi } from './wasm/loader.ts'
 export type { Options, Progress, Stage } from './wasm/options.ts'
-export type { Regions } from './wasm/regions.ts'
+export type { DissolveOptions, Regions } from './wasm/regions.ts'
 export {
   TRACE_KINDS,
   Trace,

@@ -90,7 +90,7 @@ Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::s
 ///
 /// `name` is what errors call the text. Messages about the syntax start with `name:line:`, others with `name:`.
 /// Errors: badInput; also those of Region::fromPolygons.
-Result<Region> readRegion(std::string_view text, std::string_view name);
+Result<Region> readRegion(std::string_view text, std::string_view name, const RegionOptions& options = {});
 
 // The functions below write circles so that `readCircleFile` reads them back to the same bits, with their attributes:
 // as CSV with a header line, as JSON objects, and as GeoJSON Points with the property r. Radii may be negative

@@ -14,12 +14,19 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
+struct RegionOptions {
+  /// Whether polygons that share sides or overlap, as administrative areas do, become their union. A point belongs to a
+  /// polygon if an odd number of its rings contain it, so rings may cross themselves, too. Rings without an area are
+  /// left out. The union of polygons that share sides is exact; points where sides cross are rounded.
+  bool dissolve = false;
+};
+
 /// A closed set in the plane: one or more polygons with holes. It is validated once, when it is made, and can be used
 /// for many diagrams. Rings are counted through all polygons. Side k begins at point k of points().
 ///
 /// A ring is a list of points. The last point may repeat the first one or not, points may repeat the point before
-/// them, and the ring may run in either direction. The rules are those of the OGC's simple features, as GEOS and PostGIS
-/// check them:
+/// them, and the ring may run in either direction. The rules are those of the OGC's simple features, as GEOS and
+/// PostGIS check them:
 ///
 /// - A ring has at least three different points and does not cross or touch itself.
 /// - Different rings do not cross and have no part of a side in common. They may touch in single points, unless that
@@ -34,18 +41,20 @@ class Region {
   /// Makes a region from polygons. The first ring of a polygon is its outer ring, the others are its holes, as in
   /// GeoJSON.
   /// Errors: badOption if there is no polygon, a polygon has no ring, a coordinate is not finite or exceeds
-  /// kRegionLimit, or a rule above is broken. The message names the rings, the sides and the point. tooManyCircles if
-  /// there are more than kMaxRegionSides sides, or memory runs out. badArithmetic.
-  static Result<Region> fromPolygons(std::span<const std::vector<Ring>> polygons);
+  /// kRegionLimit, or a rule above is broken and `dissolve` is not set. The message names the rings, the sides and the
+  /// point. tooManyCircles if there are more than kMaxRegionSides sides, or memory runs out. badArithmetic.
+  static Result<Region> fromPolygons(std::span<const std::vector<Ring>> polygons, const RegionOptions& options = {});
   /// Makes a region from rings in any order: a point belongs to the region if an odd number of rings contain it. So a
-  /// ring inside another one is a hole, and a ring inside that hole is an island. Errors: those of fromPolygons.
-  static Result<Region> fromRings(std::span<const Ring> rings);
+  /// ring inside another one is a hole, and a ring inside that hole is an island. With `dissolve`, rings may cross and
+  /// share sides, too, and the rule stays. Errors: those of fromPolygons.
+  static Result<Region> fromRings(std::span<const Ring> rings, const RegionOptions& options = {});
   /// Makes a region from flat arrays. Ring k consists of the points from ringOffsets[k] to before ringOffsets[k + 1].
   /// Polygon k consists of the rings from polygonOffsets[k] to before polygonOffsets[k + 1]. Without polygonOffsets the
   /// rings are those of fromRings. Errors: those of fromPolygons; badOption also if offsets decrease, do not begin with
   /// 0, or do not end with the number of points or rings.
   static Result<Region> fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
-                                   std::span<const std::int32_t> polygonOffsets = {});
+                                   std::span<const std::int32_t> polygonOffsets = {},
+                                   const RegionOptions& options = {});
   /// Makes a region from a convex polygon.
   static Result<Region> from(const ConvexPolygon& polygon);
   /// Makes a region from a box. Errors: those of ConvexPolygon.
@@ -83,6 +92,12 @@ class Region {
 
  private:
   Region() = default;
+
+  /// The region of arrays as they are, and of the union of their polygons. Each throws a Refusal.
+  static Region valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
+                      std::span<const std::int32_t> polygonOffsets);
+  static Region unionOf(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
+                        std::span<const std::int32_t> polygonOffsets);
 
   /// What a run of sides one after the other spans, for contains().
   struct Run {

@@ -221,14 +221,14 @@ Polygons readPolygons(std::string_view text) {
 
 }  // namespace
 
-Result<Region> readRegion(std::string_view text, std::string_view name) {
+Result<Region> readRegion(std::string_view text, std::string_view name, const RegionOptions& options) {
   return guarded([&]() -> Result<Region> {
     const auto content = contentOf(text, name);
     if (!content) return content.error();
     const std::string_view rest = content.value();
     try {
       const auto [points, ringOffsets, polygonOffsets] = readPolygons(rest);
-      auto region = Region::fromArrays(points, ringOffsets, polygonOffsets);
+      auto region = Region::fromArrays(points, ringOffsets, polygonOffsets, options);
       if (region) return region;
       Error error = region.error();
       error.message = std::string(name) + ": " + error.message;

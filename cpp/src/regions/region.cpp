@@ -11,6 +11,7 @@
 #include "at.h"
 #include "circle_voronoi/limits.h"
 #include "compensated_sum.h"
+#include "dissolve.h"
 #include "guarded.h"
 #include "in_circle.h"
 #include "ring_sweep.h"
@@ -24,6 +25,9 @@ constexpr std::size_t kSidesOfRun = 8;
 constexpr std::size_t kRunsOfRun = 4;
 
 [[noreturn]] void refuse(std::string message) { throw Refusal{{ErrorCode::badOption, kNone, std::move(message)}}; }
+
+/// The way out of an error about several polygons.
+constexpr const char* kAdvice = " Set `dissolve` to merge them.";
 
 /// What a region is made of, as it is given.
 struct Given {
@@ -89,9 +93,11 @@ class Names {
 struct Cleaned {
   Rings rings;
   std::vector<std::int32_t> inputIndex;
+  std::vector<std::size_t> inputRing;  ///< of each ring
 };
 
-Cleaned cleaned(const Given& given, const Names& names) {
+/// `leavesOut`: rings of fewer than three points are left out, not refused.
+Cleaned cleaned(const Given& given, const Names& names, bool leavesOut = false) {
   Cleaned result;
   auto& [points, offsets] = result.rings;
   points.reserve(given.points.size());
@@ -118,12 +124,18 @@ Cleaned cleaned(const Given& given, const Names& names) {
       points.pop_back();
       result.inputIndex.pop_back();
     }
+    if (points.size() < first + 3 && leavesOut) {
+      points.resize(first);
+      result.inputIndex.resize(first);
+      continue;
+    }
     if (points.size() < first + 3) {
       std::string name = names.ofRing(r);
       name[0] = 'R';
       refuse(name + " of the region has fewer than three different points.");
     }
     offsets.push_back(static_cast<std::int32_t>(points.size()));
+    result.inputRing.push_back(r);
   }
   return result;
 }
@@ -136,7 +148,7 @@ void checkNesting(const Given& given, const RingOrder& order, const Names& names
     if (isOuter(ring)) {
       if (parent == -1 || !isOuter(at(parent))) continue;
       refuse("Polygons " + std::to_string(names.polygonOf(at(parent))) + " and " +
-             std::to_string(names.polygonOf(ring)) + " of the region overlap: one contains the other.");
+             std::to_string(names.polygonOf(ring)) + " of the region overlap: one contains the other." + kAdvice);
     }
     if (parent == given.polygonOffsets[names.polygonOf(ring)]) continue;
     std::string name = names.ofRing(ring);
@@ -258,68 +270,100 @@ struct Flat {
 
 }  // namespace
 
-Result<Region> Region::fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
-                                  std::span<const std::int32_t> polygonOffsets) {
-  return guarded([&]() -> Result<Region> {
-    const Given given = {points, ringOffsets, polygonOffsets};
-    checkArrays(given);
-    const Names names(given);
-    const auto clean = cleaned(given, names);
-    // Clang 14 captures no structured bindings.
-    const auto& rings = clean.rings;
-    const auto& inputIndex = clean.inputIndex;
-    const auto ringOfSide = [&](std::int32_t side) {
-      return static_cast<std::size_t>(std::ranges::upper_bound(rings.offsets, side) - rings.offsets.begin()) - 1;
-    };
-    const RingOrder order = orderOf(rings, [&](std::int32_t side) {
-      return "side " + std::to_string(inputIndex[at(side)]) + " of " + names.ofRing(ringOfSide(side)) +
-             " of the region";
-    });
-    if (!polygonOffsets.empty()) checkNesting(given, order, names);
-    const Grouping grouping = grouped(given, order);
-    checkInteriors(order, grouping.polygonOfRing);
+Region Region::valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
+                     std::span<const std::int32_t> polygonOffsets) {
+  const Given given = {points, ringOffsets, polygonOffsets};
+  const Names names(given);
+  const auto clean = cleaned(given, names);
+  // Clang 14 captures no structured bindings.
+  const auto& rings = clean.rings;
+  const auto& inputIndex = clean.inputIndex;
+  const auto ringOfSide = [&](std::int32_t side) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(rings.offsets, side) - rings.offsets.begin()) - 1;
+  };
+  const auto nameOf = [&](std::int32_t side) {
+    return "side " + std::to_string(inputIndex[at(side)]) + " of " + names.ofRing(ringOfSide(side)) + " of the region";
+  };
+  const auto adviceOn = [&](std::int32_t a, std::int32_t b) {
+    const bool areTwo = !polygonOffsets.empty() && names.polygonOf(ringOfSide(a)) != names.polygonOf(ringOfSide(b));
+    return areTwo ? kAdvice : "";
+  };
+  const RingOrder order = orderOf(rings, nameOf, adviceOn);
+  if (!polygonOffsets.empty()) checkNesting(given, order, names);
+  const Grouping grouping = grouped(given, order);
+  checkInteriors(order, grouping.polygonOfRing);
 
-    Region region;
-    region.points_.reserve(rings.points.size());
-    region.ringOffsets_.push_back(0);
-    region.polygonOffsets_.push_back(0);
-    for (const auto& polygon : grouping.rings) {
-      for (const std::int32_t ring : polygon) {
-        const auto begin = rings.points.begin() + rings.offsets[at(ring)];
-        const auto end = rings.points.begin() + rings.offsets[at(ring) + 1];
-        const bool isOuter = ring == polygon.front();
-        auto& its = region.points_;
-        its.push_back(*begin);
-        if (isOuter == (order.isCounterClockwise[at(ring)] != 0)) {
-          its.insert(its.end(), begin + 1, end);
-        } else {
-          its.insert(its.end(), std::make_reverse_iterator(end), std::make_reverse_iterator(begin + 1));
-        }
-        region.ringOffsets_.push_back(static_cast<std::int32_t>(its.size()));
+  Region region;
+  region.points_.reserve(rings.points.size());
+  region.ringOffsets_.push_back(0);
+  region.polygonOffsets_.push_back(0);
+  for (const auto& polygon : grouping.rings) {
+    for (const std::int32_t ring : polygon) {
+      const auto begin = rings.points.begin() + rings.offsets[at(ring)];
+      const auto end = rings.points.begin() + rings.offsets[at(ring) + 1];
+      const bool isOuter = ring == polygon.front();
+      auto& its = region.points_;
+      its.push_back(*begin);
+      if (isOuter == (order.isCounterClockwise[at(ring)] != 0)) {
+        its.insert(its.end(), begin + 1, end);
+      } else {
+        its.insert(its.end(), std::make_reverse_iterator(end), std::make_reverse_iterator(begin + 1));
       }
-      region.polygonOffsets_.push_back(static_cast<std::int32_t>(region.ringOffsets_.size() - 1));
+      region.ringOffsets_.push_back(static_cast<std::int32_t>(its.size()));
     }
-    region.index();
-    return region;
+    region.polygonOffsets_.push_back(static_cast<std::int32_t>(region.ringOffsets_.size() - 1));
+  }
+  region.index();
+  return region;
+}
+
+Region Region::unionOf(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
+                       std::span<const std::int32_t> polygonOffsets) {
+  const Given given = {points, ringOffsets, polygonOffsets};
+  const Names names(given);
+  const auto clean = cleaned(given, names, true);
+  std::vector<std::int32_t> polygonOfRing;
+  for (const std::size_t ring : clean.inputRing) {
+    polygonOfRing.push_back(polygonOffsets.empty() ? 0 : static_cast<std::int32_t>(names.polygonOf(ring)));
+  }
+  const Rings rings = dissolved(clean.rings, polygonOfRing);
+  if (rings.points.empty()) refuse("The region has no area.");
+  try {
+    return valid(rings.points, rings.offsets, {});
+  } catch (const Refusal& refusal) {
+    throw Refusal{errorWith(ErrorCode::internal, ("The union of the polygons: " + refusal.error.message).c_str())};
+  }
+}
+
+Result<Region> Region::fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
+                                  std::span<const std::int32_t> polygonOffsets, const RegionOptions& options) {
+  return guarded([&]() -> Result<Region> {
+    checkArrays({points, ringOffsets, polygonOffsets});
+    try {
+      return valid(points, ringOffsets, polygonOffsets);
+    } catch (const Refusal& refusal) {
+      if (!options.dissolve || refusal.error.code != ErrorCode::badOption) throw;
+    }
+    return unionOf(points, ringOffsets, polygonOffsets);
   });
 }
 
-Result<Region> Region::fromPolygons(std::span<const std::vector<Ring>> polygons) {
+Result<Region> Region::fromPolygons(std::span<const std::vector<Ring>> polygons, const RegionOptions& options) {
   return guarded([&]() -> Result<Region> {
     Flat flat;
     for (const auto& polygon : polygons) {
       for (const Ring& ring : polygon) flat.add(ring);
       flat.endPolygon();
     }
-    return fromArrays(flat.points, flat.ringOffsets, flat.polygonOffsets);
+    return fromArrays(flat.points, flat.ringOffsets, flat.polygonOffsets, options);
   });
 }
 
-Result<Region> Region::fromRings(std::span<const Ring> rings) {
+Result<Region> Region::fromRings(std::span<const Ring> rings, const RegionOptions& options) {
   return guarded([&]() -> Result<Region> {
     Flat flat;
     for (const Ring& ring : rings) flat.add(ring);
-    return fromArrays(flat.points, flat.ringOffsets);
+    return fromArrays(flat.points, flat.ringOffsets, {}, options);
   });
 }
 

@@ -19,8 +19,6 @@
 namespace circle_voronoi {
 namespace {
 
-bool isBefore(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
 std::string textOf(double value) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
@@ -31,8 +29,11 @@ std::string textOf(Point p) { return "(" + textOf(p.x) + ", " + textOf(p.y) + ")
 
 class Sweep {
  public:
-  Sweep(const Rings& rings, const std::function<std::string(std::int32_t)>& sideName)
-      : rings_(rings), sideName_(sideName), active_(Below{this}) {
+  using SideName = std::function<std::string(std::int32_t)>;
+  using Advice = std::function<std::string(std::int32_t, std::int32_t)>;
+
+  Sweep(const Rings& rings, const SideName& sideName, const Advice& advice)
+      : rings_(rings), sideName_(sideName), advice_(advice), active_(Below{this}) {
     const std::size_t count = rings.points.size();
     next_.resize(count);
     previous_.resize(count);
@@ -153,7 +154,8 @@ class Sweep {
 
   /// Whether a point lies on the side before `begin`, or on the one at `end`.
   bool touchesBeside(Active::iterator begin, Active::iterator end, Point p) const {
-    return (begin != active_.begin() && isOn(std::prev(begin)->side, p)) || (end != active_.end() && isOn(end->side, p));
+    return (begin != active_.begin() && isOn(std::prev(begin)->side, p)) ||
+           (end != active_.end() && isOn(end->side, p));
   }
 
   void insert(std::int32_t side, Active::iterator hint) { where_[at(side)] = active_.insert(hint, Entry{side}); }
@@ -279,7 +281,8 @@ class Sweep {
     const Vector along = measuredIn(unit, vectorTo(p, q));
     const Vector across = measuredIn(unit, vectorTo(u, v));
     const double slope = cross(along, across);
-    const double share = slope == 0 ? 0.5 : std::clamp(cross(measuredIn(unit, vectorTo(p, u)), across) / slope, 0.0, 1.0);
+    const double share =
+        slope == 0 ? 0.5 : std::clamp(cross(measuredIn(unit, vectorTo(p, u)), across) / slope, 0.0, 1.0);
     refuse(a, b, "cross at", {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)});
   }
 
@@ -294,12 +297,14 @@ class Sweep {
   [[noreturn]] void refuse(std::int32_t a, std::int32_t b, const char* what, Point p) const {
     std::string first = sideName_(std::min(a, b));
     first[0] = 'S';
-    const std::string message = first + " and " + sideName_(std::max(a, b)) + " " + what + " " + textOf(p) + ".";
+    const std::string message =
+        first + " and " + sideName_(std::max(a, b)) + " " + what + " " + textOf(p) + "." + advice_(a, b);
     throw Refusal{{ErrorCode::badOption, -1, message}};
   }
 
   const Rings& rings_;
-  const std::function<std::string(std::int32_t)>& sideName_;
+  const SideName& sideName_;
+  const Advice& advice_;
   std::vector<std::int32_t> next_;
   std::vector<std::int32_t> previous_;
   std::vector<std::int32_t> ring_;
@@ -313,8 +318,9 @@ class Sweep {
 
 }  // namespace
 
-RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName) {
-  return Sweep(rings, sideName).run();
+RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName,
+                  const std::function<std::string(std::int32_t a, std::int32_t b)>& advice) {
+  return Sweep(rings, sideName, advice).run();
 }
 
 }  // namespace circle_voronoi

@@ -11,6 +11,9 @@
 
 namespace circle_voronoi {
 
+/// The order in which a line from left to right meets points; one of the same x from below.
+inline bool isBefore(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
 /// Rings of points, one after the other: those from offsets[k] to before offsets[k + 1] are ring k, which has three
 /// points or more. Points in a row differ. Side k begins at point k.
 struct Rings {
@@ -36,7 +39,8 @@ struct RingOrder {
 /// crosses in order (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976). All signs are exact.
 ///
 /// Takes O(m log m) steps for m sides. Throws a Refusal with a sentence if a ring crosses or touches itself, or two
-/// rings cross or overlap; `sideName` says what a side is called.
-RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName);
+/// rings cross or overlap; `sideName` says what a side is called, and `advice` what to add about two sides.
+RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName,
+                  const std::function<std::string(std::int32_t a, std::int32_t b)>& advice);
 
 }  // namespace circle_voronoi

@@ -7,6 +7,7 @@ import type { Store } from '../../editing/store.ts'
 import { withIds } from '../../element/check.ts'
 import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
 import type { LinkFrame, LinkInput } from '../../lib/link.ts'
+import { plainRegion } from '../../lib/regions/region-shape.ts'
 import { fitted } from '../../view/camera.ts'
 import { boxOf } from '../../view/domain.ts'
 import { readRegion } from '../../view/region-text.ts'
@@ -55,6 +56,8 @@ export interface FileThreads {
 
 /** All that a user can do with files and links. */
 export class FileActions {
+  /** Whether polygons of files that share borders or overlap become one region. */
+  mergesPolygons = false
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #actions: PageActions
@@ -88,10 +91,18 @@ export class FileActions {
     return this.#clipTo(() => readRegion(text), file.name, gesture)
   }
 
-  async #clipTo(read: ReadsRegion, name: string, gesture?: number): Promise<HowOpened> {
+  async #clipTo(
+    read: ReadsRegion,
+    name: string,
+    gesture?: number,
+    merges = this.mergesPolygons,
+  ): Promise<HowOpened> {
     try {
-      const edited = await this.#actions.setDomain({ region: read() }, gesture)
-      if (edited === undefined) return 'refused'
+      const edited = await this.#actions.setDomain({ region: plainRegion(read(), merges) }, gesture)
+      if (edited === undefined) {
+        if (this.#store.get().problem.includes('`dissolve`')) this.#offerToMerge(read, name)
+        return 'refused'
+      }
     } catch (error) {
       this.#actions.complain(`${name}: ${(error as Error).message}`)
       return 'refused'
@@ -99,6 +110,12 @@ export class FileActions {
     this.#actions.look(undefined)
     toast(`Cells are clipped to ${name}.`, { label: 'Undo', act: () => this.#actions.undo() })
     return 'opened'
+  }
+
+  #offerToMerge(read: ReadsRegion, name: string): void {
+    this.#actions.complain('')
+    const act = () => void this.#clipTo(read, name, undefined, true)
+    toast(`Polygons of ${name} share borders or overlap.`, { label: 'Merge polygons', act })
   }
 
   /** Takes a text as if it were a file, or a link. Circles of a table are added to those that there are. */

@@ -2,6 +2,7 @@
 import { html, nothing } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { isDissolved, plainRegion } from '../../lib/regions/region-shape.ts'
 import { icon } from '../../player/icon.ts'
 import { ringsOf } from '../../view/domain.ts'
 import { BIN, FOLDER, PEN } from '../../view/icons.ts'
@@ -39,6 +40,13 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     // The same file may be chosen once more.
     input.value = ''
   }
+  const merge = async ({ target }: Event) => {
+    const input = target as HTMLInputElement
+    const { region } = store.get().domain
+    files.mergesPolygons = input.checked
+    if (region !== undefined) await actions.setDomain({ region: plainRegion(region, input.checked) })
+    draw()
+  }
   const choose = async ({ target }: Event) => {
     const select = target as HTMLSelectElement
     const { value } = select
@@ -58,8 +66,8 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     if (missing > 0) toast(`${wholeNumber(missing)} of the circles have no number in ${name}: they get the mean.`)
   }
 
-  const drawing = () => html`
-    <p>Click the corners. Close the polygon at its first corner, or with a double click. Inside the region it becomes a hole.</p>
+  const drawing = (after: string) => html`
+    <p>Click the corners. Close the polygon at its first corner, or with a double click. ${after}</p>
     <div class="choices">
       <button type="button" class="primary" ?disabled=${pen.count < 3} @click=${() => pen.close()}>Close polygon</button>
       <button type="button" ?disabled=${pen.count === 0} @click=${() => pen.undo()}>Undo corner</button>
@@ -67,11 +75,13 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     </div>
   `
 
-  const body = ({ domain: { region, areas }, tool, edited }: State) => html`
+  const body = ({ domain: { region, areas }, tool, edited }: State) => {
+    const isMerged = region === undefined ? files.mergesPolygons : isDissolved(region)
+    return html`
     <p>${region === undefined ? 'Clip the cells to a country, a hall with pillars, or any polygon.' : saidOf(region)}</p>
     ${
       tool === 'draw'
-        ? drawing()
+        ? drawing(isMerged ? 'It is merged with the region.' : 'Inside the region it becomes a hole.')
         : html`<div class="choices">
             <button type="button" @click=${begin} title="Draw a polygon, corner by corner (P)">
               ${icon(PEN)}${region === undefined ? 'Draw' : 'Draw more'}
@@ -87,6 +97,16 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
             }
           </div>`
     }
+    <div class="layer">
+      <label>
+        <input
+          type="checkbox"
+          .checked=${isMerged}
+          @change=${merge}
+        />
+        Merge polygons that share borders or overlap
+      </label>
+    </div>
     <fieldset ?disabled=${region === undefined}>
       <legend>Areas of the cells inside</legend>
       <div class="layer">
@@ -105,6 +125,7 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     }
     <p class="quiet" id="areas-said" aria-live="polite">${aboutAreas(region, areas, edited)}</p>
   `
+  }
 
   const chosenOf = (areas: State['domain']['areas']) => {
     if (areas === undefined) return FREE

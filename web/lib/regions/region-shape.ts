@@ -13,13 +13,18 @@ export type RingShape = readonly (readonly number[] | Point)[]
 /**
  * What a region can be made from: GeoJSON (a `Polygon`, `MultiPolygon`, `GeometryCollection`, `Feature` or
  * `FeatureCollection`), or a list of rings of points `[x, y]` or `{ x, y }`. Rings run in either direction, and the last
- * point may repeat the first one. In a list of rings, a ring inside another one is a hole.
+ * point may repeat the first one. In a list of rings, a ring inside another one is a hole. A `MultiPolygon` with the member
+ * `dissolve` is the union of its polygons, as with the option of this name.
  *
  * @category Regions
  */
 export type RegionShape =
   | { readonly type: 'Polygon'; readonly coordinates: readonly RingShape[] }
-  | { readonly type: 'MultiPolygon'; readonly coordinates: readonly (readonly RingShape[])[] }
+  | {
+      readonly type: 'MultiPolygon'
+      readonly coordinates: readonly (readonly RingShape[])[]
+      readonly dissolve?: true | undefined
+    }
   | { readonly type: 'GeometryCollection'; readonly geometries: readonly RegionShape[] }
   | { readonly type: 'Feature'; readonly geometry: RegionShape | null }
   | { readonly type: 'FeatureCollection'; readonly features: readonly RegionShape[] }
@@ -62,22 +67,31 @@ export function ringArraysOf(shape: RegionShape): RingArrays {
   }
 }
 
+/** Whether a region is the union of its polygons, which may overlap. */
+export function isDissolved(shape: RegionShape): boolean {
+  return !isRingList(shape) && shape?.type === 'MultiPolygon' && shape.dissolve === true
+}
+
 /**
- * The same region as plain data of its own: a list of rings, or a MultiPolygon.
+ * The same region as plain data of its own: a list of rings, or a MultiPolygon. `dissolve`: whether polygons that overlap are
+ * merged; those of a list of rings are one polygon then, in which a ring inside another one is a hole.
  *
  * @throws CircleVoronoiError `badOption`, if it is none; what the rings are like is not checked
  */
-export function plainRegion(shape: RegionShape): RegionShape {
+export function plainRegion(shape: RegionShape, dissolve: boolean = isDissolved(shape)): RegionShape {
   const { points, ringOffsets, polygonOffsets } = ringArraysOf(shape)
   const parts =
     <Part>(offsets: Int32Array, part: (k: number) => Part) =>
     (k: number) =>
       Array.from({ length: at(offsets, k + 1) - at(offsets, k) }, (_, i) => part(at(offsets, k) + i))
   const ringAt = parts(ringOffsets, (k) => [at(points, 2 * k), at(points, 2 * k + 1)])
-  if (polygonOffsets === undefined) return Array.from({ length: ringOffsets.length - 1 }, (_, k) => ringAt(k))
+  const rings = () => Array.from({ length: ringOffsets.length - 1 }, (_, k) => ringAt(k))
+  if (polygonOffsets === undefined) {
+    return dissolve ? { type: 'MultiPolygon', coordinates: [rings()], dissolve } : rings()
+  }
   const polygonAt = parts(polygonOffsets, ringAt)
   const coordinates = Array.from({ length: polygonOffsets.length - 1 }, (_, k) => polygonAt(k))
-  return { type: 'MultiPolygon', coordinates }
+  return { type: 'MultiPolygon', coordinates, ...(dissolve && { dissolve }) }
 }
 
 function isRingList(shape: RegionShape): shape is readonly RingShape[] {

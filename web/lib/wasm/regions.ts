@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseOption } from '../base/check.ts'
+import { checkOptionNames, refuseOption } from '../base/check.ts'
 import type { Circles } from '../base/coordinates.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData } from '../base/types.ts'
@@ -7,10 +7,23 @@ import { Diagram } from '../diagram/diagram.ts'
 import { circlesOfConvexCell } from '../regions/convex-cell.ts'
 import { fewCircles, sidesOfFew } from '../regions/few-circles.ts'
 import { type ClippedDiagram, type ClippedPolygons, Region } from '../regions/region.ts'
-import { type RegionShape, type RingArrays, ringArraysOf } from '../regions/region-shape.ts'
+import { isDissolved, type RegionShape, type RingArrays, ringArraysOf } from '../regions/region-shape.ts'
 import { type AreaFit, type FitOptions, fitInput, type SiteLike } from './fit.ts'
 import { judgedArrays } from './judged-arrays.ts'
 import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from './wasm.ts'
+
+/**
+ * Options of `region`.
+ *
+ * @category Regions
+ */
+export interface DissolveOptions {
+  /**
+   * Whether polygons that share borders or overlap, as administrative areas do, become their union. Points where sides cross
+   * are rounded. Default: false; such polygons are then an error.
+   */
+  readonly dissolve?: boolean | undefined
+}
 
 /**
  * Clips diagrams to regions, and fits cells to given areas.
@@ -21,10 +34,13 @@ export interface Regions {
   /**
    * Makes a region from GeoJSON or a list of rings, and checks it.
    *
-   * @throws CircleVoronoiError `badOption`, if it is none, or rings cross themselves or one another; the message names
-   *   the rings, the sides and the point
+   * @throws CircleVoronoiError `badOption`, if it is none, or rings cross themselves or one another and `dissolve` is not
+   *   set; the message names the rings, the sides and the point
+   * @example
+   * const counties = { type: 'MultiPolygon', coordinates: [[[[0, 0], [5, 0], [5, 9]]], [[[5, 0], [9, 9], [5, 9]]]] }
+   * region(counties, { dissolve: true }).area // 40.5
    */
-  region(shape: RegionShape): Region
+  region(shape: RegionShape, options?: DissolveOptions): Region
   /**
    * Finds weights for which each site's cell has a given area inside the region. A point belongs to the site with the
    * smallest distance minus weight, so sites with larger weights get larger cells. Sites are circles, whose radii are
@@ -79,8 +95,8 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
     return clipped
   }
 
-  const regionOf = ({ points, ringOffsets, polygonOffsets }: RingArrays) => {
-    const { address, ...arrays } = unwrap(module.createRegion(points, ringOffsets, polygonOffsets))
+  const regionOf = ({ points, ringOffsets, polygonOffsets }: RingArrays, dissolve = false) => {
+    const { address, ...arrays } = unwrap(module.createRegion(points, ringOffsets, polygonOffsets, dissolve))
     const region: Region = new Region(arrays, {
       contains: (x, y) => module.regionContains(address, x, y),
       clip: (diagram, maxDistance) => clippedOf(address, region, diagram, maxDistance),
@@ -106,8 +122,13 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
   }
 
   return {
-    region: (shape) => regionOf(ringArraysOf(shape)),
-    regionOf,
+    region(shape, options = {}) {
+      checkOptionNames(options, 'region', ['dissolve'])
+      const { dissolve = isDissolved(shape) }: { dissolve?: unknown } = options
+      if (typeof dissolve !== 'boolean') refuseOption('The option dissolve is true or false.')
+      return regionOf(ringArraysOf(shape), dissolve)
+    },
+    regionOf: (rings) => regionOf(rings),
     fitAreas(sites, areas, options) {
       const { sites: circles, areas: targets, ...chosen } = fitInput(sites, areas, options)
       const { region, onStep, signal } = options

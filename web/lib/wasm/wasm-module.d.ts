@@ -68,6 +68,7 @@ interface WasmRegionsModule {
     points: Float64Array,
     ringOffsets: Int32Array,
     polygonOffsets: Int32Array | undefined,
+    dissolve: boolean,
   ):
     | WasmError
     | ({ readonly address: number } & Pick<

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unions of polygons as regions.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/io.h"
+#include "circle_voronoi/region.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Ring = Region::Ring;
+using Polygon = std::vector<Ring>;
+
+constexpr RegionOptions kDissolve = {.dissolve = true};
+
+Ring box(double minX, double minY, double maxX, double maxY) {
+  return {{minX, minY}, {maxX, minY}, {maxX, maxY}, {minX, maxY}};
+}
+
+Region unionOf(const std::vector<Polygon>& polygons) {
+  const auto region = Region::fromPolygons(polygons, kDissolve);
+  if (!region) throw std::runtime_error(region.error().message);
+  return *region;
+}
+
+std::string errorOf(const std::vector<Polygon>& polygons) {
+  const auto region = Region::fromPolygons(polygons);
+  return region ? "" : region.error().message;
+}
+
+/// Whether a point is in a ring, by a ray to the right; the boundary counts as either.
+bool isInRing(const Ring& ring, Point p) {
+  bool isIn = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k];
+    const Point b = ring[(k + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isIn = !isIn;
+  }
+  return isIn;
+}
+
+bool isInAny(const std::vector<Polygon>& polygons, Point p) {
+  return std::ranges::any_of(polygons, [&](const Polygon& polygon) {
+    return std::ranges::count_if(polygon, [&](const Ring& ring) { return isInRing(ring, p); }) % 2 == 1;
+  });
+}
+
+double distanceToSides(const std::vector<Polygon>& polygons, Point p) {
+  double least = 1e300;
+  for (const Polygon& polygon : polygons) {
+    for (const Ring& ring : polygon) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Point a = ring[k];
+        const Point b = ring[(k + 1) % ring.size()];
+        const double ux = b.x - a.x;
+        const double uy = b.y - a.y;
+        const double square = ux * ux + uy * uy;
+        const double t = square == 0 ? 0 : std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / square, 0.0, 1.0);
+        least = std::min(least, std::hypot(p.x - a.x - t * ux, p.y - a.y - t * uy));
+      }
+    }
+  }
+  return least;
+}
+
+TEST(Dissolve, MergesWhatSharesABorder) {
+  // Whole, with T-junctions on either side, and in a single point.
+  EXPECT_EQ(unionOf({{box(0, 0, 5, 5)}, {box(5, 0, 9, 5)}}).area(), 45);
+  const Region three = unionOf({{box(0, 0, 5, 5)}, {box(5, -1, 9, 2)}, {box(5, 2, 7, 9)}});
+  EXPECT_EQ(three.area(), 25 + 12 + 14);
+  EXPECT_EQ(three.ringCount(), 1U);
+  EXPECT_EQ(unionOf({{box(0, 0, 1, 1)}, {box(1, 1, 2, 2)}, {box(1, 0, 2, 1)}}).area(), 3);
+  EXPECT_EQ(unionOf({{box(0, 0, 1, 1)}, {box(0, 0, 1, 1)}}).area(), 1);
+}
+
+TEST(Dissolve, MergesWhatOverlapsNestsAndFillsHoles) {
+  EXPECT_EQ(unionOf({{box(0, 0, 4, 4)}, {box(2, 2, 6, 6)}}).area(), 28);
+  EXPECT_EQ(unionOf({{box(0, 0, 9, 9)}, {box(2, 2, 6, 6)}}).area(), 81);
+  EXPECT_EQ(unionOf({{box(0, 0, 9, 9), box(2, 2, 6, 6)}, {box(2, 2, 6, 6)}}).area(), 81);
+  EXPECT_EQ(unionOf({{box(0, 0, 9, 9), box(2, 2, 6, 6)}, {box(3, 1, 5, 7)}}).area(), 81 - 16 + 8);
+  const Region ring = unionOf({{box(0, 0, 3, 1)}, {box(2, 0, 3, 3)}, {box(0, 2, 3, 3)}, {box(0, 0, 1, 3)}});
+  EXPECT_EQ(ring.area(), 8);
+  EXPECT_EQ(ring.ringCount(), 2U);
+  EXPECT_FALSE(ring.contains({1.5, 1.5}));
+}
+
+TEST(Dissolve, CutsTheInsideApartWhereRingsTouch) {
+  // A hole that touches the outer ring twice, and three holes that touch each other around a triangle.
+  const Region two = unionOf({{box(0, 0, 4, 4), {{2, 0}, {3, 2}, {2, 4}, {1, 2}}}});
+  EXPECT_EQ(two.polygonCount(), 2U);
+  EXPECT_EQ(two.area(), 12);
+  const Region island =
+      unionOf({{box(0, 0, 12, 12), {{4, 4}, {8, 4}, {6, 2}}, {{8, 4}, {6, 8}, {9, 8}}, {{6, 8}, {4, 4}, {3, 8}}}});
+  EXPECT_EQ(island.polygonCount(), 2U);
+  EXPECT_DOUBLE_EQ(island.area(), 144 - 4 - 6 - 6);
+}
+
+TEST(Dissolve, LeavesOutWhatHasNoArea) {
+  EXPECT_EQ(unionOf({{box(0, 0, 2, 2)}, {{{0, 0}, {2, 2}}}, {{{0, 0}, {1, 0}, {2, 0}}}}).area(), 4);
+  const std::vector<Polygon> flat = {{{{0, 0}, {1, 0}, {2, 0}}}};
+  EXPECT_EQ(Region::fromPolygons(flat, kDissolve).error().message, "The region has no area.");
+  // A bow tie is two triangles, and a spike is nothing.
+  EXPECT_EQ(unionOf({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}}).area(), 2);
+  EXPECT_EQ(unionOf({{{{0, 0}, {2, 0}, {2, 2}, {2, 5}, {2, 2}, {0, 2}}}}).area(), 4);
+}
+
+TEST(Dissolve, KeepsTheRuleOfRings) {
+  const std::vector<Ring> rings = {box(0, 0, 4, 4), box(1, 1, 4, 3), box(4, 0, 6, 4)};
+  const auto region = Region::fromRings(rings, kDissolve);
+  ASSERT_TRUE(region) << region.error().message;
+  EXPECT_EQ(region->area(), 24 - 6);
+}
+
+TEST(Dissolve, KeepsAValidRegionAsItIs) {
+  const std::vector<Polygon> polygons = {{{{0.1, 0.2}, {5.3, 0.7}, {3, 4}}, {{2, 1}, {3, 1}, {3, 2}}},
+                                         {box(7, 7, 8, 8)}};
+  const Region plain = Region::fromPolygons(polygons).value();
+  const Region same = unionOf(polygons);
+  EXPECT_TRUE(std::ranges::equal(plain.points(), same.points()));
+  EXPECT_TRUE(std::ranges::equal(plain.ringOffsets(), same.ringOffsets()));
+}
+
+TEST(Dissolve, IsNamedByErrorsAboutSeveralPolygons) {
+  const std::string advice = " Set `dissolve` to merge them.";
+  EXPECT_EQ(
+      errorOf({{box(0, 0, 5, 5)}, {box(5, 0, 9, 5)}}),
+      "Side 1 of ring 0 of polygon 0 of the region and side 3 of ring 0 of polygon 1 of the region overlap beside "
+      "(5, 0)." +
+          advice);
+  EXPECT_TRUE(errorOf({{box(0, 0, 4, 4)}, {box(2, 2, 6, 6)}}).ends_with(advice));
+  EXPECT_TRUE(errorOf({{box(0, 0, 9, 9)}, {box(2, 2, 6, 6)}}).ends_with(advice));
+  EXPECT_FALSE(errorOf({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}}).ends_with(advice));
+  const std::string text = "MULTIPOLYGON (((0 0,5 0,5 10,0 10,0 0)),((5 0,10 0,10 10,5 10,5 0)))";
+  EXPECT_TRUE(readRegion(text, "text").error().message.ends_with(advice));
+  EXPECT_EQ(readRegion(text, "text", kDissolve).value().area(), 100);
+}
+
+Ring randomRing(std::mt19937& random, int kind) {
+  const auto below = [&](unsigned count) { return static_cast<double>(random() % count); };
+  const auto digit = [&] { return std::ldexp(static_cast<double>(static_cast<int>(random() % 5) - 2), -50); };
+  Ring ring;
+  const std::size_t count = 3 + random() % 5;
+  for (std::size_t k = 0; k < count; ++k) {
+    switch (kind) {
+      case 0:  // integers, so that sides are shared and touch
+        ring.push_back({below(7), below(7)});
+        break;
+      case 1:  // a grid that is off by a digit
+        ring.push_back({below(5) + digit(), below(5) + digit()});
+        break;
+      case 2:
+        ring.push_back({below(1000) / 7, below(1000) / 9});
+        break;
+      default:  // thin and long
+        ring.push_back({below(1000), below(3) + digit()});
+    }
+  }
+  return ring;
+}
+
+/// Rings of any kind, most of which cross themselves, are a valid region; and what is not next to a side is in it where
+/// it is in one of the polygons.
+TEST(Dissolve, ContainsWhatThePolygonsContain) {
+  std::mt19937 random(static_cast<std::uint32_t>(test::seedOr(1)));
+  int compared = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const int kind = trial % 4;
+    std::vector<Polygon> polygons;
+    for (std::size_t k = 0; k < 1 + random() % 6; ++k) {
+      Polygon polygon;
+      for (std::size_t r = 0; r < 1 + random() % 2; ++r) polygon.push_back(randomRing(random, kind));
+      polygons.push_back(std::move(polygon));
+    }
+    const auto region = Region::fromPolygons(polygons, kDissolve);
+    if (!region) {
+      EXPECT_EQ(region.error().message, "The region has no area.") << trial;
+      continue;
+    }
+    const Box bounds = region->bounds();
+    for (int k = 0; k < 30; ++k) {
+      const auto share = [&] { return 1.2 * static_cast<double>(random() % 1024) / 1024 - 0.1; };
+      const Point p = {bounds.minX + share() * (bounds.maxX - bounds.minX),
+                       bounds.minY + share() * (bounds.maxY - bounds.minY)};
+      if (distanceToSides(polygons, p) < 1e-9) continue;
+      ++compared;
+      EXPECT_EQ(region->contains(p), isInAny(polygons, p)) << trial << ": " << p.x << ' ' << p.y;
+    }
+  }
+  EXPECT_GT(compared, 50'000);
+}
+
+TEST(Dissolve, TakesManySides) {
+  // A map of squares, each of its own sides, and every third one moved by a digit.
+  std::vector<Polygon> polygons;
+  constexpr int kSide = 60;
+  for (int i = 0; i < kSide; ++i) {
+    for (int j = 0; j < kSide; ++j) {
+      const double x = i / 7.0;
+      const double y = j / 7.0;
+      const double by = (i + j) % 3 == 0 ? 0x1p-49 : 0;
+      polygons.push_back({box(x, y, (i + 1) / 7.0 + by, (j + 1) / 7.0 + by)});
+    }
+  }
+  const Region region = unionOf(polygons);
+  EXPECT_NEAR(region.area(), kSide * kSide / 49.0, 1e-11);
+  EXPECT_EQ(region.polygonCount(), 1U);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

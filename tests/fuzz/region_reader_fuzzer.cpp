@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A libFuzzer target over what makes regions: readRegion, and the union of polygons. The first byte says which. With an
+// even one the rest is the text of a file. With an odd one each two bytes are a point of a ring, on a small grid, so
+// that sides are shared and touch, or a rounding step beside it; a byte of 255 ends a ring, one of 254 a polygon.
+// Whatever they are,
+// - a text is a region, or an error says so on one line;
+// - polygons with `dissolve` are a region, or have no area;
+// - a union is valid, is its own union, and contains the points that its polygons contain, but for those on a side.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/io.h"
+#include "circle_voronoi/region.h"
+
+namespace circle_voronoi::fuzz {
+namespace {
+
+using Ring = Region::Ring;
+using Polygons = std::vector<std::vector<Ring>>;
+
+constexpr RegionOptions kDissolve = {.dissolve = true};
+
+void require(bool holds, const std::string& what) {
+  if (holds) return;
+  std::fprintf(stderr, "%s\n", what.c_str());
+  std::abort();
+}
+
+void checkRegion(const Region& region) {
+  const auto same = Region::fromArrays(region.points(), region.ringOffsets(), region.polygonOffsets());
+  require(same.ok(), "a region is not valid: " + (same ? std::string() : same.error().message));
+  require(region.area() >= 0, "an area is negative");
+  for (const Point& p : region.points()) require(std::isfinite(p.x) && std::isfinite(p.y), "a point is not finite");
+}
+
+void tryText(std::string_view text) {
+  for (const bool dissolve : {false, true}) {
+    const auto region = readRegion(text, "text", {.dissolve = dissolve});
+    if (region) {
+      checkRegion(*region);
+      continue;
+    }
+    const std::string& message = region.error().message;
+    require(region.error().code != ErrorCode::internal, "an internal error: " + message);
+    require(message.starts_with("text:") && message.ends_with(".") && message.find('\n') == message.npos,
+            "an error is not one line: " + message);
+  }
+}
+
+bool isInRing(const Ring& ring, Point p) {
+  bool isIn = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k];
+    const Point b = ring[(k + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isIn = !isIn;
+  }
+  return isIn;
+}
+
+bool isNear(const Ring& ring, Point p) {
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k];
+    const Point b = ring[(k + 1) % ring.size()];
+    const double x = b.x - a.x;
+    const double y = b.y - a.y;
+    const double square = x * x + y * y;
+    const double t = square == 0 ? 0 : std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0);
+    if (std::hypot(p.x - a.x - t * x, p.y - a.y - t * y) < 1e-9) return true;
+  }
+  return false;
+}
+
+void tryUnion(const std::uint8_t* data, std::size_t size) {
+  Polygons polygons = {{{}}};
+  for (std::size_t k = 0; k + 1 < size; ++k) {
+    if (data[k] == 254 && !polygons.back().back().empty()) {
+      polygons.push_back({{}});
+    } else if (data[k] == 255 && !polygons.back().back().empty()) {
+      polygons.back().emplace_back();
+    } else {
+      const auto coordinate = [](std::uint8_t byte) { return byte / 4 + std::ldexp(byte % 4, -48); };
+      polygons.back().back().push_back({coordinate(data[k]), coordinate(data[k + 1])});
+      ++k;
+    }
+  }
+  const auto region = Region::fromPolygons(polygons, kDissolve);
+  if (!region) {
+    require(region.error().message == "The region has no area.", "polygons have no union: " + region.error().message);
+    return;
+  }
+  checkRegion(*region);
+  for (int k = 0; k < 64; ++k) {
+    const Point p = {k % 8 * 8 + 3.37, k / 8 * 8 + 2.71};
+    bool isOn = false;
+    bool isIn = false;
+    for (const auto& polygon : polygons) {
+      bool isInOne = false;
+      for (const Ring& ring : polygon) {
+        isOn |= isNear(ring, p);
+        isInOne ^= isInRing(ring, p);
+      }
+      isIn |= isInOne;
+    }
+    require(isOn || region->contains(p) == isIn, "a point is on the other side");
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace circle_voronoi::fuzz;
+  if (size == 0) return 0;
+  if (data[0] % 2 == 0) {
+    tryText({reinterpret_cast<const char*>(data) + 1, size - 1});
+  } else {
+    tryUnion(data + 1, size - 1);
+  }
+  return 0;
+}

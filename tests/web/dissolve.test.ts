@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { readFileSync } from 'node:fs'
+import { expect, it } from 'vitest'
+import type { CircleVoronoiError, RegionShape } from '../../web/lib/index.ts'
+import { library } from './library.ts'
+
+const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
+const { region } = await library.loadRegions({ wasm })
+
+const box = (minX: number, minY: number, maxX: number, maxY: number) => [
+  [minX, minY],
+  [maxX, minY],
+  [maxX, maxY],
+  [minX, maxY],
+]
+const multi = (...rings: number[][][]): RegionShape => ({
+  type: 'MultiPolygon',
+  coordinates: rings.map((ring) => [ring]),
+})
+
+function errorOf(run: () => unknown): string {
+  try {
+    run()
+  } catch (error) {
+    return `${(error as CircleVoronoiError).code}: ${(error as CircleVoronoiError).message}`
+  }
+  return 'no problem'
+}
+
+it('polygons that share a border become their union', () => {
+  const counties = multi(box(0, 0, 5, 10), box(5, 0, 10, 10))
+  expect(errorOf(() => region(counties))).toMatch(
+    /^badOption: Side 1 .* overlap beside \(5, 0\)\. Set `dissolve` to merge them\.$/,
+  )
+  const land = region(counties, { dissolve: true })
+  expect([land.area, land.perimeter, land.ringOffsets.length]).toEqual([100, 40, 2])
+  const diagram = library.compute([
+    [2, 2, 1],
+    [8, 7, 0],
+  ])
+  expect(diagram.cellAreas({ region: land }).reduce((sum, area) => sum + area)).toBeCloseTo(100, 10)
+})
+
+it('polygons that overlap, nest or repeat become their union', () => {
+  const shapes: [RegionShape, number][] = [
+    [multi(box(0, 0, 4, 4), box(2, 2, 6, 6)), 28],
+    [multi(box(0, 0, 9, 9), box(2, 2, 6, 6)), 81],
+    [multi(box(0, 0, 3, 3), box(0, 0, 3, 3)), 9],
+    [
+      {
+        type: 'FeatureCollection',
+        features: [
+          { type: 'Feature', geometry: { type: 'Polygon', coordinates: [box(0, 0, 9, 9), box(2, 2, 6, 6)] } },
+          { type: 'Feature', geometry: { type: 'Polygon', coordinates: [box(2, 2, 6, 6)] } },
+        ],
+      },
+      81,
+    ],
+    [[box(0, 0, 4, 4), box(4, 0, 6, 4), box(1, 1, 2, 2)], 23],
+  ]
+  for (const [shape, area] of shapes) expect(region(shape, { dissolve: true }).area).toBe(area)
+})
+
+it('other options, and polygons without an area, are refused', () => {
+  expect(errorOf(() => region([box(0, 0, 1, 1)], { dissolve: 1 as never }))).toBe(
+    'badOption: The option dissolve is true or false.',
+  )
+  expect(errorOf(() => region([box(0, 0, 1, 1)], { disolve: true } as never))).toMatch(/^badOption: There is no option/)
+  expect(errorOf(() => region(multi(box(0, 0, 0, 1)), { dissolve: true }))).toBe('badOption: The region has no area.')
+})
