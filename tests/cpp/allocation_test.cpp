@@ -18,7 +18,9 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/editor.h"
+#include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/region.h"
 #include "circle_voronoi_families/families.h"
 #include "guarded.h"
 
@@ -125,6 +127,23 @@ TEST(Allocation, MayFailInTheTouchingDiscMethod) {
     options.resample = true;
     checkComputed(options);
   }
+}
+
+TEST(Allocation, MayFailWherePolygonsAreMerged) {
+  const std::vector<Region::Ring> rings = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 1}, {6, 2}, {5, 7}}};
+  const std::vector<std::vector<Region::Ring>> polygons = {{rings[0]}, {rings[1]}};
+  failEachAllocation([&] { return Region::fromPolygons(polygons, {.dissolve = true}); },
+                     [](const Region& region) { ASSERT_EQ(region.ringCount(), 1U); });
+}
+
+TEST(Allocation, MayFailInAFit) {
+  const std::vector<Circle> sites = {{1, 1, 0}, {3, 2, 0}};
+  const std::vector<double> areas = {9, 7};
+  const Region region = Region::from(Box{0, 0, 4, 4}).value();
+  AreaFitOptions options;
+  options.tolerance = 0.1;
+  failEachAllocation([&] { return fitAreas(sites, areas, region, options); },
+                     [](const AreaFit& fit) { ASSERT_LE(fit.error, 0.1); });
 }
 
 TEST(Allocation, MayFailInCertify) {

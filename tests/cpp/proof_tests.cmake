@@ -42,7 +42,7 @@ gtest_discover_tests(circle_voronoi_proof_tests ${discovery} NO_PRETTY_VALUES)
 add_executable(circle_voronoi_allocation_tests allocation_test.cpp)
 target_link_libraries(circle_voronoi_allocation_tests PRIVATE
   circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi::io circle_voronoi_options circle_voronoi_internals
-  GTest::gtest_main Threads::Threads)
+  GTest::gtest_main Threads::Threads circle_voronoi::fit)
 gtest_discover_tests(circle_voronoi_allocation_tests ${discovery})
 
 # The same trials for as long as one likes.

@@ -5,6 +5,7 @@ add_executable(circle_voronoi_region_tests
   clipped_polygons_test.cpp
   dissolve_test.cpp
   fit_areas_test.cpp
+  fit_limits_test.cpp
   recompute_test.cpp
   region_shapes.cpp
   region_test.cpp)

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
+#include "circle_voronoi/limits.h"
 #include "circle_voronoi/metric.h"
 #include "guarded.h"
 #include "recompute.h"
@@ -111,6 +113,12 @@ class Fitter {
   /// So many steps without better areas end a fit that is nearly there.
   static constexpr int kPatience = 6;
   static constexpr double kNearlyThere = 0.01;
+  /// Where Newton's method ends within that many times what the last bits of weights change, single bits go on, as long
+  /// as each step makes the error smaller by this factor.
+  static constexpr double kNearLastBits = 16;
+  /// Where sites outside get no cell by themselves, a fit that takes more steps times sites than that leads nowhere.
+  static constexpr double kMostWork = 4e5;
+  static constexpr double kBetter = 0.999;
 
   State fitted(double tolerance) {
     State state = startingState();
@@ -125,7 +133,9 @@ class Fitter {
 
   /// Moves the sites to the centers of mass of their cells. Their weights are what the next fit starts from.
   void moveToCentroids(const State& state) {
-    const std::vector<Point> centroids = ClippedDiagram::from(state.diagram, region_).value().centroids();
+    const auto clipped = ClippedDiagram::from(state.diagram, region_);
+    if (!clipped) throw Refusal{clipped.error()};
+    const std::vector<Point> centroids = clipped->centroids();
     for (std::size_t i = 0; i < sites_.size(); ++i) {
       sites_[i] = {centroids[i].x, centroids[i].y, state.weights[i]};
     }
@@ -144,10 +154,42 @@ class Fitter {
       if (std::optional<State> state = stateNear(weights)) return std::move(*state);
       for (double& weight : weights) weight *= kScaling;
     }
+    if (std::optional<State> state = stateNear(distancesToRegion())) return std::move(*state);
     State state = requiredStateAt(std::vector<double>(weights.size(), 0));
     if (leastArea(state) > 0) return state;
+    isFromOutside_ = true;
     density_.background = 1 / sizeOfBox_;
     return requiredStateAt(std::move(state.weights));
+  }
+
+  /// The distance of each site to the region, 0 inside. With these weights, the point of the region nearest to a site
+  /// is no nearer to another one.
+  std::vector<double> distancesToRegion() const {
+    std::vector<double> distances;
+    const auto points = region_.points();
+    const auto offsets = region_.ringOffsets();
+    for (const Circle& site : sites_) {
+      const Point p = {site.x, site.y};
+      double least = region_.contains(p) ? 0 : std::numeric_limits<double>::max();
+      for (std::size_t r = 0; least > 0 && r < region_.ringCount(); ++r) {
+        const auto begin = static_cast<std::size_t>(offsets[r]);
+        const auto end = static_cast<std::size_t>(offsets[r + 1]);
+        for (std::size_t k = begin; k < end; ++k) {
+          least = std::min(least, distanceToSegment(p, points[k], points[k + 1 == end ? begin : k + 1]));
+        }
+      }
+      distances.push_back(least);
+    }
+    return distances;
+  }
+
+  static double distanceToSegment(Point p, Point a, Point b) {
+    const double unit = unitFor(std::max(largestOf(vectorTo(a, b)), largestOf(vectorTo(a, p))));
+    const Vector along = measuredIn(unit, vectorTo(a, b));
+    const Vector to = measuredIn(unit, vectorTo(a, p));
+    const double square = dot(along, along);
+    const double share = square > 0 ? std::clamp(dot(along, to) / square, 0.0, 1.0) : 0;
+    return unit * length({to.x - share * along.x, to.y - share * along.y});
   }
 
   /// A state in which every cell has an area, at weights of which a few are larger than given; or nothing.
@@ -181,21 +223,72 @@ class Fitter {
     state = requiredStateAt(state.weights);
   }
 
-  /// Newton's method until no area is further off than `tolerance`, or than rounding of the weights allows.
+  /// Newton's method until no area is further off than `tolerance`, or than the last bits of the weights allow.
   void approach(State& state, double tolerance) {
     double best = errorOf(state);
     int idle = 0;
     const double least = kLeastShare * std::min(leastArea(state), *std::ranges::min_element(targets_));
-    while (!isWithin(state, tolerance)) {
+    while (!isWithin(state, tolerance, 1)) {
       if (steps_ == options_.maxSteps) fail(std::move(state), "");
-      if (!step(state, least)) fail(std::move(state), " because no step leads further");
-      ++steps_;
-      report(state);
-      const double error = errorOf(state);
-      idle = error < best / 2 ? 0 : idle + 1;
-      if (idle > kPatience && best < kNearlyThere) fail(std::move(state), " because areas no longer come nearer");
-      best = std::min(best, error);
+      if (isFromOutside_ && static_cast<double>(steps_) * static_cast<double>(sites_.size()) > kMostWork) {
+        fail(std::move(state), " because so many sites lie outside the region");
+      }
+      const char* reason = nullptr;
+      if (step(state, least)) {
+        count(state);
+        const double error = errorOf(state);
+        idle = error < best / 2 ? 0 : idle + 1;
+        if (idle > kPatience && best < kNearlyThere) reason = " because areas no longer come nearer";
+        best = std::min(best, error);
+      } else {
+        reason = " because no step leads further";
+      }
+      if (reason == nullptr) continue;
+      if (!isWithin(state, tolerance, kNearLastBits)) fail(std::move(state), reason);
+      break;
     }
+    if (density_.background > 0) return;
+    while (errorOf(state) > tolerance && stepByLastBits(state)) count(state);
+    if (!(errorOf(state) < 1)) fail(std::move(state), " because the last bits of the weights allow no better areas");
+  }
+
+  void count(const State& state) {
+    ++steps_;
+    report(state);
+  }
+
+  /// Takes a step that changes one weight by a few of its last bits, if one makes the largest error smaller: the weight
+  /// of the cell with this error, or that of a neighbor. Newton's method knows neither of rounding nor of how the area
+  /// of a cell curves that is about to be hidden.
+  bool stepByLastBits(State& state) {
+    const double error = errorOf(state);
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      if (relativeError(state, i) == error) worst = i;
+    }
+    std::vector<std::size_t> chosen = {worst};
+    for (const Spring& spring : state.cells.springs) {
+      const auto i = static_cast<std::size_t>(spring.left);
+      const auto j = static_cast<std::size_t>(spring.right);
+      if (i == worst || j == worst) chosen.push_back(i == worst ? j : i);
+    }
+    std::ranges::sort(chosen.begin() + 1, chosen.end());
+    chosen.erase(std::unique(chosen.begin() + 1, chosen.end()), chosen.end());
+    const bool isTooSmall = state.cells.areas[worst] < targetOf(worst);
+    for (const int bits : {1, 4, 16}) {
+      for (const std::size_t i : chosen) {
+        if (state.weights[i] == 0) continue;
+        std::vector<double> weights = state.weights;
+        const double towards = (i == worst) == isTooSmall ? std::numeric_limits<double>::max() : 0;
+        for (int k = 0; k < bits; ++k) weights[i] = std::nextafter(weights[i], towards);
+        std::optional<State> next = stateAt(std::move(weights), &state);
+        if (!next || !(leastArea(*next) > 0) || !(errorOf(*next) < kBetter * error)) continue;
+        if (steps_ == options_.maxSteps) fail(std::move(state), "");
+        state = std::move(*next);
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Takes one step that keeps every cell above an area, and returns whether there was one.
@@ -289,17 +382,19 @@ class Fitter {
   /// Returns the target of a site, including its part of the background.
   double targetOf(std::size_t site) const { return targets_[site] * (1 + density_.background * sizeOfBox_); }
 
+  double relativeError(const State& state, std::size_t site) const {
+    return std::abs(state.cells.areas[site] - targetOf(site)) / targetOf(site);
+  }
+
   double errorOf(const State& state) const {
     double error = 0;
-    for (std::size_t i = 0; i < sites_.size(); ++i) {
-      error = std::max(error, std::abs(state.cells.areas[i] - targetOf(i)) / targetOf(i));
-    }
+    for (std::size_t i = 0; i < sites_.size(); ++i) error = std::max(error, relativeError(state, i));
     return error;
   }
 
-  /// Returns whether each area is within `tolerance`, relatively, or within what it changes by if the last bits of
-  /// weights do.
-  bool isWithin(const State& state, double tolerance) const {
+  /// Returns whether each area is within `tolerance`, relatively, or within `slack` times what it changes by if the
+  /// last bits of weights do.
+  bool isWithin(const State& state, double tolerance, double slack) const {
     if (errorOf(state) <= tolerance) return true;
     std::vector<double> noise(sites_.size(), 0);
     for (const Spring& spring : state.cells.springs) {
@@ -311,7 +406,7 @@ class Fitter {
     }
     for (std::size_t i = 0; i < sites_.size(); ++i) {
       const double target = targetOf(i);
-      if (std::abs(state.cells.areas[i] - target) > std::max(tolerance * target, noise[i])) return false;
+      if (std::abs(state.cells.areas[i] - target) > std::max(tolerance * target, slack * noise[i])) return false;
     }
     return true;
   }
@@ -369,8 +464,10 @@ class Fitter {
   /// Returns the state at these weights, or nothing if they have no diagram.
   std::optional<State> stateAt(std::vector<double> weights, const State* near = nullptr) const {
     Result<State> state = measured(std::move(weights), near);
-    if (!state) return {};
-    return std::move(state).value();
+    if (state) return std::move(state).value();
+    // Where memory runs out, other weights do not help.
+    if (state.error().code == ErrorCode::tooManyCircles) throw Refusal{state.error()};
+    return {};
   }
 
   void report(const State& state) const {
@@ -396,7 +493,9 @@ class Fitter {
       box.maxY = std::max(box.maxY, site.y);
     }
     const double margin = std::max(box.maxX - box.minX, box.maxY - box.minY) / 8;
-    return Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin}).value();
+    auto around = Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin});
+    if (!around) throw Refusal{around.error()};
+    return *std::move(around);
   }
 
   std::vector<Circle> sites_;
@@ -406,6 +505,7 @@ class Fitter {
   Region around_;
   double sizeOfBox_;  ///< as a multiple of the region
   Density density_;
+  bool isFromOutside_ = false;  ///< whether the fit began with a background
   int steps_ = 0;
 };
 
@@ -417,6 +517,18 @@ std::string text(double value) {
     if (std::strtod(buffer, nullptr) == value) break;
   }
   return buffer;
+}
+
+/// A fit computes with parts of areas, and with boxes and weights that are larger than the region.
+constexpr double kLeastTarget = 0x1p-900;
+constexpr double kLargestRegion = kCoordinateLimit / 8;
+
+void checkRegion(const Region& region) {
+  const Box box = region.bounds();
+  const double size = std::max({-box.minX, -box.minY, box.maxX, box.maxY});
+  if (size <= kLargestRegion) return;
+  refuse(ErrorCode::badInput,
+         "The region has a coordinate beyond " + text(kLargestRegion) + ", the limit of fits (" + text(size) + ").");
 }
 
 /// Returns the target areas, scaled so that they sum to the area of the region.
@@ -433,13 +545,21 @@ std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites
            static_cast<std::int64_t>(i));
   }
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+  if (!std::isfinite(sum)) refuse(ErrorCode::badInput, "The areas sum to more than the largest number.");
   const double slack = std::max(options.tolerance / 2, 0x1p-50 * static_cast<double>(areas.size()));
   if (!options.shares && !(std::abs(sum - regionArea) <= slack * regionArea)) {
     refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the region is " +
                                     text(regionArea) + ". Set `shares` to scale them.");
   }
   std::vector<double> targets;
-  for (const double area : areas) targets.push_back(area / sum * regionArea);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    targets.push_back(areas[i] / sum * regionArea);
+    if (targets[i] >= kLeastTarget) continue;
+    refuse(ErrorCode::badInput,
+           "Area " + std::to_string(i) + " is too small: " + text(areas[i] / sum) + " of a region with the area " +
+               text(regionArea) + ".",
+           static_cast<std::int64_t>(i));
+  }
   return targets;
 }
 
@@ -460,6 +580,7 @@ Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> 
   return guarded([&]() -> Result<AreaFit> {
     checkOptions(options);
     checkSites(sites);
+    checkRegion(region);
     AreaFitOptions own = options;
     own.onStep = lettingThrough(options.onStep);
     return Fitter(sites, targetsFrom(areas, sites.size(), region.area(), options), region, own).run();

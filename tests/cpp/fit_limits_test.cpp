@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits at the limits of numbers: how far the last bits of weights go, and what is refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/fit_areas.h"
+#include "random.h"
+
+namespace circle_voronoi {
+namespace {
+
+Region boxRegion(const Box& box) { return Region::from(box).value(); }
+
+Result<AreaFit> fitShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
+  AreaFitOptions options;
+  options.shares = true;
+  return fitAreas(sites, shares, region, options);
+}
+
+std::string errorOf(const Result<AreaFit>& fit) {
+  return fit ? "" : std::string(errorCodeName(fit.error().code)) + ": " + fit.error().message;
+}
+
+/// The largest relative error of an area with these weights; 1 or more if a cell is hidden.
+double errorAt(const std::vector<Circle>& sites, const std::vector<double>& weights, const std::vector<double>& targets,
+               const Region& region) {
+  std::vector<Circle> circles = sites;
+  for (std::size_t i = 0; i < circles.size(); ++i) circles[i].r = weights[i];
+  const Diagram diagram = compute(circles).value();
+  const std::vector<double> areas = ClippedDiagram::from(diagram, region).value().areas();
+  double error = 0;
+  for (std::size_t i = 0; i < areas.size(); ++i) error = std::max(error, std::abs(areas[i] - targets[i]) / targets[i]);
+  return error;
+}
+
+/// Two sites next to each other, of which one has next to nothing, among some others.
+TEST(AreaFitLimits, NoChangeOfALastBitMakesTheErrorSmaller) {
+  Random random(17);
+  const Region region = boxRegion({0, 0, 1, 1});
+  int coarse = 0;
+  for (int trial = 0; trial < 48; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    std::vector<Circle> sites = {{0.3, 0.4, 0}, {0.3 + std::pow(10, -2 - trial % 3), 0.4, 0}};
+    std::vector<double> shares = {1, std::pow(10, -4 - trial % 6)};
+    for (int k = 0; k < trial / 12; ++k) {
+      sites.push_back({random.unit(), random.unit(), 0});
+      shares.push_back(random.uniform(0.1, 1));
+    }
+    const auto fit = fitShares(sites, shares, region);
+    if (!fit) {
+      // Only where no weight gives the area, even nearly.
+      EXPECT_EQ(fit.error().code, ErrorCode::notConverged) << fit.error().message;
+      EXPECT_LE(shares[1], 1e-8) << fit.error().message;
+      continue;
+    }
+    EXPECT_LT(fit->error, 1);
+    if (fit->error <= 1e-9) continue;
+    ++coarse;
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    std::vector<double> targets;
+    for (const double share : shares) targets.push_back(share / sum);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      for (const double towards : {0.0, 10.0}) {
+        std::vector<double> weights = fit->weights;
+        weights[i] = std::nextafter(weights[i], towards);
+        EXPECT_GE(errorAt(sites, weights, targets, region), 0.99 * fit->error) << i;
+      }
+    }
+  }
+  EXPECT_GE(coarse, 12);
+}
+
+TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
+  const std::vector<Circle> sites = {{0.25, 0.5, 0}, {0.75, 0.5, 0}};
+  const Region square = boxRegion({0, 0, 1, 1});
+  EXPECT_EQ(errorOf(fitShares(sites, {1e308, 1e308}, square)),
+            "badInput: The areas sum to more than the largest number.");
+  EXPECT_EQ(errorOf(fitShares(sites, {1, 1e-300}, square)),
+            "badInput: Area 1 is too small: 1e-300 of a region with the area 1.");
+  EXPECT_EQ(errorOf(fitShares(sites, {1, 1}, boxRegion({0, 0, 1e-160, 1e-160}))).substr(0, 31),
+            "badInput: Area 0 is too small: ");
+  EXPECT_EQ(errorOf(fitShares(sites, {1, 1}, boxRegion({0, 0, 1e152, 1e152}))),
+            "badInput: The region has a coordinate beyond 1.25e+149, the limit of fits (1e+152).");
+  // Up to the limits it is as everywhere.
+  EXPECT_EQ(errorOf(fitShares({{2.5e148, 1e148, 0}, {7.5e148, 3e148, 0}}, {1, 3}, boxRegion({0, 0, 1e149, 1e149}))),
+            "");
+  EXPECT_EQ(
+      errorOf(fitShares({{2.5e-131, 1e-131, 0}, {7.5e-131, 3e-131, 0}}, {1, 3}, boxRegion({0, 0, 1e-130, 1e-130}))),
+      "");
+}
+
+TEST(AreaFitLimits, ManySitesOutsideEndInTime) {
+  Random random(3);
+  const Region square = boxRegion({0, 0, 1, 1});
+  std::vector<Circle> sites;
+  for (int i = 0; i < 300; ++i) sites.push_back({10 + random.unit(), random.unit(), 0});
+  int steps = 0;
+  AreaFitOptions options;
+  options.shares = true;
+  options.onStep = [&](const AreaFitStep& step) { steps = step.step; };
+  const auto fit = fitAreas(sites, std::vector<double>(sites.size(), 1), square, options);
+  // Their distances to the square as weights give each cell its part at once.
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_LT(steps, 60);
+}
+
+}  // namespace
+}  // namespace circle_voronoi
