@@ -97,20 +97,5 @@ TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
       "");
 }
 
-TEST(AreaFitLimits, ManySitesOutsideEndInTime) {
-  Random random(3);
-  const Region square = boxRegion({0, 0, 1, 1});
-  std::vector<Circle> sites;
-  for (int i = 0; i < 300; ++i) sites.push_back({10 + random.unit(), random.unit(), 0});
-  int steps = 0;
-  AreaFitOptions options;
-  options.shares = true;
-  options.onStep = [&](const AreaFitStep& step) { steps = step.step; };
-  const auto fit = fitAreas(sites, std::vector<double>(sites.size(), 1), square, options);
-  // Their distances to the square as weights give each cell its part at once.
-  ASSERT_TRUE(fit) << fit.error().message;
-  EXPECT_LT(steps, 60);
-}
-
 }  // namespace
 }  // namespace circle_voronoi

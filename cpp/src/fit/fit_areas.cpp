@@ -117,7 +117,7 @@ class Fitter {
   /// as each step makes the error smaller by this factor.
   static constexpr double kNearLastBits = 16;
   /// Where sites outside get no cell by themselves, a fit that takes more steps times sites than that leads nowhere.
-  static constexpr double kMostWork = 4e5;
+  static constexpr double kMostWork = 3e5;
   static constexpr double kBetter = 0.999;
 
   State fitted(double tolerance) {
@@ -154,42 +154,11 @@ class Fitter {
       if (std::optional<State> state = stateNear(weights)) return std::move(*state);
       for (double& weight : weights) weight *= kScaling;
     }
-    if (std::optional<State> state = stateNear(distancesToRegion())) return std::move(*state);
     State state = requiredStateAt(std::vector<double>(weights.size(), 0));
     if (leastArea(state) > 0) return state;
     isFromOutside_ = true;
     density_.background = 1 / sizeOfBox_;
     return requiredStateAt(std::move(state.weights));
-  }
-
-  /// The distance of each site to the region, 0 inside. With these weights, the point of the region nearest to a site
-  /// is no nearer to another one.
-  std::vector<double> distancesToRegion() const {
-    std::vector<double> distances;
-    const auto points = region_.points();
-    const auto offsets = region_.ringOffsets();
-    for (const Circle& site : sites_) {
-      const Point p = {site.x, site.y};
-      double least = region_.contains(p) ? 0 : std::numeric_limits<double>::max();
-      for (std::size_t r = 0; least > 0 && r < region_.ringCount(); ++r) {
-        const auto begin = static_cast<std::size_t>(offsets[r]);
-        const auto end = static_cast<std::size_t>(offsets[r + 1]);
-        for (std::size_t k = begin; k < end; ++k) {
-          least = std::min(least, distanceToSegment(p, points[k], points[k + 1 == end ? begin : k + 1]));
-        }
-      }
-      distances.push_back(least);
-    }
-    return distances;
-  }
-
-  static double distanceToSegment(Point p, Point a, Point b) {
-    const double unit = unitFor(std::max(largestOf(vectorTo(a, b)), largestOf(vectorTo(a, p))));
-    const Vector along = measuredIn(unit, vectorTo(a, b));
-    const Vector to = measuredIn(unit, vectorTo(a, p));
-    const double square = dot(along, along);
-    const double share = square > 0 ? std::clamp(dot(along, to) / square, 0.0, 1.0) : 0;
-    return unit * length({to.x - share * along.x, to.y - share * along.y});
   }
 
   /// A state in which every cell has an area, at weights of which a few are larger than given; or nothing.
@@ -463,11 +432,15 @@ class Fitter {
 
   /// Returns the state at these weights, or nothing if they have no diagram.
   std::optional<State> stateAt(std::vector<double> weights, const State* near = nullptr) const {
-    Result<State> state = measured(std::move(weights), near);
-    if (state) return std::move(state).value();
-    // Where memory runs out, other weights do not help.
-    if (state.error().code == ErrorCode::tooManyCircles) throw Refusal{state.error()};
-    return {};
+    try {
+      Result<State> state = measured(std::move(weights), near);
+      if (state) return std::move(state).value();
+      throw Refusal{state.error()};
+    } catch (const Refusal& refusal) {
+      // Where memory runs out, other weights do not help.
+      if (refusal.error.code == ErrorCode::tooManyCircles) throw;
+      return {};
+    }
   }
 
   void report(const State& state) const {
