@@ -17,9 +17,9 @@
 namespace circle_voronoi {
 namespace {
 
-Region boxRegion(const Box& box) { return Region::from(box).value(); }
+Region regionOfBox(const Box& box) { return Region::from(box).value(); }
 
-Result<AreaFit> fitShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
+Result<AreaFit> fitToShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
   AreaFitOptions options;
   options.shares = true;
   return fitAreas(sites, shares, region, options);
@@ -44,7 +44,7 @@ double errorAt(const std::vector<Circle>& sites, const std::vector<double>& weig
 /// Two sites next to each other, of which one has next to nothing, among some others.
 TEST(AreaFitLimits, NoChangeOfALastBitMakesTheErrorSmaller) {
   Random random(17);
-  const Region region = boxRegion({0, 0, 1, 1});
+  const Region region = regionOfBox({0, 0, 1, 1});
   int coarse = 0;
   for (int trial = 0; trial < 48; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
@@ -54,7 +54,7 @@ TEST(AreaFitLimits, NoChangeOfALastBitMakesTheErrorSmaller) {
       sites.push_back({random.unit(), random.unit(), 0});
       shares.push_back(random.uniform(0.1, 1));
     }
-    const auto fit = fitShares(sites, shares, region);
+    const auto fit = fitToShares(sites, shares, region);
     if (!fit) {
       // Only where no weight gives the area, even nearly.
       EXPECT_EQ(fit.error().code, ErrorCode::notConverged) << fit.error().message;
@@ -80,20 +80,20 @@ TEST(AreaFitLimits, NoChangeOfALastBitMakesTheErrorSmaller) {
 
 TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
   const std::vector<Circle> sites = {{0.25, 0.5, 0}, {0.75, 0.5, 0}};
-  const Region square = boxRegion({0, 0, 1, 1});
-  EXPECT_EQ(errorOf(fitShares(sites, {1e308, 1e308}, square)),
+  const Region square = regionOfBox({0, 0, 1, 1});
+  EXPECT_EQ(errorOf(fitToShares(sites, {1e308, 1e308}, square)),
             "badInput: The areas sum to more than the largest number.");
-  EXPECT_EQ(errorOf(fitShares(sites, {1, 1e-300}, square)),
+  EXPECT_EQ(errorOf(fitToShares(sites, {1, 1e-300}, square)),
             "badInput: Area 1 is too small: 1e-300 of a region with the area 1.");
-  EXPECT_EQ(errorOf(fitShares(sites, {1, 1}, boxRegion({0, 0, 1e-160, 1e-160}))).substr(0, 31),
+  EXPECT_EQ(errorOf(fitToShares(sites, {1, 1}, regionOfBox({0, 0, 1e-160, 1e-160}))).substr(0, 31),
             "badInput: Area 0 is too small: ");
-  EXPECT_EQ(errorOf(fitShares(sites, {1, 1}, boxRegion({0, 0, 1e152, 1e152}))),
+  EXPECT_EQ(errorOf(fitToShares(sites, {1, 1}, regionOfBox({0, 0, 1e152, 1e152}))),
             "badInput: The region has a coordinate beyond 1.25e+149, the limit of fits (1e+152).");
   // Up to the limits it is as everywhere.
-  EXPECT_EQ(errorOf(fitShares({{2.5e148, 1e148, 0}, {7.5e148, 3e148, 0}}, {1, 3}, boxRegion({0, 0, 1e149, 1e149}))),
+  EXPECT_EQ(errorOf(fitToShares({{2.5e148, 1e148, 0}, {7.5e148, 3e148, 0}}, {1, 3}, regionOfBox({0, 0, 1e149, 1e149}))),
             "");
   EXPECT_EQ(
-      errorOf(fitShares({{2.5e-131, 1e-131, 0}, {7.5e-131, 3e-131, 0}}, {1, 3}, boxRegion({0, 0, 1e-130, 1e-130}))),
+      errorOf(fitToShares({{2.5e-131, 1e-131, 0}, {7.5e-131, 3e-131, 0}}, {1, 3}, regionOfBox({0, 0, 1e-130, 1e-130}))),
       "");
 }
 
