@@ -26,8 +26,9 @@ export default [
   wasm('WebAssembly and its glue', '165 kB', 'circle-voronoi'),
   // Of it 13 kB for the exact vertices of power diagrams, also those that are beyond the doubles on the way.
   wasm('The same for comparisons, fetched when asked for', '79 kB', 'circle-voronoi-comparison'),
-  // With the core, which also flips from one diagram to the next, the geometry and a sparse Cholesky decomposition.
-  wasm('Regions and fitted areas, fetched when asked for', '274 kB', 'circle-voronoi-regions'),
+  // With the core, which also flips from one diagram to the next, the geometry and a sparse Cholesky decomposition; 22 kB
+  // are for unions of polygons.
+  wasm('Regions and fitted areas, fetched when asked for', '300 kB', 'circle-voronoi-regions'),
   // With the judge, the geometry and the streams of the standard library; 3 kB are for layers compiled as one file,
   // 6 for writers that check what they are given, 70 for drawings clipped to regions, 0.5 kB for points as near to two circles.
   wasm('Files, fetched when asked for', '297.5 kB', 'circle-voronoi-files'),

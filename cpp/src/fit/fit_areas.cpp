@@ -432,15 +432,11 @@ class Fitter {
 
   /// Returns the state at these weights, or nothing if they have no diagram.
   std::optional<State> stateAt(std::vector<double> weights, const State* near = nullptr) const {
-    try {
-      Result<State> state = measured(std::move(weights), near);
-      if (state) return std::move(state).value();
-      throw Refusal{state.error()};
-    } catch (const Refusal& refusal) {
-      // Where memory runs out, other weights do not help.
-      if (refusal.error.code == ErrorCode::tooManyCircles) throw;
-      return {};
-    }
+    Result<State> state = guarded([&] { return measured(std::move(weights), near); });
+    if (state) return std::move(state).value();
+    // Where memory runs out, other weights do not help.
+    if (state.error().code == ErrorCode::tooManyCircles) throw Refusal{state.error()};
+    return {};
   }
 
   void report(const State& state) const {

@@ -328,22 +328,19 @@ Region Region::unionOf(std::span<const Point> points, std::span<const std::int32
   }
   const Rings rings = dissolved(clean.rings, polygonOfRing);
   if (rings.points.empty()) refuse("The region has no area.");
-  try {
-    return valid(rings.points, rings.offsets, {});
-  } catch (const Refusal& refusal) {
-    throw Refusal{errorWith(ErrorCode::internal, ("The union of the polygons: " + refusal.error.message).c_str())};
-  }
+  auto merged = guarded([&]() -> Result<Region> { return valid(rings.points, rings.offsets, {}); });
+  if (merged) return *std::move(merged);
+  const Error& error = merged.error();
+  if (error.code != ErrorCode::badOption) throw Refusal{error};
+  throw Refusal{{ErrorCode::internal, kNone, "The union of the polygons: " + error.message}};
 }
 
 Result<Region> Region::fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                                   std::span<const std::int32_t> polygonOffsets, const RegionOptions& options) {
   return guarded([&]() -> Result<Region> {
     checkArrays({points, ringOffsets, polygonOffsets});
-    try {
-      return valid(points, ringOffsets, polygonOffsets);
-    } catch (const Refusal& refusal) {
-      if (!options.dissolve || refusal.error.code != ErrorCode::badOption) throw;
-    }
+    auto asItIs = guarded([&]() -> Result<Region> { return valid(points, ringOffsets, polygonOffsets); });
+    if (asItIs || !options.dissolve || asItIs.error().code != ErrorCode::badOption) return asItIs;
     return unionOf(points, ringOffsets, polygonOffsets);
   });
 }
