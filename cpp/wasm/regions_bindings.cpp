@@ -15,6 +15,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/region.h"
+#include "circle_voronoi/region_queries.h"
 #include "values.h"
 
 namespace {
@@ -180,13 +181,22 @@ val clippedPerimeters(std::uintptr_t address) {
 }
 
 /// x, y and r of the disc, and three circles or kNone; both are empty if there is none.
+val discValue(const std::optional<EmptyDisc>& found) {
+  val result = val::object();
+  result.set("disc", float64Array(found ? std::vector{found->disc} : std::vector<Vertex>()));
+  result.set("circles", int32Array(found ? std::vector{found->circles} : std::vector<std::array<CircleIndex, 3>>()));
+  return result;
+}
+
 val clippedLargestEmptyDisc(std::uintptr_t address) {
+  return valueOf([&] { return discValue(clippedOf(address).largestEmptyDisc()); });
+}
+
+val clippedLargestEmptyDiscInside(std::uintptr_t address) {
   return valueOf([&] {
-    const auto found = clippedOf(address).largestEmptyDisc();
-    val result = val::object();
-    result.set("disc", float64Array(found ? std::vector{found->disc} : std::vector<Vertex>()));
-    result.set("circles", int32Array(found ? std::vector{found->circles} : std::vector<std::array<CircleIndex, 3>>()));
-    return result;
+    const ClippedDiagram& clipped = clippedOf(address);
+    const auto found = largestEmptyDiscInside(clipped.diagram(), clipped.region());
+    return found ? discValue(*found) : errorValue(found.error());
   });
 }
 
@@ -243,6 +253,7 @@ EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
   emscripten::function("clippedCentroids", &clippedCentroids);
   emscripten::function("clippedPerimeters", &clippedPerimeters);
   emscripten::function("clippedLargestEmptyDisc", &clippedLargestEmptyDisc);
+  emscripten::function("clippedLargestEmptyDiscInside", &clippedLargestEmptyDiscInside);
   emscripten::function("clippedPolygons", &clippedPolygons);
   emscripten::function("fitAreas", &fitAreasValue);
 }

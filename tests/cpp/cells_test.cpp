@@ -83,7 +83,7 @@ void expectPartition(const Diagram& diagram, const ConvexPolygon& region, double
     ASSERT_GE(part, -rounding * region.area()) << "cell " << i;
     sum += part;
   }
-  EXPECT_NEAR(sum / region.area(), 1, 1e-9);
+  EXPECT_NEAR(sum / region.area(), 1, std::max(rounding, 1e-9));
 }
 
 TEST(Cells, SidesTurnCounterClockwiseAndLinkUp) {
@@ -378,13 +378,11 @@ TEST(Cells, TheCentroidOfANeedleIsInItsBox) {
   EXPECT_LT(middle.y, 1.9e107);
 }
 
-TEST(Cells, TheCentroidOfACellThatTouchesTheBoxInItsVertexAloneIsTheVertex) {
+TEST(Cells, ACellThatTouchesTheBoxInItsVertexAloneIsEmpty) {
   const std::vector<Circle> circles = {{0, 0, 0}, {0, 0x1p-10, 1}, {-0x1.18p-274, -0x1.18p+322, 58}, {15, 0x1.ep-1, 7}};
   const Diagram diagram = diagramOf(circles);
   const Box box = {-0x1.5p+321, -0x1.cp+322, 0x1.18p+321, -0x1.18p+321};
-  const Point middle = centroid(outline(diagram, 1, test::regionOf(box)));
-  EXPECT_EQ(middle.x, diagram.vertices[0].x);
-  EXPECT_EQ(middle.y, diagram.vertices[0].y);
+  EXPECT_TRUE(outline(diagram, 1, test::regionOf(box)).empty());
 }
 
 TEST(Cells, TheCentroidOfAnOutlineWithoutAreaIsThatOfItsPoints) {

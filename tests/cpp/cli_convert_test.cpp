@@ -112,7 +112,7 @@ TEST_F(CliConvert, CellsAreCutAtAMaximumDistance) {
   const std::string circles = "0,0,1\n4,0,1\n";
   const std::string cut = textOf("compute - --format wkt --max-distance 1 --tolerance 1 --bounds=-9,-9,1,9", circles);
   EXPECT_EQ(cut,
-            "POLYGON ((1 -1.7320508075688767, 1 1.732050807568875, 0 2, -2 0, 0 -2, 1 -1.7320508075688767))\n"
+            "POLYGON ((1 -1.7320508075688772, 1 1.7320508075688772, 0 2, -2 0, 0 -2, 1 -1.7320508075688772))\n"
             "POLYGON EMPTY\n");
   textOf("compute - -o " + path("diagram.json"), circles);
   for (const char* format : {"svg", "geojson", "geojsonl", "wkt", "obj"}) {

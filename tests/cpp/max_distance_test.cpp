@@ -249,7 +249,8 @@ TEST(MaxDistance, ARegionWithItsCornersOnTheCircleIsWhole) {
     const ConvexPolygon triangle = ConvexPolygon::from(std::vector<Point>{{0, 0}, {x, y}, {-y, x}}).value();
     const Outline half = clippedBufferOutline(diagram, 0, triangle, reach);
     ASSERT_EQ(half.size(), 1U);
-    EXPECT_EQ(half[0].size(), 3U) << reach;
+    const auto isLong = [](const OutlinePiece& piece) { return arcLength(piece.curve) > 1e-13; };
+    EXPECT_EQ(std::ranges::count_if(half[0], isLong), 3) << reach;
     EXPECT_NEAR(area(half), reach * reach / 2, 1e-12);
   }
 }

@@ -205,7 +205,10 @@ TEST(Queries, NoCirclesHaveNoAnswers) {
   EXPECT_FALSE(closestPair(diagram));
   EXPECT_FALSE(largestEmptyDiscCenteredIn(diagram, test::regionOf(Box{0, 0, 1, 1})));
   EXPECT_FALSE(largestEmptyDiscCenteredInHull(diagram));
-  EXPECT_FALSE(largestEmptyDiscInside(diagram, test::regionOf(Box{0, 0, 1, 1})));
+  // But a region has a largest disc.
+  const auto inside = largestEmptyDiscInside(diagram, test::regionOf(Box{0, 0, 1, 1}));
+  ASSERT_TRUE(inside);
+  EXPECT_EQ(inside->disc.r, 0.5);
 }
 
 TEST(Queries, NeighborPairsAreThoseOfTheEdges) {

@@ -282,6 +282,14 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badOption', 'What render draws on is an option: { context }.', () => d.render?.({ moveTo() {} })],
   ['badOption', 'The context is nothing to draw on, but an object.', () => d.render?.({ context: {} })],
   ['badOption', 'The options of render are not an object.', () => d.render?.('context')],
+  ...[closestPair, neighborPairs, convexHull, largestEmptyDiscCenteredInHull].map(
+    (query) =>
+      [
+        'badOption',
+        `There is no option bounds of ${query.name}, which has none.`,
+        () => untyped(query)(diagram, { bounds: box }),
+      ] as const,
+  ),
   [
     'badOption',
     'There is no option bounds of renderCircles; its options are context and digits.',

@@ -224,7 +224,9 @@ it('no circles have no answers', () => {
   expect(closestPair(diagram)).toBeUndefined()
   expect(largestEmptyDiscCenteredIn(diagram, { bounds: { minX: 0, minY: 0, maxX: 1, maxY: 1 } })).toBeUndefined()
   expect(largestEmptyDiscCenteredInHull(diagram)).toBeUndefined()
-  expect(largestEmptyDiscInside(diagram, { bounds: { minX: 0, minY: 0, maxX: 1, maxY: 1 } })).toBeUndefined()
+  // But bounds have a largest disc.
+  const inside = { disc: { x: 0.5, y: 0.5, r: 0.5 }, circles: [] }
+  expect(largestEmptyDiscInside(diagram, { bounds: [0, 0, 1, 1] })).toEqual(inside)
   expect(neighborPairs(diagram)).toHaveLength(0)
   expect(convexHull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
 })

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/point.h"
 
@@ -71,6 +73,14 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 /// Precondition: that of bufferOutline.
 [[nodiscard]] Outline clippedBufferOutline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region,
                                            double maxDistance);
+
+/// Returns the outlines of all cells inside a region and, if that is given, within `maxDistance` of their circles, and
+/// checks them in linear time: they close, no area is negative but for rounding, and without a maximum distance the
+/// areas sum to that of the region. The functions above return what they find.
+/// Errors: notCertified with the circle if a check fails, as where arrays of the diagram were changed; badOption if
+/// `maxDistance` is not finite or exceeds kRegionLimit; tooManyCircles if memory runs out.
+Result<std::vector<Outline>> outlines(const Diagram& diagram, const ConvexPolygon& region,
+                                      std::optional<double> maxDistance = {});
 
 /// Returns the enclosed area, exact up to rounding: polygons, and closed forms with square roots alone for what lies
 /// between an arc and its chord.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
+#include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 
@@ -22,6 +23,9 @@ struct ClearestPath {
   std::optional<Point> entry;
   /// Where the path leaves the last edge for q. Empty if q is reached straight from infinity.
   std::optional<Point> exit;
+  /// With a region (region_queries.h), the curves of the whole path from p to q. Each ends where the next one starts.
+  /// Parts of edges are arcs, and the others are straight. Otherwise empty.
+  std::vector<EdgeCurve> curves = {};
 };
 
 /// Returns a path of greatest clearance from p to q. O(n log n).

@@ -22,9 +22,9 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The parts of cells in a region, as flat arrays. Row k belongs to the k-th cell that was asked for.
 ///
-/// Piece p runs from (x[p], y[p]) to the start of the next piece of its loop. What it is, one of its indices says: `side`
-/// is not kNone on an arc of an edge, `regionSide` is not kNone on a side of the region, and `r` is positive on an arc of
-/// a circle around the center of the cell (OutlinePiece).
+/// Piece p runs from (x[p], y[p]) to the start of the next piece of its loop. What it is, one of its indices says:
+/// `side` is not kNone on an arc of an edge, `regionSide` is not kNone on a side of the region, and `r` is positive on
+/// an arc of a circle around the center of the cell (OutlinePiece).
 struct ClippedCells {
   /// For each row where its loops begin, and the number of loops at the end.
   std::vector<std::int32_t> loopOffsets = {0};
@@ -85,10 +85,10 @@ class ClippedDiagram {
                                      std::optional<double> maxDistance = {}) = delete;
 
   /// Clips some cells only, in time for these cells and the sides of the region near them, but for a few bytes for each
-  /// circle and edge. All other cells count as outside the region, and so do edges between them. After an edit, clip the
-  /// cells whose sides have changed anew: their outlines have the bits that `from` gives them, but for
-  /// crossings that rounding cannot decide. Polygons are those of `polygons()` only if the neighbors are clipped, too.
-  /// Errors: those of `from`.
+  /// circle and edge. All other cells count as outside the region, and so do edges between them. After an edit, clip
+  /// the cells whose sides have changed anew: their outlines have the bits that `from` gives them, but for crossings
+  /// that rounding cannot decide. Polygons are those of `polygons()` only if the neighbors are clipped, too. Errors:
+  /// those of `from`.
   static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region& region,
                                         std::span<const CircleIndex> circles, std::optional<double> maxDistance = {});
 
@@ -115,8 +115,8 @@ class ClippedDiagram {
   [[nodiscard]] std::vector<EdgeCurve> edgeParts(EdgeIndex edge) const;
   /// Returns the kept parts of all edges.
   [[nodiscard]] ClippedEdges edges() const;
-  /// Returns the circles whose cells share a part of an edge with a cell inside the region, in the order of the sides of
-  /// the cell. Each occurs once.
+  /// Returns the circles whose cells share a part of an edge with a cell inside the region, in the order of the sides
+  /// of the cell. Each occurs once.
   [[nodiscard]] std::vector<CircleIndex> neighbors(CircleIndex circle) const;
 
   /// Returns the areas of the kept parts of all cells. They sum to the area of the region but for rounding, if there is
@@ -131,9 +131,9 @@ class ClippedDiagram {
   /// bit. A row has several polygons if the region cuts the cell apart. The tolerance is finite and positive.
   [[nodiscard]] ClippedPolygons polygons(double tolerance) const;
 
-  /// Returns the largest disc that has its center in the region and overlaps no circle: the point of the region farthest
-  /// from all circles. It may extend beyond the region. Its radius is negative if circles cover the region. Returns
-  /// nothing if there are no circles. The maximum distance plays no role.
+  /// Returns the largest disc that has its center in the region and overlaps no circle: the point of the region
+  /// farthest from all circles. It may extend beyond the region. Its radius is negative if circles cover the region.
+  /// Returns nothing if there are no circles. The maximum distance plays no role.
   ///
   /// The distance from the nearest circle is largest at a vertex, at a crossing of an edge and the boundary, or at a
   /// corner, because inside a cell it is convex along every line.

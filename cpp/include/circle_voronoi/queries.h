@@ -51,8 +51,8 @@ struct EmptyDisc {
 [[nodiscard]] std::optional<EmptyDisc> largestEmptyDiscCenteredInHull(const Diagram& diagram);
 
 /// Returns the largest disc that lies entirely inside a region and overlaps no circle. It may touch sides of the region
-/// in place of circles. If circles cover the region, returns the disc of largestEmptyDiscCenteredIn, whose radius is
-/// not positive. Returns nothing if there are no circles.
+/// in place of circles. Without circles it is the largest disc in the region. If circles cover the region, returns the
+/// disc of largestEmptyDiscCenteredIn, whose radius is not positive. region_queries.h has this for any Region.
 ///
 /// Each circle is tried with each of the segments of the region's medial axis, about two for each side.
 [[nodiscard]] std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region);

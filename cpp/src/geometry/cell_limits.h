@@ -34,6 +34,10 @@ inline Result<void> checkMaxDistance(std::optional<double> distance) {
                std::string("The maximum distance must be finite and at most ") + kRegionLimitText + "."};
 }
 
+/// Returns the part of an edge within the distance, or without one the edge with ends far outside the region in place
+/// of those at infinity.
+std::optional<CurvePart> partAtDistance(const Diagram& diagram, EdgeIndex edge, const Limits& limits);
+
 /// Returns the kept parts of an edge, in its direction.
 CIRCLE_VORONOI_API std::vector<CurvePart> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits& limits);
 

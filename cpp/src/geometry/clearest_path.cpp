@@ -136,7 +136,7 @@ class PathFinder {
     if (from.edge == to.edge) {
       const auto [low, high] = std::minmax(from.parameter, to.parameter);
       const double direct = clearanceOf(curve, to.edge, low, high);
-      if (direct >= throughStart && direct >= throughEnd) return {direct, {to.edge}, {}, {}};
+      if (direct >= throughStart && direct >= throughEnd) return {direct, {to.edge}, {}, {}, {}};
     }
     return throughStart >= throughEnd ? pathTo(nodeOf(edge.start), byStart, to.edge)
                                       : pathTo(nodeOf(edge.end), byEnd, to.edge);

@@ -11,67 +11,171 @@
 namespace circle_voronoi {
 namespace {
 
-/// A parameter between two.
-double between(double from, double to) {
-  if (from == 0) return to == kInfinite ? 1 : to / 2;
-  return to == kInfinite ? 2 * from : std::sqrt(from) * std::sqrt(to);
+/// Ends at infinity are moved to that many times the distance of the region from the centers. From there, its
+/// directions are those at infinity up to a few degrees.
+constexpr double kFar = 64;
+
+const HalfPlane* halfOf(std::int32_t cut, std::span<const HalfPlane> halves) {
+  const auto found = std::ranges::find(halves, cut, &HalfPlane::side);
+  return found == halves.end() ? nullptr : &*found;
 }
 
-Point onSide(const ConvexPolygon& region, std::int32_t side, Point p) {
-  const auto k = static_cast<std::size_t>(side);
-  const Point from = region.corners()[k];
-  const Point to = region.cornerAfter(k);
-  const Vector direction = {to.x - from.x, to.y - from.y};
-  const double unit = unitFor(largestOf(direction));
-  const Vector along = measuredIn(unit, direction);
-  const double share = dot(measuredIn(unit, {p.x - from.x, p.y - from.y}), along) / dot(along, along);
-  if (share <= 0) return from;
-  if (share >= 1) return to;
-  return {from.x + share * direction.x, from.y + share * direction.y};
+}  // namespace
+
+HalfPlane::HalfPlane(std::size_t side, Point from, Point to)
+    : side_(static_cast<std::int32_t>(side)), from_(from), to_(to) {
+  const Vector direction = vectorTo(from, to);
+  along_ = measuredIn(powerOfTwoIn(largestOf(direction)), direction);
 }
 
-/// A range of the parameter, and the sides that cut it off.
-struct Span {
-  double from = 0;
-  double to = 0;
-  std::int32_t cutFrom = kNone;
-  std::int32_t cutTo = kNone;
-};
+Point HalfPlane::nearest(Point p) const {
+  const double share = place(p) / dot(along_, along_);
+  return {from_.x + share * along_.x, from_.y + share * along_.y};
+}
 
-std::vector<Span> spansInside(const EdgeCurve& curve, const ConvexPolygon& region) {
-  std::vector<Span> spans = {{curve.from, curve.to, kNone, kNone}};
-  std::vector<Span> kept;
-  for (std::size_t k = 0; k < region.size() && !spans.empty(); ++k) {
-    const Point from = region.corners()[k];
-    const Point to = region.cornerAfter(k);
-    const LineCrossing crossing(curve.bisector, from, {to.x - from.x, to.y - from.y});
-    const auto side = static_cast<std::int32_t>(k);
-    kept.clear();
-    for (Span rest : spans) {
-      const auto keep = [&](const Span& span) {
-        if (!crossing.isRight(span.from, span.to)) kept.push_back(span);
-      };
-      for (const double s : crossing.parameters()) {
-        if (s <= rest.from || s >= rest.to) continue;
-        keep({rest.from, s, rest.cutFrom, side});
-        rest.from = s;
-        rest.cutFrom = side;
-      }
-      keep(rest);
-    }
-    spans.swap(kept);
+Point HalfPlane::onSide(Point p) const {
+  const double ahead = place(p);
+  return ahead <= 0 ? from_ : ahead >= place(to_) ? to_ : p;
+}
+
+std::vector<HalfPlane> halfPlanesOf(const ConvexPolygon& region) {
+  const auto corners = region.corners();
+  std::vector<std::size_t> sides;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Point before = corners[k == 0 ? corners.size() - 1 : k - 1];
+    if (turn(vectorTo(before, corners[k]), vectorTo(corners[k], region.cornerAfter(k))) != 0) sides.push_back(k);
   }
-  return spans;
+  std::vector<HalfPlane> halves;
+  halves.reserve(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    halves.emplace_back(sides[i], corners[sides[i]], corners[sides[(i + 1) % sides.size()]]);
+  }
+  return halves;
 }
 
-/// How far what is in the region may be from a point, along one axis.
 double reachFrom(Point p, const ConvexPolygon& region) {
   double reach = 0;
   for (const Point& corner : region.corners()) reach = std::max(reach, largestOf({corner.x - p.x, corner.y - p.y}));
   return reach;
 }
 
-}  // namespace
+CurvePart boundedPart(const EdgeCurve& whole, const ConvexPolygon& region) {
+  const double reach = std::max(reachFrom(whole.bisector.left, region), reachFrom(whole.bisector.right, region));
+  CurvePart part = {seenFrom(whole, reach)};
+  EdgeCurve& curve = part.curve;
+  if (curve.isBounded()) return part;
+  const auto& bisector = curve.bisector;
+  const double apex = std::abs(bisector.apex);
+  const double most = parameterAtDistance(bisector, kFar * std::max(reach / bisector.unit, apex));
+  if (curve.startsAtInfinity()) {
+    part.cutFrom = kFarCut;
+    curve.from = std::min(1 / most, curve.to);
+    curve.start = curve.from == curve.to ? curve.end : pointAt(bisector, curve.from);
+  }
+  if (curve.endsAtInfinity()) {
+    part.cutTo = kFarCut;
+    curve.to = std::max(most, curve.from);
+    curve.end = curve.from == curve.to ? curve.start : pointAt(bisector, curve.to);
+  }
+  return part;
+}
+
+// Which ends are inside is decided by the points that pieces share. A root only says where: it is moved to the end that
+// it should not be beyond. So rounding moves an end by as little as the line, and the pieces of a loop stay linked.
+std::size_t cutPart(const CurvePart& part, const HalfPlane& half, std::array<CurvePart, 2>& kept) {
+  const EdgeCurve& curve = part.curve;
+  const double first = half.height(curve.start);
+  const double last = half.height(curve.end);
+  const bool hasStart = first >= 0;
+  const bool hasEnd = last >= 0;
+  kept[0] = part;
+  // A straight line crosses once.
+  if (curve.isStraight() && hasStart == hasEnd) return hasStart ? 1 : 0;
+  const LineCrossing line(curve.bisector, half.from(), half.along());
+  const auto s = line.parameters();
+  const auto endAt = [&](CurvePart& target, double parameter) {
+    target.curve.to = parameter;
+    target.cutTo = half.side();
+    target.curve.end =
+        parameter == curve.from && hasStart ? curve.start : half.nearest(pointAt(curve.bisector, parameter));
+  };
+  const auto startAt = [&](CurvePart& target, double parameter) {
+    target.curve.from = parameter;
+    target.cutFrom = half.side();
+    target.curve.start = parameter == curve.to && hasEnd ? curve.end : half.nearest(pointAt(curve.bisector, parameter));
+  };
+  if (hasStart != hasEnd) {
+    double crossing = std::abs(first) < std::abs(last) ? curve.from : curve.to;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      if (line.goesRight(k) == hasStart) crossing = std::clamp(s[k], curve.from, curve.to);
+    }
+    if (hasStart) {
+      endAt(kept[0], crossing);
+    } else {
+      startAt(kept[0], crossing);
+    }
+    return 1;
+  }
+  const auto turning = line.turningPoint(hasStart);
+  if (!turning || !(curve.from < *turning && *turning < curve.to)) return hasStart ? 1 : 0;
+  const double early = std::max(s[0], curve.from);
+  const double late = std::min(s[1], curve.to);
+  if (!hasStart) {
+    startAt(kept[0], early);
+    endAt(kept[0], late);
+    return 1;
+  }
+  kept[1] = part;
+  endAt(kept[0], early);
+  startAt(kept[1], late);
+  return 2;
+}
+
+void moveOntoSides(CurvePart& part, std::span<const HalfPlane> halves) {
+  if (const HalfPlane* half = halfOf(part.cutFrom, halves)) part.curve.start = half->onSide(part.curve.start);
+  if (const HalfPlane* half = halfOf(part.cutTo, halves)) part.curve.end = half->onSide(part.curve.end);
+}
+
+std::vector<CurvePart> partsInside(const CurvePart& part, const ConvexPolygon& region) {
+  const std::vector<HalfPlane> halves = halfPlanesOf(region);
+  std::vector<CurvePart> parts = {part};
+  std::vector<CurvePart> next;
+  std::array<CurvePart, 2> kept;
+  for (const HalfPlane& half : halves) {
+    next.clear();
+    for (const CurvePart& rest : parts) {
+      const std::size_t count = cutPart(rest, half, kept);
+      for (std::size_t k = 0; k < count; ++k) {
+        if (!kept[k].isPoint()) next.push_back(kept[k]);
+      }
+    }
+    parts.swap(next);
+  }
+  for (CurvePart& rest : parts) moveOntoSides(rest, halves);
+  std::erase_if(parts, [](const CurvePart& rest) { return rest.isPoint(); });
+  return parts;
+}
+
+// The distance grows from the apex to both sides: the part is from 1 / s to s.
+std::optional<CurvePart> partNear(const EdgeCurve& whole, double reach) {
+  const EdgeCurve curve = seenFrom(whole, reach);
+  const auto& bisector = curve.bisector;
+  if (!(reach / bisector.unit > bisector.apex)) return std::nullopt;
+  const double most = parameterAtDistance(bisector, reach / bisector.unit);
+  CurvePart part = {curve};
+  if (curve.from < 1 / most) {
+    part.cutFrom = kCircleCut;
+    part.curve.from = 1 / most;
+    part.curve.start = pointAt(bisector, 1 / most);
+  }
+  if (curve.to > most) {
+    part.cutTo = kCircleCut;
+    part.curve.to = most;
+    part.curve.end = pointAt(bisector, most);
+  }
+  if (part.curve.from > part.curve.to) return std::nullopt;
+  return part;
+}
 
 // With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
 // (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex
@@ -110,54 +214,14 @@ LineCrossing::LineCrossing(const Bisector& bisector, Point p, Vector direction) 
   }
 }
 
-bool LineCrossing::isRight(double from, double to) const {
-  const double middle = between(from, to);
-  const auto height = [&](double s) { return growth_ * s - 2 * half_ + decay_ / s; };
-  // The branch may touch the line in one of any two points, but not in both.
-  const double first = height(between(from, middle));
-  const double second = height(between(middle, to));
-  return (std::abs(first) > std::abs(second) ? first : second) > 0;
-}
-
-std::vector<CurvePart> partsInside(const EdgeCurve& whole, const ConvexPolygon& region) {
-  const EdgeCurve curve = seenFrom(whole, reachFrom(whole.bisector.origin, region));
-  std::vector<CurvePart> parts;
-  for (const Span& span : spansInside(curve, region)) {
-    CurvePart part = {curve, span.cutFrom, span.cutTo};
-    part.curve.from = span.from;
-    part.curve.to = span.to;
-    if (span.cutFrom != kNone) part.curve.start = onSide(region, span.cutFrom, pointAt(curve.bisector, span.from));
-    if (span.cutTo != kNone) part.curve.end = onSide(region, span.cutTo, pointAt(curve.bisector, span.to));
-    if (part.curve.isBounded()) parts.push_back(part);
-  }
-  return parts;
-}
-
-// The distance apex + c (cosh t - 1) grows from the apex to both sides: the part is from 1 / s to s.
-std::optional<CurvePart> partNear(const EdgeCurve& whole, double reach) {
-  const EdgeCurve curve = seenFrom(whole, reach);
-  const auto& bisector = curve.bisector;
-  const double rise = (reach / bisector.unit - bisector.apex) / (bisector.apex + std::abs(bisector.a));
-  if (!(rise > 0)) return std::nullopt;
-  const double most = parameterAtRise(rise);
-  CurvePart part = {curve};
-  if (curve.from < 1 / most) {
-    part.cutFrom = kCircleOfRing;
-    part.curve.from = 1 / most;
-    part.curve.start = pointAt(bisector, 1 / most);
-  }
-  if (curve.to > most) {
-    part.cutTo = kCircleOfRing;
-    part.curve.to = most;
-    part.curve.end = pointAt(bisector, most);
-  }
-  if (part.curve.from > part.curve.to) return std::nullopt;
-  return part;
+std::optional<double> LineCrossing::turningPoint(bool right) const {
+  if (count_ < 2 || (growth_ < 0) != right) return std::nullopt;
+  return std::sqrt(decay_ / growth_);
 }
 
 std::vector<EdgeCurve> clip(const EdgeCurve& curve, const ConvexPolygon& region) {
   std::vector<EdgeCurve> pieces;
-  for (const CurvePart& part : partsInside(curve, region)) pieces.push_back(part.curve);
+  for (const CurvePart& part : partsInside(boundedPart(curve, region), region)) pieces.push_back(part.curve);
   return pieces;
 }
 

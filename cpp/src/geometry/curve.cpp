@@ -30,6 +30,9 @@ double exponentialOf(double sine) {
   return std::clamp(sine < 0 ? 1 / s : s, kSmallestParameter, kLargestParameter);
 }
 
+/// The parameter s >= 1 at which the distance is apex + c rise, rise = cosh t - 1.
+double parameterAtRise(double rise) { return exponentialOf(std::sqrt(rise) * std::sqrt(rise + 2)); }
+
 double distanceAlongAxis(Point p, Point q) { return largestOf({q.x - p.x, q.y - p.y}); }
 
 /// Moves two circles apart that are too near to each other to be told apart from a distance of `reach`, and returns
@@ -118,7 +121,12 @@ double parameterAt(const Bisector& bisector, Point p) {
   return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise);
 }
 
-double parameterAtRise(double rise) { return exponentialOf(std::sqrt(rise) * std::sqrt(rise + 2)); }
+// Of a hyperbola it is apex + c (cosh t - 1), of a line the hypotenuse of its apex and b sinh t.
+double parameterAtDistance(const Bisector& bisector, double distance) {
+  const double apex = std::abs(bisector.apex);
+  if (bisector.a != 0) return parameterAtRise((distance - apex) / (apex + std::abs(bisector.a)));
+  return exponentialOf(std::sqrt(distance - apex) * (std::sqrt(distance + apex) / bisector.b));
+}
 
 EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
   const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(edge)];

@@ -9,7 +9,7 @@ namespace circle_voronoi {
 /// to each other to be told apart from there are moved apart; most curves stay as they are.
 EdgeCurve seenFrom(const EdgeCurve& curve, double reach);
 
-/// The parameter s >= 1 at which a branch is at the distance apex + c rise from the origin, rise = cosh t - 1.
-double parameterAtRise(double rise);
+/// The parameter s >= 1 at which a branch is at a distance from its origin, in its unit: not below that of its apex.
+double parameterAtDistance(const Bisector& bisector, double distance);
 
 }  // namespace circle_voronoi

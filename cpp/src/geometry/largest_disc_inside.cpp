@@ -135,7 +135,7 @@ class Search {
     const double depth = depthOf(p);
     if (!(depth > radius())) return;
     const CircleIndex nearest = finder_.find(p, circle);
-    const double distance = distanceFrom(diagram_, nearest, p);
+    const double distance = nearest == kNone ? kInfinite : distanceFrom(diagram_, nearest, p);
     if (circle == kNone) {
       if (distance <= depth) circle = nearest;
     } else {
@@ -167,7 +167,7 @@ class Search {
       };
       // Along an edge the distance is largest at one of its ends.
       if (std::max(radiusAt(start), radiusAt(end)) <= radius()) continue;
-      for (const CurvePart& part : partsInside(edgeCurve(diagram_, e), region_)) {
+      for (const CurvePart& part : partsInside(boundedPart(edgeCurve(diagram_, e), region_), region_)) {
         const Bisector& bisector = part.curve.bisector;
         const double r = std::min(circle(left).r, circle(right).r) / bisector.unit;
         const double a = std::abs(bisector.a);
@@ -235,7 +235,7 @@ class Search {
 // these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
 std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region) {
   const auto centered = largestEmptyDiscCenteredIn(diagram, region);
-  if (!centered || centered->disc.r <= 0) return centered;
+  if (centered && centered->disc.r <= 0) return centered;
   return Search(diagram, region).run();
 }
 

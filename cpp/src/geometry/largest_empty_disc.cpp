@@ -52,7 +52,7 @@ std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, cons
     };
     // Along an edge the distance is largest at one of its ends.
     if (std::max(radiusAt(start), radiusAt(end)) <= largest.radius()) continue;
-    for (const auto& [piece, cutFrom, cutTo] : partsInside(edgeCurve(diagram, e), region)) {
+    for (const auto& [piece, cutFrom, cutTo] : partsInside(boundedPart(edgeCurve(diagram, e), region), region)) {
       if (cutFrom != kNone) largest.offer(diagram, piece.start, left, right);
       if (cutTo != kNone) largest.offer(diagram, piece.end, left, right);
     }

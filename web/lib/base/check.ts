@@ -33,6 +33,17 @@ export function checkOptionNames(options: unknown, caller: string, known: readon
   }
 }
 
+/**
+ * Refuses options of a function that has none. Other arguments may follow, as where the function is a callback of `map`.
+ *
+ * @throws CircleVoronoiError `badOption`
+ */
+export function checkNoOptions([options]: readonly unknown[], caller: string): void {
+  if (!isRecord(options)) return
+  const [name] = Object.keys(options).filter((name) => options[name] !== undefined)
+  if (name !== undefined) refuseOption(`There is no option ${name} of ${caller}, which has none.`)
+}
+
 /** @throws CircleVoronoiError `badArgument`, if `value` is not a number */
 export function checkNumber(value: unknown, caller: string, name: string): void {
   if (typeof value !== 'number') refuseArgument(`${caller} takes a number as ${name}, not ${shown(value)}.`)

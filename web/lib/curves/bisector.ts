@@ -192,9 +192,19 @@ export function parameterOf(bisector: Bisector, x: number, y: number): number {
   return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise)
 }
 
-/** The parameter s >= 1 at which a branch is at the distance apex + c rise from the origin, rise = cosh t - 1. */
-export function parameterAtRise(rise: number): number {
+/** The parameter s >= 1 at which the distance is apex + c rise, rise = cosh t - 1. */
+function parameterAtRise(rise: number): number {
   return exponentialOf(Math.sqrt(rise) * Math.sqrt(rise + 2))
+}
+
+/**
+ * The parameter s >= 1 at which a branch is at a distance from its origin, in its unit: not below that of its apex. Of a
+ * hyperbola it is apex + c (cosh t - 1), of a line the hypotenuse of its apex and b sinh t.
+ */
+export function parameterAtDistance(bisector: Bisector, distance: number): number {
+  const apex = Math.abs(bisector.apex)
+  if (bisector.a !== 0) return parameterAtRise((distance - apex) / (apex + Math.abs(bisector.a)))
+  return exponentialOf(Math.sqrt(distance - apex) * (Math.sqrt(distance + apex) / bisector.b))
 }
 
 /**

@@ -47,7 +47,7 @@ import { keptParts, type Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
-import { areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
+import { areaOf, centroidOf, checkCellArea, checkSumOfAreas, perimeterOf } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import { type ClippedCells, type ClippedDiagram, Region, regionOption } from '../regions/region.ts'
@@ -470,9 +470,14 @@ export class Diagram implements DiagramData {
     return this.#outline(i, 'cellOutline', options)
   }
 
-  /** Returns the area of the part of cell `i` inside the bounds, exact up to rounding; 0 if circle `i` is hidden. */
+  /**
+   * Returns the area of the part of cell `i` inside the bounds, exact up to rounding; 0 if circle `i` is hidden. Throws
+   * `notCertified` if the outline does not close or encloses more than the bounds, because arrays were changed.
+   */
   cellArea(i: number, options: BoundsOptions = {}): number {
-    return areaOf(this.#outline(i, 'cellArea', options))
+    const area = areaOf(this.#outline(i, 'cellArea', options))
+    if (options.region === undefined) checkCellArea(area, this.#limitsOf('cellArea', options).region.area(), i)
+    return area
   }
 
   /**
@@ -489,9 +494,20 @@ export class Diagram implements DiagramData {
     return perimeterOf(this.#outline(i, 'cellPerimeter', options))
   }
 
-  /** Returns the area of each cell inside the bounds. */
+  /**
+   * Returns the area of each cell inside the bounds. Throws `notCertified` if an area is negative or, without a maximum
+   * distance, the areas do not sum to that of the bounds, up to rounding.
+   */
   cellAreas(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
+    const areas = this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
+    if (options.region !== undefined || this.hull.length === 0) return areas
+    const whole = this.#limitsOf('cellAreas', options).region.area()
+    areas.forEach((area, i) => {
+      checkCellArea(area, whole, i)
+    })
+    const isWhole = options.maxDistance === undefined
+    if (isWhole) checkSumOfAreas(areas, whole)
+    return areas
   }
 
   /** Returns the centroid of each cell inside the bounds, as x and y; NaN for an empty cell. */

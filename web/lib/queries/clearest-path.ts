@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkDiagram, checkMetric, checkPoint, refuseArgument } from '../base/check.ts'
+import { checkDiagram, checkMetric, checkOptionNames, checkPoint, refuseArgument } from '../base/check.ts'
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { distanceOf } from '../base/metric.ts'
 import { between } from '../base/point.ts'
 import { facing } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { curveOf, type EdgeCurve } from '../curves/curve.ts'
+import { type BoundedCurve, curveOf, type EdgeCurve } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
+import { clippedOutline } from '../drawing/draw-clipped.ts'
 import { LineCrossing } from '../regions/clip.ts'
+import { type Bounds, ConvexPolygon, type RegionOptions } from '../regions/convex-polygon.ts'
+import type { Outline } from '../regions/outline-piece.ts'
+import { Region, regionOption } from '../regions/region.ts'
 import { Heap } from './heap.ts'
+import { pathInside } from './path-inside.ts'
 
 /**
  * A path among circles with the largest possible distance from all of them.
@@ -32,24 +37,56 @@ export interface ClearestPath {
   readonly entry: Point | undefined
   /** The point where the path leaves the last edge for q; `undefined` if the path comes straight from infinity. */
   readonly exit: Point | undefined
+  /**
+   * With bounds or a region, the curves of the whole path from p to q. Each ends where the next one starts. Parts of edges
+   * are arcs, and the others are straight.
+   */
+  readonly curves?: readonly BoundedCurve[]
 }
 
 /**
  * Finds the path of greatest clearance from p to q, in O(n log n). The diagram must have the metric `circles` and at
  * least one circle.
  *
- * @throws CircleVoronoiError `badArgument`
+ * With `bounds` or a `region`, the path stays inside. The clearance counts circles only: the boundary is a limit and no
+ * obstacle, so the path may run along it. To keep away from the boundary, pass a smaller region. Of the clearest paths along
+ * edges and boundary, the result is the shortest one. It is `undefined` if p and q lie in different parts of the region.
+ *
+ * @throws CircleVoronoiError `badArgument`, also if p or q lies outside the bounds or the region; `badOption`
  *
  * @category Questions
  * @example
  * clearestPath(diagram, { x: 3, y: 0 }, { x: 0, y: 4 }).clearance // 2
  */
-export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath {
+export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
+export function clearestPath(
+  diagram: Diagram,
+  p: Point,
+  q: Point,
+  options: RegionOptions | { readonly region: Region },
+): ClearestPath | undefined
+export function clearestPath(
+  diagram: Diagram,
+  p: Point,
+  q: Point,
+  options: Partial<RegionOptions> & { readonly region?: Region } = {},
+): ClearestPath | undefined {
   checkDiagram(diagram, 'clearestPath')
+  checkOptionNames(options, 'clearestPath', ['bounds', 'region'])
+  const region = regionOption(options, 'clearestPath')
   checkMetric(diagram, 'clearestPath', 'circles')
   checkPoint(p, 'clearestPath')
   checkPoint(q, 'clearestPath')
   if (diagram.circles.length === 0) refuseArgument('clearestPath takes a diagram of one circle or more.')
+  if (region !== undefined || options.bounds !== undefined) {
+    const given = region ?? ConvexPolygon.of(options.bounds as Bounds)
+    for (const point of [p, q]) {
+      const isInside = given instanceof Region ? given.contains(point.x, point.y) : given.contains(point)
+      if (!isInside)
+        refuseArgument(`clearestPath: (${point.x}, ${point.y}) lies outside the ${region ? 'region' : 'bounds'}.`)
+    }
+    return pathInside(diagram, p, q, outlinesIn(diagram, given))
+  }
   // To move straight away from the nearest center until an edge is met never loses clearance. As that carries every path
   // onto the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
   const fromCircle = diagram.find(p.x, p.y)
@@ -67,6 +104,13 @@ export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
     entry: from?.point,
     exit: to?.point,
   }
+}
+
+function outlinesIn(diagram: Diagram, region: Region | ConvexPolygon): Outline[] {
+  const indices = Array.from({ length: diagram.circles.length / 3 }, (_, i) => i)
+  if (!(region instanceof Region)) return indices.map((i) => diagram.cellOutline(i, { bounds: region }))
+  const { cells } = region.module.clip(diagram, undefined)
+  return indices.map((i) => clippedOutline(diagram, [cells, i]))
 }
 
 /** Where the ray from a cell's center through a point leaves the cell. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkDiagram, checkMetric } from '../base/check.ts'
+import { checkDiagram, checkMetric, checkOptionNames } from '../base/check.ts'
 import { at, circleOf, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
 import { distanceOf } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
@@ -9,8 +9,9 @@ import type { Point, Vector } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
 import { curveOf } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
-import { partsInside } from '../regions/clip.ts'
-import { type ConvexPolygon, type RegionOptions, regionOf } from '../regions/convex-polygon.ts'
+import { boundedPart, partsInside } from '../regions/clip.ts'
+import { ConvexPolygon, type RegionOptions } from '../regions/convex-polygon.ts'
+import { type Region, regionOption } from '../regions/region.ts'
 import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
 
 /** The order of depths may be off by that, by rounding. */
@@ -19,10 +20,10 @@ const ROUNDING_OF_DEPTH = 2 ** -48
 const ROUNDING_OF_PLACE = 2 ** -31
 
 /**
- * Finds the largest empty disc that lies completely inside a region. The disc may touch sides of the region as well as
- * circles. If circles cover the region, the function returns the result of `largestEmptyDiscCenteredIn`, whose radius is
- * then not positive. Returns `undefined` if there are no circles. The diagram must have the metric `circles`. The time is
- * proportional to the number of circles times the number of sides of the region.
+ * Finds the largest empty disc that lies completely inside some bounds or a region. The disc may touch the boundary as well
+ * as circles. Without circles it is the largest disc inside. If circles cover the region, the function returns the result
+ * of `largestEmptyDiscCenteredIn`, whose radius is then not positive. The diagram must have the metric `circles`. For bounds
+ * the time is proportional to the number of circles times the number of sides.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  *
@@ -30,18 +31,25 @@ const ROUNDING_OF_PLACE = 2 ** -31
  * @example
  * largestEmptyDiscInside(diagram, { bounds: [-2, -2, 8, 10] }).disc.r.toFixed(6) // '4.119661'
  */
-export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions): EmptyDisc | undefined {
-  checkDiagram(diagram, 'largestEmptyDiscInside')
-  checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
+export function largestEmptyDiscInside(
+  diagram: Diagram,
+  options: RegionOptions | { readonly region: Region },
+): EmptyDisc | undefined {
+  const caller = 'largestEmptyDiscInside'
+  checkDiagram(diagram, caller)
+  checkMetric(diagram, caller, 'circles')
+  checkOptionNames(options, caller, ['bounds', 'region'])
+  const given = regionOption(options, caller)
+  if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDiscInside()
   // The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
   // along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
   // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
   // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region, which
   // has some two segments for each side. All of these are tried, and of each what is really empty and inside is taken:
   // rounding cannot make a result too large.
-  const region = regionOf(options, 'largestEmptyDiscInside')
+  const region = ConvexPolygon.of((options as RegionOptions).bounds)
   const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
-  if (centered === undefined || centered.disc.r <= 0) return centered
+  if (centered !== undefined && centered.disc.r <= 0) return centered
   const sides = sidesOf(region)
   const ridges = ridgesOf(region, sides)
   let best: EmptyDisc | undefined
@@ -52,7 +60,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
     const inside = depthOf(p)
     if (!(inside > radius())) return
     const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
-    const empty = distanceOf(diagram, nearest, p.x, p.y)
+    const empty = nearest === NONE ? Infinity : distanceOf(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
@@ -163,7 +171,7 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
 function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
   const { left, right } = edgeOf(diagram, e)
   const radius = Math.min(circleOf(diagram.circles, left).r, circleOf(diagram.circles, right).r)
-  return partsInside(curveOf(diagram, e), region).flatMap(({ curve: { bisector, from, to } }) =>
+  return partsInside(boundedPart(curveOf(diagram, e), region), region).flatMap(({ curve: { bisector, from, to } }) =>
     sides.flatMap((side) => {
       const a = Math.abs(bisector.a)
       const c = bisector.apex + a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkDiagram, checkMetric, checkOptionNames } from '../base/check.ts'
+import { checkDiagram, checkMetric, checkNoOptions, checkOptionNames } from '../base/check.ts'
 import { at, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
 import { distanceOf } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
@@ -10,7 +10,7 @@ import { pointOf } from '../curves/bisector.ts'
 import { curveOf, seenFrom } from '../curves/curve.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 import type { Diagram } from '../diagram/diagram.ts'
-import { LineCrossing, partsInside } from '../regions/clip.ts'
+import { boundedPart, LineCrossing, partsInside } from '../regions/clip.ts'
 import { ConvexPolygon, type RegionOptions } from '../regions/convex-polygon.ts'
 import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
 import { type Region, regionOption } from '../regions/region.ts'
@@ -63,7 +63,7 @@ export function largestEmptyDiscCenteredIn(
     const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
-    for (const { curve, cutFrom, cutTo } of partsInside(curveOf(diagram, e), region)) {
+    for (const { curve, cutFrom, cutTo } of partsInside(boundedPart(curveOf(diagram, e), region), region)) {
       if (cutFrom !== NONE) largest.offerAround(curve.start, left, right)
       if (cutTo !== NONE) largest.offerAround(curve.end, left, right)
     }
@@ -82,9 +82,11 @@ export function largestEmptyDiscCenteredIn(
  * const { x, y } = largestEmptyDiscCenteredInHull(diagram).disc
  * [x.toFixed(9), y.toFixed(9)] // [ '3.800000000', '4.600000000' ]
  */
-export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | undefined {
+export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | undefined
+export function largestEmptyDiscCenteredInHull(diagram: Diagram, ...others: readonly unknown[]): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscCenteredInHull')
   checkMetric(diagram, 'largestEmptyDiscCenteredInHull', 'circles')
+  checkNoOptions(others, 'largestEmptyDiscCenteredInHull')
   const { cells, hull, vertices, edges, vertexSides } = diagram
   const largest = new Largest(diagram)
   if (hull.length === 0) return undefined

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
 // triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
-import { checkData, checkMetric } from '../base/check.ts'
+import { checkData, checkMetric, checkNoOptions } from '../base/check.ts'
 import { at, circleOf } from '../base/diagram-data.ts'
 import { between } from '../base/point.ts'
 import { lengthOf } from '../base/scale.ts'
@@ -17,7 +17,9 @@ import type { DiagramData } from '../base/types.ts'
  * @example
  * neighborPairs(diagram) // Int32Array(6) [ 0, 1, 0, 2, 1, 2 ]
  */
-export function neighborPairs(diagram: DiagramData): Int32Array {
+export function neighborPairs(diagram: DiagramData): Int32Array
+export function neighborPairs(diagram: DiagramData, ...others: readonly unknown[]): Int32Array {
+  checkNoOptions(others, 'neighborPairs')
   checkData(diagram, 'neighborPairs')
   const { circles, edges } = diagram
   const count = circles.length / 3
@@ -56,7 +58,9 @@ export interface ClosestPair {
  * @example
  * closestPair(diagram) // { first: 0, second: 1, gap: 4 }
  */
-export function closestPair(diagram: DiagramData): ClosestPair | undefined {
+export function closestPair(diagram: DiagramData): ClosestPair | undefined
+export function closestPair(diagram: DiagramData, ...others: readonly unknown[]): ClosestPair | undefined {
+  checkNoOptions(others, 'closestPair')
   checkData(diagram, 'closestPair')
   checkMetric(diagram, 'closestPair', 'circles')
   const { circles, edges } = diagram

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, NONE } from '../base/diagram-data.ts'
+import { at } from '../base/diagram-data.ts'
 import type { DiagramData } from '../base/types.ts'
 import { curveOf } from '../curves/curve.ts'
-import { type Part, partNear, partsInside } from './clip.ts'
+import { boundedPart, type Part, partNear, partsInside } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 
 /** What is kept of cells and edges: what lies inside a region and, if there is one, up to a distance from the nearest circle. */
@@ -29,16 +29,19 @@ export function isKeptWhole(diagram: DiagramData, circle: number, reach: number,
   return [-reach, reach].every((dx) => [-reach, reach].every((dy) => region.contains({ x: x + dx, y: y + dy })))
 }
 
-/** The parts of an edge that are kept, in its direction. */
-export function keptParts(diagram: DiagramData, edge: number, { region, maxDistance }: Limits): Part[] {
+/**
+ * The part of an edge within the distance, or without one the edge with ends far outside the region in place of those at
+ * infinity.
+ */
+export function partAtDistance(diagram: DiagramData, edge: number, { region, maxDistance }: Limits): Part | undefined {
   const curve = curveOf(diagram, edge)
-  if (maxDistance === undefined) return partsInside(curve, region)
+  if (maxDistance === undefined) return boundedPart(curve, region)
   const reachOf = (end: number) => reachFrom(diagram, at(diagram.edges, 4 * edge + end), maxDistance)
-  const near = partNear(curve, Math.min(reachOf(0), reachOf(1)))
-  if (near === undefined) return []
-  return partsInside(near.curve, region).map((part) => ({
-    curve: part.curve,
-    cutFrom: part.cutFrom === NONE ? near.cutFrom : part.cutFrom,
-    cutTo: part.cutTo === NONE ? near.cutTo : part.cutTo,
-  }))
+  return partNear(curve, Math.min(reachOf(0), reachOf(1)))
+}
+
+/** The parts of an edge that are kept, in its direction. */
+export function keptParts(diagram: DiagramData, edge: number, limits: Limits): Part[] {
+  const part = partAtDistance(diagram, edge, limits)
+  return part === undefined ? [] : partsInside(part, limits.region)
 }

@@ -2,18 +2,26 @@
 
 import { checkThing } from '../base/check.ts'
 import { NONE } from '../base/diagram-data.ts'
-import { between, dot } from '../base/point.ts'
+import { between, cross, dot } from '../base/point.ts'
 import { largestOf, measuredIn, powerOfTwoIn, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
-import { controlPoint } from '../curves/bezier.ts'
-import { type Bisector, parameterAtRise, pointOf } from '../curves/bisector.ts'
+import { type Bisector, parameterAtDistance, pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from '../curves/curve.ts'
 import { type ConvexPolygon, type RegionOptions, regionOf } from './convex-polygon.ts'
-import { CIRCLE_OF_RING } from './ring.ts'
+
+/** In place of a side of a polygon: the circle that cuts a cell at the maximum distance. */
+export const CIRCLE_CUT = -2
+/** In place of a side of a polygon: nothing. The end of the curve is at infinity, which here is a point far outside. */
+const FAR_CUT = -3
+/**
+ * Ends at infinity are moved to that many times the distance of the region from the centers. From there, its directions
+ * are those at infinity up to a few degrees.
+ */
+const FAR = 64
 
 /**
- * A part of a curve inside a region, and the sides of the region, or `CIRCLE_OF_RING`, that cut it off, on which its ends
- * lie then; `NONE` where it ends with the curve.
+ * A part of a curve inside a region. `cutFrom` and `cutTo` are the sides of the region, or `CIRCLE_CUT`, on which the ends
+ * of the part lie; `NONE` if the part ends where the curve does.
  */
 export interface Part {
   readonly curve: BoundedCurve
@@ -21,12 +29,66 @@ export interface Part {
   readonly cutTo: number
 }
 
-/** A range of the parameter, and the sides that cut it off. */
-interface Span {
-  readonly from: number
-  readonly to: number
-  readonly cutFrom: number
-  readonly cutTo: number
+/** Returns whether cutting has left a point. */
+export function isPoint({ curve: { start, end }, cutFrom, cutTo }: Part): boolean {
+  return isSame(start, end) && (cutFrom !== NONE || cutTo !== NONE)
+}
+
+export function isSame(p: Point, q: Point): boolean {
+  return p.x === q.x && p.y === q.y
+}
+
+/** The half-plane left of a side of a polygon. Sides on one line make one half-plane. */
+export class HalfPlane {
+  /** The first side of the polygon on the line. */
+  readonly side: number
+  readonly from: Point
+  readonly to: Point
+  readonly along: Vector
+
+  constructor(side: number, from: Point, to: Point) {
+    const direction = between(from, to)
+    this.side = side
+    this.from = from
+    this.to = to
+    this.along = measuredIn(powerOfTwoIn(largestOf(direction)), direction)
+  }
+
+  /** Returns the half-planes of the sides of a polygon. */
+  static of({ corners }: ConvexPolygon): HalfPlane[] {
+    const isTurn = (corner: Point, k: number) =>
+      turn(between(corners.at(k - 1) as Point, corner), between(corner, corners[(k + 1) % corners.length] as Point)) !==
+      0
+    const sides = corners.flatMap((corner, k) => (isTurn(corner, k) ? [k] : []))
+    const cornerAt = (i: number) => corners[sides[i % sides.length] as number] as Point
+    return sides.map((side, i) => new HalfPlane(side, cornerAt(i), cornerAt(i + 1)))
+  }
+
+  /**
+   * Returns how far a point is to the left of the line, in a unit of its own: negative outside. Exact for points on a line
+   * parallel to an axis.
+   */
+  height(p: Point): number {
+    return cross(this.along, between(this.from, p))
+  }
+
+  /** Returns how far ahead along the line a point is, in the same unit. */
+  place(p: Point): number {
+    return dot(this.along, between(this.from, p))
+  }
+
+  /** Returns the point of the line nearest to `p`. */
+  nearest(p: Point): Point {
+    const { from, along } = this
+    const share = this.place(p) / dot(along, along)
+    return { x: from.x + share * along.x, y: from.y + share * along.y }
+  }
+
+  /** Returns a point of the line, moved onto the side. */
+  onSide(p: Point): Point {
+    const ahead = this.place(p)
+    return ahead <= 0 ? this.from : ahead >= this.place(this.to) ? this.to : p
+  }
 }
 
 /**
@@ -41,33 +103,97 @@ interface Span {
  */
 export function clipCurve(curve: EdgeCurve, options: RegionOptions): BoundedCurve[] {
   checkThing(curve, 'bisector', 'clipCurve', 'a curve')
-  return partsInside(curve, regionOf(options, 'clipCurve')).map((part) => part.curve)
+  const region = regionOf(options, 'clipCurve')
+  return partsInside(boundedPart(curve, region), region).map((part) => part.curve)
 }
 
-/** The parts of a curve inside a region, in order: bounded. */
-export function partsInside(whole: EdgeCurve, region: ConvexPolygon): Part[] {
-  const curve = seenFrom(whole, region.reachFrom(whole.bisector.origin))
-  const parts: Part[] = []
-  for (const { from, to, cutFrom, cutTo } of spansInside(curve, region)) {
-    const { bisector } = curve
-    const start = cutFrom === NONE ? curve.start : onSide(region, cutFrom, pointOf(bisector, from))
-    const end = cutTo === NONE ? curve.end : onSide(region, cutTo, pointOf(bisector, to))
-    const part = { bisector, from, to, start, end }
-    if (isBoundedCurve(part)) parts.push({ curve: part, cutFrom, cutTo })
+/** Returns a curve with its ends at infinity moved to points far outside a region, as they are then cut off. */
+export function boundedPart(whole: EdgeCurve, region: ConvexPolygon): Part {
+  const reach = Math.max(region.reachFrom(whole.bisector.left), region.reachFrom(whole.bisector.right))
+  const curve = seenFrom(whole, reach)
+  if (isBoundedCurve(curve)) return { curve, cutFrom: NONE, cutTo: NONE }
+  const { bisector } = curve
+  const most = parameterAtDistance(bisector, FAR * Math.max(reach / bisector.unit, Math.abs(bisector.apex)))
+  let { from, to, start, end } = curve
+  if (start === undefined) {
+    from = Math.min(1 / most, to)
+    start = from === to ? (end as Point) : pointOf(bisector, from)
   }
-  return parts
+  if (end === undefined) {
+    to = Math.max(most, from)
+    end = from === to ? start : pointOf(bisector, to)
+  }
+  return {
+    curve: { bisector, from, to, start, end },
+    cutFrom: curve.start === undefined ? FAR_CUT : NONE,
+    cutTo: curve.end === undefined ? FAR_CUT : NONE,
+  }
+}
+
+/**
+ * Cuts a bounded part of a curve. Returns the parts in the half-plane, in order.
+ *
+ * Which ends are inside is decided by the points that pieces share. A root only says where: it is moved to the end that it
+ * should not be beyond. So rounding moves an end by as little as the line, and the pieces of a loop stay linked.
+ */
+export function cutPart(part: Part, half: HalfPlane): readonly Part[] {
+  const { bisector, from, to, start, end } = part.curve
+  const first = half.height(start)
+  const last = half.height(end)
+  const hasStart = first >= 0
+  const hasEnd = last >= 0
+  const whole = hasStart ? [part] : []
+  // A straight line crosses once.
+  if (bisector.a === 0 && hasStart === hasEnd) return whole
+  const line = new LineCrossing(bisector, half.from, half.along)
+  const endAt = ({ curve, ...rest }: Part, s: number): Part => {
+    const p = s === from && hasStart ? start : half.nearest(pointOf(bisector, s))
+    return { ...rest, curve: { bisector, from: curve.from, to: s, start: curve.start, end: p }, cutTo: half.side }
+  }
+  const startAt = ({ curve, ...rest }: Part, s: number): Part => {
+    const p = s === to && hasEnd ? end : half.nearest(pointOf(bisector, s))
+    return { ...rest, curve: { bisector, from: s, to: curve.to, start: p, end: curve.end }, cutFrom: half.side }
+  }
+  if (hasStart !== hasEnd) {
+    const s = line.crossing(hasStart)
+    const crossing = s !== undefined ? Math.min(Math.max(s, from), to) : Math.abs(first) < Math.abs(last) ? from : to
+    return [hasStart ? endAt(part, crossing) : startAt(part, crossing)]
+  }
+  const turning = line.turningPoint(hasStart)
+  if (turning === undefined || !(from < turning && turning < to)) return whole
+  const early = Math.max(line.parameters[0] as number, from)
+  const late = Math.min(line.parameters[1] as number, to)
+  return hasStart ? [endAt(part, early), startAt(part, late)] : [endAt(startAt(part, early), late)]
+}
+
+/** Moves the ends of a part that were cut off onto the sides that cut them. Rounding may have left them beyond a corner. */
+export function movedOntoSides(part: Part, halves: readonly HalfPlane[]): Part {
+  const { curve, cutFrom, cutTo } = part
+  if (cutFrom === NONE && cutTo === NONE) return part
+  const moved = (cut: number, p: Point) => halves.find(({ side }) => side === cut)?.onSide(p) ?? p
+  const { bisector, from, to } = curve
+  return { ...part, curve: { bisector, from, to, start: moved(cutFrom, curve.start), end: moved(cutTo, curve.end) } }
+}
+
+/** Returns the parts of a part of a curve inside a region, in order. */
+export function partsInside(part: Part, region: ConvexPolygon): Part[] {
+  const halves = HalfPlane.of(region)
+  let parts = [part]
+  for (const half of halves) {
+    parts = parts.flatMap((rest) => cutPart(rest, half)).filter((rest) => !isPoint(rest))
+  }
+  return parts.map((rest) => movedOntoSides(rest, halves)).filter((rest) => !isPoint(rest))
 }
 
 /**
  * The part of a curve whose points are up to a distance from the origin of its bisector, the center of the smaller circle:
- * bounded, if there is one. The distance apex + c (cosh t - 1) grows from the apex to both sides: it is from 1 / s to s.
+ * bounded, if there is one. The distance grows from the apex to both sides: it is from 1 / s to s.
  */
 export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
   const curve = seenFrom(whole, reach)
   const { bisector } = curve
-  const rise = (reach / bisector.unit - bisector.apex) / (bisector.apex + Math.abs(bisector.a))
-  if (!(rise > 0)) return undefined
-  const most = parameterAtRise(rise)
+  if (!(reach / bisector.unit > bisector.apex)) return undefined
+  const most = parameterAtDistance(bisector, reach / bisector.unit)
   const isCutFrom = curve.from < 1 / most
   const isCutTo = curve.to > most
   const from = isCutFrom ? 1 / most : curve.from
@@ -77,64 +203,9 @@ export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
   const end = isCutTo ? pointOf(bisector, to) : (curve.end as Point)
   return {
     curve: { bisector, from, to, start, end },
-    cutFrom: isCutFrom ? CIRCLE_OF_RING : NONE,
-    cutTo: isCutTo ? CIRCLE_OF_RING : NONE,
+    cutFrom: isCutFrom ? CIRCLE_CUT : NONE,
+    cutTo: isCutTo ? CIRCLE_CUT : NONE,
   }
-}
-
-function spansInside(curve: EdgeCurve, region: ConvexPolygon): Span[] {
-  let spans: Span[] = [{ from: curve.from, to: curve.to, cutFrom: NONE, cutTo: NONE }]
-  if (isBoundedCurve(curve)) {
-    const place = placeOf(curve, region)
-    if (place !== 'cut') return place === 'inside' ? spans : []
-  }
-  for (let side = 0; side < region.corners.length && spans.length > 0; side++) {
-    const from = region.corner(side)
-    const crossing = new LineCrossing(curve.bisector, from, between(from, region.cornerAfter(side)))
-    const kept: Span[] = []
-    for (let rest of spans) {
-      for (const s of crossing.parameters) {
-        if (s <= rest.from || s >= rest.to) continue
-        const { from, to, cutFrom, cutTo } = rest
-        if (!crossing.isRight(from, s)) kept.push({ from, to: s, cutFrom, cutTo: side })
-        rest = { from: s, to, cutFrom: side, cutTo }
-      }
-      if (!crossing.isRight(rest.from, rest.to)) kept.push(rest)
-    }
-    spans = kept
-  }
-  return spans
-}
-
-/** Spares the work for most arcs: an arc lies in the triangle of its Bezier points. */
-function placeOf(
-  { bisector, from, to, start, end }: BoundedCurve,
-  region: ConvexPolygon,
-): 'inside' | 'outside' | 'cut' {
-  const control = controlPoint(bisector, from, to)
-  let isInside = true
-  for (let side = 0; side < region.corners.length; side++) {
-    const corner = region.corner(side)
-    const direction = between(corner, region.cornerAfter(side))
-    const first = turn(direction, between(corner, start))
-    const second = turn(direction, between(corner, control))
-    const third = turn(direction, between(corner, end))
-    if (first < 0 && second < 0 && third < 0) return 'outside'
-    isInside &&= first >= 0 && second >= 0 && third >= 0
-  }
-  return isInside ? 'inside' : 'cut'
-}
-
-function onSide(region: ConvexPolygon, side: number, p: Point): Point {
-  const from = region.corner(side)
-  const to = region.cornerAfter(side)
-  const direction = between(from, to)
-  const unit = unitFor(largestOf(direction))
-  const along = measuredIn(unit, direction)
-  const share = dot(measuredIn(unit, between(from, p)), along) / dot(along, along)
-  if (share <= 0) return from
-  if (share >= 1) return to
-  return { x: from.x + share * direction.x, y: from.y + share * direction.y }
 }
 
 /**
@@ -147,8 +218,8 @@ function onSide(region: ConvexPolygon, side: number, p: Point): Point {
 export class LineCrossing {
   /** The parameters, increasing: none, one or two. */
   readonly parameters: readonly number[]
+  readonly #crossings: readonly { readonly s: number; readonly goesRight: boolean }[]
   readonly #growth: number
-  readonly #half: number
   readonly #decay: number
 
   constructor(bisector: Bisector, p: Point, direction: Vector) {
@@ -164,38 +235,31 @@ export class LineCrossing {
     a /= unit
     b /= unit
     k /= unit
+    const half = a + k
     this.#growth = a + b
-    this.#half = a + k
     this.#decay = a - b
     const discriminant = k * (k + 2 * a) + b * b
     const root = Math.sqrt(discriminant)
-    const sum = this.#half < 0 ? this.#half - root : this.#half + root
-    this.parameters =
-      discriminant > 0
-        ? [sum / this.#growth, this.#decay / sum]
-            .filter((s) => s > 0 && s < Number.POSITIVE_INFINITY)
-            .sort((one, other) => one - other)
-        : []
+    const sum = half < 0 ? half - root : half + root
+    const crossings = [
+      { s: sum / this.#growth, goesRight: this.#growth > 0 },
+      { s: this.#decay / sum, goesRight: this.#decay < 0 },
+    ].filter(({ s }) => discriminant > 0 && s > 0 && s < Number.POSITIVE_INFINITY)
+    this.#crossings = crossings.sort((one, other) => one.s - other.s)
+    this.parameters = this.#crossings.map(({ s }) => s)
+  }
+
+  /** Returns where the branch goes from the left of the line to its right, or the other way. */
+  crossing(toRight: boolean): number | undefined {
+    return this.#crossings.find(({ goesRight }) => goesRight === toRight)?.s
   }
 
   /**
-   * Whether the branch is to the right of the line between two parameters; ends at infinity are 0 and infinity.
-   * Precondition: it does not cross the line between them.
+   * Returns where the branch is farthest to the right of the line, or to its left, between two crossings; `undefined` if
+   * there are no two, or the branch is on the other side between them.
    */
-  isRight(from: number, to: number): boolean {
-    const middle = parameterBetween(from, to)
-    // The branch may touch the line in one of any two points, but not in both.
-    const first = this.#height(parameterBetween(from, middle))
-    const second = this.#height(parameterBetween(middle, to))
-    return (Math.abs(first) > Math.abs(second) ? first : second) > 0
+  turningPoint(right: boolean): number | undefined {
+    if (this.parameters.length < 2 || this.#growth < 0 !== right) return undefined
+    return Math.sqrt(this.#decay / this.#growth)
   }
-
-  #height(s: number): number {
-    return this.#growth * s - 2 * this.#half + this.#decay / s
-  }
-}
-
-function parameterBetween(from: number, to: number): number {
-  if (from === 0) return to === Number.POSITIVE_INFINITY ? 1 : to / 2
-  return to === Number.POSITIVE_INFINITY ? 2 * from : Math.sqrt(from) * Math.sqrt(to)
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkData } from '../base/check.ts'
+import { checkData, checkNoOptions } from '../base/check.ts'
 import { at, circleOf } from '../base/diagram-data.ts'
 import { between, cross, dot } from '../base/point.ts'
 import { lengthOf } from '../base/scale.ts'
@@ -50,7 +50,9 @@ const THREE_QUARTER_TURN = 1.5 * Math.PI
  * convexHull(diagram).arcs.length // 3
  * convexHull(diagram).length.toFixed(4) // '30.2832'
  */
-export function convexHull(diagram: DiagramData): Hull {
+export function convexHull(diagram: DiagramData): Hull
+export function convexHull(diagram: DiagramData, ...others: readonly unknown[]): Hull {
+  checkNoOptions(others, 'convexHull')
   checkData(diagram, 'convexHull')
   const growth = hullGrowth(diagram)
   const circles = Array.from(diagram.hull, (circle) => hullCircleAt(diagram, circle, growth))

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkBoundedCurve, checkOutline } from '../base/check.ts'
+import { CircleVoronoiError } from '../base/errors.ts'
 import { between, cross } from '../base/point.ts'
-import { lengthOf, measuredIn, unitFor } from '../base/scale.ts'
+import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
 import { type Bisector, pointOf } from '../curves/bisector.ts'
 import { carlson } from '../curves/carlson.ts'
@@ -17,6 +18,13 @@ import type { Outline, OutlinePiece } from './outline-piece.ts'
 
 /** An area of less than this share of the square around it is but rounding. */
 const ROUNDING_OF_AREA = 2 ** -44
+/**
+ * Cells between circles that touch from inside are as narrow as the rounding of their vertices, which is the root of that of
+ * numbers. As a share of the bounds.
+ */
+const ROUNDING_OF_CELLS = 2 ** -20
+/** Rounding of coordinates, as a share of the largest. */
+const ROUNDING_OF_COORDINATES = 2 ** -48
 
 /**
  * Returns the area of an outline, exact up to rounding: polygons plus closed forms for the parts between arcs and their
@@ -37,6 +45,21 @@ export function outlineArea(outline: Outline): number {
 export function areaOf(outline: Outline): number {
   const unit = unitFor(extentOf(outline))
   return momentsOf(outline, unit).area * unit * unit
+}
+
+/**
+ * Returns how much rounding of coordinates can move a loop of a cell around `center`, and whether it has more area than that
+ * makes.
+ */
+export function roundingOf(
+  loop: Outline[number],
+  center: Point,
+): { readonly rounding: number; readonly hasArea: boolean } {
+  const outline = [loop]
+  const extent = extentOf(outline)
+  const unit = unitFor(extent)
+  const rounding = ROUNDING_OF_COORDINATES * Math.max(extent, largestOf(referenceOf(outline)), largestOf(center))
+  return { rounding, hasArea: momentsOf(outline, unit).area > (rounding / unit) * (extent / unit) }
 }
 
 /**
@@ -90,7 +113,31 @@ export function perimeterOf(outline: Outline): number {
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
 }
 
-function lengthOfPiece(piece: OutlinePiece): number {
+/**
+ * Checks the area of a cell inside bounds of area `whole`.
+ *
+ * @throws CircleVoronoiError `notCertified`
+ */
+export function checkCellArea(area: number, whole: number, circle: number): void {
+  if (!(area < -ROUNDING_OF_CELLS * whole || area > (1 + ROUNDING_OF_CELLS) * whole)) return
+  const message = `The area of cell ${circle}, ${area}, is not between 0 and that of the bounds, ${whole}. Certify the diagram.`
+  throw new CircleVoronoiError('notCertified', message, { circle })
+}
+
+/**
+ * Checks that the areas of all cells sum to that of the bounds.
+ *
+ * @throws CircleVoronoiError `notCertified`
+ */
+export function checkSumOfAreas(areas: Float64Array, whole: number): void {
+  const sum = areas.reduce((sum, area) => sum + area, 0)
+  if (!(Math.abs(sum - whole) > ROUNDING_OF_CELLS * whole)) return
+  const message = `The areas of the cells sum to ${sum}, not to that of the bounds, ${whole}. Certify the diagram.`
+  throw new CircleVoronoiError('notCertified', message)
+}
+
+/** The length of a piece. */
+export function lengthOfPiece(piece: OutlinePiece): number {
   return isCircleArc(piece) ? circleArcLength(piece) : lengthOfCurve(piece.curve)
 }
 
@@ -131,6 +178,10 @@ function referenceOf(outline: Outline): Point {
   return outline[0]?.[0]?.curve.start ?? { x: 0, y: 0 }
 }
 
+export function middleOf({ bisector, from, to }: BoundedCurve): Point {
+  return pointOf(bisector, Math.sqrt(from) * Math.sqrt(to))
+}
+
 /**
  * Returns about the largest distance of two points of an outline. The middle of a curved piece may be much farther away than
  * its ends.
@@ -144,7 +195,7 @@ function extentOf(outline: Outline): number {
   for (const loop of outline) {
     for (const { curve } of loop) {
       take(curve.start)
-      if (curve.bisector.a !== 0) take(pointOf(curve.bisector, Math.sqrt(curve.from) * Math.sqrt(curve.to)))
+      if (curve.bisector.a !== 0) take(middleOf(curve))
     }
   }
   return most

@@ -1,45 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import { between } from '../base/point.ts'
-import { lengthOf, ROUNDING } from '../base/scale.ts'
-import type { Circle, Point } from '../base/types.ts'
+import { CircleVoronoiError } from '../base/errors.ts'
+import { between, cross, dot } from '../base/point.ts'
+import { facing, largestOf, lengthOf, measuredIn, ROUNDING, turn, unitFor } from '../base/scale.ts'
+import type { Point, Vector } from '../base/types.ts'
 import { type BoundedCurve, curveOf, reversed, seenFrom, segment } from '../curves/curve.ts'
-import { isKeptWhole, keptParts, type Limits, reachFrom } from './cell-limits.ts'
+import { isKeptWhole, type Limits, partAtDistance, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
-import type { Part } from './clip.ts'
+import { cutPart, HalfPlane, isPoint, isSame, movedOntoSides, type Part } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
-import { areaOf } from './measure.ts'
+import { middleOf, roundingOf } from './measure.ts'
 import type { OutlinePiece } from './outline-piece.ts'
-import { Ring, type RingElement } from './ring.ts'
 
 /** A piece, and the same in the direction of its edge: what is made of that is the same to the bit in both of its cells. */
 export interface SharedPiece extends OutlinePiece {
   readonly forward: BoundedCurve
 }
 
+const AXES: readonly Vector[] = [
+  { x: 1, y: 0 },
+  { x: 0, y: 1 },
+  { x: -1, y: 0 },
+  { x: 0, y: -1 },
+]
+/** Where there is no side to say how far outside is far, as a multiple of the distance of the region. */
+const FAR_OUT = 64
+/**
+ * Where a line is nearly tangent to a curve, rounding moves their crossing by the root of itself. As a share of what is cut.
+ */
+const SLACK = 2 ** -20
+/** Where branches are narrow, rounding may exchange the order of directions as near as this (radians). */
+const NEAR = 2 ** -20
+
 /** Does what `Diagram.cellOutline` does, for arguments that have been checked. */
 export function outlineOf(cells: Cells, circle: number, limits: Limits): readonly (readonly SharedPiece[])[] {
   if (!cells.exists(circle)) return []
   const { region, maxDistance } = limits
-  let disc: Circle | undefined
-  if (maxDistance !== undefined) {
-    const { x, y } = circleOf(cells.diagram.circles, circle)
-    disc = { x, y, r: reachFrom(cells.diagram, circle, maxDistance) }
-    if (!(disc.r > 0)) return []
-  }
+  const radius = maxDistance === undefined ? undefined : reachFrom(cells.diagram, circle, maxDistance)
+  if (radius !== undefined && !(radius > 0)) return []
   if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return [wholeLoop(cells, circle, region)]
-  const { chains, isClosed } = chainsOf(cells, circle, limits)
-  if (isClosed) return chains.map(({ pieces }) => pieces)
-  const ring = new Ring(region, disc)
-  if (ring.elements.length === 0) return []
-  if (chains.length === 0) {
-    const { x, y } = ring.middle()
-    return cells.contains(circle, x, y) ? [ring.elements.map(pieceOf)] : []
-  }
-  const loops = joined(cells, circle, ring, chains)
-  // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
-  if (loops.length < 2 || !ring.isCircle) return loops
-  return [loops.reduce((one, other) => (areaOf([other]) > areaOf([one]) ? other : one))]
+  return new LoopCutter(cells, circle, limits, radius).run()
 }
 
 /** The outline of a cell that the region contains, without cutting it. */
@@ -50,7 +50,8 @@ function wholeLoop(cells: Cells, circle: number, region: ConvexPolygon): SharedP
   let side = first
   do {
     const whole = curveOf(diagram, side >> 1)
-    const forward = seenFrom(whole, region.reachFrom(whole.bisector.origin)) as BoundedCurve
+    const { left, right } = whole.bisector
+    const forward = seenFrom(whole, Math.max(region.reachFrom(left), region.reachFrom(right))) as BoundedCurve
     const curve = side & 1 ? reversed(forward) : forward
     pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), r: 0 })
     side = at(diagram.nextSide, side)
@@ -58,161 +59,420 @@ function wholeLoop(cells: Cells, circle: number, region: ConvexPolygon): SharedP
   return pieces
 }
 
-/** Sides of a cell inside the region that follow each other without a gap. */
+/** @throws CircleVoronoiError `notCertified` */
+function refuseOutline(circle: number): never {
+  throw new CircleVoronoiError('notCertified', `The outline of cell ${circle} does not close.`, { circle })
+}
+
+/** A piece of a loop. What an edge has is in its direction, so that both cells of the edge cut it alike, to the bit. */
+interface CutPiece {
+  /** Of a segment or an arc of a circle only the ends count. */
+  readonly part: Part
+  /** `NONE`: a segment, or an arc. */
+  readonly side: number
+  /** Of an arc. */
+  readonly r: number
+  /** The side of the region on whose line a segment lies; `NONE`: far outside. */
+  readonly line: number
+}
+
+function isSegment({ side, r }: CutPiece): boolean {
+  return side === NONE && r === 0
+}
+
+function isAgainst({ side }: CutPiece): boolean {
+  return side !== NONE && side % 2 === 1
+}
+
+function startOf(piece: CutPiece): Point {
+  return isAgainst(piece) ? piece.part.curve.end : piece.part.curve.start
+}
+
+function endOf(piece: CutPiece): Point {
+  return isAgainst(piece) ? piece.part.curve.start : piece.part.curve.end
+}
+
+function cutStart(piece: CutPiece): number {
+  return isAgainst(piece) ? piece.part.cutTo : piece.part.cutFrom
+}
+
+function cutEnd(piece: CutPiece): number {
+  return isAgainst(piece) ? piece.part.cutFrom : piece.part.cutTo
+}
+
+function isPointOf(piece: CutPiece): boolean {
+  return isPoint(piece.part) || (isSegment(piece) && isSame(startOf(piece), endOf(piece)))
+}
+
+/** What stands for the bisector of pieces that have none. */
+const NO_BISECTOR = segment({ x: 0, y: 0 }, { x: 1, y: 0 }).bisector
+
+function pieceBetween(start: Point, end: Point, r: number, line: number): CutPiece {
+  const curve = { bisector: NO_BISECTOR, from: 0, to: 0, start, end }
+  return { part: { curve, cutFrom: NONE, cutTo: NONE }, side: NONE, r, line }
+}
+
+/** The part of a loop in a half-plane from where it comes in to where it goes out. */
 interface Chain {
-  readonly pieces: SharedPiece[]
-  /** The side of the region that it comes in by; `NONE` where rounding begins it at a vertex next to the boundary. */
-  readonly cutFrom: number
-  /** That which it leaves by, likewise. */
-  cutTo: number
+  readonly pieces: CutPiece[]
+  readonly entry: Point
+  exit: Point
 }
 
-/** `isClosed`: the sides close by themselves, for the cell lies inside the region. */
-function chainsOf(cells: Cells, circle: number, limits: Limits): { chains: Chain[]; isClosed: boolean } {
-  const chains: Chain[] = []
-  const sides = cells.sides(circle)
-  let isLinked = false // whether the last chain goes on with the next side
-  let firstIsAtOrigin = false // whether the first chain begins where its side begins
-  for (const side of sides) {
-    let goesOn = false
-    for (const { curve, forward, cutFrom, cutTo } of piecesOf(cells, side, limits)) {
-      const isAtOrigin = cutFrom === NONE
-      if (!isLinked || !isAtOrigin) {
-        if (chains.length === 0) firstIsAtOrigin = isAtOrigin && side === sides[0]
-        chains.push({ pieces: [], cutFrom, cutTo })
+/** Where a side is cut off far outside, or by the circle, and the next one begins: directions from the center. */
+interface Gap {
+  readonly from: Vector
+  readonly to: Vector
+  /** Of a full turn or of none, but for rounding. */
+  readonly isNear: boolean
+  readonly sweep: number
+}
+
+/** A number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; 0 for the zero vector. */
+function pseudoAngle({ x, y }: Vector): number {
+  const size = Math.abs(x) + Math.abs(y)
+  const along = size > 0 ? x / size : 1
+  return y >= 0 ? 1 - along : 3 + along
+}
+
+/** The turn from u to v as a difference of pseudo-angles. It may be slightly below 0. */
+function sweep(u: Vector, v: Vector): number {
+  const difference = pseudoAngle(v) - pseudoAngle(u)
+  return difference <= -1 ? difference + 4 : difference > 3 ? difference - 4 : difference
+}
+
+function negative({ x, y }: Vector): Vector {
+  return { x: -x, y: -y }
+}
+
+/** The quarter of the circle in which a direction lies: from an axis to before the next. */
+function quarterOf({ x, y }: Vector): number {
+  if (y >= 0) return x > 0 ? 0 : y > 0 ? 1 : 2
+  return x < 0 ? 2 : 3
+}
+
+/** How far from a line's side chains extend, about. */
+function extentOf(chains: readonly Chain[], half: HalfPlane): number {
+  let extent = 0
+  for (const { pieces } of chains) {
+    for (const piece of pieces) extent = Math.max(extent, largestOf(between(half.from, startOf(piece))))
+  }
+  return extent
+}
+
+/**
+ * A cell as a loop, cut by one line after the other. Every step is continuous: whatever rounding does to a point moves the
+ * result by as little.
+ */
+class LoopCutter {
+  readonly #cells: Cells
+  readonly #circle: number
+  readonly #limits: Limits
+  /** Of the disc around the circle's center that is kept, if the limits have a distance. */
+  readonly #radius: number | undefined
+  readonly #center: Point
+  readonly #halves: readonly HalfPlane[]
+  #loops: CutPiece[][] = []
+  /** Whether entries and exits have alternated along each line, and nothing far outside is left. */
+  #isSound = true
+
+  constructor(cells: Cells, circle: number, limits: Limits, radius: number | undefined) {
+    this.#cells = cells
+    this.#circle = circle
+    this.#limits = limits
+    this.#radius = radius
+    const { x, y } = circleOf(cells.diagram.circles, circle)
+    this.#center = { x, y }
+    this.#halves = HalfPlane.of(limits.region)
+  }
+
+  run(): SharedPiece[][] {
+    this.#begin()
+    for (let h = 0; h < this.#halves.length && this.#loops.length > 0; h++) this.#cut(h)
+    const outline = this.#loops.map((loop) => this.#finished(loop)).filter((loop) => loop.length > 0)
+    if (!this.#isSound) refuseOutline(this.#circle)
+    return outline
+  }
+
+  /**
+   * The cell within the disc; without one, as far as its sides are bounded, and around the region from where they go to
+   * infinity.
+   */
+  #begin(): void {
+    const sides: CutPiece[] = []
+    for (const side of this.#cells.sides(this.#circle)) {
+      const part = partAtDistance(this.#cells.diagram, side >> 1, this.#limits)
+      if (part !== undefined) sides.push({ part, side, r: 0, line: NONE })
+    }
+    if (sides.length > 0) {
+      this.#loops.push(this.#closed(sides))
+      return
+    }
+    const radius = this.#radius ?? FAR_OUT * this.#limits.region.reachFrom(this.#center)
+    const loop: CutPiece[] = []
+    for (const k of AXES.keys()) this.#addStep(loop, this.#onAxis(radius, k), this.#onAxis(radius, (k + 1) % 4))
+    this.#loops.push(loop)
+  }
+
+  /** Joins the ends that are cut off to the next ones, counter-clockwise around the center. */
+  #closed(sides: readonly CutPiece[]): CutPiece[] {
+    const { metric } = this.#cells.diagram
+    let total = 0
+    let radius = 0
+    let nearest: Gap | undefined
+    const gaps = sides.map((piece, k): Gap | undefined => {
+      const next = sides[(k + 1) % sides.length] as CutPiece
+      total += this.#sweepOf(piece)
+      if (cutEnd(piece) === NONE && cutStart(next) === NONE && isSame(endOf(piece), startOf(next))) return undefined
+      let from = between(this.#center, endOf(piece))
+      let to = between(this.#center, startOf(next))
+      radius = Math.max(radius, lengthOf(from), lengthOf(to))
+      // A cell of the power diagram need not contain the center, but it is convex.
+      if (metric === 'power') {
+        const { across } = piece.part.curve.bisector
+        const { across: nextAcross } = next.part.curve.bisector
+        from = isAgainst(piece) ? negative(across) : across
+        to = isAgainst(next) ? nextAcross : negative(nextAcross)
       }
-      isLinked = false
-      goesOn = cutTo === NONE
-      const chain = chains.at(-1) as Chain
-      chain.pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), r: 0 })
-      chain.cutTo = cutTo
+      const unit = unitFor(Math.max(largestOf(from), largestOf(to)))
+      const u = measuredIn(unit, from)
+      const v = measuredIn(unit, to)
+      const isNear = dot(u, v) > 0 && Math.abs(cross(u, v)) <= NEAR * dot(u, v)
+      const turned = sweep(u, v)
+      const gap = { from, to, isNear, sweep: !isNear && turned < 0 ? turned + 4 : turned }
+      total += gap.sweep
+      if (isNear && (nearest === undefined || gap.sweep < nearest.sweep)) nearest = gap
+      return gap
+    })
+    radius = this.#radius ?? radius
+    // Together they go around the center once. On a branch that folds up, directions are but rounding.
+    let full: Gap | undefined
+    if (nearest !== undefined && total < 2 && metric !== 'power') {
+      const { from } = nearest as Gap
+      const share = radius / lengthOf(from)
+      const opposite = { x: this.#center.x - share * from.x, y: this.#center.y - share * from.y }
+      if (this.#cells.contains(this.#circle, opposite.x, opposite.y)) full = nearest
     }
-    isLinked = goesOn
+    const loop: CutPiece[] = []
+    sides.forEach((piece, k) => {
+      loop.push(piece)
+      const gap = gaps[k]
+      if (gap === undefined) return
+      let last = endOf(piece)
+      let quarter = quarterOf(gap.from)
+      const lastQuarter = quarterOf(gap.to)
+      const isOneQuarter = quarter === lastQuarter && turn(gap.from, gap.to) >= 0
+      if (gap === full || (!gap.isNear && !isOneQuarter)) {
+        do {
+          quarter = (quarter + 1) % AXES.length
+          const next = this.#onAxis(radius, quarter)
+          this.#addStep(loop, last, next)
+          last = next
+        } while (quarter !== lastQuarter)
+      }
+      this.#addStep(loop, last, startOf(sides[(k + 1) % sides.length] as CutPiece))
+    })
+    return loop
   }
-  if (!isLinked || !firstIsAtOrigin) return { chains, isClosed: false }
-  if (chains.length === 1) return { chains, isClosed: true }
-  const first = chains.shift() as Chain
-  const last = chains.at(-1) as Chain
-  last.cutTo = first.cutTo
-  for (const piece of first.pieces) last.pieces.push(piece)
-  return { chains, isClosed: false }
-}
 
-/**
- * The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the cells on
- * either side meet bit for bit.
- */
-function piecesOf({ diagram }: Cells, side: number, limits: Limits): (Part & Pick<SharedPiece, 'forward'>)[] {
-  const pieces = keptParts(diagram, side >> 1, limits)
-  if (side % 2 === 0) return pieces.map((part) => ({ ...part, forward: part.curve }))
-  return pieces.reverse().map(({ curve, cutFrom, cutTo }) => ({
-    curve: reversed(curve),
-    forward: curve,
-    cutFrom: cutTo,
-    cutTo: cutFrom,
-  }))
-}
-
-/** A chain, and where on the ring it begins and ends. */
-interface Passage {
-  readonly pieces: SharedPiece[]
-  readonly entry: number
-  readonly exit: number
-}
-
-function passageOf({ pieces, cutFrom, cutTo }: Chain, ring: Ring): Passage {
-  const place = (cut: number, p: Point) => ring.placeNear(p, cut === NONE ? undefined : cut)
-  const { curve: first } = pieces[0] as SharedPiece
-  const { curve: last } = pieces.at(-1) as SharedPiece
-  return { pieces, entry: place(cutFrom, first.start), exit: place(cutTo, last.end) }
-}
-
-/**
- * Along the ring exits and entries of the cell alternate. To pair the k-th exit with the k-th entry, or the one after it,
- * is right wherever rounding confuses the order of an exit and an entry next to each other; it takes a place to begin that
- * is neither, and is known to be inside the cell or not.
- */
-function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): SharedPiece[][] {
-  const passages = chains.map((chain) => passageOf(chain, ring))
-  const { place: begin, isInside: beginsInside } = clearPlace(cells, circle, ring, passages)
-  const ahead = (place: number) => (place < begin ? place + ring.total : place)
-  const byExit = [...passages].sort((one, other) => ahead(one.exit) - ahead(other.exit))
-  const byEntry = [...passages].sort((one, other) => ahead(one.entry) - ahead(other.entry))
-  if (beginsInside) byEntry.push(byEntry.shift() as Passage)
-
-  const next = new Map<Passage, Passage>()
-  byExit.forEach((passage, k) => {
-    const after = byEntry[k] as Passage
-    next.set(passage, after)
-    const isAround = beginsInside && k + 1 === passages.length
-    const to = ahead(after.entry) + (isAround ? ring.total : 0)
-    const start = (passage.pieces.at(-1) as SharedPiece).curve.end
-    const end = (after.pieces[0] as SharedPiece).curve.start
-    for (const part of ring.between(ahead(passage.exit), to, start, end)) passage.pieces.push(pieceOf(part))
-  })
-
-  const loops: SharedPiece[][] = []
-  const isDone = new Set<Passage>()
-  for (const start of passages) {
-    const loop: SharedPiece[] = []
-    for (let passage = start; !isDone.has(passage); passage = next.get(passage) as Passage) {
-      isDone.add(passage)
-      for (const piece of passage.pieces) loop.push(piece)
-    }
-    if (loop.length > 0) loops.push(loop)
+  /**
+   * How far a side turns around the center. From the apex of a branch that bends around it, it turns by less than half a turn
+   * to either side.
+   */
+  #sweepOf(piece: CutPiece): number {
+    const { bisector, from, to } = piece.part.curve
+    const u = between(this.#center, startOf(piece))
+    const v = between(this.#center, endOf(piece))
+    if (!(from < 1 && 1 < to) || !isSame(bisector.origin, this.#center)) return sweep(u, v)
+    return sweep(u, bisector.along) + sweep(bisector.along, v)
   }
-  return loops
-}
 
-/**
- * Returns a place in one of the largest gaps between entries and exits, and whether it is inside the cell: of several places
- * the deepest one, inside or outside. The largest gap alone may lie on the boundary of both the region and the cell. In a gap
- * that is only rounding, it is not known on which side of the entry or exit a place is.
- */
-function clearPlace(
-  cells: Cells,
-  circle: number,
-  ring: Ring,
-  passages: readonly Passage[],
-): { readonly place: number; readonly isInside: boolean } {
-  const tried = 4
-  const places = passages.flatMap(({ entry, exit }) => [entry, exit]).sort((one, other) => one - other)
-  const gaps = places.map((start, i) => ({
-    start,
-    size: (places[i + 1] ?? (places[0] as number) + ring.total) - start,
-  }))
-  const largest = gaps.sort((one, other) => other.size - one.size).slice(0, tried)
-  const neighbors = cells.neighbors(circle)
-  let best = -1
-  let clear = { place: 0, isInside: false }
-  for (const { start, size } of largest.filter(({ size }, k) => k === 0 || size > ROUNDING * ring.total)) {
-    for (const share of [0.5, 0.3, 0.8]) {
-      const place = (start + share * size) % ring.total
-      const depth = depthAt(cells, circle, neighbors, ring.at(place))
-      if (Math.abs(depth) <= best) continue
-      best = Math.abs(depth)
-      clear = { place, isInside: depth > 0 }
+  #addStep(loop: CutPiece[], last: Point, next: Point): void {
+    if (!isSame(last, next)) loop.push(pieceBetween(last, next, this.#radius ?? 0, NONE))
+  }
+
+  #onAxis(r: number, k: number): Point {
+    const axis = AXES[k] as Vector
+    return { x: this.#center.x + r * axis.x, y: this.#center.y + r * axis.y }
+  }
+
+  /**
+   * Along the line, from left to right as seen from outside, exits and entries alternate: what is inside begins at an exit.
+   * So the k-th exit goes on to the k-th entry, whatever rounding does to the order of those at one place.
+   */
+  #cut(h: number): void {
+    const half = this.#halves[h] as HalfPlane
+    const loops: CutPiece[][] = []
+    const chains: Chain[] = []
+    for (const loop of this.#loops) this.#cutLoop(h, loop, loops, chains)
+    this.#loops = loops
+    if (chains.length === 0) return
+
+    const exitOf = (chain: Chain) => half.place(chain.exit)
+    const entryOf = (chain: Chain) => half.place(chain.entry)
+    const byExit = [...chains].sort((one, other) => exitOf(one) - exitOf(other))
+    const byEntry = [...chains].sort((one, other) => entryOf(one) - entryOf(other))
+    const rounding = ROUNDING * Math.max(largestOf(this.#center), largestOf(half.from))
+    const slack = SLACK * extentOf(chains, half) + rounding
+    const next = new Map<Chain, Chain>()
+    byExit.forEach((chain, k) => {
+      const after = byEntry[k] as Chain
+      const later = byExit[k + 1]
+      next.set(chain, after)
+      const isAhead = exitOf(chain) <= entryOf(after) + slack
+      const isBeforeNext = later === undefined || entryOf(after) <= exitOf(later) + slack
+      if (!isAhead || !isBeforeNext) this.#isSound = false
+    })
+    const isDone = new Set<Chain>()
+    for (const first of chains) {
+      if (isDone.has(first)) continue
+      const loop: CutPiece[] = []
+      for (let chain = first; !isDone.has(chain); chain = next.get(chain) as Chain) {
+        isDone.add(chain)
+        for (const piece of chain.pieces) loop.push(piece)
+        const to = (next.get(chain) as Chain).entry
+        if (!isSame(chain.exit, to)) loop.push(pieceBetween(chain.exit, to, 0, half.side))
+      }
+      this.#loops.push(loop)
     }
   }
-  return clear
-}
 
-/**
- * Returns how much nearer the circle is to a point than any neighbor, as a share of the distance of their centers. The lead
- * over a far neighbor is rounded to more than the whole lead over a near one.
- */
-function depthAt(cells: Cells, circle: number, neighbors: Int32Array, { x, y }: Point): number {
-  const { circles } = cells.diagram
-  const center = circleOf(circles, circle)
-  let least = Number.POSITIVE_INFINITY
-  for (const neighbor of neighbors) {
-    const apart = lengthOf(between(circleOf(circles, neighbor), center))
-    least = Math.min(least, cells.lead(circle, neighbor, x, y) / apart)
+  /** Adds a loop to `loops` if it is all inside, otherwise its parts to `chains`. */
+  #cutLoop(h: number, loop: CutPiece[], loops: CutPiece[][], chains: Chain[]): void {
+    const { side } = this.#halves[h] as HalfPlane
+    const found: Chain[] = []
+    let isLinked = false // whether the last chain goes on with the next piece
+    let firstIsLinked = false // whether the first chain goes on from the last piece
+    for (const piece of loop) {
+      const kept = this.#cutPiece(h, piece)
+      if (kept.length === 0) isLinked = false
+      for (const rest of kept) {
+        const isCut = cutStart(rest) === side
+        if (isCut || !isLinked) {
+          firstIsLinked ||= !isCut
+          found.push({ pieces: [], entry: startOf(rest), exit: endOf(rest) })
+        }
+        isLinked = cutEnd(rest) !== side
+        const chain = found.at(-1) as Chain
+        chain.exit = endOf(rest)
+        if (!isPointOf(rest)) chain.pieces.push(rest)
+      }
+    }
+    if (isLinked && firstIsLinked) {
+      if (found.length === 1) {
+        loops.push(loop)
+        return
+      }
+      const first = found.shift() as Chain
+      const last = found.at(-1) as Chain
+      last.exit = first.exit
+      for (const piece of first.pieces) last.pieces.push(piece)
+    }
+    // Where a loop only touches the line from outside, a point is left.
+    for (const chain of found) if (chain.pieces.length > 0) chains.push(chain)
   }
-  return least
-}
 
-function pieceOf({ start, end, r }: RingElement): SharedPiece {
-  const curve = segment(start, end)
-  return { curve, forward: curve, side: NONE, neighbor: NONE, r }
+  /** The parts of a piece in a half-plane, in the order of the loop. */
+  #cutPiece(h: number, piece: CutPiece): readonly CutPiece[] {
+    const half = this.#halves[h] as HalfPlane
+    if (piece.side !== NONE) {
+      const parts = cutPart(piece.part, half)
+      if (parts[0] === piece.part) return [piece]
+      const { side, r, line } = piece
+      const pieces = parts.map((part) => ({ part, side, r, line }))
+      return isAgainst(piece) ? pieces.reverse() : pieces
+    }
+    const { start, end } = piece.part.curve
+    const hasStart = half.height(start) >= 0
+    const hasEnd = half.height(end) >= 0
+    const partOf = (from: Point, to: Point): CutPiece => ({
+      ...piece,
+      part: {
+        curve: { ...piece.part.curve, start: from, end: to },
+        cutFrom: from === start ? piece.part.cutFrom : half.side,
+        cutTo: to === end ? piece.part.cutTo : half.side,
+      },
+    })
+    if (isSegment(piece)) {
+      if (hasStart === hasEnd) return hasStart ? [piece] : []
+      const p = { ...this.#crossingOf(h, piece) }
+      return [hasStart ? partOf(start, p) : partOf(p, end)]
+    }
+    const { r } = piece
+    const size = lengthOf(half.along)
+    const along = measuredIn(size, half.along)
+    const depth = half.height(this.#center) / size
+    const toMiddle = hasStart ? { x: along.y, y: -along.x } : { x: -along.y, y: along.x }
+    if (hasStart === hasEnd) {
+      const turnsBack =
+        turn(between(this.#center, start), toMiddle) > 0 &&
+        turn(toMiddle, between(this.#center, end)) > 0 &&
+        Math.abs(depth) < r
+      if (!turnsBack) return hasStart ? [piece] : []
+    }
+    const foot = half.nearest(this.#center)
+    const reach = Math.sqrt(Math.max(r - depth, 0)) * Math.sqrt(Math.max(r + depth, 0))
+    const exit = { x: foot.x - reach * along.x, y: foot.y - reach * along.y }
+    const entry = { x: foot.x + reach * along.x, y: foot.y + reach * along.y }
+    if (hasStart && hasEnd) return [partOf(start, exit), partOf(entry, end)]
+    return [partOf(hasStart ? start : entry, hasEnd ? end : exit)]
+  }
+
+  /** Where a segment crosses the line: on that of a side beside it in the corner, to the bit. */
+  #crossingOf(h: number, piece: CutPiece): Point {
+    const half = this.#halves[h] as HalfPlane
+    const count = this.#halves.length
+    const { start, end } = piece.part.curve
+    const whole = between(start, end)
+    for (const [other, corner] of [
+      [(h + count - 1) % count, half.from],
+      [(h + 1) % count, half.to],
+    ] as const) {
+      if (piece.line !== this.#halves[other]?.side) continue
+      if (facing(between(start, corner), whole) <= 0) return start
+      return facing(between(corner, end), whole) <= 0 ? end : corner
+    }
+    const first = half.height(start)
+    const share = first / (first - half.height(end))
+    return half.nearest({ x: start.x + share * whole.x, y: start.y + share * whole.y })
+  }
+
+  /** Returns whether a loop lies along a line, or touches it, from outside but for rounding. */
+  #isSliver(loop: readonly SharedPiece[]): boolean {
+    if (loop.length === 0) return true
+    const { rounding, hasArea } = roundingOf(loop, this.#center)
+    if (hasArea) return false
+    const isBeside = (half: HalfPlane, p: Point) => half.height(p) <= rounding
+    return this.#halves.some((half) =>
+      loop.every(({ curve, r }) => isBeside(half, curve.start) && (r > 0 || isBeside(half, middleOf(curve)))),
+    )
+  }
+
+  /** A loop as pieces of an outline. Empty if it is a sliver. */
+  #finished(loop: readonly CutPiece[]): SharedPiece[] {
+    const moved = loop.map((piece) =>
+      isSegment(piece) ? piece : { ...piece, part: movedOntoSides(piece.part, this.#halves) },
+    )
+    const isCut = moved.some((piece) => isSegment(piece) || piece.part.cutFrom >= 0 || piece.part.cutTo >= 0)
+    if (moved.some((piece) => isSegment(piece) && piece.line === NONE)) this.#isSound = false
+    const pieces = moved.flatMap((piece, k): SharedPiece[] => {
+      if (piece.side !== NONE) {
+        if (isPointOf(piece)) return []
+        const forward = piece.part.curve
+        const curve = isAgainst(piece) ? reversed(forward) : forward
+        return [{ curve, forward, side: piece.side, neighbor: this.#cells.neighborOf(piece.side), r: 0 }]
+      }
+      let { start, end } = piece.part.curve
+      if (isSegment(piece)) {
+        const before = moved.at(k - 1) as CutPiece
+        const after = moved[(k + 1) % moved.length] as CutPiece
+        if (!isSegment(before)) start = endOf(before)
+        if (!isSegment(after)) end = startOf(after)
+      }
+      if (isSame(start, end)) return []
+      const curve = segment(start, end)
+      return [{ curve, forward: curve, side: NONE, neighbor: NONE, r: piece.r }]
+    })
+    return isCut && this.#isSliver(pieces) ? [] : pieces
+  }
 }

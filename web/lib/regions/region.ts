@@ -12,6 +12,8 @@ export interface ClippedDiagram {
   polygons(tolerance: number): ClippedPolygons
   /** The largest disc with its center in the region that overlaps no circle, and the circles that it touches. */
   largestEmptyDisc(): { readonly disc: Vertex; readonly circles: readonly number[] } | undefined
+  /** The largest disc in the region that overlaps no circle. */
+  largestEmptyDiscInside(): { readonly disc: Vertex; readonly circles: readonly number[] } | undefined
 }
 
 /** The loops of cells, row by row: `loopOffsets` by row, `pieceOffsets` by loop; a piece ends where the next one of its loop starts. */

@@ -196,10 +196,11 @@ class Clipped implements ClippedDiagram {
   }
 
   largestEmptyDisc() {
-    const { disc, circles } = unwrap(this.#module.clippedLargestEmptyDisc(this.#address))
-    if (disc.length === 0) return undefined
-    const [x, y, r] = disc as unknown as [number, number, number]
-    return { disc: { x, y, r }, circles: Array.from(circles).filter((circle) => circle !== NONE) }
+    return discOf(unwrap(this.#module.clippedLargestEmptyDisc(this.#address)))
+  }
+
+  largestEmptyDiscInside() {
+    return discOf(unwrap(this.#module.clippedLargestEmptyDiscInside(this.#address)))
   }
 
   polygons(tolerance: number) {
@@ -208,4 +209,10 @@ class Clipped implements ClippedDiagram {
     }
     return this.#polygons.polygons
   }
+}
+
+function discOf({ disc, circles }: { readonly disc: Float64Array; readonly circles: Int32Array }) {
+  if (disc.length === 0) return undefined
+  const [x, y, r] = disc as unknown as [number, number, number]
+  return { disc: { x, y, r }, circles: Array.from(circles).filter((circle) => circle !== NONE) }
 }

@@ -102,6 +102,7 @@ interface WasmRegionsModule {
   clippedPerimeters(clip: number): WasmError | Float64Array<ArrayBuffer>
   /** x, y and r of the disc, and three circles or -1; both are empty if there is none. */
   clippedLargestEmptyDisc(clip: number): WasmError | { readonly disc: Float64Array; readonly circles: Int32Array }
+  clippedLargestEmptyDiscInside(clip: number): WasmError | { readonly disc: Float64Array; readonly circles: Int32Array }
   clippedPolygons(clip: number, tolerance: number): WasmError | import('../regions/region.ts').ClippedPolygons
   /** `sites`: x, y and the weight of each. */
   fitAreas(

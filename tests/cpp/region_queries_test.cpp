@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest empty disc inside a region, against known values and an independent search.
+#include "circle_voronoi/region_queries.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "random.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace region_queries_test {
+namespace {
+
+using Ring = Region::Ring;
+using Circles = std::vector<Circle>;
+
+Region regionOf(const std::vector<Ring>& rings) { return Region::fromRings(rings).value(); }
+
+std::optional<EmptyDisc> discIn(const Circles& circles, const Region& region) {
+  const Diagram diagram = compute(circles).value();
+  return largestEmptyDiscInside(diagram, region).value();
+}
+
+const Ring kRoom = {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}};
+
+/// The distance of a point from the nearest circle or side; negative outside the region.
+double clearanceOf(const Circles& circles, const std::vector<Ring>& rings, Point p) {
+  double least = 1e300;
+  bool isInside = false;
+  for (const Ring& ring : rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a = ring[k];
+      const Point b = ring[(k + 1) % ring.size()];
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isInside = !isInside;
+      const double share = std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) /
+                                          ((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)),
+                                      0.0, 1.0);
+      least = std::min(least, std::hypot(a.x + share * (b.x - a.x) - p.x, a.y + share * (b.y - a.y) - p.y));
+    }
+  }
+  if (!isInside) return -least;
+  for (const Circle& c : circles) least = std::min(least, std::hypot(c.x - p.x, c.y - p.y) - c.r);
+  return least;
+}
+
+/// The largest clearance that a search from many places finds.
+double searched(const Circles& circles, const std::vector<Ring>& rings, double size, Random& random) {
+  constexpr int kGrid = 60;
+  struct Start {
+    double clearance;
+    Point point;
+  };
+  std::vector<Start> starts;
+  for (int i = 0; i <= kGrid; ++i) {
+    for (int j = 0; j <= kGrid; ++j) {
+      const Point p = {-size + 2 * size * i / kGrid, -size + 2 * size * j / kGrid};
+      starts.push_back({clearanceOf(circles, rings, p), p});
+    }
+  }
+  std::ranges::sort(starts, std::ranges::greater(), &Start::clearance);
+  double best = starts.front().clearance;
+  for (std::size_t k = 0; k < 25; ++k) {
+    auto [clearance, p] = starts[k];
+    for (double step = 2 * size / kGrid; step > 1e-9 * size; step *= 0.7) {
+      for (int turn = 0; turn < 24; ++turn) {
+        const Vector v = random.direction();
+        const Point q = {p.x + step * v.x, p.y + step * v.y};
+        const double there = clearanceOf(circles, rings, q);
+        if (there <= clearance) continue;
+        clearance = there;
+        p = q;
+      }
+    }
+    best = std::max(best, clearance);
+  }
+  return best;
+}
+
+TEST(LargestDiscInRegion, OfARoomTouchesTwoWallsAndTheCorner) {
+  const auto found = discIn({}, regionOf({kRoom}));
+  ASSERT_TRUE(found);
+  const double r = 2 * std::numbers::sqrt2 / (1 + std::numbers::sqrt2);
+  EXPECT_NEAR(found->disc.r, r, 1e-15);
+  EXPECT_NEAR(found->disc.x, r, 1e-15);
+  EXPECT_NEAR(found->disc.y, r, 1e-15);
+  EXPECT_EQ(found->circles, (std::array<CircleIndex, 3>{kNone, kNone, kNone}));
+}
+
+TEST(LargestDiscInRegion, KeepsAwayFromCirclesAndIslands) {
+  // A pillar where the arms meet leaves the ends of the arms, where a disc touches three walls.
+  const auto beside = discIn({{1, 1, 0.9}}, regionOf({kRoom}));
+  ASSERT_TRUE(beside);
+  EXPECT_NEAR(beside->disc.r, 1, 1e-15);
+  // Between two squares.
+  const Ring outer = {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}};
+  const Ring island = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const auto around = discIn({}, regionOf({outer, island}));
+  ASSERT_TRUE(around);
+  // It touches two walls and the corner of the island.
+  const double r = 3 * std::numbers::sqrt2 / (1 + std::numbers::sqrt2);
+  EXPECT_NEAR(around->disc.r, r, 1e-14);
+  const auto last = discIn({{-2.5, -2.5, 0}, {2.5, -2.5, 0}, {-2.5, 2.5, 0}}, regionOf({outer, island}));
+  ASSERT_TRUE(last);
+  EXPECT_NEAR(last->disc.r, r, 1e-14);
+  EXPECT_GT(last->disc.x, 0);
+  EXPECT_GT(last->disc.y, 0);
+}
+
+TEST(LargestDiscInRegion, OfACorridorIsAsWideAsTheCorridor) {
+  const auto found = discIn({}, regionOf({{{0, 0}, {1000, 0}, {1000, 1}, {0, 1}}}));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->disc.r, 0.5);
+}
+
+TEST(LargestDiscInRegion, MayTouchManySides) {
+  Ring ring;
+  for (int k = 0; k < 400; ++k) {
+    const Vector v = directionAt(k / 400.0);
+    ring.push_back({5 * v.x, 5 * v.y});
+  }
+  const auto found = discIn({}, regionOf({ring}));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->disc.r, 5 * std::cos(std::numbers::pi / 400), 1e-13);
+}
+
+TEST(LargestDiscInRegion, IsTheSameAtAnyScale) {
+  const Circles circles = {{1, 1, 0.3}, {4, 0.5, 0.2}, {0.5, 4, 0.1}};
+  const auto one = discIn(circles, regionOf({kRoom}));
+  for (const double scale : {0x1p-400, 0x1p+400}) {
+    Ring room = kRoom;
+    for (Point& p : room) p = {scale * p.x, scale * p.y};
+    Circles scaled = circles;
+    for (Circle& c : scaled) c = {scale * c.x, scale * c.y, scale * c.r};
+    const auto other = discIn(scaled, regionOf({room}));
+    EXPECT_EQ(other->disc.r, scale * one->disc.r);
+    EXPECT_EQ(other->disc.x, scale * one->disc.x);
+    EXPECT_EQ(other->circles, one->circles);
+  }
+}
+
+TEST(LargestDiscInRegion, OfACoveredRegionIsThatOfItsCenters) {
+  const auto found = discIn({{3, 3, 9}}, regionOf({kRoom}));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->disc.r, 3 * std::numbers::sqrt2 - 9, 1e-12);
+}
+
+TEST(LargestDiscInRegion, IsWhatASearchFinds) {
+  const char* text = std::getenv("CIRCLE_VORONOI_REGION_TRIALS");
+  const int trials = text == nullptr ? 40 : std::atoi(text);
+  Random random(test::seedOr(7));
+  for (int trial = 0; trial < trials; ++trial) {
+    SCOPED_TRACE(trial);
+    // A star, perhaps with a star of a hole.
+    const auto star = [&](double least, double most, bool isWhole) {
+      Ring ring;
+      const std::size_t count = 4 + random.below(9);
+      for (std::size_t k = 0; k < count; ++k) {
+        const Vector v = directionAt((static_cast<double>(k) + random.uniform(0, 0.8)) / static_cast<double>(count));
+        const double r = random.uniform(least, most);
+        ring.push_back({r * v.x, r * v.y});
+        if (isWhole) ring.back() = {std::round(ring.back().x), std::round(ring.back().y)};
+      }
+      return ring;
+    };
+    const bool isWhole = random.below(2) == 0;
+    std::vector<Ring> rings = {star(4, 10, isWhole)};
+    if (random.below(2) == 0) rings.push_back(star(1, 2, false));
+    const auto region = Region::fromRings(rings);
+    if (!region) continue;
+    Circles circles;
+    for (std::size_t k = random.below(6); k > 0; --k) {
+      circles.push_back(
+          {random.uniform(-8, 8), random.uniform(-8, 8), random.below(2) == 0 ? 0 : random.uniform(0, 1.5)});
+    }
+    const auto found = largestEmptyDiscInside(compute(circles).value(), *region).value();
+    const double best = searched(circles, rings, 10, random);
+    if (best <= 0) continue;
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(clearanceOf(circles, rings, {found->disc.x, found->disc.y}), found->disc.r, 1e-13);
+    // No search finds more, and what is found is there.
+    EXPECT_GE(found->disc.r, best - 1e-12);
+  }
+}
+
+TEST(LargestDiscInRegion, IsThatOfAConvexPolygon) {
+  Random random(test::seedOr(3));
+  for (int trial = 0; trial < 60; ++trial) {
+    Ring ring;
+    const std::size_t count = 3 + random.below(6);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vector v = directionAt((static_cast<double>(k) + random.uniform(0, 0.8)) / static_cast<double>(count));
+      ring.push_back({5 * v.x, 5 * v.y});
+    }
+    const auto polygon = ConvexPolygon::from(ring);
+    if (!polygon) continue;
+    Circles circles;
+    for (std::size_t k = random.below(7); k > 0; --k) {
+      circles.push_back({random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(0, 1)});
+    }
+    const Diagram diagram = compute(circles).value();
+    const auto one = largestEmptyDiscInside(diagram, *polygon);
+    const auto other = largestEmptyDiscInside(diagram, regionOf({ring})).value();
+    ASSERT_TRUE(one && other);
+    EXPECT_NEAR(one->disc.r, other->disc.r, 1e-12) << trial;
+  }
+}
+
+/// The robots of a field, after a report about a planner whose paths left the field.
+const Circles kRobots = {{-3, 0, 0.09},    {-1.5, 1.2, 0.09}, {-1.4, -1.6, 0.09},
+                         {0.4, 0.3, 0.09}, {1.9, -0.7, 0.09}, {2.6, 1.9, 0.09}};
+
+/// Expects that a path goes from p to q inside a region, as clear as it says.
+void expectPath(const Circles& circles, const std::vector<Ring>& rings, Point p, Point q, const ClearestPath& path) {
+  ASSERT_FALSE(path.curves.empty());
+  EXPECT_EQ(path.curves.front().start, p);
+  EXPECT_EQ(path.curves.back().end, q);
+  double least = 1e300;
+  for (std::size_t k = 0; k < path.curves.size(); ++k) {
+    const EdgeCurve& curve = path.curves[k];
+    if (k > 0) EXPECT_EQ(curve.start, path.curves[k - 1].end);
+    for (const Point& point : polyline(curve, 1e-4)) {
+      EXPECT_GE(clearanceOf({}, rings, point), -1e-4);
+      for (const Circle& c : circles) least = std::min(least, std::hypot(c.x - point.x, c.y - point.y) - c.r);
+    }
+  }
+  EXPECT_GE(least, path.clearance - 1e-3);
+}
+
+TEST(PathInRegion, StaysInTheField) {
+  const Ring strip = {{-4, -0.5}, {4, -0.5}, {4, 0.5}, {-4, 0.5}};
+  const Diagram diagram = compute(kRobots).value();
+  const Point p = {-3.8, 0.1};
+  const Point q = {3.8, 0.2};
+  const auto path = clearestPath(diagram, p, q, regionOf({strip})).value();
+  ASSERT_TRUE(path);
+  expectPath(kRobots, {strip}, p, q, *path);
+  // Between the first robot and the border.
+  EXPECT_NEAR(path->clearance, 0.41, 1e-12);
+  EXPECT_LT(path->clearance, clearestPath(diagram, p, q).clearance);
+}
+
+TEST(PathInRegion, GoesAroundTheCornerOfARoomAndNotThroughItsWalls) {
+  const Circles circles = {{5, 5, 1}, {1, 3, 0.1}};
+  const Point p = {0.5, 5.5};
+  const Point q = {5.5, 0.5};
+  const auto path = clearestPath(compute(circles).value(), p, q, regionOf({kRoom})).value();
+  ASSERT_TRUE(path);
+  expectPath(circles, {kRoom}, p, q, *path);
+  EXPECT_NEAR(path->clearance, 0.9, 1e-12);
+}
+
+TEST(PathInRegion, IsNoneBetweenPartsAndAnErrorFromOutside) {
+  const Diagram diagram = compute(Circles{{0.2, 0.2, 0.1}}).value();
+  const Region islands = regionOf({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{2, 0}, {3, 0}, {3, 1}, {2, 1}}});
+  EXPECT_FALSE(clearestPath(diagram, {0.5, 0.5}, {2.5, 0.5}, islands).value());
+  EXPECT_TRUE(clearestPath(diagram, {2.5, 0.5}, {2.6, 0.4}, islands).value());
+  const auto outside = clearestPath(diagram, {1.5, 0.5}, {2.6, 0.4}, islands);
+  ASSERT_FALSE(outside);
+  EXPECT_EQ(outside.error().code, ErrorCode::badOption);
+  EXPECT_EQ(outside.error().message, "The start of the path lies outside the region.");
+}
+
+}  // namespace
+}  // namespace region_queries_test
+}  // namespace circle_voronoi
