@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -140,12 +141,17 @@ class ClippedDiagram {
   [[nodiscard]] std::optional<EmptyDisc> largestEmptyDisc() const;
 
   class Parts;
+  /// For the library's own use: `from`, which calls `visit` with each part of an edge inside the region, so that its curve
+  /// is computed once.
+  static Result<ClippedDiagram> visitingArcs(const Diagram& diagram, const Region& region,
+                                             const std::function<void(const Edge&, const EdgeCurve&)>& visit);
   /// For the library's own use.
   [[nodiscard]] const Parts& parts() const { return *parts_; }
 
  private:
   static Result<ClippedDiagram> make(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
-                                     std::optional<std::span<const CircleIndex>> circles);
+                                     std::optional<std::span<const CircleIndex>> circles,
+                                     const std::function<void(const Edge&, const EdgeCurve&)>& visit);
   explicit ClippedDiagram(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
   std::shared_ptr<const Parts> parts_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_measure.h"
 
-#include "areas_and_arcs.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "guarded.h"
 #include "spring.h"
@@ -9,12 +8,12 @@
 namespace circle_voronoi {
 
 CellMeasure measureCells(const Diagram& diagram, const Region& region) {
-  const Result<ClippedDiagram> clipped = ClippedDiagram::from(diagram, region);
-  if (!clipped) throw Refusal{clipped.error()};
   CellMeasure result;
-  result.areas = areasAndArcs(*clipped, [&](const Edge& edge, const EdgeCurve& arc) {
+  const auto clipped = ClippedDiagram::visitingArcs(diagram, region, [&](const Edge& edge, const EdgeCurve& arc) {
     result.springs.push_back({edge.left, edge.right, stiffness(arc)});
   });
+  if (!clipped) throw Refusal{clipped.error()};
+  result.areas = clipped->areas();
   return result;
 }
 

@@ -2,25 +2,44 @@
 #include "arcs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 #include "at.h"
-#include "guarded.h"
+#include "refuse_clip.h"
+#include "shifted_signs.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// What is nearer than this share of coordinates may be on the boundary but for rounding.
-constexpr double kNearBoundary = 0x1p-36;
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 
-[[noreturn]] void refuseOpenBoundary() {
-  throw Refusal{errorWith(ErrorCode::internal, "The boundary of the region is not closed in the diagram.")};
+/// Returns how often the boundary of a region winds around a vertex.
+std::int32_t windingAround(const Diagram& diagram, const Region& region, const ShiftedSigns& signs, VertexIndex vertex) {
+  const Vertex& v = diagram.vertices[at(vertex)];
+  const double error = signs.errorOf(vertex);
+  const Box bounds = region.bounds();
+  // Sides that may cross the ray from the vertex to the right.
+  const Box ray = {v.x - error, v.y - error, std::max(bounds.maxX, v.x), v.y + error};
+  const SideIndex beginning = diagram.links.vertexSides[at(vertex)][0];
+  const auto isAbove = [&](Point p) {
+    // A horizontal line through the point, to the right.
+    const Point right = {p.x == 0 ? 1 : p.x > 0 ? 2 * p.x : -p.x, p.y};
+    return signs.sideOfEnd(beginning, false, {p, right}) < 0;
+  };
+  std::int32_t winding = 0;
+  for (const RegionSideIndex side : region.sidesIn(ray)) {
+    const auto ring = at(region.ringOf(side));
+    const Point from = region.points()[at(side)];
+    const std::int32_t next = side + 1 == region.ringOffsets()[ring + 1] ? region.ringOffsets()[ring] : side + 1;
+    const Point to = region.points()[at(next)];
+    const bool goesUp = isAbove(to);
+    if (isAbove(from) == goesUp) continue;
+    // The ray crosses the side if the vertex lies left of it as it goes up, or right of it as it goes down.
+    if ((signs.sideOfEnd(beginning, false, {from, to}) > 0) == goesUp) winding += goesUp ? 1 : -1;
+  }
+  return winding;
 }
 
 }  // namespace
@@ -67,23 +86,20 @@ std::int32_t Arcs::riseAlong(EdgeIndex edge) const {
   return sum;
 }
 
+/// Finds the levels from infinity on. Whether all ways to a vertex lead to one level is for the judge (judge_clip.h).
 void Arcs::findLevels() {
   levels_.assign(diagram_.vertices.size(), kUnknown);
   std::vector<VertexIndex> pending;
   const auto reach = [&](VertexIndex vertex, std::int32_t level) {
-    if (levels_[at(vertex)] == kUnknown) {
-      levels_[at(vertex)] = level;
-      pending.push_back(vertex);
-    } else if (levels_[at(vertex)] != level) {
-      refuseOpenBoundary();
-    }
+    if (levels_[at(vertex)] != kUnknown) return;
+    levels_[at(vertex)] = level;
+    pending.push_back(vertex);
   };
   for (std::size_t e = 0; e < diagram_.edges.size(); ++e) {
     const Edge& edge = diagram_.edges[e];
     const auto index = static_cast<std::int32_t>(e);
     if (edge.start == kNone && edge.end != kNone) reach(edge.end, riseAlong(index));
     if (edge.end == kNone && edge.start != kNone) reach(edge.start, -riseAlong(index));
-    if (edge.start == kNone && edge.end == kNone && riseAlong(index) != 0) refuseOpenBoundary();
   }
   while (!pending.empty()) {
     const VertexIndex vertex = pending.back();
@@ -96,137 +112,56 @@ void Arcs::findLevels() {
       reach(target, side % 2 == 0 ? level + change : level - change);
     }
   }
-  for (const std::int32_t level : levels_) {
-    if (level == kUnknown) {
-      throw Refusal{errorWith(ErrorCode::internal, "The edges of the diagram do not hang together.")};
-    }
-  }
 }
 
+/// Finds the levels of the vertices of some cells. Other vertices have the level 0.
 void Arcs::findLevels(const Region& region, std::span<const CircleIndex> circles) {
   levels_.assign(diagram_.vertices.size(), kUnknown);
-  std::vector<std::uint8_t> isChosen(diagram_.circles.size(), 0);
-  for (const CircleIndex circle : circles) isChosen[at(circle)] = 1;
-  std::vector<VertexIndex> group;
-  const auto reach = [&](VertexIndex vertex, std::int32_t level) {
-    if (levels_[at(vertex)] == kUnknown) {
-      levels_[at(vertex)] = level;
-      group.push_back(vertex);
-    } else if (levels_[at(vertex)] != level) {
-      refuseOpenBoundary();
-    }
-  };
+  const ShiftedSigns signs(diagram_);
   for (const CircleIndex circle : circles) {
-    for (const SideIndex first : diagram_.sides(circle)) {
-      const VertexIndex origin = diagram_.originOf(first);
-      if (origin == kNone || levels_[at(origin)] != kUnknown) continue;
-      // All vertices that edges of the cells lead to, by their level above that of the first.
-      std::optional<std::int32_t> base;
-      group.clear();
-      reach(origin, 0);
-      for (std::size_t k = 0; k < group.size(); ++k) {
-        const std::int32_t level = levels_[at(group[k])];
-        for (const SideIndex side : diagram_.links.vertexSides[at(group[k])]) {
-          if (isChosen[at(diagram_.circleOf(side))] == 0 && isChosen[at(diagram_.neighborOf(side))] == 0) continue;
-          const std::int32_t change = riseAlong(Diagram::edgeOf(side));
-          const std::int32_t there = side % 2 == 0 ? level + change : level - change;
-          if (diagram_.targetOf(side) == kNone) {
-            base = -there;
-          } else {
-            reach(diagram_.targetOf(side), there);
-          }
-        }
-      }
-      if (!base) {
-        // A point on the boundary may count for either side, so it counts less than any other.
-        std::map<std::int32_t, std::size_t> votes;
-        const auto vote = [&](Point p, std::int32_t level) {
-          const double near = kNearBoundary * std::max(std::abs(p.x), std::abs(p.y));
-          const bool isClear = region.sidesIn({p.x - near, p.y - near, p.x + near, p.y + near}).empty();
-          votes[(region.contains(p) ? 1 : 0) - level] += isClear ? 4 * group.size() : 1;
-        };
-        for (const VertexIndex vertex : group) {
-          const std::int32_t level = levels_[at(vertex)];
-          vote({diagram_.vertices[at(vertex)].x, diagram_.vertices[at(vertex)].y}, level);
-          for (const SideIndex side : diagram_.links.vertexSides[at(vertex)]) {
-            const EdgeIndex edge = Diagram::edgeOf(side);
-            if (side % 2 == 1 || diagram_.targetOf(side) == kNone) continue;
-            if (isChosen[at(diagram_.circleOf(side))] == 0 && isChosen[at(diagram_.neighborOf(side))] == 0) continue;
-            // Points between the crossings.
-            const EdgeCurve curve = edgeCurve(diagram_, edge);
-            double from = curve.from;
-            std::int32_t here = level;
-            const auto voteUpTo = [&](double to) {
-              if (to > from) vote(pointAt(curve.bisector, std::sqrt(from) * std::sqrt(to)), here);
-              from = to;
-            };
-            const std::int32_t row = rows_[at(edge)];
-            for (std::int32_t k = row == kNone ? 0 : orderStart_[at(row)];
-                 k < (row == kNone ? 0 : orderStart_[at(row) + 1]); ++k) {
-              const Crossing& crossing = crossings_.all[at(order_[at(k)])];
-              voteUpTo(crossing.parameter);
-              here += crossing.isEntry ? 1 : -1;
-            }
-            voteUpTo(curve.to);
-          }
-        }
-        base = std::ranges::max_element(votes, {}, [](const auto& one) { return one.second; })->first;
-      }
-      for (const VertexIndex vertex : group) levels_[at(vertex)] += *base;
+    const auto sides = diagram_.sides(circle);
+    // The level of a vertex follows from that of the one before.
+    std::int32_t level = kUnknown;
+    for (const SideIndex side : sides) {
+      const VertexIndex origin = diagram_.originOf(side);
+      const VertexIndex target = diagram_.targetOf(side);
+      if (origin == kNone) level = 0;
+      if (origin != kNone && levels_[at(origin)] != kUnknown) level = levels_[at(origin)];
+      if (level == kUnknown) level = windingAround(diagram_, region, signs, origin);
+      if (origin != kNone) levels_[at(origin)] = level;
+      const std::int32_t change = riseAlong(Diagram::edgeOf(side));
+      level += side % 2 == 0 ? change : -change;
+      if (target != kNone && levels_[at(target)] == kUnknown) levels_[at(target)] = level;
     }
   }
-  for (std::int32_t& level : levels_) {
-    if (level == kUnknown) level = 0;
-  }
-}
-
-bool Arcs::isInside(EdgeIndex edge) const {
-  const Edge& ends = diagram_.edges[at(edge)];
-  return ends.start != kNone && levelOf(ends.start) > 0;
+  std::ranges::replace(levels_, kUnknown, 0);
 }
 
 void Arcs::makeArcs() {
   arcOf_.assign(crossings_.all.size(), kNone);
   std::vector<std::int32_t> entries;
   std::vector<std::int32_t> exits;
-  // The arcs that are open, by layer, from the one opened first.
-  std::vector<std::int32_t> open;
   for (std::size_t row = 0; row < crossed_.size(); ++row) {
     const EdgeIndex edge = crossed_[row];
-    const auto first = static_cast<std::int32_t>(arcs_.size());
-    arcStart_.push_back(first);
+    arcStart_.push_back(static_cast<std::int32_t>(arcs_.size()));
     entries.clear();
     exits.clear();
     for (std::int32_t k = orderStart_[row]; k < orderStart_[row + 1]; ++k) {
       const std::int32_t crossing = order_[at(k)];
       (crossings_.all[at(crossing)].isEntry ? entries : exits).push_back(crossing);
     }
-    std::int32_t level = levelOf(diagram_.edges[at(edge)].start);
-    const auto begin = [&](std::int32_t crossing, std::int32_t layer) {
-      open.push_back(static_cast<std::int32_t>(arcs_.size()));
-      if (crossing != kNone) arcOf_[at(crossing)] = open.back();
-      arcs_.push_back({edge, crossing, kNone, layer});
-    };
-    const auto end = [&](std::int32_t crossing) {
-      arcs_[at(open.back())].end = crossing;
-      arcOf_[at(crossing)] = open.back();
-      open.pop_back();
-    };
-    open.clear();
-    for (std::int32_t layer = 1; layer <= level; ++layer) begin(kNone, layer);
-    for (std::int32_t layer = 0; layer > level; --layer) begin(kNone, layer);
-    std::size_t entry = 0;
-    std::size_t exit = 0;
-    while (entry < entries.size() || exit < exits.size()) {
-      const bool enters = entry < entries.size() && (level < 1 || exit == exits.size());
-      const std::int32_t crossing = enters ? entries[entry++] : exits[exit++];
-      const std::int32_t layer = enters ? level + 1 : level;
-      if (enters == (layer > 0)) {
-        begin(crossing, layer);
-      } else {
-        end(crossing);
-      }
-      level += enters ? 1 : -1;
+    const bool startsInside = isInside(diagram_.edges[at(edge)].start);
+    const bool endsInside = isInside(diagram_.edges[at(edge)].end);
+    // Otherwise the judge refuses the clip.
+    if (entries.size() + (startsInside ? 1 : 0) != exits.size() + (endsInside ? 1 : 0)) continue;
+    const std::size_t count = entries.size() + (startsInside ? 1 : 0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t entry = startsInside ? k - 1 : k;
+      const std::int32_t start = startsInside && k == 0 ? std::int32_t{kNone} : entries[entry];
+      const std::int32_t end = k < exits.size() ? exits[k] : std::int32_t{kNone};
+      if (start != kNone) arcOf_[at(start)] = static_cast<std::int32_t>(arcs_.size());
+      if (end != kNone) arcOf_[at(end)] = static_cast<std::int32_t>(arcs_.size());
+      arcs_.push_back({edge, start, end});
     }
   }
   arcStart_.push_back(static_cast<std::int32_t>(arcs_.size()));
@@ -237,11 +172,9 @@ std::span<const Arc> Arcs::of(EdgeIndex edge) const {
   return std::span(arcs_).subspan(at(arcStart_[row]), at(arcStart_[row + 1] - arcStart_[row]));
 }
 
-std::int32_t Arcs::atVertex(EdgeIndex edge, bool isAtStart, std::int32_t layer) const {
+std::int32_t Arcs::atVertex(EdgeIndex edge, bool isAtStart) const {
   const auto its = of(edge);
-  const auto found = std::ranges::find_if(
-      its, [&](const Arc& arc) { return arc.layer == layer && (isAtStart ? arc.start : arc.end) == kNone; });
-  return static_cast<std::int32_t>(&*found - arcs_.data());
+  return static_cast<std::int32_t>((isAtStart ? &its.front() : &its.back()) - arcs_.data());
 }
 
 }  // namespace circle_voronoi

@@ -15,7 +15,6 @@ struct Arc {
   EdgeIndex edge = {};
   std::int32_t start = kNone;  ///< the crossing where it begins; kNone for the vertex where the edge begins
   std::int32_t end = kNone;    ///< the crossing where it ends; kNone for the vertex where the edge ends
-  std::int32_t layer = 1;      ///< how often the region covers it: see Arcs
 };
 
 /// Which parts of the edges lie in a region.
@@ -23,36 +22,30 @@ struct Arc {
 /// The *level* of a vertex is how often the boundary of the region winds around it: 1 in the region, 0 outside. Levels
 /// follow from the crossings alone. At infinity the level is 0, and along an edge it goes up by 1 at each entry and
 /// down by 1 at each exit. Because each ring is a closed path in the dual, all ways to a vertex lead to the same level.
-/// Where the region is thinner than rounding, its boundary may cross itself, and the level may be -1 or 2, or anything.
-/// So arcs have layers: an arc in layer k covers the points of its edge whose level is at least k, if k > 0, and those
-/// whose level is less than k, if k <= 0. An arc in a layer k <= 0 is a border from the other side: it is walked along
-/// backwards. With layers each crossing is an end of one arc, and the border of the region's part of each cell is
-/// closed, whatever rounding does.
 ///
-/// Entries and exits are ordered along an edge each for itself, and then alternate: rounding may confuse the order of an
+/// Along an edge entries and exits alternate. They are ordered each for itself: rounding may confuse the order of an
 /// entry and an exit next to each other, but not that they alternate.
 class Arcs {
  public:
   Arcs(const Diagram& diagram, const Crossings& crossings);
-  /// The same for the edges of some cells, whose crossings these are. Where the cells have no way to infinity, most of
-  /// their vertices decide by whether the region contains them.
+  /// The same for the edges of some cells, whose crossings these are.
   Arcs(const Diagram& diagram, const Crossings& crossings, const Region& region, std::span<const CircleIndex> circles);
 
   bool isCrossed(EdgeIndex edge) const { return rows_[static_cast<std::size_t>(edge)] != kNone; }
-  std::int32_t levelOf(VertexIndex vertex) const {
-    return vertex == kNone ? 0 : levels_[static_cast<std::size_t>(vertex)];
+  /// Returns whether the region contains a vertex. It does not contain infinity (kNone).
+  bool isInside(VertexIndex vertex) const {
+    return vertex != kNone && levels_[static_cast<std::size_t>(vertex)] == 1;
   }
-  /// Returns whether an edge without crossings lies in the region.
-  bool isInside(EdgeIndex edge) const;
+  std::span<const std::int32_t> levels() const { return levels_; }
 
-  /// Returns all arcs of edges with crossings, edge by edge.
+  /// Returns all arcs of edges with crossings, edge by edge, in the direction of each edge.
   std::span<const Arc> all() const { return arcs_; }
   /// Returns the arcs of an edge with crossings.
   std::span<const Arc> of(EdgeIndex edge) const;
   /// Returns the arc that begins or ends at a crossing, by its place in all().
   std::int32_t arcAt(std::int32_t crossing) const { return arcOf_[static_cast<std::size_t>(crossing)]; }
-  /// Returns the arc of an edge with crossings that begins (or ends) at the vertex there and has the given layer.
-  std::int32_t atVertex(EdgeIndex edge, bool isAtStart, std::int32_t layer) const;
+  /// Returns the arc of an edge with crossings that begins (or ends) at the vertex there, which is inside.
+  std::int32_t atVertex(EdgeIndex edge, bool isAtStart) const;
 
  private:
   void sortCrossings();

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "at.h"
-#include "guarded.h"
 #include "in_outline.h"
+#include "judge_clip.h"
+#include "refuse_clip.h"
 #include "with_key.h"
 
 namespace circle_voronoi {
@@ -22,13 +23,15 @@ Crossings crossingsFor(const Diagram& diagram, const Region& region,
 }  // namespace
 
 ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::optional<double> itsMaxDistance,
-                             std::optional<std::span<const CircleIndex>> circles)
+                             std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit)
     : diagram(its),
       region(itsRegion),
       maxDistance(itsMaxDistance),
       bounds(itsRegion.bounds()),
       crossings(crossingsFor(its, itsRegion, circles)),
       arcs(circles ? Arcs(its, crossings, itsRegion, *circles) : Arcs(its, crossings)) {
+  const ClipRecord record = {diagram, region, crossings, arcs.levels(), arcs.all(), circles};
+  if (const char* fault = faultOf(record)) refuseClip(fault);
   const auto ringOffsets = region.ringOffsets();
   after_.resize(region.sideCount());
   for (std::size_t r = 0; r < region.ringCount(); ++r) {
@@ -36,23 +39,19 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
       after_[at(k)] = k + 1 == ringOffsets[r + 1] ? ringOffsets[r] : k + 1;
     }
   }
-  places_.assign(diagram.circles.size(), circles ? Place::outside : Place::inside);
+  std::vector<std::uint8_t> isChosen(diagram.circles.size(), circles ? 0 : 1);
   if (circles) {
-    for (const CircleIndex circle : *circles) places_[at(circle)] = Place::inside;
+    for (const CircleIndex circle : *circles) isChosen[at(circle)] = 1;
   }
-  const std::vector<Place> chosen = circles ? places_ : std::vector<Place>();
-  const auto isChosen = [&](CircleIndex circle) { return chosen.empty() || chosen[at(circle)] == Place::inside; };
+  places_.assign(diagram.circles.size(), Place::outside);
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const SideIndex side = diagram.links.firstSide[i];
-    const std::int32_t level = side == kNone ? 0 : arcs.levelOf(diagram.originOf(side));
-    if (level == 0) places_[i] = Place::outside;
-    if ((level < 0 || level > 1) && places_[i] == Place::inside) places_[i] = Place::cut;
+    if (isChosen[i] != 0 && side != kNone && arcs.isInside(diagram.originOf(side))) places_[i] = Place::inside;
   }
-  checkLevels();
   into_.reserve(crossings.all.size());
   for (std::size_t c = 0; c < crossings.all.size(); ++c) {
     const CircleIndex cell = cellAfter(crossings.all[c]);
-    if (isChosen(cell)) into_.push_back({cell, static_cast<std::int32_t>(c)});
+    if (isChosen[at(cell)] != 0) into_.push_back({cell, static_cast<std::int32_t>(c)});
   }
   for (const auto& [cell, ring] : crossings.rings) rings_.push_back({cell, ring});
   for (auto* list : {&into_, &rings_}) {
@@ -61,21 +60,8 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
     });
     for (const InCell& one : *list) places_[at(one.cell)] = Place::cut;
   }
-}
-
-/// A level other than 0 and 1 is right only where the vertex lies on the boundary but for rounding.
-void ClippedDiagram::Parts::checkLevels() const {
-  constexpr double kLevelRounding = 0x1p-36;
-  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
-    const std::int32_t level = arcs.levelOf(static_cast<std::int32_t>(v));
-    if (level == 0 || level == 1) continue;
-    const Vertex& vertex = diagram.vertices[v];
-    const double near = kLevelRounding * std::max(std::abs(vertex.x), std::abs(vertex.y));
-    if (!region.sidesIn({vertex.x - near, vertex.y - near, vertex.x + near, vertex.y + near}).empty()) continue;
-    throw Refusal{errorWith(ErrorCode::coordinateTooLarge,
-                            "Rounding does not allow to follow the boundary of the region through the diagram, because "
-                            "their coordinates are too far apart.")};
-  }
+  moments = momentsOf(*this, visit);
+  if (const char* fault = faultOf(record, moments)) refuseClip(fault);
 }
 
 std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(const std::vector<InCell>& all,
@@ -101,16 +87,7 @@ EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {
 EdgeCurve ClippedDiagram::Parts::curveOf(const LoopPiece& piece) const {
   const EdgeCurve curve =
       piece.arc == kNone ? curveOf(Diagram::edgeOf(piece.side)) : curveOf(arcs.all()[at(piece.arc)]);
-  return (piece.side % 2 == 0) == piece.isForward ? curve : reversed(curve);
-}
-
-/// The side of the cell that ends where a side begins.
-SideIndex ClippedDiagram::Parts::sideBefore(SideIndex side) const {
-  for (const SideIndex out : diagram.links.vertexSides[at(diagram.originOf(side))]) {
-    const SideIndex in = Diagram::twin(out);
-    if (diagram.links.nextSide[at(in)] == side) return in;
-  }
-  return kNone;
+  return piece.side % 2 == 0 ? curve : reversed(curve);
 }
 
 /// Adds the arcs that follow a crossing where the boundary leaves the cell, up to a crossing where it comes back, which
@@ -118,23 +95,21 @@ SideIndex ClippedDiagram::Parts::sideBefore(SideIndex side) const {
 std::int32_t ClippedDiagram::Parts::addArcs(std::int32_t crossing, Loops& loops) const {
   const Crossing& from = crossings.all[at(crossing)];
   std::int32_t arc = arcs.arcAt(crossing);
-  const std::int32_t layer = arcs.all()[at(arc)].layer;
-  const bool isForward = layer > 0;
   SideIndex side = from.isEntry ? 2 * from.edge : 2 * from.edge + 1;
   Point start = from.point;
   for (;;) {
-    loops.pieces.push_back({start, side, kNone, arc, isForward});
-    const bool isAlongEdge = (side % 2 == 0) == isForward;
+    const bool isAlongEdge = side % 2 == 0;
+    loops.pieces.push_back({start, side, kNone, arc});
     if (arc != kNone) {
       const Arc& its = arcs.all()[at(arc)];
       const std::int32_t other = isAlongEdge ? its.end : its.start;
       if (other != kNone) return other;
     }
-    const VertexIndex vertex = isForward ? diagram.targetOf(side) : diagram.originOf(side);
-    side = isForward ? diagram.links.nextSide[at(side)] : sideBefore(side);
-    start = {diagram.vertices[at(vertex)].x, diagram.vertices[at(vertex)].y};
+    const Vertex& vertex = diagram.vertices[at(diagram.targetOf(side))];
+    start = {vertex.x, vertex.y};
+    side = diagram.links.nextSide[at(side)];
     const EdgeIndex edge = Diagram::edgeOf(side);
-    arc = arcs.isCrossed(edge) ? arcs.atVertex(edge, (side % 2 == 0) == isForward, layer) : kNone;
+    arc = arcs.isCrossed(edge) ? arcs.atVertex(edge, side % 2 == 0) : kNone;
   }
 }
 
@@ -158,18 +133,12 @@ void ClippedDiagram::Parts::addChain(std::int32_t first, std::vector<std::uint8_
   } while (crossing != first);
 }
 
-/// Whether all of the border of a cell is in a layer.
-bool ClippedDiagram::Parts::hasBorder(CircleIndex circle, std::int32_t layer) const {
-  const auto isCovered = [&](SideIndex side) {
-    const EdgeIndex edge = Diagram::edgeOf(side);
-    const std::int32_t level = arcs.levelOf(diagram.originOf(side));
-    if (diagram.originOf(side) == kNone || (layer > 0 ? level < layer : level >= layer)) return false;
-    if (!arcs.isCrossed(edge)) return true;
-    return std::ranges::any_of(
-        arcs.of(edge), [&](const Arc& arc) { return arc.layer == layer && arc.start == kNone && arc.end == kNone; });
-  };
+/// Whether all of the border of a cell lies in the region.
+bool ClippedDiagram::Parts::isBorderInside(CircleIndex circle) const {
   const auto sides = diagram.sides(circle);
-  return !sides.empty() && std::ranges::all_of(sides, isCovered);
+  return !sides.empty() && std::ranges::all_of(sides, [&](SideIndex side) {
+    return arcs.isInside(diagram.originOf(side)) && !arcs.isCrossed(Diagram::edgeOf(side));
+  });
 }
 
 void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
@@ -190,19 +159,15 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
     end(false);
     polygons.push_back(polygonOfSide(crossings.all[at(into[k].index)].side));
   }
-  // Borders without a crossing, as that of a whole cell.
-  const auto addBorder = [&](bool isForward) {
-    SideIndex side = diagram.links.firstSide[at(circle)];
-    do {
-      const Vertex& vertex = diagram.vertices[at(isForward ? diagram.originOf(side) : diagram.targetOf(side))];
-      loops.pieces.push_back({{vertex.x, vertex.y}, side, kNone, kNone, isForward});
-      side = isForward ? diagram.links.nextSide[at(side)] : sideBefore(side);
-    } while (side != diagram.links.firstSide[at(circle)]);
+  // The border of a whole cell, which may have holes.
+  if (isBorderInside(circle)) {
+    for (const SideIndex side : diagram.sides(circle)) {
+      const Vertex& vertex = diagram.vertices[at(diagram.originOf(side))];
+      loops.pieces.push_back({{vertex.x, vertex.y}, side});
+    }
     end(false);
     polygons.push_back(-1);
-  };
-  for (std::int32_t layer = 1; hasBorder(circle, layer); ++layer) addBorder(true);
-  for (std::int32_t layer = 0; hasBorder(circle, layer); --layer) addBorder(false);
+  }
   const auto rings = ringsIn(circle);
   if (rings.empty()) return;
   const auto addRing = [&](std::int32_t ring) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arcs.h"
+#include "cell_moments.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "crossings.h"
 
@@ -17,7 +18,6 @@ struct LoopPiece {
   SideIndex side = {};              ///< the side of the cell, or kNone
   RegionSideIndex regionSide = {};  ///< the side of the region, or kNone
   std::int32_t arc = kNone;         ///< the arc of the side in Arcs::all(); kNone for a whole edge
-  bool isForward = true;            ///< whether the loop runs along the side, not against it (Arcs)
 };
 
 /// Loops of pieces. A hole comes after the loop around it.
@@ -40,19 +40,22 @@ struct Loops {
 /// What a ClippedDiagram knows.
 class ClippedDiagram::Parts {
  public:
-  /// For all cells, or for some.
+  /// For all cells, or for some. Throws a Refusal if the judge finds a fault (judge_clip.h).
   Parts(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
-        std::optional<std::span<const CircleIndex>> circles = {});
+        std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit);
 
   using Place = ClippedDiagram::Place;
   /// How a cell lies to the region, whatever the maximum distance.
   Place placeOf(CircleIndex circle) const { return places_[static_cast<std::size_t>(circle)]; }
 
+  /// Returns whether an edge without crossings lies in the region.
+  bool isInside(EdgeIndex edge) const { return arcs.isInside(diagram.edges[static_cast<std::size_t>(edge)].start); }
+
   /// The loops of a cell in the region, whatever the maximum distance.
   void loopsOf(CircleIndex circle, Loops& loops) const;
 
   /// The curve of a whole edge, and that of an arc, in the direction of the edge.
-  EdgeCurve curveOf(EdgeIndex edge) const { return curveIn(diagram, bounds, edge); }
+  EdgeCurve curveOf(EdgeIndex edge) const { return edgeCurve(diagram, edge); }
   EdgeCurve curveOf(const Arc& arc) const;
   /// The curve of a piece that is a side, in the direction of its loop.
   EdgeCurve curveOf(const LoopPiece& piece) const;
@@ -95,21 +98,23 @@ class ClippedDiagram::Parts {
   const Box bounds;
   const Crossings crossings;
   const Arcs arcs;
+  CellMoments moments;
 
  private:
   static std::span<const InCell> within(const std::vector<InCell>& all, CircleIndex cell);
 
   void addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const;
   std::int32_t addArcs(std::int32_t crossing, Loops& loops) const;
-  SideIndex sideBefore(SideIndex side) const;
-  void checkLevels() const;
-  bool hasBorder(CircleIndex circle, std::int32_t layer) const;
+  bool isBorderInside(CircleIndex circle) const;
 
   std::vector<RegionSideIndex> after_;
   std::vector<InCell> into_;
   std::vector<InCell> rings_;
   std::vector<Place> places_;
 };
+
+/// Adds up the moments of the parts of all cells in the region, whatever the maximum distance.
+CellMoments momentsOf(const ClippedDiagram::Parts& parts, const VisitArc& visit);
 
 template <class Visit>
 void ClippedDiagram::Parts::visitCorners(const Stretch& stretch, Visit visit) const {

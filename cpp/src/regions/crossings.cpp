@@ -2,38 +2,34 @@
 #include "crossings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <queue>
-#include <unordered_map>
+#include <optional>
 
 #include "at.h"
-#include "circle_voronoi/cells.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/finder.h"
-#include "clip.h"
-#include "far_view.h"
+#include "refuse_clip.h"
 #include "scale.h"
+#include "sectors.h"
+#include "shifted_signs.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// How far differences of distances may be off, as a share of what they are made of: generous.
-constexpr double kDistanceRounding = 0x1p-44;
-/// What is nearer along the walk than this share of coordinates may be one point.
-constexpr double kNearlyAtOnce = 0x1p-40;
-/// The same as a share of the side.
-constexpr double kNearlyOneShare = 0x1p-30;
-/// What is nearer to each other than this share of where it is seen from, may be moved apart (far_view.h).
-constexpr double kNearlyOnePlace = 0x1p-880;
+/// Rounding of the clearance along a walk.
+constexpr double kClearance = 1 - 0x1p-30;
+/// Parameters of crossings are not at infinity.
+constexpr double kLeastParameter = 1e-100;
+/// Rounding of the height of a place above a line, as a share of the lengths that it is made of.
+constexpr double kHeightRounding = 0x1p-50;
+/// Crossings are right to this share of their side.
+constexpr double kCertainShare = 0x1p-44;
 
 /// A side of the region, in the direction that both cells see.
 struct Line {
   Point from;  ///< the smaller of its ends, by x and then y
   Point to;
   Vector along;
-  double length = 0;
   bool isForward = true;  ///< whether the region lies on the left of this direction
 
   Line(Point start, Point end)
@@ -41,11 +37,7 @@ struct Line {
     from = isForward ? start : end;
     to = isForward ? end : start;
     along = vectorTo(from, to);
-    length = lengthOf(along);
   }
-
-  /// From the share of the direction above to that of the walk, or back.
-  double turned(double share) const { return isForward ? share : 1 - share; }
 
   double shareOf(Point p) const {
     const double unit = unitFor(largestOf(along));
@@ -60,29 +52,51 @@ struct Line {
   }
 };
 
-/// Where the walk leaves a cell.
-struct Exit {
-  double when = 2;  ///< the share of the way along the side; beyond 1 for none
-  double share = 0;
-  SideIndex side = {};  ///< of the cell
-  double parameter = 0;  ///< on the edge of that side
+/// The crossing of a branch and a line at which the branch goes to the right of the line, or to its left.
+///
+/// With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
+/// (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex
+/// along). Only the ratios of A, B and k count.
+struct BranchCrossing {
+  double parameter = 1;
+  bool isCertain = false;  ///< whether rounding moves it along the line by no more than kCertainShare of the side
+
+  BranchCrossing(const Bisector& bisector, const Line& line, bool goesRight) {
+    const double scale = powerOfTwoIn(largestOf(line.along));
+    const Vector direction = measuredIn(scale, line.along);
+    const Vector normal = {direction.y, -direction.x};
+    const Vector toLine = measuredIn(bisector.unit, vectorTo(bisector.origin, line.from));
+    const double a = -std::abs(bisector.a) * dot(normal, bisector.along);
+    const double b = bisector.b * dot(normal, bisector.across);
+    const double k = dot(normal, toLine) - bisector.apex * dot(normal, bisector.along);
+    const double half = a + k;
+    const double square = k * (k + 2 * a) + b * b;
+    if (!(square > 0)) return;
+    const double root = std::sqrt(square);
+    // The slope of the height at the root (half + root) / growth is the root's sign.
+    const double own = goesRight ? root : -root;
+    const double s = (half < 0) == (own < 0) ? (half + own) / (a + b) : (a - b) / (half - own);
+    if (!(s > kLeastParameter && s < 1 / kLeastParameter)) return;
+    parameter = s;
+    // The height is right within rounding of `size`; it grows along the line by no less than the root's share of it.
+    const double size = std::abs(bisector.a) + bisector.b + bisector.apex + std::abs(toLine.x) + std::abs(toLine.y);
+    const double steepness = root / size;
+    isCertain = kHeightRounding * size * bisector.unit < kCertainShare * scale * steepness * steepness;
+  }
 };
 
 class Walk {
  public:
   Walk(const Diagram& diagram, const Region& region)
-      : diagram_(diagram), region_(region), bounds_(region.bounds()) {
-    farthest_ = std::max({std::abs(bounds_.minX), std::abs(bounds_.minY), std::abs(bounds_.maxX),
-                          std::abs(bounds_.maxY)});
-    for (const Circle& c : diagram.circles) farthest_ = std::max({farthest_, std::abs(c.x), std::abs(c.y)});
-    for (const Vertex& v : diagram.vertices) farthest_ = std::max({farthest_, std::abs(v.x), std::abs(v.y)});
-  }
+      : diagram_(diagram), region_(region), signs_(diagram), sectors_(diagram, signs_) {}
 
   Crossings run() {
     const Finder finder(diagram_);
+    CircleIndex cell;
     for (std::size_t r = 0; r < region_.ringCount(); ++r) {
-      cell_ = finder.find(region_.points()[at(region_.ringOffsets()[r])], cell_);
-      walkRing(static_cast<std::int32_t>(r));
+      const Point start = region_.points()[at(region_.ringOffsets()[r])];
+      cell = nearestTo(start, finder.find(start, cell));
+      walkRing(static_cast<std::int32_t>(r), cell);
     }
     return std::move(crossings_);
   }
@@ -98,8 +112,7 @@ class Walk {
       std::size_t last = k;
       while (last < sides.size() && sides[last] < end) ++last;
       if (last - k == at(end - begin)) {
-        cell_ = nearestTo(region_.points()[at(begin)], near);
-        walkRing(static_cast<std::int32_t>(ring));
+        walkRing(static_cast<std::int32_t>(ring), nearestTo(region_.points()[at(begin)], near));
       } else {
         walkParts(std::span(sides).subspan(k, last - k), begin, end, near);
       }
@@ -113,15 +126,15 @@ class Walk {
     return region_.points()[at(side == end ? begin : side)];
   }
 
-  /// `cell_` has the start of the ring.
-  void walkRing(std::int32_t ring) {
+  /// `first` is the cell with the start of the ring.
+  void walkRing(std::int32_t ring, CircleIndex first) {
     const std::int32_t begin = region_.ringOffsets()[at(ring)];
     const std::int32_t end = region_.ringOffsets()[at(ring) + 1];
     const auto firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
-    const CircleIndex first = cell_;
+    enter(first);
     clearance_ = 0;
     for (std::int32_t k = begin; k < end; ++k) walkAlong(k, startOf(k, begin, end), startOf(k + 1, begin, end));
-    if (cell_ != first) closeRing(end - 1, startOf(end - 1, begin, end), startOf(end, begin, end), first);
+    if (sectors_.cell() != first) refuseClip("A ring of the region does not end in the cell where it begins.");
     linkFrom(firstCrossing, firstCrossing);
     if (at(firstCrossing) == crossings_.all.size()) crossings_.rings.push_back({first, ring});
   }
@@ -142,7 +155,7 @@ class Walk {
       if (!goesOn) {
         linkFrom(firstCrossing, kNone);
         firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
-        cell_ = nearestTo(start, near);
+        enter(nearestTo(start, near));
         clearance_ = 0;
       }
       walkAlong(side, start, startOf(side + 1, begin, end));
@@ -157,18 +170,22 @@ class Walk {
     for (std::int32_t c = first; c < end; ++c) crossings_.next.push_back(c + 1 == end ? afterLast : c + 1);
   }
 
-  /// The nearest circle, by steps to nearer neighbors.
-  CircleIndex nearestTo(Point p, CircleIndex from) const {
-    for (std::size_t steps = 0; steps < diagram_.circles.size(); ++steps) {
+  void enter(CircleIndex cell) {
+    if (sectors_.cell() != cell) sectors_.setCell(cell);
+  }
+
+  /// The circle whose cell has a corner, by steps to nearer neighbors.
+  CircleIndex nearestTo(Point corner, CircleIndex from) const {
+    for (std::size_t steps = 0; steps <= diagram_.circles.size(); ++steps) {
       CircleIndex best = from;
       for (const SideIndex side : diagram_.sides(from)) {
         const CircleIndex neighbor = diagram_.neighborOf(side);
-        if (lead(diagram_, neighbor, best, p) > 0) best = neighbor;
+        if (neighbor != best && signs_.compare(best, neighbor, corner).sign < 0) best = neighbor;
       }
-      if (best == from) break;
+      if (best == from) return from;
       from = best;
     }
-    return from;
+    refuseClip("No cell of the diagram has a corner of the region.");
   }
 
   /// The crossings of edges of chosen cells. Between one where the boundary comes into such a cell and the next one there
@@ -194,267 +211,122 @@ class Walk {
     return result;
   }
 
-  void walkAlong(RegionSideIndex side, Point start, Point end) {
-    const Line line(start, end);
-    if (line.length < clearance_) {
-      clearance_ -= line.length;
+  void walkAlong(RegionSideIndex index, Point start, Point end) {
+    const double length = lengthOf(vectorTo(start, end));
+    if (length < clearance_) {
+      clearance_ = (clearance_ - length) * kClearance;
       return;
     }
-    double when = 0;
-    stalled_.clear();
-    isSettled_ = false;
-    for (;;) {
-      isBlocked_ = false;
-      const Exit exit = exitFrom(line, start, end, when);
-      if (isBlocked_ && exit.when > when) {
-        isSettled_ = true;
-        if (goBack(line, when)) continue;
+    if (staysInCell(start, end, length)) return;
+    const Line line(start, end);
+    std::optional<Sectors::Sector> sector;
+    // A line crosses an edge twice at most.
+    for (std::size_t steps = 0; steps <= 2 * diagram_.edges.size(); ++steps) {
+      const bool endsInCell = isInCell(end);
+      const bool isEntered = sector.has_value();
+      std::optional<SideIndex> exit;
+      if (diagram_.metric == Metric::circles) {
+        if (sectors_.sides().empty()) return;
+        if (!sector) sector = sectors_.find(start);
+        exit = sectors_.exitFrom(*sector, isEntered, {start, end}, endsInCell);
+      } else if (!endsInCell) {
+        exit = straightExit({start, end});
       }
-      if (exit.when > 1) return;
-      addCrossing(side, line, exit);
-      if (exit.when > when) {
-        stalled_.clear();
-        isSettled_ = false;
-      }
-      when = exit.when;
-      stalled_.push_back(cell_);
-      cell_ = diagram_.neighborOf(exit.side);
+      if (!exit) return;
+      addCrossing(index, line, *exit);
+      enter(diagram_.neighborOf(*exit));
+      sector.emplace();
+      if (diagram_.metric == Metric::circles) *sector = sectors_.entered(Diagram::twin(*exit), {start, end});
     }
+    refuseClip("A side of the region crosses edges again and again.");
   }
 
-  /// Where rounding leads around a vertex from cell to cell, takes the one of them that comes next along the line.
-  /// Returns whether that is another one than the cell of the walk, to which it goes back.
-  bool goBack(const Line& line, double when) {
-    double next = 1;
-    for (const CircleIndex one : stalled_) {
-      const Bisector bisector =
-          circle_voronoi::bisector(diagram_.circles[at(one)], diagram_.circles[at(cell_)], diagram_.metric);
-      const LineCrossing crossing(bisector, line.from, line.along);
-      for (const double s : crossing.parameters()) {
-        const double its = line.turned(line.shareOf(pointAt(bisector, s)));
-        if (its - when > kNearlyOneShare) next = std::min(next, its);
-      }
+  /// Returns whether a side certainly stays in the cell of the walk. Then `clearance_` becomes how far its end is from the
+  /// border of the cell, at least.
+  bool staysInCell(Point start, Point end, double length) {
+    clearance_ = kInfinite;
+    const Circle& c = diagram_.circles[at(sectors_.cell())];
+    bool stays = true;
+    for (const SideIndex side : sectors_.sides()) {
+      const CircleIndex neighbor = diagram_.neighborOf(side);
+      const double atEnd = signs_.compare(sectors_.cell(), neighbor, end).least;
+      if (!(atEnd > 0)) return false;
+      clearance_ = std::min(clearance_, atEnd);
+      if (length < atEnd) continue;
+      const double atStart = signs_.compare(sectors_.cell(), neighbor, start).least;
+      // What is nearer to a circle than to a larger one is convex.
+      const bool isConvex = diagram_.metric != Metric::circles || c.r <= diagram_.circles[at(neighbor)].r;
+      stays = stays && (isConvex ? atStart > 0 : atStart + atEnd > length);
     }
-    const Point ahead = line.at(line.turned((when + next) / 2));
-    std::size_t best = stalled_.size();
-    const auto cellAt = [&](std::size_t k) { return k < stalled_.size() ? stalled_[k] : cell_; };
-    for (std::size_t k = 0; k < stalled_.size(); ++k) {
-      if (lead(diagram_, cellAt(k), cellAt(best), ahead) > 0) best = k;
+    return stays;
+  }
+
+  /// Returns whether the cell of the walk has a corner. `clearance_` becomes how far that is from the border of the cell,
+  /// at least.
+  bool isInCell(Point corner) {
+    clearance_ = kInfinite;
+    for (const SideIndex side : sectors_.sides()) {
+      const auto comparison = signs_.compare(sectors_.cell(), diagram_.neighborOf(side), corner);
+      if (comparison.sign < 0) return false;
+      clearance_ = std::min(clearance_, comparison.least);
     }
-    if (best == stalled_.size()) return false;
-    cell_ = stalled_[best];
-    crossings_.all.resize(crossings_.all.size() - (stalled_.size() - best));
-    stalled_.resize(best);
     return true;
   }
 
-  /// Finds where the walk next leaves its cell: where a neighbor comes to be nearer than its circle. Only the neighbors
-  /// are asked, as a cell is what is nearer to its circle than to each neighbor. `clearance_` becomes how far the end
-  /// of the side is from the border of the cell, at least.
-  Exit exitFrom(const Line& line, Point start, Point end, double when) {
-    exits_.clear();
-    clearance_ = kInfinite;
-    const Point here = when == 0 ? start : line.at(line.turned(when));
-    for (const SideIndex side : diagram_.sides(cell_)) {
-      const auto [isClear, clearance] =
-          clearanceOf(diagram_.neighborOf(side), (1 - when) * line.length, here, end);
-      clearance_ = std::min(clearance_, clearance);
-      if (isClear) continue;
-      const Exit exit = exitAcross(side, line, start, end, when);
-      if (exit.when <= 1) exits_.push_back(exit);
+  /// Returns the side across which a line leaves a convex cell.
+  SideIndex straightExit(const ShiftedSigns::Line& line) const {
+    for (const SideIndex side : sectors_.sides()) {
+      if (signs_.sideOfEnd(side, false, line) < 0 && signs_.sideOfEnd(side, true, line) > 0) return side;
     }
-    if (exits_.empty()) return {};
-    const Exit first = *std::ranges::min_element(exits_, {}, &Exit::when);
-    // Several may be there at once: two circles may share several edges, which have one bisector, and at a vertex
-    // rounding does not tell who comes first. The exit is across an edge that is there.
-    const double farthest = largestOf({end.x, end.y}) + line.length;
-    std::erase_if(exits_, [&](const Exit& exit) {
-      return (exit.when - first.when) * line.length > kNearlyAtOnce * farthest;
-    });
-    if (exits_.size() == 1) return first;
-    return *std::ranges::min_element(exits_, {}, [&](const Exit& exit) { return missBy(exit); });
+    refuseClip("A side of the region does not leave a cell in which it does not end.");
   }
 
-  struct Clearance {
-    bool isClear;     ///< whether the neighbor is farther than the circle all along the rest of the side
-    double distance;  ///< how far the end is from the bisector, at least
-  };
-
-  Clearance clearanceOf(CircleIndex neighbor, double way, Point start, Point end) const {
-    const Circle& c = diagram_.circles[at(cell_)];
-    const Circle& d = diagram_.circles[at(neighbor)];
-    if (diagram_.metric == Metric::power) {
-      const double apart = lengthOf(between(c, d));
-      const auto gap = [&](Point p) {
-        const double own = dot({p.x - c.x, p.y - c.y}, {p.x - c.x, p.y - c.y});
-        const double other = dot({p.x - d.x, p.y - d.y}, {p.x - d.x, p.y - d.y});
-        const double error = kDistanceRounding * (own + other + c.r * c.r + d.r * d.r);
-        return ((other - d.r * d.r) - (own - c.r * c.r) - error) / (2 * apart);
-      };
-      const double atEnd = gap(end);
-      return {gap(start) > 0 && atEnd > 0, atEnd};
-    }
-    const double difference = diagram_.metric == Metric::circles ? c.r - d.r : 0;
-    const auto gap = [&](Point p) {
-      const double own = std::sqrt(dot({p.x - c.x, p.y - c.y}, {p.x - c.x, p.y - c.y}));
-      const double other = std::sqrt(dot({p.x - d.x, p.y - d.y}, {p.x - d.x, p.y - d.y}));
-      return (other - own) + difference - kDistanceRounding * (own + other + std::abs(difference));
-    };
-    // Distances change by no more than the way, and those from points are compared in half-planes.
-    const double atStart = gap(start);
-    const double atEnd = gap(end);
-    const bool isClear = difference == 0 ? atStart > 0 && atEnd > 0 : atStart + atEnd > 2 * way;
-    return {isClear, atEnd / 2};
-  }
-
-  /// The bisector of the circles of an edge, the one of smaller index on the left. All edges of the two have this one.
-  Bisector bisectorOf(EdgeIndex edge) const {
+  /// Adds the crossing where a line leaves the cell of a side across it: the side goes from the right of the line to its
+  /// left.
+  void addCrossing(RegionSideIndex index, const Line& line, SideIndex side) {
+    const EdgeIndex edge = Diagram::edgeOf(side);
     const Edge& ends = diagram_.edges[at(edge)];
+    // All edges of two circles have one bisector, and the one of smaller index on its left.
     const auto [left, right] = std::minmax({std::int32_t{ends.left}, std::int32_t{ends.right}});
     const Bisector bisector =
         circle_voronoi::bisector(diagram_.circles[at(left)], diagram_.circles[at(right)], diagram_.metric);
-    const double size = (std::abs(bisector.a) + bisector.b) * bisector.unit;
-    if (size > kNearlyOnePlace * farthest_) return bisector;
-    const EdgeCurve curve = curveIn(diagram_, bounds_, edge);
-    return isTurned(edge) ? reversed(curve).bisector : curve.bisector;
-  }
-  bool isTurned(EdgeIndex edge) const { return diagram_.edges[at(edge)].left > diagram_.edges[at(edge)].right; }
-
-  /// Where the neighbor across a side of the cell comes to be nearer, no earlier than `when`.
-  Exit exitAcross(SideIndex side, const Line& line, Point start, Point end, double when) {
-    const EdgeIndex edge = Diagram::edgeOf(side);
-    const CircleIndex neighbor = diagram_.neighborOf(side);
-    const Bisector bisector = bisectorOf(edge);
-    const LineCrossing crossing(bisector, line.from, line.along);
-    struct Event {
-      double when;
-      double share;
-      double parameter;
-      bool isExit;
-    };
-    std::array<Event, 2> events{};
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < crossing.parameters().size(); ++k) {
-      const double s = crossing.parameters()[k];
-      const double share = line.shareOf(pointAt(bisector, s));
-      if (std::isnan(share)) continue;
-      // Where the bisector goes to the right of the line, the line goes from its right circle to its left one.
-      const bool goesToLeft = crossing.goesRight(k) == line.isForward;
-      events[count++] = {line.turned(share), share, s, goesToLeft == (neighbor < cell_)};
+    const bool isAlong = left == diagram_.circleOf(side);
+    const BranchCrossing found(bisector, line, isAlong != line.isForward);
+    double parameter = found.parameter;
+    double share = line.shareOf(pointAt(bisector, parameter));
+    if (!found.isCertain || !(share >= 0 && share <= 1)) {
+      const CircleIndex own = diagram_.circleOf(side);
+      const CircleIndex other = diagram_.neighborOf(side);
+      share = signs_.shareOfCrossing(line.isForward ? own : other, line.isForward ? other : own, {line.from, line.to});
+      share = std::clamp(share, 0.0, 1.0);
+      parameter = parameterAt(bisector, line.at(share));
     }
-    if (count == 2 && events[0].when > events[1].when) std::swap(events[0], events[1]);
-
-    const auto exitAt = [&](double itsWhen, double share, double parameter) {
-      return Exit{itsWhen, share, side, isTurned(edge) ? 1 / parameter : parameter};
-    };
-    const bool canStall = std::ranges::find(stalled_, neighbor) == stalled_.end();
-    bool isBeaten = count > 0 ? !events[0].isExit : isFarther(neighbor, start, end);
-    for (std::size_t k = 0; k < count && events[k].when <= when; ++k) isBeaten = events[k].isExit;
-    isBlocked_ = isBlocked_ || (isBeaten && !canStall && !isSettled_);
-    if (isBeaten && canStall && !isSettled_) {
-      const double share = line.turned(when);
-      return exitAt(when, share, parameterAt(bisector, line.at(share)));
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto& event = events[k];
-      if (event.isExit && event.when > when && event.when <= 1) {
-        return exitAt(event.when, event.share, event.parameter);
-      }
-    }
-    return {};
-  }
-
-  /// Whether the circle of the cell is farther than a neighbor from a line that their bisector does not cross.
-  bool isFarther(CircleIndex neighbor, Point start, Point end) const {
-    const double atStart = lead(diagram_, cell_, neighbor, start);
-    const double atEnd = lead(diagram_, cell_, neighbor, end);
-    return (std::abs(atStart) > std::abs(atEnd) ? atStart : atEnd) < 0;
-  }
-
-  /// How far an exit is beyond the ends of its edge, as a ratio of parameters; 1 on the edge.
-  double missBy(const Exit& exit) const {
-    const EdgeCurve curve = curveIn(diagram_, bounds_, Diagram::edgeOf(exit.side));
-    return std::max({1.0, curve.from / exit.parameter, exit.parameter / curve.to});
-  }
-
-  void addCrossing(RegionSideIndex side, const Line& line, const Exit& exit) {
-    const EdgeIndex edge = Diagram::edgeOf(exit.side);
-    const EdgeCurve curve = curveIn(diagram_, bounds_, edge);
-    Crossing crossing;
-    crossing.edge = edge;
-    crossing.side = side;
-    crossing.share = std::clamp(exit.share, 0.0, 1.0);
-    crossing.point = line.at(crossing.share);
-    crossing.parameter = std::clamp(exit.parameter, curve.from, curve.to);
-    crossing.isEntry = exit.side % 2 == 0;
-    crossings_.all.push_back(crossing);
-  }
-
-  /// Goes to the first cell of a ring where rounding has led to another one there: across edges that are near.
-  void closeRing(RegionSideIndex side, Point start, Point end, CircleIndex first) {
-    struct Step {
-      double way;  ///< how far the edges are from the point, together
-      SideIndex across;
-      CircleIndex cell;
-      bool operator>(const Step& other) const { return way > other.way; }
-    };
-    std::unordered_map<std::int32_t, SideIndex> cameAcross;
-    std::priority_queue<Step, std::vector<Step>, std::greater<>> pending;
-    pending.push({0, kNone, cell_});
-    while (!cameAcross.contains(first)) {
-      const Step step = pending.top();
-      pending.pop();
-      if (!cameAcross.emplace(step.cell, step.across).second) continue;
-      for (const SideIndex across : diagram_.sides(step.cell)) {
-        const CircleIndex neighbor = diagram_.neighborOf(across);
-        if (cameAcross.contains(neighbor)) continue;
-        const EdgeCurve curve = curveIn(diagram_, bounds_, Diagram::edgeOf(across));
-        const double s = std::clamp(parameterAt(curve.bisector, end), curve.from, curve.to);
-        pending.push({step.way + lengthOf(vectorTo(end, pointAt(curve.bisector, s))), across, neighbor});
-      }
-    }
-    std::vector<SideIndex> path;
-    for (CircleIndex cell = first; cell != cell_; cell = diagram_.circleOf(path.back())) {
-      path.push_back(cameAcross[cell]);
-    }
-    const Line line(start, end);
-    for (; !path.empty(); path.pop_back()) {
-      const EdgeCurve curve = curveIn(diagram_, bounds_, Diagram::edgeOf(path.back()));
-      addCrossing(side, line, {1, line.turned(1), path.back(), parameterAt(curve.bisector, end)});
-    }
-    cell_ = first;
+    if (left != ends.left) parameter = 1 / parameter;
+    const EdgeCurve curve = edgeCurve(diagram_, edge);
+    parameter = std::clamp(parameter, curve.from, curve.to);
+    crossings_.all.push_back({edge, index, line.at(share), parameter, share, side % 2 == 0});
   }
 
   const Diagram& diagram_;
   const Region& region_;
-  Box bounds_;
-  double farthest_ = 0;  ///< the largest coordinate
-  CircleIndex cell_;     ///< where the walk is
+  ShiftedSigns signs_;
+  Sectors sectors_;  ///< of the cell where the walk is
   double clearance_ = 0;
-  std::vector<Exit> exits_;           ///< those of the cell
-  std::vector<CircleIndex> stalled_;  ///< the cells that the walk has left at the point where it is
-  bool isBlocked_ = false;  ///< whether one of these is nearer
-  bool isSettled_ = false;  ///< whether the walk is to stay in its cell at the point where it is
   Crossings crossings_;
 };
 
 }  // namespace
-
-EdgeCurve curveIn(const Diagram& diagram, const Box& bounds, EdgeIndex edge) {
-  const EdgeCurve curve = edgeCurve(diagram, edge);
-  const Point origin = curve.bisector.origin;
-  return seenFrom(curve, std::max({std::abs(bounds.minX - origin.x), std::abs(bounds.maxX - origin.x),
-                                   std::abs(bounds.minY - origin.y), std::abs(bounds.maxY - origin.y)}));
-}
 
 Crossings crossingsOf(const Diagram& diagram, const Region& region) { return Walk(diagram, region).run(); }
 
 Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles) {
   std::vector<std::uint8_t> isChosen(diagram.circles.size(), 0);
   Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
-  const auto include = [&](Point p) {
-    box = {std::min(box.minX, p.x), std::min(box.minY, p.y), std::max(box.maxX, p.x), std::max(box.maxY, p.y)};
+  const auto include = [&](Point p, double margin) {
+    box = {std::min(box.minX, p.x - margin), std::min(box.minY, p.y - margin), std::max(box.maxX, p.x + margin),
+           std::max(box.maxY, p.y + margin)};
   };
+  const ShiftedSigns signs(diagram);
   CircleIndex near;
   const Box bounds = region.bounds();
   for (const CircleIndex circle : circles) {
@@ -463,22 +335,22 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<co
     near = circle;
     bool isBounded = !diagram.sides(circle).empty();
     for (const SideIndex side : diagram.sides(circle)) {
+      const VertexIndex origin = diagram.originOf(side);
+      const VertexIndex target = diagram.targetOf(side);
+      isBounded = isBounded && origin != kNone && target != kNone;
+      if (!isBounded) break;
+      // Twice what vertices may be off, as that moves what is between them.
+      const double margin = 2 * std::max(signs.errorOf(origin), signs.errorOf(target));
       const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
-      isBounded = isBounded && curve.isBounded();
-      if (!curve.isBounded()) break;
-      include(curve.start);
-      include(curve.end);
-      if (!curve.isStraight()) include(rationalBezier(curve).control);
+      include(curve.start, margin);
+      include(curve.end, margin);
+      if (!curve.isStraight()) include(rationalBezier(curve).control, margin);
     }
     if (isBounded) continue;
-    include({bounds.minX, bounds.minY});
-    include({bounds.maxX, bounds.maxY});
+    include({bounds.minX, bounds.minY}, 0);
+    include({bounds.maxX, bounds.maxY}, 0);
   }
   if (near == kNone) return {};
-  // More than rounding can move what lies in the cells.
-  const double margin = kNearlyAtOnce * std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY),
-                                                  std::abs(box.maxY)});
-  box = {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
   return Walk(diagram, region).run(box, isChosen, near);
 }
 

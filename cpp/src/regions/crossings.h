@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 #include "circle_voronoi/region.h"
@@ -27,8 +26,8 @@ struct Crossing {
 
 /// How the boundary of a region runs through a diagram.
 ///
-/// It goes from cell to cell: each ring is a closed path in the dual. Whatever rounding does, this alone makes all that
-/// follows fit together (arcs.h).
+/// It goes from cell to cell: each ring is a closed path in the dual. Which edges it crosses, and in which order, is
+/// decided by exact signs for a region that is moved by a tiny shift (shifted_signs.h).
 struct Crossings {
   std::vector<Crossing> all;  ///< along each ring in its order
   /// For each crossing the next one of its ring; kNone if the boundary has not been followed up to there.
@@ -47,8 +46,5 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region);
 /// The same for some cells only: follows the boundary where it is near them, and returns crossings of their edges. Takes
 /// linear time in what is near.
 Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
-
-/// Returns the curve of an edge as it is seen from the region (far_view.h), with the parameters of its crossings.
-EdgeCurve curveIn(const Diagram& diagram, const Box& bounds, EdgeIndex edge);
 
 }  // namespace circle_voronoi

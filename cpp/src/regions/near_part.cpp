@@ -93,7 +93,7 @@ class DiscClipper {
     const EdgeCurve curve = piece.arc == kNone ? parts_.curveOf(edge) : parts_.curveOf(parts_.arcs.all()[at(piece.arc)]);
     auto part = nearPart(parts_.diagram, edge, curve, *parts_.maxDistance);
     if (!part) return std::nullopt;
-    if ((piece.side % 2 == 0) != piece.isForward) {
+    if (piece.side % 2 != 0) {
       part->curve = reversed(part->curve);
       std::swap(part->cutFrom, part->cutTo);
     }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "guarded.h"
+
+namespace circle_voronoi {
+
+/// Throws the error for a clip that is not certified.
+[[noreturn]] inline void refuseClip(const char* message) {
+  throw Refusal{errorWith(ErrorCode::notCertified, message)};
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// With the letters of exact.cpp: seen from a circle o, the vertex of (o, u, v) is the homogeneous point (e |D|^2 : 2 t
+// |D|^2) at the distance |D|^2 / (2 t |D|^2) from o. So what is linear in the vertex and its distance, alpha x + beta y
+// + gamma rho + delta, has the sign of p + q sqrt(d), d = g_u g_v g_uv, with
+//   p = -D.s (alpha D.x + beta D.y) + gamma |D|^2 + 2 delta (N.x D.y - N.y D.x),
+//   q = beta D.x - alpha D.y + 2 delta N.s.
+// At infinity N is 0, and what is left is the sign for the direction of the asymptote.
+#include "shifted_signs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "homogeneous_disc.h"
+#include "in_circle.h"
+#include "seen.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+using exact::cross;
+using exact::Numbers;
+using exact::planeCross;
+using exact::planeDot;
+using exact::Seen;
+using exact::seenFrom;
+using exact::signOf;
+
+/// Generous bounds on rounding, relative to what is added up.
+constexpr double kSignRounding = 0x1p-48;
+/// Added where products of tiny numbers underflow.
+constexpr double kSignUnderflow = 0x1p-1000;
+/// Vertices are right to 36 bits of the distances from and between their circles (vertexOf), those of power diagrams to
+/// 21 bits (radicalCenter).
+constexpr double kVertexRounding = 0x1p-34;
+constexpr double kPowerVertexRounding = 0x1p-18;
+
+double sizeOf(Vector v) { return std::abs(v.x) + std::abs(v.y); }
+Vector vectorFrom(const Circle& c, Point p) { return {p.x - c.x, p.y - c.y}; }
+int signOfNumber(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+/// What a tiny shift of a line with this direction does to the side of a point on it.
+int sideAfterShift(const ShiftedSigns::Line& line) {
+  if (line.to.y != line.from.y) return line.to.y > line.from.y ? 1 : -1;
+  return line.to.x > line.from.x ? -1 : 1;
+}
+
+/// A place as a circle, for `seenFrom`: the radius is that of the circle from which it is seen.
+Circle placed(Point p, const Circle& from) { return {p.x, p.y, from.r}; }
+
+struct None {};
+
+template <class Number, class Alpha, class Gamma, class Delta>
+int linearSign(const Seen<Number>& u, const Seen<Number>& v, const Alpha& alpha, const Alpha& beta, const Gamma& gamma,
+               const Delta& delta) {
+  const auto d = exact::axisOf(u, v);
+  auto p = -(d.s * (alpha * d.x + beta * d.y));
+  auto q = beta * d.x - alpha * d.y;
+  if constexpr (!std::is_same_v<Gamma, None>) p = p + gamma * planeDot(d, d);
+  if constexpr (!std::is_same_v<Delta, None>) {
+    const auto n = cross(u.v, v.v);
+    const auto twice = delta + delta;
+    p = p + twice * planeCross(n, d);
+    q = q + twice * n.s;
+  }
+  const auto square = u.g * v.g * exact::tangentSquare(u, v);
+  return signOf((p * p - q * q * square).sign(), [&] { return p.sign(); }, [&] { return q.sign(); });
+}
+
+/// Returns the sign of |p - own| - own.r - (|p - other| - other.r): positive if the other circle is nearer.
+int exactLead(const Circle& own, const Circle& other, Point corner) {
+  const Circle p = placed(corner, own);
+  return seenFrom(p, std::array{&own, &other}, [](const auto& seen, int) {
+    const auto& u = seen[0].v;
+    const auto& v = seen[1].v;
+    // The distances a and b, with a = b + s but for the sign, s = own.r - other.r.
+    const auto s = u.s - v.s;
+    const auto aa = planeDot(u, u);
+    const auto bb = planeDot(v, v);
+    const bool isLarger = s.sign() >= 0;
+    const auto& square = isLarger ? bb : aa;
+    const auto signOfSum = [&](const auto& number, const auto& factor) {
+      return signOf((number * number - factor * factor * square).sign(), [&] { return number.sign(); },
+                    [&] { return factor.sign(); });
+    };
+    if (const int sign = signOfSum(isLarger ? aa - bb - s * s : aa + s * s - bb, -(s + s)); sign != 0) return sign;
+    // The derivative along x, then the second one, then that along y.
+    if (const int sign = signOfSum((isLarger ? v.x : u.x) * s, v.x - u.x); sign != 0) return sign;
+    if (const int sign = s.sign(); sign != 0) return -sign;
+    return (v.y - u.y).sign();
+  });
+}
+
+/// The numbers of a diagram of straight edges, in which a circle counts with a weight.
+class Weighted {
+ public:
+  Weighted(std::initializer_list<Point> points, std::initializer_list<double> weights) {
+    for (const Point p : points) {
+      unit_.include(p.x);
+      unit_.include(p.y);
+    }
+    for (const double weight : weights) squareUnit_.include(weight);
+    exponent_ = unit_.exponent();
+    // Of a weight, which is an area.
+    if (squareUnit_.bits() > 0) {
+      const int half = squareUnit_.exponent() >= 0 ? squareUnit_.exponent() / 2 : (squareUnit_.exponent() - 1) / 2;
+      exponent_ = unit_.bits() > 0 ? std::min(exponent_, half) : half;
+    }
+  }
+
+  struct Difference {
+    Integer<1> x, y;
+  };
+  Difference between(Point from, Point to) const { return {in(to.x) - in(from.x), in(to.y) - in(from.y)}; }
+  Integer<2> square(double weight) const {
+    const OddPart part(weight);
+    return Integer<2>(part.odd, part.odd == 0 ? 0 : part.exponent - 2 * exponent_);
+  }
+
+ private:
+  Integer<1> in(double value) const {
+    const OddPart part(value);
+    return Integer<1>(part.odd, part.odd == 0 ? 0 : part.exponent - exponent_);
+  }
+
+  CommonUnit unit_;
+  CommonUnit squareUnit_;
+  int exponent_ = 0;
+};
+
+using Difference2 = Weighted::Difference;
+Integer<2> dotOf(const Difference2& u, const Difference2& v) { return u.x * v.x + u.y * v.y; }
+Integer<2> crossOf(const Difference2& u, const Difference2& v) { return u.x * v.y - u.y * v.x; }
+
+Point centerOf(const Circle& c) { return {c.x, c.y}; }
+
+}  // namespace
+
+ShiftedSigns::ShiftedSigns(const Diagram& diagram) : diagram_(diagram), isCurved_(diagram.metric == Metric::circles) {}
+
+/// The face of an end of a side: the vertex, or two circles and infinity.
+exact::Face ShiftedSigns::faceOf(SideIndex side, bool isTarget) const {
+  const VertexIndex vertex = isTarget ? diagram_.targetOf(side) : diagram_.originOf(side);
+  if (vertex == kNone) {
+    const Circle* own = &circle(diagram_.circleOf(side));
+    const Circle* other = &circle(diagram_.neighborOf(side));
+    if (isTarget) return {own, other, nullptr};
+    return {other, own, nullptr};
+  }
+  const auto& [a, b, c] = diagram_.vertexCircles[static_cast<std::size_t>(vertex)];
+  return {&circle(a), &circle(b), &circle(c)};
+}
+
+double ShiftedSigns::errorOf(VertexIndex vertex) const {
+  const Vertex& v = diagram_.vertices[static_cast<std::size_t>(vertex)];
+  double size = 0;
+  for (const CircleIndex i : diagram_.vertexCircles[static_cast<std::size_t>(vertex)]) {
+    size += sizeOf(vectorFrom(circle(i), {v.x, v.y}));
+  }
+  const double rounding = diagram_.metric == Metric::power ? kPowerVertexRounding : kVertexRounding;
+  return rounding * size + kSignRounding * (std::abs(v.x) + std::abs(v.y));
+}
+
+ShiftedSigns::Comparison ShiftedSigns::compare(CircleIndex own, CircleIndex other, Point corner) const {
+  const Circle& c = circle(own);
+  const Circle& d = circle(other);
+  if (!isCurved_) return compareStraight(c, d, corner);
+  const Vector toOwn = vectorFrom(c, corner);
+  const Vector toOther = vectorFrom(d, corner);
+  const double near = std::sqrt(dot(toOwn, toOwn));
+  const double far = std::sqrt(dot(toOther, toOther));
+  const double difference = c.r - d.r;
+  const double value = (far - near) + difference;
+  const double error = kSignRounding * (near + far + std::abs(difference)) + kSignUnderflow;
+  if (value > error) return {1, (value - error) / 2};
+  if (value < -error) return {-1, -1};
+  return {-exactLead(c, d, corner), -1};
+}
+
+ShiftedSigns::Comparison ShiftedSigns::compareStraight(const Circle& c, const Circle& d, Point corner) const {
+  const Vector p = vectorFrom(c, corner);
+  const Vector across = between(c, d);
+  const double square = dot(across, across);
+  const double value = square - 2 * dot(p, across) + (weight(c) - weight(d));
+  const double error =
+      kSignRounding * (square + 2 * sizeOf(p) * sizeOf(across) + weight(c) + weight(d)) + kSignUnderflow;
+  if (value > error) return {1, (value - error) / (2 * std::sqrt(square)) * (1 - kSignRounding)};
+  if (value < -error) return {-1, -1};
+  const Weighted numbers({corner, centerOf(c), centerOf(d)}, {weight(c), weight(d)});
+  const auto u = numbers.between(centerOf(c), corner);
+  const auto v = numbers.between(centerOf(c), centerOf(d));
+  const auto weights = numbers.square(weight(c)) - numbers.square(weight(d));
+  const auto twice = dotOf(u, v) + dotOf(u, v);
+  if (const int sign = (dotOf(v, v) - twice + weights).sign(); sign != 0) return {sign, -1};
+  // The derivatives of the value along x and along y.
+  return {v.x.sign() != 0 ? -v.x.sign() : -v.y.sign(), -1};
+}
+
+int ShiftedSigns::sideOf(Point p, const Line& line) const {
+  const int sign = orientation(line.from, line.to, p);
+  return sign != 0 ? sign : sideAfterShift(line);
+}
+
+int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) const {
+  const VertexIndex vertex = isTarget ? diagram_.targetOf(side) : diagram_.originOf(side);
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const Vector along = {line.to.x - line.from.x, line.to.y - line.from.y};
+  if (vertex == kNone) {
+    if (!isCurved_) {
+      // The bisector goes at right angles to the line of centers; a parallel to it lies on the neighbor's side.
+      const Weighted numbers({line.from, line.to, centerOf(own), centerOf(other)}, {});
+      const auto direction = numbers.between(line.from, line.to);
+      const auto across = numbers.between(centerOf(own), centerOf(other));
+      if (const int sign = dotOf(direction, across).sign(); sign != 0) return isTarget ? sign : -sign;
+      return crossOf(direction, across).sign();
+    }
+    const HomogeneousDisc end = isTarget ? discAtInfinity(own, other) : discAtInfinity(other, own);
+    const double value = along.x * end.y - along.y * end.x;
+    const double error = sizeOf(along) * (end.error + kSignRounding * (std::abs(end.x) + std::abs(end.y))) + kSignUnderflow;
+    if (std::abs(value) > error) return signOfNumber(value);
+  } else {
+    const Vertex& v = diagram_.vertices[static_cast<std::size_t>(vertex)];
+    const Vector toVertex = {v.x - line.from.x, v.y - line.from.y};
+    const double value = along.x * toVertex.y - along.y * toVertex.x;
+    const double error = sizeOf(along) * (errorOf(vertex) + kSignRounding * sizeOf(toVertex)) + kSignUnderflow;
+    if (std::abs(value) > error) return signOfNumber(value);
+  }
+  const exact::Face face = faceOf(side, isTarget);
+  if (!isCurved_) {
+    const auto& [o, a, b] = face;
+    const Weighted numbers({line.from, line.to, centerOf(*o), centerOf(*a), centerOf(*b)},
+                           {weight(*o), weight(*a), weight(*b)});
+    const auto u = numbers.between(centerOf(*o), centerOf(*a));
+    const auto w = numbers.between(centerOf(*o), centerOf(*b));
+    const auto from = numbers.between(centerOf(*o), line.from);
+    const auto direction = numbers.between(line.from, line.to);
+    const auto ku = dotOf(u, u) + numbers.square(weight(*o)) - numbers.square(weight(*a));
+    const auto kw = dotOf(w, w) + numbers.square(weight(*o)) - numbers.square(weight(*b));
+    const auto determinant = crossOf(u, w);
+    const auto twice = determinant + determinant;
+    // Twice the vertex times the determinant, less twice the start of the line times the determinant.
+    const auto x = ku * w.y - kw * u.y - twice * from.x;
+    const auto y = kw * u.x - ku * w.x - twice * from.y;
+    const int sign = (direction.x * y - direction.y * x).sign();
+    return sign != 0 ? sign : sideAfterShift(line);
+  }
+  const auto [u, v] = exact::othersOf(face, &own);
+  const Circle from = placed(line.from, own);
+  const Circle to = placed(line.to, own);
+  const int sign = seenFrom(own, std::array{u, v, &from, &to}, [](const auto& seen, int) {
+    const auto& a = seen[2].v;
+    const auto direction = seen[3].v - a;
+    return linearSign(seen[0], seen[1], -direction.y, direction.x, None(), direction.y * a.x - direction.x * a.y);
+  });
+  if (sign != 0) return sign;
+  if (vertex != kNone) return sideAfterShift(line);
+  // The asymptote is parallel to the line. It passes through the middle between the centers.
+  const int middle = seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [](const auto& seen, int) {
+    return planeCross(seen[2].v, seen[0].v + seen[1].v).sign();
+  });
+  return middle != 0 ? middle : sideAfterShift(line);
+}
+
+int ShiftedSigns::sideOfApex(SideIndex side, const Line& line) const {
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const Vector along = {line.to.x - line.from.x, line.to.y - line.from.y};
+  const Vector toOwn = {own.x - line.from.x, own.y - line.from.y};
+  const Vector across = between(own, other);
+  const double distance = length(across);
+  // Twice the distance times the apex.
+  const double difference = own.r - other.r;
+  const double apart = 2 * cross(along, toOwn) + cross(along, across);
+  const double value = distance * apart + difference * cross(along, across);
+  const double error = 4 * kSignRounding * sizeOf(along) *
+                           (2 * sizeOf(toOwn) + sizeOf(across)) * (distance + std::abs(difference)) + kSignUnderflow;
+  if (std::abs(value) > error) return signOfNumber(value);
+  const Circle from = placed(line.from, own);
+  const Circle to = placed(line.to, own);
+  const int sign =
+      seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [](const auto& seen, int) {
+        const auto& u = seen[0].v;
+        const auto d = seen[1].v - u;
+        const auto& direction = seen[2].v;
+        const auto turn = planeCross(direction, d);
+        const auto p = -(d.s * turn);
+        const auto center = planeCross(direction, u);
+        const auto q = center + center + turn;
+        return signOf((p * p - q * q * planeDot(d, d)).sign(), [&] { return p.sign(); }, [&] { return q.sign(); });
+      });
+  return sign != 0 ? sign : sideAfterShift(line);
+}
+
+int ShiftedSigns::turnFromEnd(SideIndex side, bool isTarget, Point corner) const {
+  const VertexIndex vertex = isTarget ? diagram_.targetOf(side) : diagram_.originOf(side);
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const Vector toCorner = vectorFrom(own, corner);
+  Vector toEnd;
+  double error = 0;
+  if (vertex == kNone) {
+    const HomogeneousDisc end = isTarget ? discAtInfinity(own, other) : discAtInfinity(other, own);
+    toEnd = {end.x, end.y};
+    error = end.error;
+  } else {
+    const Vertex& v = diagram_.vertices[static_cast<std::size_t>(vertex)];
+    toEnd = vectorFrom(own, {v.x, v.y});
+    error = errorOf(vertex);
+  }
+  const double value = cross(toEnd, toCorner);
+  if (std::abs(value) > sizeOf(toCorner) * (error + kSignRounding * sizeOf(toEnd)) + kSignUnderflow) return signOfNumber(value);
+  const auto [u, v] = exact::othersOf(faceOf(side, isTarget), &own);
+  const Circle p = placed(corner, own);
+  return seenFrom(own, std::array{u, v, &p}, []<class Number>(const std::array<Seen<Number>, 3>& seen, int) {
+    const auto turn = [&](const Number& x, const Number& y) {
+      return linearSign(seen[0], seen[1], y, -x, None(), None());
+    };
+    const Number one(1);
+    const Number zero(0);
+    if (const int sign = turn(seen[2].v.x, seen[2].v.y); sign != 0) return sign;
+    if (const int sign = turn(one, zero); sign != 0) return sign;
+    return turn(zero, one);
+  });
+}
+
+int ShiftedSigns::turnFromNeighbor(SideIndex side, Point corner) const {
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const int sign = orientation(centerOf(own), centerOf(other), corner);
+  if (sign != 0) return sign;
+  return own.y != other.y ? (other.y > own.y ? -1 : 1) : (other.x > own.x ? 1 : -1);
+}
+
+bool ShiftedSigns::hasApex(SideIndex side) const {
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  if (own.r > other.r) return false;
+  // Of a straight line that does not span half a turn the apex does not count.
+  if (own.r == other.r && (diagram_.originOf(side) != kNone || diagram_.targetOf(side) != kNone)) return false;
+  return turnFromEnd(side, false, centerOf(other)) > 0 && turnFromEnd(side, true, centerOf(other)) < 0;
+}
+
+// With the centers c and c' as seen from the start of the line, its direction d, D = c' - c and the difference s of the
+// radii, the line at the height k above the middle of the centers, with 2 k = d x (c + c'), meets the hyperbola's branch
+// on its side twice if and only if (2 k)^2 > s^2 |d|^2 - (d . D)^2 > 0.
+bool ShiftedSigns::crossesTwice(SideIndex side, const Line& line, int center) const {
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const Vector along = {line.to.x - line.from.x, line.to.y - line.from.y};
+  const Vector across = between(own, other);
+  const double s = own.r - other.r;
+  const double square = dot(along, along);
+  const double bound = s * s * square - dot(along, across) * dot(along, across);
+  const double whole = square * (s * s + dot(across, across));
+  if (bound < -8 * kSignRounding * whole - kSignUnderflow) return false;
+  const double height = cross(along, {own.x - line.from.x, own.y - line.from.y}) +
+                        cross(along, {other.x - line.from.x, other.y - line.from.y});
+  const double size = sizeOf(along) * (sizeOf({own.x - line.from.x, own.y - line.from.y}) +
+                                       sizeOf({other.x - line.from.x, other.y - line.from.y}));
+  if (height * center < -4 * kSignRounding * size - kSignUnderflow) return false;
+  if (height * height - bound < -8 * kSignRounding * (whole + size * size) - kSignUnderflow) return false;
+  const Circle from = placed(line.from, own);
+  const Circle to = placed(line.to, own);
+  return seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [&](const auto& seen, int) {
+    const auto& [c, d, direction] = seen;
+    const auto difference = d.v - c.v;
+    const auto k = planeCross(direction.v, c.v + d.v);
+    const auto along2 = planeDot(direction.v, difference);
+    const auto least = difference.s * difference.s * planeDot(direction.v, direction.v) - along2 * along2;
+    if (least.sign() <= 0 || k.sign() != center) return false;
+    const int sign = (k * k - least).sign();
+    // A tangent: the shift moves it to the inside if it moves it away from the center.
+    return sign != 0 ? sign > 0 : sideAfterShift(line) == center;
+  });
+}
+
+bool ShiftedSigns::isAheadOf(SideIndex side, const Line& line, Point corner) const {
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const Circle p = placed(corner, own);
+  const Circle from = placed(line.from, own);
+  const Circle to = placed(line.to, own);
+  return seenFrom(p, std::array<const Circle*, 4>{&own, &other, &from, &to}, [](const auto& seen, int) {
+           const auto& [c, d, start, end] = seen;
+           const auto direction = end.v - start.v;
+           const auto difference = d.v - c.v;
+           // Twice the vector from the corner to the middle of the centers.
+           const auto toMiddle = c.v + d.v;
+           return (difference.s * difference.s * planeDot(toMiddle, direction) -
+                   planeDot(toMiddle, difference) * planeDot(direction, difference))
+               .sign();
+         }) > 0;
+}
+
+// Towards another place p moves |p - c| - |p - c'| by the difference of the unit vectors from the centers, which times
+// both distances rho and rho' is linear in both: (p - c) (rho' - rho) + rho (c' - c).
+int ShiftedSigns::approachAtEnd(SideIndex side, bool isTarget, const Line& line) const {
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const auto [u, v] = exact::othersOf(faceOf(side, isTarget), &own);
+  const Circle from = placed(line.from, own);
+  const Circle to = placed(line.to, own);
+  return seenFrom(own, std::array{u, v, &other, &from, &to}, [](const auto& seen, int) {
+    const auto& neighbor = seen[2].v;
+    const auto direction = seen[4].v - seen[3].v;
+    return linearSign(seen[0], seen[1], neighbor.s * direction.x, neighbor.s * direction.y,
+                      planeDot(direction, neighbor), None());
+  });
+}
+
+bool ShiftedSigns::goesToNeighbor(SideIndex side, const Line& line) const {
+  const Circle& own = circle(diagram_.circleOf(side));
+  const Circle& other = circle(diagram_.neighborOf(side));
+  const Circle from = placed(line.from, own);
+  const Circle to = placed(line.to, own);
+  return seenFrom(own, std::array<const Circle*, 3>{&other, &from, &to}, [](const auto& seen, int) {
+           return planeDot(seen[0].v, seen[2].v - seen[1].v).sign();
+         }) > 0;
+}
+
+// With x the vector from the middle of the centers and D that between them, the branches of the hyperbola are where
+// 4 (x . D)^2 - 4 s^2 x . x = s^2 (D . D - s^2), and the left side is the larger one on the inner side of each branch.
+double ShiftedSigns::shareOfCrossing(CircleIndex from, CircleIndex to, const Line& line) const {
+  const Circle& c = circle(from);
+  const Circle& d = circle(to);
+  if (!isCurved_ || c.r == d.r) {
+    const Weighted numbers({line.from, line.to, centerOf(c), centerOf(d)}, {weight(c), weight(d)});
+    const auto across = numbers.between(centerOf(c), centerOf(d));
+    const auto start = numbers.between(centerOf(c), line.from);
+    const auto direction = numbers.between(line.from, line.to);
+    const auto half = dotOf(start, across);
+    const auto way = dotOf(direction, across);
+    const auto weights = isCurved_ ? Integer<2>() : numbers.square(weight(c)) - numbers.square(weight(d));
+    return (exact::floating(dotOf(across, across) + weights - half - half) / exact::floating(way + way)).times(0);
+  }
+  const bool isToInner = d.r < c.r;
+  const Circle start = placed(line.from, c);
+  const Circle end = placed(line.to, c);
+  return seenFrom(start, std::array<const Circle*, 3>{&c, &d, &end}, [&](const auto& seen, int) {
+    const auto& direction = seen[2].v;
+    const auto across = seen[1].v - seen[0].v;
+    const auto toMiddle = seen[0].v + seen[1].v;  // twice
+    const auto ss = across.s * across.s;
+    const auto along = planeDot(direction, across);
+    const auto height = planeDot(toMiddle, across);
+    const auto twice = [](const auto& value) { return value + value; };
+    // a t^2 + 2 b t + c is 0.
+    const auto a = twice(twice(along * along - ss * planeDot(direction, direction)));
+    const auto b = twice(ss * planeDot(toMiddle, direction) - height * along);
+    const auto constant = height * height - ss * (planeDot(toMiddle, toMiddle) + planeDot(across, across) - ss);
+    const auto square = b * b - a * constant;
+    const exact::Floating root = square.sign() > 0 ? sqrt(exact::floating(square)) : exact::Floating(0, 0);
+    const exact::Floating own = isToInner ? root : -root;
+    const exact::Floating minusB = exact::floating(-b);
+    // Of the two forms of the root, that in which nothing cancels.
+    if (b.sign() == 0 || (b.sign() < 0) == isToInner) return ((minusB + own) / exact::floating(a)).times(0);
+    return (exact::floating(constant) / (minusB + -own)).times(0);
+  });
+}
+
+}  // namespace circle_voronoi
