@@ -22,6 +22,7 @@ struct ClipInput {
 struct ClipFamily {
   const char* name;
   ClipInput (*make)(std::mt19937_64& random);
+  bool isFar = false;  ///< whether the region may be much smaller or larger than the circles
 };
 
 const std::vector<ClipFamily>& clipFamilies();

@@ -256,12 +256,12 @@ CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
     return points;
   }
   if (frame_.clipped) {
-    Ring points = flattener_->pointsOf(kNone, piece);
-    const auto drawn = [&](VertexIndex vertex, Point& end) {
-      if (isDrawnIn(vertex, end)) end = placeOf(vertex);
+    Ring points = flattener_->pointsOf(piece);
+    const auto drawn = [&](VertexIndex vertex, Point& end, Point original) {
+      if (end == original && isDrawnIn(vertex, end)) end = placeOf(vertex);
     };
-    drawn(frame_.diagram.originOf(piece.side), points.front());
-    drawn(frame_.diagram.targetOf(piece.side), points.back());
+    drawn(frame_.diagram.originOf(piece.side), points.front(), piece.curve.start);
+    if (points.size() > 1) drawn(frame_.diagram.targetOf(piece.side), points.back(), piece.curve.end);
     return points;
   }
   Ring points = pointsOfPart(Diagram::edgeOf(piece.side), edgeDirection(frame_.diagram, piece));
@@ -334,14 +334,14 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
 }
 
 /// A loop of the outline of a cell that is not whole, in the region.
-CellPolygons::Ring CellPolygons::regionRing(CircleIndex circle, const std::vector<OutlinePiece>& loop) const {
+CellPolygons::Ring CellPolygons::regionRing(const std::vector<OutlinePiece>& loop) const {
   Ring ring;
   for (const OutlinePiece& piece : loop) {
     if (piece.side == kNone && !piece.isOnCircle()) {
-      addPoint(ring, piece.curve.start);
+      addPoint(ring, flattener_->placeOf(piece.curve.start));
       continue;
     }
-    const auto points = piece.side != kNone ? pointsOf(piece) : flattener_->pointsOf(circle, piece);
+    const auto points = piece.side != kNone ? pointsOf(piece) : flattener_->pointsOf(piece);
     for (std::size_t k = 0; k + 1 < std::max<std::size_t>(points.size(), 2); ++k) addPoint(ring, points[k]);
   }
   closeRing(ring);
@@ -366,17 +366,11 @@ std::vector<CellPolygons::Polygon> CellPolygons::polygons(CircleIndex circle) co
     }
     return polygons;
   }
-  bool isKept = false;
+  std::vector<PointLoop> loops;
   for (const auto& loop : outline) {
-    Ring ring = regionRing(circle, loop);
-    const bool isHole = &loop != &outline.front() && circle_voronoi::area({loop}) < 0;
-    if (!isHole) {
-      isKept = keep(std::move(ring));
-    } else if (isKept && ring.size() > 2) {
-      polygons.back().push_back(std::move(ring));
-    }
+    loops.push_back({regionRing(loop), &loop != &outline.front() && circle_voronoi::area({loop}) < 0});
   }
-  return polygons;
+  return validPolygons(std::move(loops));
 }
 
 std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {

@@ -7,6 +7,7 @@
 
 #include "clip_polygons.h"
 #include "edge_points.h"
+#include "valid_polygons.h"
 
 namespace circle_voronoi {
 
@@ -60,7 +61,7 @@ class CellPolygons {
   Ring pointsOf(const OutlinePiece& piece) const;
   Ring pointsOfArcs(CircleIndex circle, std::span<const OutlinePiece> arcs, Point from, Point to, bool rounds) const;
   Ring ringOf(CircleIndex circle, std::vector<OutlinePiece> loop, bool rounds) const;
-  Ring regionRing(CircleIndex circle, const std::vector<OutlinePiece>& loop) const;
+  Ring regionRing(const std::vector<OutlinePiece>& loop) const;
   Ring pointsOfPart(EdgeIndex edge, const EdgeCurve& curve) const;
   Ring wholeRing(CircleIndex circle) const;
   bool isDrawnIn(VertexIndex vertex, Point end) const;

@@ -16,7 +16,8 @@ namespace {
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 
 /// Returns how often the boundary of a region winds around a vertex.
-std::int32_t windingAround(const Diagram& diagram, const Region& region, const ShiftedSigns& signs, VertexIndex vertex) {
+std::int32_t windingAround(const Diagram& diagram, const Region& region, const ShiftedSigns& signs,
+                           VertexIndex vertex) {
   const Vertex& v = diagram.vertices[at(vertex)];
   const double error = signs.errorOf(vertex);
   const Box bounds = region.bounds();

@@ -33,9 +33,7 @@ class Arcs {
 
   bool isCrossed(EdgeIndex edge) const { return rows_[static_cast<std::size_t>(edge)] != kNone; }
   /// Returns whether the region contains a vertex. It does not contain infinity (kNone).
-  bool isInside(VertexIndex vertex) const {
-    return vertex != kNone && levels_[static_cast<std::size_t>(vertex)] == 1;
-  }
+  bool isInside(VertexIndex vertex) const { return vertex != kNone && levels_[static_cast<std::size_t>(vertex)] == 1; }
   std::span<const std::int32_t> levels() const { return levels_; }
 
   /// Returns all arcs of edges with crossings, edge by edge, in the direction of each edge.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include "at.h"
 #include "circle_arc.h"
@@ -10,40 +12,158 @@
 #include "flatten.h"
 #include "in_circle.h"
 #include "scale.h"
-#include "with_key.h"
+#include "valid_polygons.h"
 
 namespace circle_voronoi {
 namespace {
 
 /// So many times at most a chord is divided for a corner. The last time it takes the corner itself.
 constexpr int kMostDivisions = 60;
+/// What is as near as this share of the lengths that it is computed from may be one point.
+constexpr double kOnePlace = 0x1p-46;
+/// But nothing is that is farther apart than this share of the region.
+constexpr double kOneCorner = 0x1p-24;
+
+std::pair<double, double> placeKey(Point p) { return {p.x, p.y}; }
 
 Point centerOf(const Diagram& diagram, CircleIndex circle) {
   const Circle& c = diagram.circles[at(circle)];
   return {c.x, c.y};
 }
 
-/// Divides the step that a corner lies beyond, as `middle` says, until the corner is on the left of the steps. The steps
-/// go counter-clockwise around the center, and the corner lies inside what they border.
-template <class Middle>
-void makeRoom(std::vector<Point>& points, Point center, Point corner, Middle middle) {
-  for (int i = 0; i <= kMostDivisions; ++i) {
-    std::size_t k = 1;
-    const auto isAhead = [&](Point p) { return orientation(center, p, corner) >= 0; };
-    while (k < points.size() && !(isAhead(points[k - 1]) && orientation(center, corner, points[k]) > 0)) ++k;
-    if (k == points.size() || points[k - 1] == corner || points[k] == corner) return;
-    if (orientation(points[k - 1], points[k], corner) > 0) return;
-    const Point p = i < kMostDivisions ? middle(points[k - 1], points[k]) : corner;
-    const bool isNew = p != points[k - 1] && p != points[k];
-    points.insert(points.begin() + static_cast<std::ptrdiff_t>(k), isNew ? p : corner);
+/// Divides steps around a center that corners lie beyond until all corners are on the left of the steps. The steps go
+/// counter-clockwise, and the corners lie inside what they border.
+class RoomMaker {
+ public:
+  RoomMaker(const Bisector& bisector, Point center) : bisector_(bisector), center_(center) {}
+
+  std::vector<Point> run(const std::vector<Point>& points, std::vector<Point> corners) {
+    // Around the center, from the start of the steps on.
+    const Point start = points.front();
+    const auto isInSecondHalf = [&](Point p) { return orientation(center_, start, p) < 0; };
+    std::ranges::sort(corners, [&](Point p, Point q) {
+      if (isInSecondHalf(p) != isInSecondHalf(q)) return isInSecondHalf(q);
+      return orientation(center_, p, q) > 0;
+    });
+    result_ = {start};
+    auto first = corners.begin();
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const auto isHere = [&](Point p) {
+        return orientation(center_, points[k - 1], p) >= 0 && orientation(center_, p, points[k]) > 0;
+      };
+      // Each step turns by less than half a turn. Corners beyond the steps come last.
+      const auto last = std::find_if_not(first, corners.end(), isHere);
+      add(points[k - 1], points[k], {first, last}, 0);
+      first = last;
+    }
+    return std::move(result_);
   }
-}
+
+ private:
+  void add(Point from, Point to, std::span<const Point> corners, int depth) {
+    const auto isBeyond = [&](Point p) { return p != from && p != to && orientation(from, to, p) <= 0; };
+    const auto beyond = std::ranges::find_if(corners, isBeyond);
+    if (beyond == corners.end()) {
+      result_.push_back(to);
+      return;
+    }
+    const double fromParameter = parameterAt(bisector_, from);
+    const double toParameter = parameterAt(bisector_, to);
+    const Point middleCorner = isBeyond(corners[corners.size() / 2]) ? corners[corners.size() / 2] : *beyond;
+    const double s = parameterAt(bisector_, middleCorner);
+    const bool isBetween = std::min(fromParameter, toParameter) < s && s < std::max(fromParameter, toParameter);
+    Point middle = pointAt(bisector_, isBetween ? s : std::sqrt(fromParameter) * std::sqrt(toParameter));
+    if (bisector_.a == 0 || depth >= kMostDivisions || middle == from || middle == to) middle = middleCorner;
+    std::size_t split = 0;
+    while (split < corners.size() && orientation(center_, middle, corners[split]) < 0) ++split;
+    add(from, middle, corners.first(split), depth + 1);
+    add(middle, to, corners.subspan(split), depth + 1);
+  }
+
+  const Bisector& bisector_;
+  Point center_;
+  std::vector<Point> result_;
+};
 
 }  // namespace
 
 ClipFlattener::ClipFlattener(const ClippedDiagram& clipped, double tolerance)
     : clipped_(clipped), tolerance_(tolerance) {
-  if (clipped.diagram().metric == Metric::circles) collectCorners();
+  collectPlaces();
+  collectCorners();
+}
+
+void ClipFlattener::collectPlaces() {
+  const auto& parts = clipped_.parts();
+  const Diagram& diagram = clipped_.diagram();
+  const auto& crossings = parts.crossings.all;
+  // Sets of places: vertices, then crossings, then corners.
+  const std::size_t vertexCount = diagram.vertices.size();
+  const std::size_t firstCorner = vertexCount + crossings.size();
+  std::vector<std::size_t> parents(firstCorner + parts.region.sideCount());
+  std::iota(parents.begin(), parents.end(), std::size_t{0});
+  const auto rootOf = [&](std::size_t place) {
+    while (parents[place] != place) place = parents[place] = parents[parents[place]];
+    return place;
+  };
+  // A corner stands for the others, and a vertex for crossings.
+  const auto rank = [&](std::size_t place) {
+    return std::pair(place >= firstCorner ? 0 : place < vertexCount ? 1 : 2, place);
+  };
+  const auto join = [&](std::size_t a, std::size_t b) {
+    a = rootOf(a);
+    b = rootOf(b);
+    if (rank(b) < rank(a)) std::swap(a, b);
+    parents[b] = a;
+  };
+  const auto sizeOf = [](Vector v) { return std::abs(v.x) + std::abs(v.y); };
+  const auto vertexAt = [&](VertexIndex v) { return Point{diagram.vertices[at(v)].x, diagram.vertices[at(v)].y}; };
+  const auto reachOf = [&](VertexIndex v) {
+    const Point p = vertexAt(v);
+    double reach = sizeOf({p.x, p.y});
+    for (const CircleIndex circle : diagram.vertexCircles[at(v)])
+      reach += sizeOf(vectorTo(centerOf(diagram, circle), p));
+    return kOnePlace * reach;
+  };
+  // Regions may be smaller than the rounding of vertices.
+  const double most =
+      kOneCorner * std::max(parts.bounds.maxX - parts.bounds.minX, parts.bounds.maxY - parts.bounds.minY);
+  const auto isNear = [&](Point p, Point q, double reach) { return sizeOf(vectorTo(p, q)) <= std::min(reach, most); };
+  for (const Edge& edge : diagram.edges) {
+    if (!parts.arcs.isInside(edge.start) && !parts.arcs.isInside(edge.end)) continue;
+    if (edge.start == kNone || edge.end == kNone) continue;
+    if (!isNear(vertexAt(edge.start), vertexAt(edge.end), reachOf(edge.start))) continue;
+    join(at(edge.start), at(edge.end));
+  }
+  for (std::size_t c = 0; c < crossings.size(); ++c) {
+    const Crossing& crossing = crossings[c];
+    const Edge& edge = diagram.edges[at(crossing.edge)];
+    const Point p = crossing.point;
+    for (const VertexIndex v : {edge.start, edge.end}) {
+      if (v != kNone && isNear(p, vertexAt(v), reachOf(v))) join(vertexCount + c, at(v));
+    }
+    const double reach = kOnePlace * (sizeOf({p.x, p.y}) + sizeOf(vectorTo(centerOf(diagram, edge.left), p)));
+    for (const RegionSideIndex corner : {crossing.side, parts.sideAfter(crossing.side)}) {
+      if (isNear(p, parts.pointOf(corner), reach)) join(vertexCount + c, firstCorner + at(corner));
+    }
+  }
+  const auto pointOfPlace = [&](std::size_t place) {
+    if (place < vertexCount) return vertexAt(static_cast<std::int32_t>(place));
+    return place < firstCorner ? crossings[place - vertexCount].point
+                               : parts.pointOf(static_cast<std::int32_t>(place - firstCorner));
+  };
+  for (std::size_t place = 0; place < firstCorner; ++place) {
+    const Point p = pointOfPlace(place);
+    const Point q = pointOfPlace(rootOf(place));
+    if (p != q) places_.emplace_back(p, q);
+  }
+  std::ranges::sort(places_, {}, [](const auto& pair) { return placeKey(pair.first); });
+}
+
+Point ClipFlattener::placeOf(Point p) const {
+  const auto found =
+      std::ranges::lower_bound(places_, placeKey(p), {}, [](const auto& pair) { return placeKey(pair.first); });
+  return found != places_.end() && found->first == p ? found->second : p;
 }
 
 void ClipFlattener::collectCorners() {
@@ -60,16 +180,22 @@ void ClipFlattener::collectCorners() {
       const CircleIndex neighbor = diagram.neighborOf(side);
       const double distance = lead(diagram, cell, neighbor, p) / 2;
       clearance = std::min(clearance, distance);
-      if (distance > tolerance_ || diagram.circles[at(cell)].r == diagram.circles[at(neighbor)].r) continue;
-      corners_.push_back({Diagram::edgeOf(side), p, cell});
+      const bool isStraight =
+          diagram.metric != Metric::circles || diagram.circles[at(cell)].r == diagram.circles[at(neighbor)].r;
+      // A corner on a straight edge becomes a point of it, where the border of a cell touches itself.
+      const double reach =
+          isStraight ? kOnePlace * (std::abs(p.x) + std::abs(p.y) + lengthOf(vectorTo(centerOf(diagram, cell), p)))
+                     : tolerance_;
+      if (distance > reach) continue;
+      const EdgeIndex edge = Diagram::edgeOf(side);
+      corners_.push_back({edge, cell, heightOn(edge, p), p});
     }
   };
   for (const auto& [cell, crossing] : parts.allCrossings()) {
     clearance = 0;
     last = parts.crossings.all[at(crossing)].point;
-    parts.visitCorners(parts.stretchFrom(crossing), [&, cell = cell](RegionSideIndex side) {
-      add(cell, parts.pointOf(parts.sideAfter(side)));
-    });
+    parts.visitCorners(parts.stretchFrom(crossing),
+                       [&, cell = cell](RegionSideIndex side) { add(cell, parts.pointOf(parts.sideAfter(side))); });
   }
   for (const auto& [cell, ring] : parts.allRings()) {
     clearance = 0;
@@ -78,36 +204,44 @@ void ClipFlattener::collectCorners() {
       add(cell, parts.pointOf(k));
     }
   }
-  std::ranges::stable_sort(corners_, {}, [](const Corner& corner) { return std::int32_t{corner.edge}; });
+  std::ranges::stable_sort(corners_, {}, [](const Corner& corner) { return corner.key(); });
+}
+
+/// How far a point is along the bisector of an edge, seen across it. What lies between an arc and its chord is between
+/// the ends of both.
+double ClipFlattener::heightOn(EdgeIndex edge, Point p) const {
+  const Edge& ends = clipped_.diagram().edges[at(edge)];
+  const Point left = centerOf(clipped_.diagram(), ends.left);
+  return cross(vectorTo(left, centerOf(clipped_.diagram(), ends.right)), vectorTo(left, p));
 }
 
 std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part) const {
-  if (part.start == part.end) return {part.start};
+  const Point start = placeOf(part.start);
+  const Point end = placeOf(part.end);
+  if (start == end) return {start};
   std::vector<Point> points = pointsBetween(part, part.start, part.end, tolerance_);
-  const auto key = [](const Corner& corner) { return std::int32_t{corner.edge}; };
-  const Diagram& diagram = clipped_.diagram();
-  const Bisector& bisector = part.bisector;
-  for (const Corner& corner : withKey(corners_, std::int32_t{edge}, key)) {
-    const auto middle = [&](Point p, Point q) {
-      const double from = parameterAt(bisector, p);
-      const double to = parameterAt(bisector, q);
-      const double s = parameterAt(bisector, corner.point);
-      const bool isBetween = std::min(from, to) < s && s < std::max(from, to);
-      return pointAt(bisector, isBetween ? s : std::sqrt(from) * std::sqrt(to));
-    };
-    const bool isLeft = corner.cell == diagram.edges[at(edge)].left;
-    if (!isLeft) std::ranges::reverse(points);
-    makeRoom(points, centerOf(diagram, corner.cell), corner.point, middle);
-    if (!isLeft) std::ranges::reverse(points);
+  points.front() = start;
+  points.back() = end;
+  const Edge& ends = clipped_.diagram().edges[at(edge)];
+  const auto [low, high] = std::minmax({heightOn(edge, part.start), heightOn(edge, part.end)});
+  const double rounding = kOnePlace * std::max(std::abs(low), std::abs(high));
+  for (const CircleIndex cell : {ends.left, ends.right}) {
+    const auto key = [](const Corner& corner) { return corner.key(); };
+    const auto first = std::ranges::lower_bound(corners_, Corner{edge, cell, low - rounding, {}}.key(), {}, key);
+    const auto last = std::ranges::upper_bound(corners_, Corner{edge, cell, high + rounding, {}}.key(), {}, key);
+    std::vector<Point> its;
+    for (auto corner = first; corner < last; ++corner) its.push_back(corner->point);
+    if (its.empty()) continue;
+    if (cell == ends.right) std::ranges::reverse(points);
+    points = RoomMaker(part.bisector, centerOf(clipped_.diagram(), cell)).run(points, std::move(its));
+    if (cell == ends.right) std::ranges::reverse(points);
   }
   return points;
 }
 
-std::vector<Point> ClipFlattener::pointsOf(CircleIndex circle, const OutlinePiece& piece) const {
-  const auto& parts = clipped_.parts();
+std::vector<Point> ClipFlattener::pointsOf(const OutlinePiece& piece) const {
   if (piece.isOnCircle()) return polyline(circleArc(piece), tolerance_);
-  static_cast<void>(circle);
-  EdgeCurve part = parts.curveOf(Diagram::edgeOf(piece.side));
+  EdgeCurve part = clipped_.parts().curveOf(Diagram::edgeOf(piece.side));
   const bool isAlong = piece.side % 2 == 0;
   part.start = isAlong ? piece.curve.start : piece.curve.end;
   part.end = isAlong ? piece.curve.end : piece.curve.start;
@@ -120,42 +254,29 @@ std::vector<Point> ClipFlattener::pointsOf(CircleIndex circle, const OutlinePiec
 
 ClippedPolygons clipPolygons(const ClippedDiagram& clipped, double tolerance) {
   const ClipFlattener flattener(clipped, tolerance);
-  const auto& diagram = clipped.diagram();
   ClippedPolygons result;
-  const auto closePolygon = [&] {
-    const auto rings = static_cast<std::int32_t>(result.pointOffsets.size()) - 1;
-    if (result.ringOffsets.back() != rings) result.ringOffsets.push_back(rings);
-  };
-  for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
-    const auto circle = static_cast<std::int32_t>(i);
-    const Outline outline = clipped.outline(circle);
-    bool isOpen = false;  // whether the last polygon may get holes
-    for (const auto& loop : outline) {
-      const std::size_t first = result.points.size();
-      const auto add = [&](Point p) {
-        if (result.points.size() == first || result.points.back() != p) result.points.push_back(p);
-      };
-      for (const OutlinePiece& piece : loop) {
+  for (std::size_t i = 0; i < clipped.diagram().circles.size(); ++i) {
+    const Outline outline = clipped.outline(static_cast<std::int32_t>(i));
+    std::vector<PointLoop> loops;
+    for (const auto& pieces : outline) {
+      PointLoop& loop = loops.emplace_back();
+      loop.isHole = &pieces != &outline.front() && area({pieces}) < 0;
+      for (const OutlinePiece& piece : pieces) {
         if (piece.side == kNone && !piece.isOnCircle()) {
-          add(piece.curve.start);
+          loop.points.push_back(flattener.placeOf(piece.curve.start));
           continue;
         }
-        const auto points = flattener.pointsOf(circle, piece);
-        add(points.front());
-        for (std::size_t k = 1; k + 1 < points.size(); ++k) add(points[k]);
+        const auto points = flattener.pointsOf(piece);
+        loop.points.insert(loop.points.end(), points.begin(), points.size() > 1 ? points.end() - 1 : points.end());
       }
-      while (result.points.size() > first + 1 && result.points.back() == result.points[first]) result.points.pop_back();
-      const bool isHole = &loop != &outline.front() && area({loop}) < 0;
-      const bool isKept = result.points.size() >= first + 3 && (!isHole || isOpen);
-      if (!isHole) isOpen = isKept;
-      if (!isKept) {
-        result.points.resize(first);
-        continue;
-      }
-      if (!isHole) closePolygon();
-      result.pointOffsets.push_back(static_cast<std::int32_t>(result.points.size()));
     }
-    closePolygon();
+    for (const auto& polygon : validPolygons(std::move(loops))) {
+      for (const PointRing& ring : polygon) {
+        result.points.insert(result.points.end(), ring.begin(), ring.end());
+        result.pointOffsets.push_back(static_cast<std::int32_t>(result.points.size()));
+      }
+      result.ringOffsets.push_back(static_cast<std::int32_t>(result.pointOffsets.size()) - 1);
+    }
     result.polygonOffsets.push_back(static_cast<std::int32_t>(result.ringOffsets.size()) - 1);
   }
   return result;

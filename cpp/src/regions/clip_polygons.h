@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
+#include <cstdint>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/clipped_diagram.h"
@@ -14,28 +16,38 @@ namespace circle_voronoi {
 /// itself, so such chords are divided until it does not. Straight sides without such corners cannot cross a polyline
 /// whose arc they do not cross.
 ///
+/// Points that are one but for rounding become one: a corner, the crossings there, and the vertices there. Otherwise
+/// borders of cells would cross themselves within rounding of such a place.
+///
 /// Exported because the library for files calls it.
 class CIRCLE_VORONOI_API ClipFlattener {
  public:
   ClipFlattener(const ClippedDiagram& clipped, double tolerance);
 
-  /// Returns the points of a part of an edge in the region, in the direction of the edge: the same for both cells.
-  std::vector<Point> pointsOf(EdgeIndex edge, const EdgeCurve& part) const;
-
   /// Returns the points of a piece of an outline that is a side or an arc of a circle, in the direction of the outline.
-  std::vector<Point> pointsOf(CircleIndex circle, const OutlinePiece& piece) const;
+  /// The first and last one are the ends of the piece.
+  std::vector<Point> pointsOf(const OutlinePiece& piece) const;
+
+  /// Returns the point that stands for a corner, a crossing or a vertex.
+  Point placeOf(Point p) const;
 
  private:
   struct Corner {
     EdgeIndex edge;
-    Point point;
     CircleIndex cell;  ///< in which it lies
+    double height;     ///< along the edge (heightOn)
+    Point point;
+    auto key() const { return std::tuple(std::int32_t{edge}, std::int32_t{cell}, height); }
   };
   void collectCorners();
+  void collectPlaces();
+  double heightOn(EdgeIndex edge, Point p) const;
+  std::vector<Point> pointsOf(EdgeIndex edge, const EdgeCurve& part) const;
 
   const ClippedDiagram& clipped_;
   double tolerance_;
-  std::vector<Corner> corners_;  ///< those that are near a curved edge, by edge
+  std::vector<Corner> corners_;                  ///< those that are near a curved edge, by key
+  std::vector<std::pair<Point, Point>> places_;  ///< points that another one stands for, sorted
 };
 
 ClippedPolygons clipPolygons(const ClippedDiagram& clipped, double tolerance);

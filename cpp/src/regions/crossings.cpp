@@ -24,6 +24,8 @@ constexpr double kLeastParameter = 1e-100;
 constexpr double kHeightRounding = 0x1p-50;
 /// Crossings are right to this share of their side.
 constexpr double kCertainShare = 0x1p-44;
+/// Next to the ends of their side, crossings are right to rounding.
+constexpr double kNearEnd = 0x1p-30;
 
 /// A side of the region, in the direction that both cells see.
 struct Line {
@@ -32,8 +34,7 @@ struct Line {
   Vector along;
   bool isForward = true;  ///< whether the region lies on the left of this direction
 
-  Line(Point start, Point end)
-      : isForward(start.x < end.x || (start.x == end.x && start.y < end.y)) {
+  Line(Point start, Point end) : isForward(start.x < end.x || (start.x == end.x && start.y < end.y)) {
     from = isForward ? start : end;
     to = isForward ? end : start;
     along = vectorTo(from, to);
@@ -188,8 +189,8 @@ class Walk {
     refuseClip("No cell of the diagram has a corner of the region.");
   }
 
-  /// The crossings of edges of chosen cells. Between one where the boundary comes into such a cell and the next one there
-  /// is no other.
+  /// The crossings of edges of chosen cells. Between one where the boundary comes into such a cell and the next one
+  /// there is no other.
   Crossings chosen(const std::vector<std::uint8_t>& isChosen) {
     Crossings result;
     std::vector<std::int32_t> places(crossings_.all.size(), kNone);
@@ -241,8 +242,8 @@ class Walk {
     refuseClip("A side of the region crosses edges again and again.");
   }
 
-  /// Returns whether a side certainly stays in the cell of the walk. Then `clearance_` becomes how far its end is from the
-  /// border of the cell, at least.
+  /// Returns whether a side certainly stays in the cell of the walk. Then `clearance_` becomes how far its end is from
+  /// the border of the cell, at least.
   bool staysInCell(Point start, Point end, double length) {
     clearance_ = kInfinite;
     const Circle& c = diagram_.circles[at(sectors_.cell())];
@@ -261,8 +262,8 @@ class Walk {
     return stays;
   }
 
-  /// Returns whether the cell of the walk has a corner. `clearance_` becomes how far that is from the border of the cell,
-  /// at least.
+  /// Returns whether the cell of the walk has a corner. `clearance_` becomes how far that is from the border of the
+  /// cell, at least.
   bool isInCell(Point corner) {
     clearance_ = kInfinite;
     for (const SideIndex side : sectors_.sides()) {
@@ -281,8 +282,8 @@ class Walk {
     refuseClip("A side of the region does not leave a cell in which it does not end.");
   }
 
-  /// Adds the crossing where a line leaves the cell of a side across it: the side goes from the right of the line to its
-  /// left.
+  /// Adds the crossing where a line leaves the cell of a side across it: the side goes from the right of the line to
+  /// its left.
   void addCrossing(RegionSideIndex index, const Line& line, SideIndex side) {
     const EdgeIndex edge = Diagram::edgeOf(side);
     const Edge& ends = diagram_.edges[at(edge)];
@@ -294,7 +295,7 @@ class Walk {
     const BranchCrossing found(bisector, line, isAlong != line.isForward);
     double parameter = found.parameter;
     double share = line.shareOf(pointAt(bisector, parameter));
-    if (!found.isCertain || !(share >= 0 && share <= 1)) {
+    if (!found.isCertain || !(share > kNearEnd && share < 1 - kNearEnd)) {
       const CircleIndex own = diagram_.circleOf(side);
       const CircleIndex other = diagram_.neighborOf(side);
       share = signs_.shareOfCrossing(line.isForward ? own : other, line.isForward ? other : own, {line.from, line.to});

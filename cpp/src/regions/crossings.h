@@ -43,8 +43,8 @@ struct Crossings {
 /// crossed, and in the circles to find the first cell. The diagram has a circle.
 Crossings crossingsOf(const Diagram& diagram, const Region& region);
 
-/// The same for some cells only: follows the boundary where it is near them, and returns crossings of their edges. Takes
-/// linear time in what is near.
+/// The same for some cells only: follows the boundary where it is near them, and returns crossings of their edges.
+/// Takes linear time in what is near.
 Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
 
 }  // namespace circle_voronoi

@@ -22,8 +22,7 @@ constexpr double kJudgeRounding = 0x1p-40;
 
 class Judge {
  public:
-  explicit Judge(const ClipRecord& clip)
-      : clip_(clip), isChosen_(clip.diagram.circles.size(), clip.circles ? 0 : 1) {
+  explicit Judge(const ClipRecord& clip) : clip_(clip), isChosen_(clip.diagram.circles.size(), clip.circles ? 0 : 1) {
     if (!clip.circles) return;
     for (const CircleIndex circle : *clip.circles) isChosen_[at(circle)] = 1;
   }
@@ -36,9 +35,7 @@ class Judge {
   }
 
  private:
-  bool isCrossing(std::int32_t crossing) const {
-    return crossing >= 0 && at(crossing) < clip_.crossings.all.size();
-  }
+  bool isCrossing(std::int32_t crossing) const { return crossing >= 0 && at(crossing) < clip_.crossings.all.size(); }
   bool isInside(VertexIndex vertex) const { return vertex != kNone && clip_.levels[at(vertex)] == 1; }
   bool isOfChosen(const Edge& edge) const { return isChosen_[at(edge.left)] != 0 || isChosen_[at(edge.right)] != 0; }
 

@@ -90,16 +90,16 @@ class DiscClipper {
     const Point end = loop[k + 1 == loop.size() ? 0 : k + 1].start;
     if (piece.side == kNone) return partOfSegment(piece, end);
     const EdgeIndex edge = Diagram::edgeOf(piece.side);
-    const EdgeCurve curve = piece.arc == kNone ? parts_.curveOf(edge) : parts_.curveOf(parts_.arcs.all()[at(piece.arc)]);
+    const EdgeCurve curve =
+        piece.arc == kNone ? parts_.curveOf(edge) : parts_.curveOf(parts_.arcs.all()[at(piece.arc)]);
     auto part = nearPart(parts_.diagram, edge, curve, *parts_.maxDistance);
     if (!part) return std::nullopt;
     if (piece.side % 2 != 0) {
       part->curve = reversed(part->curve);
       std::swap(part->cutFrom, part->cutTo);
     }
-    return DiscPart{{part->curve, piece.side, parts_.diagram.neighborOf(piece.side)},
-                    part->cutFrom != kNone,
-                    part->cutTo != kNone};
+    return DiscPart{
+        {part->curve, piece.side, parts_.diagram.neighborOf(piece.side)}, part->cutFrom != kNone, part->cutTo != kNone};
   }
 
   std::optional<DiscPart> partOfSegment(const LoopPiece& piece, Point end) const {

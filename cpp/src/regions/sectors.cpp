@@ -105,7 +105,8 @@ Sectors::Sector Sectors::entered(SideIndex across, const Line& line) const {
   return {side, signs_.goesToNeighbor(across, line) ? first : second};
 }
 
-/// Whether the cell of a smaller neighbor reaches across the line between the ends of a side, which lie beyond the line.
+/// Whether the cell of a smaller neighbor reaches across the line between the ends of a side, which lie beyond the
+/// line.
 bool Sectors::bulges(SideIndex side, const Line& line, int center) const {
   return signs_.crossesTwice(side, line, center) &&
          signs_.approachAtEnd(side, false, line) * signs_.approachAtEnd(side, true, line) < 0;

@@ -219,7 +219,8 @@ int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) con
     }
     const HomogeneousDisc end = isTarget ? discAtInfinity(own, other) : discAtInfinity(other, own);
     const double value = along.x * end.y - along.y * end.x;
-    const double error = sizeOf(along) * (end.error + kSignRounding * (std::abs(end.x) + std::abs(end.y))) + kSignUnderflow;
+    const double error =
+        sizeOf(along) * (end.error + kSignRounding * (std::abs(end.x) + std::abs(end.y))) + kSignUnderflow;
     if (std::abs(value) > error) return signOfNumber(value);
   } else {
     const Vertex& v = diagram_.vertices[static_cast<std::size_t>(vertex)];
@@ -275,22 +276,22 @@ int ShiftedSigns::sideOfApex(SideIndex side, const Line& line) const {
   const double difference = own.r - other.r;
   const double apart = 2 * cross(along, toOwn) + cross(along, across);
   const double value = distance * apart + difference * cross(along, across);
-  const double error = 4 * kSignRounding * sizeOf(along) *
-                           (2 * sizeOf(toOwn) + sizeOf(across)) * (distance + std::abs(difference)) + kSignUnderflow;
+  const double error =
+      4 * kSignRounding * sizeOf(along) * (2 * sizeOf(toOwn) + sizeOf(across)) * (distance + std::abs(difference)) +
+      kSignUnderflow;
   if (std::abs(value) > error) return signOfNumber(value);
   const Circle from = placed(line.from, own);
   const Circle to = placed(line.to, own);
-  const int sign =
-      seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [](const auto& seen, int) {
-        const auto& u = seen[0].v;
-        const auto d = seen[1].v - u;
-        const auto& direction = seen[2].v;
-        const auto turn = planeCross(direction, d);
-        const auto p = -(d.s * turn);
-        const auto center = planeCross(direction, u);
-        const auto q = center + center + turn;
-        return signOf((p * p - q * q * planeDot(d, d)).sign(), [&] { return p.sign(); }, [&] { return q.sign(); });
-      });
+  const int sign = seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [](const auto& seen, int) {
+    const auto& u = seen[0].v;
+    const auto d = seen[1].v - u;
+    const auto& direction = seen[2].v;
+    const auto turn = planeCross(direction, d);
+    const auto p = -(d.s * turn);
+    const auto center = planeCross(direction, u);
+    const auto q = center + center + turn;
+    return signOf((p * p - q * q * planeDot(d, d)).sign(), [&] { return p.sign(); }, [&] { return q.sign(); });
+  });
   return sign != 0 ? sign : sideAfterShift(line);
 }
 
@@ -311,7 +312,8 @@ int ShiftedSigns::turnFromEnd(SideIndex side, bool isTarget, Point corner) const
     error = errorOf(vertex);
   }
   const double value = cross(toEnd, toCorner);
-  if (std::abs(value) > sizeOf(toCorner) * (error + kSignRounding * sizeOf(toEnd)) + kSignUnderflow) return signOfNumber(value);
+  if (std::abs(value) > sizeOf(toCorner) * (error + kSignRounding * sizeOf(toEnd)) + kSignUnderflow)
+    return signOfNumber(value);
   const auto [u, v] = exact::othersOf(faceOf(side, isTarget), &own);
   const Circle p = placed(corner, own);
   return seenFrom(own, std::array{u, v, &p}, []<class Number>(const std::array<Seen<Number>, 3>& seen, int) {
@@ -344,8 +346,8 @@ bool ShiftedSigns::hasApex(SideIndex side) const {
 }
 
 // With the centers c and c' as seen from the start of the line, its direction d, D = c' - c and the difference s of the
-// radii, the line at the height k above the middle of the centers, with 2 k = d x (c + c'), meets the hyperbola's branch
-// on its side twice if and only if (2 k)^2 > s^2 |d|^2 - (d . D)^2 > 0.
+// radii, the line at the height k above the middle of the centers, with 2 k = d x (c + c'), meets the hyperbola's
+// branch on its side twice if and only if (2 k)^2 > s^2 |d|^2 - (d . D)^2 > 0.
 bool ShiftedSigns::crossesTwice(SideIndex side, const Line& line, int center) const {
   const Circle& own = circle(diagram_.circleOf(side));
   const Circle& other = circle(diagram_.neighborOf(side));
@@ -416,9 +418,8 @@ bool ShiftedSigns::goesToNeighbor(SideIndex side, const Line& line) const {
   const Circle& other = circle(diagram_.neighborOf(side));
   const Circle from = placed(line.from, own);
   const Circle to = placed(line.to, own);
-  return seenFrom(own, std::array<const Circle*, 3>{&other, &from, &to}, [](const auto& seen, int) {
-           return planeDot(seen[0].v, seen[2].v - seen[1].v).sign();
-         }) > 0;
+  return seenFrom(own, std::array<const Circle*, 3>{&other, &from, &to},
+                  [](const auto& seen, int) { return planeDot(seen[0].v, seen[2].v - seen[1].v).sign(); }) > 0;
 }
 
 // With x the vector from the middle of the centers and D that between them, the branches of the hyperbola are where

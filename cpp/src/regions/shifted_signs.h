@@ -15,8 +15,8 @@ namespace circle_voronoi {
 /// where e is positive but smaller than any number and f is positive but smaller than any power of e.
 ///
 /// Moved like this, no corner of the region lies on an edge, no side passes through a vertex, and no side runs along an
-/// edge. So no sign is 0, and signs agree with each other. Each sign is found in doubles with an error bound or, if that
-/// does not decide, in integers. Where the unmoved value is 0, its derivatives decide.
+/// edge. So no sign is 0, and signs agree with each other. Each sign is found in doubles with an error bound or, if
+/// that does not decide, in integers. Where the unmoved value is 0, its derivatives decide.
 ///
 /// A `Line` is the line through two corners of the region, from the first to the second. Its left side has the sign 1.
 class ShiftedSigns {
@@ -59,8 +59,8 @@ class ShiftedSigns {
   /// Returns whether a line that crosses the bisector of a side twice does so with both crossings ahead of a corner on
   /// the line, or both behind it.
   bool isAheadOf(SideIndex side, const Line& line, Point corner) const;
-  /// Returns the sign of the rate at which the neighbor comes nearer, compared with the circle, along a line at an end of
-  /// a side. It may be 0.
+  /// Returns the sign of the rate at which the neighbor comes nearer, compared with the circle, along a line at an end
+  /// of a side. It may be 0.
   int approachAtEnd(SideIndex side, bool isTarget, const Line& line) const;
   /// Returns whether a line goes towards the neighbor, away from the circle.
   bool goesToNeighbor(SideIndex side, const Line& line) const;

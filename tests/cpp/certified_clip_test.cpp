@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clips where the boundary of a region meets vertices and edges exactly, against an independent clip.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+
+#include "at.h"
+#include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
+#include "clip_families.h"
+#include "clip_parts.h"
+#include "independent_clip.h"
+#include "judge_clip.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace {
+
+using test::areasByBruteForce;
+using test::clipFamilies;
+using test::ClipFamily;
+using test::ClipInput;
+using test::seedOr;
+
+double extentOf(const Region& region) {
+  const Box box = region.bounds();
+  return std::max(box.maxX - box.minX, box.maxY - box.minY);
+}
+
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = a.size() == b.size() ? 0 : 1e300;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
+/// How many clips of each family are tried: a few, or CIRCLE_VORONOI_CLIPS.
+int trials() {
+  const char* count = std::getenv("CIRCLE_VORONOI_CLIPS");
+  return count == nullptr ? 60 : std::atoi(count);
+}
+
+/// Calls `check` with clips of a family.
+template <class Check>
+void forFamily(const ClipFamily& family, std::uint64_t seed, Check check) {
+  std::mt19937_64 random(seed);
+  for (int done = 0; done < trials();) {
+    const ClipInput input = family.make(random);
+    const auto region = Region::fromRings(input.rings);
+    if (!region) continue;
+    ++done;
+    SCOPED_TRACE(std::string(family.name) + ", clip " + std::to_string(done) + ", seed " + std::to_string(seed));
+    const Diagram diagram = computeComparison(input.circles, input.metric).value();
+    const auto clipped = ClippedDiagram::from(diagram, *region);
+    ASSERT_TRUE(clipped) << clipped.error().message;
+    check(input, *region, diagram, *clipped);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+class ClipFamilies : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ClipFamilies, HaveTheAreasOfAnIndependentClip) {
+  const ClipFamily& family = clipFamilies()[GetParam()];
+  forFamily(family, seedOr(50),
+            [&](const ClipInput& input, const Region& region, const Diagram&, const ClippedDiagram& clipped) {
+              const double extent = extentOf(region);
+              const auto expected = areasByBruteForce(input.circles, region, input.metric, family.isFar);
+              EXPECT_LT(largestDifference(clipped.areas(), expected), 1e-7 * extent * extent);
+            });
+}
+
+TEST_P(ClipFamilies, HaveTheSameSingleCells) {
+  forFamily(clipFamilies()[GetParam()], seedOr(51),
+            [](const ClipInput&, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
+              const auto areas = clipped.areas();
+              for (std::int32_t i = 0; i < static_cast<std::int32_t>(areas.size()); ++i) {
+                const auto single = ClippedDiagram::ofCells(diagram, region, std::vector<CircleIndex>{i});
+                ASSERT_TRUE(single) << single.error().message;
+                const auto at = static_cast<std::size_t>(i);
+                EXPECT_NEAR(single->areas()[at], areas[at], 1e-13 * region.area());
+                EXPECT_EQ(single->placeOf(i), clipped.placeOf(i));
+                EXPECT_EQ(single->neighbors(i), clipped.neighbors(i));
+              }
+            });
+}
+
+TEST_P(ClipFamilies, AreConsistent) {
+  forFamily(clipFamilies()[GetParam()], seedOr(52),
+            [](const ClipInput&, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
+              const double extent = extentOf(region);
+              const auto areas = clipped.areas();
+              EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), region.area(), 1e-13 * extent * extent);
+              double inner = 0;
+              for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+                for (const EdgeCurve& part : clipped.edgeParts(e)) inner += arcLength(part);
+              }
+              const auto perimeters = clipped.perimeters();
+              EXPECT_NEAR(std::accumulate(perimeters.begin(), perimeters.end(), 0.0), region.perimeter() + 2 * inner,
+                          1e-9 * (region.perimeter() + inner));
+              for (std::int32_t i = 0; i < static_cast<std::int32_t>(areas.size()); ++i) {
+                const auto at = static_cast<std::size_t>(i);
+                EXPECT_NEAR(area(clipped.outline(i)), areas[at], 1e-12 * extent * extent);
+                for (const CircleIndex j : clipped.neighbors(i)) {
+                  EXPECT_TRUE(std::ranges::count(clipped.neighbors(j), i) == 1);
+                }
+              }
+            });
+}
+
+TEST_P(ClipFamilies, DoNotDependOnOrderAndPlace) {
+  std::mt19937_64 random(seedOr(53));
+  forFamily(clipFamilies()[GetParam()], seedOr(54),
+            [&](const ClipInput& input, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
+              const double extent = extentOf(region);
+              const auto areas = clipped.areas();
+              const auto expectSame = [&](const std::vector<Circle>& circles, const std::vector<Region::Ring>& rings,
+                                          const std::vector<double>& expected, const char* what) {
+                const Diagram other = computeComparison(circles, input.metric).value();
+                const Region moved = Region::fromRings(rings).value();
+                const auto again = ClippedDiagram::from(other, moved);
+                ASSERT_TRUE(again) << what << ": " << again.error().message;
+                EXPECT_LT(largestDifference(again->areas(), expected), 1e-12 * extent * extent) << what;
+              };
+              auto rings = input.rings;
+              for (auto& ring : rings) std::ranges::rotate(ring, ring.begin() + 1);
+              expectSame(input.circles, rings, areas, "another first corner");
+              rings = input.rings;
+              for (auto& ring : rings) std::ranges::reverse(ring);
+              expectSame(input.circles, rings, areas, "the other orientation");
+
+              auto circles = input.circles;
+              rings = input.rings;
+              for (Circle& c : circles) c = {-c.y, c.x, c.r};
+              for (auto& ring : rings) {
+                for (Point& p : ring) p = {-p.y, p.x};
+              }
+              expectSame(circles, rings, areas, "a quarter turn");
+
+              // Only where nothing is rounded.
+              bool isExact = true;
+              const auto moved = [&](double& value, double by) {
+                isExact = isExact && (value + by) - by == value;
+                value += by;
+              };
+              circles = input.circles;
+              rings = input.rings;
+              for (Circle& c : circles) {
+                moved(c.x, 12);
+                moved(c.y, -7);
+              }
+              for (auto& ring : rings) {
+                for (Point& p : ring) {
+                  moved(p.x, 12);
+                  moved(p.y, -7);
+                }
+              }
+              if (isExact) expectSame(circles, rings, areas, "another place");
+
+              // Of identical circles the first has the cell.
+              if (!diagram.hidden.empty()) return;
+              std::vector<std::size_t> order(input.circles.size());
+              std::iota(order.begin(), order.end(), std::size_t{0});
+              std::ranges::shuffle(order, random);
+              std::vector<double> permuted;
+              circles.clear();
+              for (const std::size_t i : order) {
+                circles.push_back(input.circles[i]);
+                permuted.push_back(areas[i]);
+              }
+              expectSame(circles, input.rings, permuted, "another order");
+            });
+}
+
+std::string nameOfFamilyTest(const testing::TestParamInfo<std::size_t>& family) {
+  std::string name = clipFamilies()[family.param].name;
+  std::ranges::replace(name, ' ', '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(All, ClipFamilies, testing::Range(std::size_t{0}, clipFamilies().size()), nameOfFamilyTest);
+
+struct ClipFixture {
+  std::string name;
+  ClipInput input;
+  std::vector<double> areas;
+  double largestEmptyDisc = 0;
+};
+
+std::vector<ClipFixture> clipFixtures() {
+  std::vector<ClipFixture> fixtures;
+  for (const auto& entry : std::filesystem::directory_iterator(CIRCLE_VORONOI_FIXTURES "/clips")) {
+    std::ifstream file(entry.path());
+    const nlohmann::json json = nlohmann::json::parse(file);
+    ClipFixture& fixture = fixtures.emplace_back();
+    fixture.name = entry.path().stem().string();
+    for (const nlohmann::json& c : json["circles"]) {
+      fixture.input.circles.push_back({c[0].get<double>(), c[1].get<double>(), c[2].get<double>()});
+    }
+    for (const nlohmann::json& ring : json["rings"]) {
+      auto& points = fixture.input.rings.emplace_back();
+      for (const nlohmann::json& p : ring) points.push_back({p[0].get<double>(), p[1].get<double>()});
+    }
+    fixture.areas = json["areas"].get<std::vector<double>>();
+    fixture.largestEmptyDisc = json["largestEmptyDisc"].get<double>();
+  }
+  return fixtures;
+}
+
+TEST(ClipFixtures, HaveTheRightAreas) {
+  const auto fixtures = clipFixtures();
+  EXPECT_GE(fixtures.size(), 10U);
+  for (const ClipFixture& fixture : fixtures) {
+    SCOPED_TRACE(fixture.name);
+    const Region region = Region::fromRings(fixture.input.rings).value();
+    const Diagram diagram = compute(fixture.input.circles).value();
+    const auto clipped = ClippedDiagram::from(diagram, region);
+    ASSERT_TRUE(clipped) << clipped.error().message;
+    const double extent = extentOf(region);
+    EXPECT_LT(largestDifference(clipped->areas(), fixture.areas), 1e-11 * extent * extent);
+    const auto independent = areasByBruteForce(fixture.input.circles, region, Metric::circles, true);
+    EXPECT_LT(largestDifference(clipped->areas(), independent), 1e-9 * extent * extent);
+    EXPECT_NEAR(clipped->largestEmptyDisc()->disc.r, fixture.largestEmptyDisc,
+                1e-11 * std::abs(fixture.largestEmptyDisc));
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(fixture.areas.size()); ++i) {
+      const auto single = ClippedDiagram::ofCells(diagram, region, std::vector<CircleIndex>{i});
+      ASSERT_TRUE(single) << single.error().message;
+      const auto at = static_cast<std::size_t>(i);
+      EXPECT_NEAR(single->areas()[at], clipped->areas()[at], 1e-12 * extent * extent);
+    }
+  }
+}
+
+TEST(ClippedDiagram, TheLargestEmptyDiscIsRightWhereCornersAreNearVertices) {
+  struct Case {
+    std::vector<Circle> circles;
+    Region::Ring ring;
+    double radius;
+  };
+  // The radii are those of a fine grid.
+  const std::vector<Case> cases = {
+      {{{0, 1, 0}, {2, 2, 0}, {1, 0, 0}}, {{1.25, 1.5}, {.5, -.5}, {1, .5}}, 1.17851130},
+      {{{2, 0, 0}, {1, 1, .2}, {2, 2, .2}}, {{1.25, .75}, {2.5, .5}, {1, 2}}, 0.90508909},
+      {{{1, 2, .75}, {0, 0, .25}, {2, 1, .75}}, {{2.5, 1}, {1.25, 1.25}, {.5, .5}}, 0.65603196},
+      {{{2, 0, .5}, {0, 2, .5}, {-2, 0, .5}}, {{0, 0}, {0, 2.5}, {-.75, .25}}, 1.5},
+      {{{6.187499999996362, -6, 0.046875}, {6.156249999998181, -5.9999999999956026, 0.015625000001818989}},
+       {{6.15, -6.1}, {6.17, -6.1}, {6.15, -6}},
+       0.05992505}};
+  for (const auto& [circles, ring, radius] : cases) {
+    const Diagram diagram = compute(circles).value();
+    const Region region = Region::fromRings(std::vector<Region::Ring>{ring}).value();
+    EXPECT_NEAR(ClippedDiagram::from(diagram, region)->largestEmptyDisc()->disc.r, radius, 1e-8);
+  }
+}
+
+/// A clip whose parts can be corrupted.
+class CorruptedClip : public testing::Test {
+ protected:
+  CorruptedClip() {
+    std::mt19937_64 random(seedOr(55));
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<Circle> circles;
+    for (int i = 0; i < 30; ++i) circles.push_back({unit(random), unit(random), 0.05 * unit(random)});
+    diagram_ = compute(circles).value();
+    const auto clipped = ClippedDiagram::from(diagram_, region_).value();
+    crossings_ = clipped.parts().crossings;
+    levels_.assign(clipped.parts().arcs.levels().begin(), clipped.parts().arcs.levels().end());
+    arcs_.assign(clipped.parts().arcs.all().begin(), clipped.parts().arcs.all().end());
+    moments_ = clipped.parts().moments;
+    EXPECT_EQ(fault(), nullptr);
+    EXPECT_EQ(areaFault(), nullptr);
+    EXPECT_FALSE(crossings_.rings.empty());
+  }
+
+  ClipRecord record() const { return {diagram_, region_, crossings_, levels_, arcs_, {}}; }
+  const char* fault() const { return faultOf(record()); }
+  const char* areaFault() const { return faultOf(record(), moments_); }
+
+  /// With a hole in one cell.
+  Region region_ = Region::fromRings(std::vector<Region::Ring>{{{0.1, 0.2}, {0.9, 0.1}, {0.8, 0.9}, {0.15, 0.8}},
+                                                               {{0.5, 0.5}, {0.5001, 0.5}, {0.5, 0.5001}}})
+                       .value();
+  Diagram diagram_;
+  Crossings crossings_;
+  std::vector<std::int32_t> levels_;
+  std::vector<Arc> arcs_;
+  CellMoments moments_;
+};
+
+TEST_F(CorruptedClip, IsRefusedForEachLevelThatIsWrong) {
+  for (std::int32_t& level : levels_) {
+    const std::int32_t right = level;
+    for (const std::int32_t wrong : {-1, 0, 1, 2}) {
+      level = wrong;
+      EXPECT_EQ(fault() == nullptr, wrong == right);
+    }
+    level = right;
+  }
+}
+
+TEST_F(CorruptedClip, IsRefusedForEachCrossingThatIsWrong) {
+  const Crossings right = crossings_;
+  for (std::size_t c = 0; c < right.all.size(); ++c) {
+    crossings_.all[c].isEntry = !crossings_.all[c].isEntry;
+    EXPECT_NE(fault(), nullptr);
+    crossings_ = right;
+    crossings_.all[c].edge = (crossings_.all[c].edge + 1) % static_cast<std::int32_t>(diagram_.edges.size());
+    EXPECT_NE(fault(), nullptr);
+    crossings_ = right;
+    crossings_.all[c].side = 4;  // of the hole
+    EXPECT_NE(fault(), nullptr);
+    crossings_ = right;
+    crossings_.all[c].share = 1.5;
+    EXPECT_NE(fault(), nullptr);
+    crossings_ = right;
+    crossings_.next[c] = crossings_.next[at(right.next[c])];
+    EXPECT_NE(fault(), nullptr);
+    crossings_.next[c] = kNone;
+    EXPECT_NE(fault(), nullptr);
+    crossings_ = right;
+  }
+  crossings_.all.pop_back();
+  crossings_.next.pop_back();
+  EXPECT_NE(fault(), nullptr);
+}
+
+TEST_F(CorruptedClip, IsRefusedForEachArcThatIsWrong) {
+  const std::vector<Arc> right = arcs_;
+  for (std::size_t a = 0; a < right.size(); ++a) {
+    arcs_.erase(arcs_.begin() + static_cast<std::ptrdiff_t>(a));
+    EXPECT_NE(fault(), nullptr);
+    arcs_ = right;
+    arcs_.push_back(right[a]);
+    EXPECT_NE(fault(), nullptr);
+    arcs_ = right;
+    std::swap(arcs_[a].start, arcs_[a].end);
+    EXPECT_NE(fault(), nullptr);
+    arcs_ = right;
+    arcs_[a].edge = (arcs_[a].edge + 1) % static_cast<std::int32_t>(diagram_.edges.size());
+    EXPECT_NE(fault(), nullptr);
+    arcs_ = right;
+  }
+}
+
+TEST_F(CorruptedClip, IsRefusedForARingThatIsNowhereOrTwice) {
+  const auto right = crossings_.rings;
+  crossings_.rings.clear();
+  EXPECT_NE(fault(), nullptr);
+  crossings_.rings = right;
+  crossings_.rings.push_back(right.front());
+  EXPECT_NE(fault(), nullptr);
+  crossings_.rings = right;
+  crossings_.rings.front().ring = 7;
+  EXPECT_NE(fault(), nullptr);
+}
+
+TEST_F(CorruptedClip, IsRefusedForAreasThatAreNegativeOrDoNotMakeUpTheRegion) {
+  const CellMoments right = moments_;
+  for (std::size_t i = 0; i < right.moments.size(); ++i) {
+    moments_.moments[i].area += 1e-6;
+    EXPECT_NE(areaFault(), nullptr);
+    moments_.moments[(i + 1) % right.moments.size()].area -= 1e-6;
+    EXPECT_EQ(areaFault() == nullptr, moments_.moments[(i + 1) % right.moments.size()].area >= -1e-9);
+    moments_ = right;
+    moments_.moments[i].area = std::nan("");
+    EXPECT_NE(areaFault(), nullptr);
+    moments_ = right;
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi
