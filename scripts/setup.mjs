@@ -34,6 +34,7 @@ const PURPOSES = {
       'libmpfr-dev',
       'nlohmann-json3-dev',
       'python3-distributed',
+      'python3-shapely',
     ],
     libraries: ['GMP', 'MPFR', 'GoogleTest', 'Google Benchmark', 'nlohmann/json'],
   },

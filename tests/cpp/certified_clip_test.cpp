@@ -115,6 +115,44 @@ TEST_P(ClipFamilies, AreConsistent) {
             });
 }
 
+/// The polygons of a cell, as a region is made from.
+std::vector<std::vector<Region::Ring>> polygonsOf(const ClippedPolygons& all, std::size_t cell) {
+  std::vector<std::vector<Region::Ring>> polygons;
+  for (std::int32_t p = all.polygonOffsets[cell]; p < all.polygonOffsets[cell + 1]; ++p) {
+    auto& rings = polygons.emplace_back();
+    for (std::int32_t r = all.ringOffsets[at(p)]; r < all.ringOffsets[at(p) + 1]; ++r) {
+      rings.emplace_back(all.points.begin() + all.pointOffsets[at(r)], all.points.begin() + all.pointOffsets[at(r) + 1]);
+    }
+  }
+  return polygons;
+}
+
+/// Expects that the polygons of each cell are valid, and returns their areas.
+std::vector<double> areasOfValidPolygons(const ClippedDiagram& clipped, double tolerance) {
+  const ClippedPolygons all = clipped.polygons(tolerance);
+  std::vector<double> areas;
+  for (std::size_t i = 0; i + 1 < all.polygonOffsets.size(); ++i) {
+    areas.push_back(0);
+    const auto polygons = polygonsOf(all, i);
+    if (polygons.empty()) continue;
+    const auto cell = Region::fromPolygons(polygons);
+    EXPECT_TRUE(cell) << "cell " << i << ": " << cell.error().message;
+    if (cell) areas.back() = cell->area();
+  }
+  return areas;
+}
+
+TEST_P(ClipFamilies, HaveValidPolygonsThatMakeUpTheRegion) {
+  forFamily(clipFamilies()[GetParam()], seedOr(56),
+            [](const ClipInput&, const Region& region, const Diagram&, const ClippedDiagram& clipped) {
+              const double extent = extentOf(region);
+              for (const double tolerance : {1.0, 0.01}) {
+                const auto areas = areasOfValidPolygons(clipped, tolerance * extent);
+                EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), region.area(), 1e-11 * extent * extent);
+              }
+            });
+}
+
 TEST_P(ClipFamilies, DoNotDependOnOrderAndPlace) {
   std::mt19937_64 random(seedOr(53));
   forFamily(clipFamilies()[GetParam()], seedOr(54),
@@ -256,6 +294,46 @@ TEST(ClippedDiagram, TheLargestEmptyDiscIsRightWhereCornersAreNearVertices) {
     const Diagram diagram = compute(circles).value();
     const Region region = Region::fromRings(std::vector<Region::Ring>{ring}).value();
     EXPECT_NEAR(ClippedDiagram::from(diagram, region)->largestEmptyDisc()->disc.r, radius, 1e-8);
+  }
+}
+
+TEST(ClipFixtures, HaveValidPolygons) {
+  for (const ClipFixture& fixture : clipFixtures()) {
+    SCOPED_TRACE(fixture.name);
+    const Region region = Region::fromRings(fixture.input.rings).value();
+    const Diagram diagram = compute(fixture.input.circles).value();
+    const auto clipped = ClippedDiagram::from(diagram, region).value();
+    const double extent = extentOf(region);
+    const auto areas = areasOfValidPolygons(clipped, 1e-4 * extent);
+    EXPECT_LT(largestDifference(areas, clipped.areas()), 1e-3 * extent * extent);
+    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), region.area(), 1e-12 * extent * extent);
+  }
+}
+
+TEST(ClippedPolygons, AreRightWhereManyCornersLieAlongOneEdge) {
+  // A comb whose teeth end on the curved edge between two circles, on either side of it, and touch it.
+  const std::vector<Circle> circles = {{0, -200, 0}, {0, 200, 100}};
+  const Diagram diagram = compute(circles).value();
+  Region::Ring ring;
+  for (int k = -1000; k <= 1000; ++k) {
+    const double x = 0.1 * k;
+    // By bisection, the height of the border.
+    double low = -200;
+    double high = 200;
+    for (int i = 0; i < 60; ++i) {
+      const double y = (low + high) / 2;
+      (std::hypot(x, y + 200) < std::hypot(x, y - 200) - 100 ? low : high) = y;
+    }
+    ring.push_back({x, low + (k % 3 - 1) * 1e-4});
+  }
+  ring.push_back({110, 150});
+  ring.push_back({-110, 150});
+  const Region region = Region::fromRings(std::vector<Region::Ring>{ring}).value();
+  const auto clipped = ClippedDiagram::from(diagram, region).value();
+  for (const double tolerance : {1e-6, 1e-3, 10.0}) {
+    const auto areas = areasOfValidPolygons(clipped, tolerance);
+    EXPECT_NEAR(areas[0] + areas[1], region.area(), 1e-9 * region.area());
+    EXPECT_NEAR(areas[0], clipped.areas()[0], 0.02 + 300 * std::min(tolerance, 1e-3));
   }
 }
 

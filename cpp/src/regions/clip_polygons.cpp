@@ -73,7 +73,12 @@ class RoomMaker {
     const double s = parameterAt(bisector_, middleCorner);
     const bool isBetween = std::min(fromParameter, toParameter) < s && s < std::max(fromParameter, toParameter);
     Point middle = pointAt(bisector_, isBetween ? s : std::sqrt(fromParameter) * std::sqrt(toParameter));
-    if (bisector_.a == 0 || depth >= kMostDivisions || middle == from || middle == to) middle = middleCorner;
+    // Next to a corner the corner itself, so that rounding does not lead around it.
+    const double reach = kOnePlace * (lengthOf(vectorTo(center_, middle)) + std::abs(middle.x) + std::abs(middle.y));
+    const bool isAtCorner = lengthOf(vectorTo(middle, middleCorner)) <= reach;
+    if (bisector_.a == 0 || isAtCorner || depth >= kMostDivisions || middle == from || middle == to) {
+      middle = middleCorner;
+    }
     std::size_t split = 0;
     while (split < corners.size() && orientation(center_, middle, corners[split]) < 0) ++split;
     add(from, middle, corners.first(split), depth + 1);

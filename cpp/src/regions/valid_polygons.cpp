@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "circle_voronoi/index.h"
+#include "circle_voronoi/region.h"
 #include "in_circle.h"
 #include "vectors.h"
 
@@ -19,6 +20,8 @@ using Polygons = std::vector<std::vector<PointRing>>;
 
 /// Rings thinner than this share of coordinates have no area but for rounding.
 constexpr double kThinRing = 0x1p-48;
+/// Points nearer to a step than this share of coordinates lie on it, except for rounding.
+constexpr double kOnStep = 0x1p-47;
 
 std::pair<double, double> keyOf(Point p) { return {p.x, p.y}; }
 Vector stepFrom(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
@@ -220,20 +223,47 @@ bool haveRepeatedPoints(const std::vector<PointLoop>& loops) {
   return std::ranges::adjacent_find(points) != points.end();
 }
 
-}  // namespace
+/// Divides steps where other points of the cell lie on them, except for rounding: where a border touches a side.
+void divideSteps(std::vector<PointLoop>& loops) {
+  std::vector<Point> all;
+  for (const PointLoop& loop : loops) all.insert(all.end(), loop.points.begin(), loop.points.end());
+  std::ranges::sort(all, {}, keyOf);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (PointLoop& loop : loops) {
+    PointRing ring;
+    for (std::size_t k = 0; k < loop.points.size(); ++k) {
+      const Point a = loop.points[k];
+      const Point b = loop.points[k + 1 == loop.points.size() ? 0 : k + 1];
+      ring.push_back(a);
+      const Vector along = stepFrom(a, b);
+      const double square = dot(along, along);
+      const double reach = kOnStep * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+      std::vector<std::pair<double, Point>> between;
+      const auto first = std::ranges::lower_bound(all, std::min(a.x, b.x) - reach, {}, &Point::x);
+      for (auto p = first; p != all.end() && p->x <= std::max(a.x, b.x) + reach; ++p) {
+        const Vector toPoint = stepFrom(a, *p);
+        const double share = dot(toPoint, along) / square;
+        if (*p == a || *p == b || !(share > 0 && share < 1)) continue;
+        if (std::abs(cross(along, toPoint)) <= reach * std::sqrt(square)) between.emplace_back(share, *p);
+      }
+      std::ranges::sort(between, {}, &std::pair<double, Point>::first);
+      for (const auto& [share, p] : between) ring.push_back(p);
+    }
+    loop.points = std::move(ring);
+  }
+}
 
-Polygons validPolygons(std::vector<PointLoop> loops) {
+Polygons polygonsOf(const std::vector<PointLoop>& loops) {
   Polygons polygons;
-  for (PointLoop& loop : loops) cleanRing(loop.points);
   if (!haveRepeatedPoints(loops)) {
     bool isKept = false;  // whether the last outer ring is
-    for (PointLoop& loop : loops) {
+    for (const PointLoop& loop : loops) {
       const bool isRing = !loop.points.empty() && !isThin(loop.points);
       if (!loop.isHole) {
         isKept = isRing;
-        if (isKept) polygons.push_back({std::move(loop.points)});
+        if (isKept) polygons.push_back({loop.points});
       } else if (isRing && isKept) {
-        polygons.back().push_back(std::move(loop.points));
+        polygons.back().push_back(loop.points);
       }
     }
     return polygons;
@@ -241,8 +271,7 @@ Polygons validPolygons(std::vector<PointLoop> loops) {
   std::vector<PointRing> holes;
   for (auto& rings : Steps(loops).walks()) {
     const auto hole = std::ranges::partition(rings, [](const PointRing& ring) { return areaOf(ring) > 0; }).begin();
-    const auto outers = hole - rings.begin();
-    if (outers == 1) {
+    if (hole - rings.begin() == 1) {
       polygons.push_back(std::move(rings));
       continue;
     }
@@ -251,6 +280,17 @@ Polygons validPolygons(std::vector<PointLoop> loops) {
   }
   addHoles(std::move(holes), polygons);
   return polygons;
+}
+
+}  // namespace
+
+Polygons validPolygons(std::vector<PointLoop> loops) {
+  for (PointLoop& loop : loops) cleanRing(loop.points);
+  Polygons polygons = polygonsOf(loops);
+  if (polygons.empty() || Region::fromPolygons(polygons)) return polygons;
+  divideSteps(loops);
+  for (PointLoop& loop : loops) cleanRing(loop.points);
+  return polygonsOf(loops);
 }
 
 }  // namespace circle_voronoi
