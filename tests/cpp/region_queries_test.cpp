@@ -225,7 +225,9 @@ void expectPath(const Circles& circles, const std::vector<Ring>& rings, Point p,
   double least = 1e300;
   for (std::size_t k = 0; k < path.curves.size(); ++k) {
     const EdgeCurve& curve = path.curves[k];
-    if (k > 0) EXPECT_EQ(curve.start, path.curves[k - 1].end);
+    if (k > 0) {
+      EXPECT_EQ(curve.start, path.curves[k - 1].end);
+    }
     for (const Point& point : polyline(curve, 1e-4)) {
       EXPECT_GE(clearanceOf({}, rings, point), -1e-4);
       for (const Circle& c : circles) least = std::min(least, std::hypot(c.x - point.x, c.y - point.y) - c.r);
