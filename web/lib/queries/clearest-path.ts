@@ -58,13 +58,13 @@ export interface ClearestPath {
  * @example
  * clearestPath(diagram, { x: 3, y: 0 }, { x: 0, y: 4 }).clearance // 2
  */
-export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
 export function clearestPath(
   diagram: Diagram,
   p: Point,
   q: Point,
   options: RegionOptions | { readonly region: Region },
 ): ClearestPath | undefined
+export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
 export function clearestPath(
   diagram: Diagram,
   p: Point,
