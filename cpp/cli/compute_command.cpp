@@ -30,6 +30,7 @@ constexpr int kMaxThreads = 1024;
 
 struct ComputeArguments {
   CirclesInput input;
+  std::string projection;
   Output output;
   std::string method{nameOf(Options{}.method)};
   std::string candidates{nameOf(Options{}.candidates)};
@@ -66,6 +67,7 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   }
   if (!arguments.tile.isAsked()) return;
   if (!arguments.trace.empty()) throw Failure{kBadInput, "--known takes no --trace."};
+  if (!arguments.projection.empty()) throw Failure{kBadInput, "--known takes no --project."};
   if (arguments.input.options.skipInvalid) throw Failure{kBadInput, "--known takes no --skip-invalid."};
 }
 
@@ -85,8 +87,9 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   }
   const std::string name = inputName(arguments.input.file);
   CircleFile file = readInput(arguments.input, readText(arguments.input.file));
-  const std::vector<Circle>& circles = file.circles;
   arguments.output.attributes = std::move(file.attributes);
+  project(arguments.projection, file.circles, arguments.output, name);
+  const std::vector<Circle>& circles = file.circles;
 
   Options options;
   options.weights = arguments.input.weights();
@@ -131,6 +134,7 @@ void addComputeCommand(CLI::App& program) {
   addCirclesInput(
       *command, arguments->input,
       "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property r; - is standard input");
+  addProjectOption(*command, arguments->projection);
   addOutputOptions(*command, arguments->output);
   command->add_option(flagOf(&Options::method), arguments->method, "How to build the diagram")
       ->type_name("METHOD")

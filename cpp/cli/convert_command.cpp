@@ -37,7 +37,14 @@ void convertDiagram(const CLI::App& command, ConvertArguments& arguments, const 
   if (!read) throw Failure{kBadInput, read.error().message};
   Diagram& diagram = read->diagram;
   arguments.output.attributes = std::move(read->attributes);
-  if (arguments.circlesAlone) return writeCircles(arguments.output, name, diagram.circles, progress);
+  takeRecordedProjection(arguments.output, arguments.output.attributes);
+  if (arguments.circlesAlone) {
+    if (const auto& projection = arguments.output.projection) {
+      for (Circle& circle : diagram.circles) circle = projection->degrees(circle);
+      Projection::removeFrom(arguments.output.attributes);
+    }
+    return writeCircles(arguments.output, name, diagram.circles, progress);
+  }
   progress.show(stageName(Stage::certify));
   // What is written is drawn from the diagram, so it has to be one, whatever its file says.
   const auto certificate = certify(diagram);

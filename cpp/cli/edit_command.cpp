@@ -89,6 +89,7 @@ void runEdit(const CLI::App& command, EditArguments& arguments) {
   progress.show("read");
   CircleFile read = readEditedCircles(command, arguments.input);
   const std::string name = inputName(arguments.input.file);
+  takeRecordedProjection(arguments.output, read.attributes);
   progress.show("compute");
   auto made = DiagramEditor::from(read.circles, {arguments.input.weights()});
   if (!made) fail(made.error(), name + ": ");

@@ -23,6 +23,7 @@ namespace {
 
 struct FitArguments {
   CirclesInput input;
+  std::string projection;
   Output output;
   std::string areas;
   bool shares = AreaFitOptions{}.shares;
@@ -63,6 +64,7 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
   const auto areas = numbersIn(file.attributes, arguments.areas);
   if (!areas) throw Failure{kBadInput, name + ": " + areas.error().message};
   arguments.output.attributes = std::move(file.attributes);
+  project(arguments.projection, file.circles, arguments.output, name);
 
   AreaFitOptions options;
   options.shares = arguments.shares;
@@ -103,6 +105,7 @@ void addFitCommand(CLI::App& program) {
                    "How many times all sites move to the centroids of their cells before the last fit")
       ->type_name("COUNT")
       ->capture_default_str();
+  addProjectOption(*command, arguments->projection);
   arguments->output.isRegionNeeded = true;
   addOutputOptions(*command, arguments->output);
   command->get_option("--region")

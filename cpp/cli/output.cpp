@@ -60,6 +60,20 @@ void noteCollection(const Output& output, ProgressLine& progress) {
   note("The format " + output.format + " has no place for the members of the collection, such as crs.", progress);
 }
 
+/// Puts the box and the region, which are in degrees, into the plane of the projection.
+void projectLimits(Output& output) {
+  if (!output.bounds.empty()) {
+    Box box;
+    (void)readBox(output.bounds, box);
+    output.region = Region::from(box).value();
+    output.bounds.clear();
+  }
+  if (output.region) {
+    const std::string what = output.regionFile.empty() ? "--bounds" : inputName(output.regionFile);
+    output.region = output.projection->plane(*output.region, what);
+  }
+}
+
 }  // namespace
 
 void addOutputFile(CLI::App& command, Output& output) {
@@ -158,7 +172,34 @@ ExportOptions exportOptions(const Output& output) {
   options.maxDistance = output.maxDistance;
   options.digits = output.digits;
   options.attributes = &output.attributes;
+  if (output.projection) {
+    options.place = [projection = *output.projection](Point p) { return projection.degrees(p); };
+  }
   return options;
+}
+
+void addProjectOption(CLI::App& command, std::string& name) {
+  command
+      .add_option("--project", name,
+                  "Centers are longitude and latitude in degrees, radii and distances are meters: compute on this map, "
+                  "and write cells in degrees again")
+      ->type_name("MAP")
+      ->check(CLI::IsMember(kProjections));
+}
+
+void project(const std::string& name, std::vector<Circle>& circles, Output& output, const std::string& input) {
+  if (name.empty() || circles.empty()) return;
+  const auto found = std::ranges::find(kProjections, name);
+  const auto kind = static_cast<Projection::Kind>(found - kProjections.begin());
+  output.projection = Projection::around(circles, kind, input);
+  for (Circle& circle : circles) circle = output.projection->plane(circle);
+  output.projection->record(output.attributes);
+  projectLimits(output);
+}
+
+void takeRecordedProjection(Output& output, const CircleAttributes& attributes) {
+  output.projection = Projection::recordedIn(attributes);
+  if (output.projection) projectLimits(output);
 }
 
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress) {

@@ -15,6 +15,7 @@
 #include "circle_voronoi/region.h"
 #include "files.h"
 #include "progress_line.h"
+#include "projection.h"
 
 namespace circle_voronoi::cli {
 
@@ -29,8 +30,9 @@ struct Output {
   double tolerance = 0;         ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};
-  std::optional<Region> region = {};  ///< what `settle` reads from the file
-  CircleAttributes attributes = {};   ///< of the circles
+  std::optional<Region> region = {};          ///< what `settle` reads from the file
+  std::optional<Projection> projection = {};  ///< of circles whose centers were longitude and latitude
+  CircleAttributes attributes = {};           ///< of the circles
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -48,6 +50,18 @@ void settle(Output& output);
 /// Returns the box, the region, the tolerance, the maximum distance and the digits that the user gave. The output must
 /// outlive them.
 ExportOptions exportOptions(const Output& output);
+
+/// Adds `--project` to a command.
+void addProjectOption(CLI::App& command, std::string& name);
+
+/// Puts circles with longitude and latitude into the plane of a projection of this name, and so the box and the region
+/// of the output, which is written in degrees again. Does nothing if the name is empty. Throws Failure, which calls the
+/// input `input`.
+void project(const std::string& name, std::vector<Circle>& circles, Output& output, const std::string& input);
+
+/// Takes the projection of a diagram that `compute` has projected, which its file says, so that cells are written in
+/// degrees again, and puts the box and the region into its plane. Throws Failure.
+void takeRecordedProjection(Output& output, const CircleAttributes& attributes);
 
 /// Writes a diagram. Errors call the input `name`. Throws Failure if the format draws the diagram and it is not
 /// certified, or if something could not be written.

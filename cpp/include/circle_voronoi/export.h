@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <span>
@@ -44,6 +45,10 @@ struct ExportOptions {
   /// properties, the id of the feature, the height as the property `z`, and the members of the collection. A property
   /// with a name that `writeGeoJson` uses itself, such as area, gets `input_` in front. It must outlive the call.
   const CircleAttributes* attributes = nullptr;
+  /// What `writeGeoJson`, `writeGeoJsonLines` and `writeWkt` write for a point of the plane, such as its longitude and
+  /// latitude. Long sides of polygons get more points, so that they stay within the tolerance. Polygons of neighbors
+  /// still share their points. Empty: the point itself.
+  std::function<Point(Point)> place = {};
 };
 
 /// Returns the default box if no digits are given.

@@ -104,6 +104,7 @@ ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, Conve
       region(std::move(itsRegion)),
       limits{&region, options.maxDistance},
       clipped(std::move(itsClip)),
+      place(options.place),
       attributes(options.attributes),
       tolerance(std::max(toleranceOf(box, options) - grid.error(), toleranceOf(box, options) / 2)) {}
 
@@ -124,6 +125,47 @@ std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge) {
   std::vector<EdgeCurve> curves;
   for (const CurvePart& part : keptParts(frame.diagram, edge, frame.limits)) curves.push_back(part.curve);
   return curves;
+}
+
+namespace {
+
+/// Adds the places of the points of a segment after its start, up to its end. A segment has the same points in both
+/// directions.
+void addPlaces(const ExportFrame& frame, Point from, Point to, Point fromPlace, Point toPlace, int depth,
+               std::vector<Point>& places) {
+  constexpr int kMostHalvings = 16;
+  const Point middle = {(from.x + to.x) / 2, (from.y + to.y) / 2};
+  const Point middlePlace = frame.place(middle);
+  // How far the place of the middle lies from the segment of places, in the unit of the plane.
+  const double off =
+      std::hypot(middlePlace.x - (fromPlace.x + toPlace.x) / 2, middlePlace.y - (fromPlace.y + toPlace.y) / 2);
+  const double placeSize = std::hypot(toPlace.x - fromPlace.x, toPlace.y - fromPlace.y);
+  const double size = std::hypot(to.x - from.x, to.y - from.y);
+  if (depth < kMostHalvings && off * size > frame.tolerance * placeSize) {
+    addPlaces(frame, from, middle, fromPlace, middlePlace, depth + 1, places);
+    addPlaces(frame, middle, to, middlePlace, toPlace, depth + 1, places);
+  } else if (places.empty() || !(places.back() == toPlace)) {
+    places.push_back(toPlace);
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<std::vector<Point>>> placed(const ExportFrame& frame,
+                                                    std::vector<std::vector<std::vector<Point>>> polygons) {
+  if (!frame.place) return polygons;
+  for (auto& polygon : polygons) {
+    for (auto& ring : polygon) {
+      std::vector<Point> places;
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Point from = ring[(k + ring.size() - 1) % ring.size()];
+        addPlaces(frame, from, ring[k], frame.place(from), frame.place(ring[k]), 0, places);
+      }
+      if (places.size() > 1 && places.front() == places.back()) places.pop_back();
+      ring = std::move(places);
+    }
+  }
+  return polygons;
 }
 
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle) {

@@ -52,6 +52,7 @@ struct ExportFrame {
   ConvexPolygon region;                   ///< the box
   Limits limits;                          ///< of cells and edges, unless there is a region
   std::optional<ClippedDiagram> clipped;  ///< the diagram in the region, if there is one
+  std::function<Point(Point)> place;      ///< empty: none (ExportOptions)
   const CircleAttributes* attributes;     ///< null: none
   double tolerance;                       ///< of curves: the part that rounding leaves
 };
@@ -65,6 +66,10 @@ std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge);
 /// Returns the neighbors of a cell. If the options clip the diagram, these are the neighbors that share a part of an
 /// edge inside, each once.
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle);
+
+/// Returns rings as they are written (ExportOptions::place).
+std::vector<std::vector<std::vector<Point>>> placed(const ExportFrame& frame,
+                                                    std::vector<std::vector<std::vector<Point>>> polygons);
 
 /// Returns the curve of a piece of an outline in the direction of its edge, with the same bits for both cells.
 /// Precondition: the piece does not belong to the region's boundary.

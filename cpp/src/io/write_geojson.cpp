@@ -124,7 +124,7 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
     if (frame.attributes != nullptr) writeAttributes(out, *frame.attributes, static_cast<std::size_t>(i));
     out << R"(},"geometry":)";
     if (periodic == nullptr) {
-      writeGeometry(out, polygons.polygons(i));
+      writeGeometry(out, placed(frame, polygons.polygons(i)));
     } else {
       writeGeometry(out, movedBack(polygons.polygons(i), *periodic, i));
     }

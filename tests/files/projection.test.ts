@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `--project`: longitude and latitude with radii in meters, held against distances on the ellipsoid (T. Vincenty 1975).
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { afterAll, describe, expect, it } from 'vitest'
+
+const PROGRAM = new URL('../../build/native/circle-voronoi', import.meta.url).pathname
+const FILE = new URL('brought/degrees-and-metres.csv', import.meta.url).pathname
+const KINDS = ['local', 'equal-area', 'mercator'] as const
+const folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-projection-'))
+afterAll(() => rmSync(folder, { recursive: true }))
+
+type Position = readonly [number, number]
+interface Cell {
+  readonly properties: { readonly area: number; readonly neighbors: readonly number[]; readonly r: number }
+  readonly geometry: { readonly coordinates: readonly (readonly Position[])[] }
+}
+
+const CIRCLES = readFileSync(FILE, 'utf8')
+  .trim()
+  .split('\n')
+  .slice(1)
+  .map((line) => line.split(',').map(Number) as [number, number, number])
+
+function run(args: readonly string[], input?: string) {
+  const { status, stdout, stderr } = spawnSync(PROGRAM, args, { input, encoding: 'utf8' })
+  return { status, stdout, stderr }
+}
+
+function cellsOf(args: readonly string[], input?: string): readonly Cell[] {
+  const { status, stdout, stderr } = run([...args, '--format', 'geojson'], input)
+  expect([status, stderr]).toEqual([0, ''])
+  return JSON.parse(stdout).features
+}
+
+/** The distance of two places in meters. */
+function distance([lon1, lat1]: Position, [lon2, lat2]: Position): number {
+  const [a, f] = [6378137, 1 / 298.257223563]
+  const radians = (degrees: number) => (degrees * Math.PI) / 180
+  const [u1, u2] = [lat1, lat2].map((lat) => Math.atan((1 - f) * Math.tan(radians(lat)))) as [number, number]
+  let [lambda, sigma, sinSigma, cosSigma, cosSquare, cosMiddle] = [radians(lon2 - lon1), 0, 0, 0, 0, 0]
+  for (let step = 0; step < 100; step++) {
+    const across = Math.cos(u2) * Math.sin(lambda)
+    const along = Math.cos(u1) * Math.sin(u2) - Math.sin(u1) * Math.cos(u2) * Math.cos(lambda)
+    sinSigma = Math.hypot(across, along)
+    if (sinSigma === 0) return 0
+    cosSigma = Math.sin(u1) * Math.sin(u2) + Math.cos(u1) * Math.cos(u2) * Math.cos(lambda)
+    sigma = Math.atan2(sinSigma, cosSigma)
+    const sinAlpha = (Math.cos(u1) * Math.cos(u2) * Math.sin(lambda)) / sinSigma
+    cosSquare = 1 - sinAlpha ** 2
+    cosMiddle = cosSquare > 0 ? cosSigma - (2 * Math.sin(u1) * Math.sin(u2)) / cosSquare : 0
+    const c = (f / 16) * cosSquare * (4 + f * (4 - 3 * cosSquare))
+    const inner = cosMiddle + c * cosSigma * (2 * cosMiddle ** 2 - 1)
+    lambda = radians(lon2 - lon1) + (1 - c) * f * sinAlpha * (sigma + c * sinSigma * inner)
+  }
+  const square = (cosSquare * (1 - (1 - f) ** 2)) / (1 - f) ** 2
+  const big = 1 + (square / 16384) * (4096 + square * (square * (320 - 175 * square) - 768))
+  const small = (square / 1024) * (256 + square * (square * (74 - 47 * square) - 128))
+  const last = (small / 6) * cosMiddle * (4 * sinSigma ** 2 - 3) * (4 * cosMiddle ** 2 - 3)
+  const delta = small * sinSigma * (cosMiddle + (small / 4) * (cosSigma * (2 * cosMiddle ** 2 - 1) - last))
+  return a * (1 - f) * big * (sigma - delta)
+}
+
+function pointsOf({ geometry }: Cell): readonly Position[] {
+  return geometry.coordinates.flat()
+}
+
+describe.each(KINDS)('--project %s', (kind) => {
+  // Within 30 km of the middle, circles of some hundred meters: so many meters off. Mercator's scale differs by 0.4 % there.
+  const error = { local: 0.5, 'equal-area': 0.5, mercator: 60 }[kind]
+
+  it('has cells whose points are as near to one circle as to its neighbor, in meters', () => {
+    const cells = cellsOf(['compute', FILE, '--project', kind])
+    expect(cells.map(({ properties }) => properties.neighbors.length)).toEqual([2, 1, 1])
+    let shared = 0
+    for (const [i, cell] of cells.entries()) {
+      for (const j of cell.properties.neighbors) {
+        const others = new Set(pointsOf(cells[j] as Cell).map(String))
+        for (const point of pointsOf(cell).filter((point) => others.has(String(point)))) {
+          const [p, q] = [CIRCLES[i], CIRCLES[j]] as [Position & { 2: number }, Position & { 2: number }]
+          const difference = distance(point, [p[0], p[1]]) - p[2] - (distance(point, [q[0], q[1]]) - q[2])
+          expect(Math.abs(difference)).toBeLessThan(error)
+          shared += 1
+        }
+      }
+    }
+    expect(shared).toBeGreaterThan(20)
+  })
+
+  it('goes through a diagram in JSON, which says what its plane is', () => {
+    const { stdout } = run(['compute', FILE, '--project', kind])
+    const { collection, circles } = JSON.parse(stdout)
+    expect(collection.projection).toMatchObject({ type: kind, unit: 'meter' })
+    expect(circles).toHaveLength(3)
+    expect(cellsOf(['convert', '-'], stdout)).toEqual(cellsOf(['compute', FILE, '--project', kind]))
+    const bounds = ['--bounds', '149.1,-35.4,149.2,-35.3']
+    expect(cellsOf(['convert', '-', ...bounds], stdout)).toEqual(
+      cellsOf(['compute', FILE, '--project', kind, ...bounds]),
+    )
+    const points = JSON.parse(run(['convert', '-', '--circles', '--format', 'geojson'], stdout).stdout)
+    expect(points.projection).toBeUndefined()
+    for (const [k, [x, y, r]] of CIRCLES.entries()) {
+      const { geometry, properties } = points.features[k]
+      expect(geometry.coordinates[0]).toBeCloseTo(x, 8)
+      expect(geometry.coordinates[1]).toBeCloseTo(y, 8)
+      expect(properties.r).toBeCloseTo(r, 5)
+    }
+    const script = join(folder, 'none.csv')
+    writeFileSync(script, '# none\n')
+    const edited = cellsOf(['edit', '-', '--script', script], stdout)
+    expect(edited.map(({ properties }) => properties.area)).toEqual(
+      cellsOf(['convert', '-'], stdout).map(({ properties }) => properties.area),
+    )
+  })
+
+  it('takes a box and a region in degrees', () => {
+    const box = '148.9,-35.6,149.4,-35.1'
+    const region = join(folder, 'region.wkt')
+    writeFileSync(region, 'POLYGON ((148.9 -35.6, 149.4 -35.6, 149.4 -35.1, 148.9 -35.1))')
+    const cells = cellsOf(['compute', FILE, '--project', kind, '--bounds', box])
+    expect(cellsOf(['compute', FILE, '--project', kind, '--region', region])).toEqual(cells)
+    const points = cells.flatMap(pointsOf)
+    const [x, y] = [points.map(([x]) => x), points.map(([, y]) => y)]
+    for (const [got, wanted] of [
+      [Math.min(...x), 148.9],
+      [Math.max(...x), 149.4],
+      [Math.min(...y), -35.6],
+      [Math.max(...y), -35.1],
+    ] as const) {
+      expect(Math.abs(got - wanted)).toBeLessThan(1e-8)
+    }
+    // A half of a degree of longitude and of latitude there, on the ellipsoid: 2,523 square kilometers.
+    const area = cells.reduce((sum, { properties }) => sum + properties.area, 0)
+    expect(Math.abs(area / areaOfBox(148.9, -35.6, 149.4, -35.1) - 1)).toBeLessThan(
+      { local: 1e-4, 'equal-area': 1e-6, mercator: 0.02 }[kind],
+    )
+  })
+
+  it('crosses the antimeridian', () => {
+    const cells = cellsOf(['compute', '-', '--project', kind], 'lon,lat,r\n179.9,10,100\n-179.9,10,100\n180,10.2,100\n')
+    const x = cells.flatMap(pointsOf).map(([x]) => x)
+    expect(Math.max(...x) - Math.min(...x)).toBeLessThan(1)
+  })
+
+  it('refuses what is no place', () => {
+    const refused = (text: string) => run(['compute', '-', '--project', kind], text)
+    expect(refused('x,y,r\n1,1,1\n500000,5400000,1\n')).toEqual({
+      status: 2,
+      stdout: '',
+      stderr:
+        'circle-voronoi: standard input: circle 1 is at (5e+05, 5400000), which is no longitude and latitude in degrees.\n',
+    })
+    const far = refused('lon,lat,r\n0,0,1\n150,10,1\n')
+    expect(far.status).toBe(kind === 'mercator' ? 0 : 2)
+    expect(refused('lon,lat,r\n0,0,1\n0,89,1\n').status).toBe(kind === 'mercator' ? 2 : 0)
+  })
+})
+
+/** Of a box of degrees on the ellipsoid, by the trapezoidal rule over parallels. */
+function areaOfBox(west: number, south: number, east: number, north: number): number {
+  const [a, f, parts] = [6378137, 1 / 298.257223563, 2000]
+  const square = f * (2 - f)
+  const step = ((north - south) / parts) * (Math.PI / 180)
+  let sum = 0
+  for (let k = 0; k <= parts; k++) {
+    const lat = (south * Math.PI) / 180 + k * step
+    const w = 1 - square * Math.sin(lat) ** 2
+    const density = (a * Math.cos(lat) * a * (1 - square)) / w ** 2
+    sum += (k === 0 || k === parts ? 0.5 : 1) * density * step
+  }
+  return sum * ((east - west) * Math.PI) / 180
+}
+
+it('fit gives cells areas in square meters', () => {
+  const region = join(folder, 'box.wkt')
+  writeFileSync(region, 'POLYGON ((148.9 -35.6, 149.4 -35.6, 149.4 -35.1, 148.9 -35.1))')
+  const table = 'lon,lat,people\n149.149,-35.315,3\n149.3,-35.5,1\n149,-35.2,2\n'
+  const args = ['fit', '-', '--areas', 'people', '--shares', '--region', region, '--project', 'equal-area']
+  const areas = cellsOf(args, table).map(({ properties }) => properties.area)
+  const whole = areaOfBox(148.9, -35.6, 149.4, -35.1)
+  for (const [k, share] of [3, 1, 2].entries()) {
+    expect(Math.abs((areas[k] as number) / ((share * whole) / 6) - 1)).toBeLessThan(1e-6)
+  }
+})
