@@ -101,9 +101,9 @@ test('columns of a table are in the table, the inspector, the colors, the link, 
   const lines = (await saved(app, 'CSV')).split('\n')
   expect(lines.slice(0, 4)).toEqual([
     'x,y,r,name,fips,kind,people',
-    '0,0,1,Aarau,"0042",town,1200',
+    '0,0,1,Aarau,0042,town,1200',
     '12,0,2,Bern,"1003",city,134000.5',
-    '4,9,1.5,"Chur, GR","06037",town,38000',
+    '4,9,1.5,"Chur, GR",06037,town,38000',
   ])
   const { features } = JSON.parse(await saved(app, 'GeoJSON'))
   expect(features[2].properties).toMatchObject({ name: 'Chur, GR', fips: '06037', people: 38000 })

@@ -4,7 +4,7 @@ import { type Attributes, columnsOf, isNumeric } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
 import { EditorActions, type HowOpened, type Opened } from '../editing/editor-actions.ts'
 import type { Scene } from '../editing/history.ts'
-import type { State } from '../editing/state.ts'
+import type { Remedy, State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Circle, Edit, Float64s, Point } from '../lib/index.ts'
 import { decodeLink, frameOf, LINK_LIMITS, type LinkFrame, type LinkView } from '../lib/link.ts'
@@ -41,6 +41,7 @@ export class PageActions extends EditorActions {
   readonly #make: (recipe: Recipe) => Promise<Float64s>
   readonly #shown: () => string
   readonly #layers: () => Layers
+  readonly #remedy: (remedy: Remedy) => void
   /** Those that colors were last made of. */
   #attributes: Attributes | undefined
 
@@ -57,6 +58,7 @@ export class PageActions extends EditorActions {
     this.#make = (recipe) => reader.call('make', recipe)
     this.#shown = () => store.get().dataSet
     this.#layers = () => view.layers
+    this.#remedy = (remedy) => store.update((state) => ({ ...state, remedy }))
   }
 
   /** What the tool `draw` draws with. */
@@ -103,6 +105,11 @@ export class PageActions extends EditorActions {
       return { kind: 'replace', id, circle: { ...circle, r: radii[k] as number } }
     })
     return this.setDomain({ areas }, gesture, edits)
+  }
+
+  /** Offers a way out of a problem that was told. */
+  offer(remedy: Remedy): void {
+    this.#remedy(remedy)
   }
 
   /** Opens what is loaded, in the colors of a column if it says so. */

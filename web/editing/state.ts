@@ -20,6 +20,8 @@ export interface State {
   readonly attributes: Attributes
   /** One sentence about what was refused, or empty. */
   readonly problem: string
+  /** What can be done about a problem, as long as it is that one. */
+  readonly remedy: Remedy | undefined
   /** Those that are selected, the newest last. */
   readonly selection: readonly number[]
   /** The one that is, if there is only one. */
@@ -44,6 +46,13 @@ export interface State {
   readonly said: { readonly text: string }
 }
 
+/** A way out of a problem. */
+export interface Remedy {
+  readonly problem: string
+  readonly label: string
+  act(): void
+}
+
 /** What a press on the figure does. */
 export type Tool = 'select' | 'pan' | 'add' | 'draw'
 
@@ -54,6 +63,7 @@ export const INITIAL_STATE: State = {
   domain: NO_DOMAIN,
   attributes: NO_ATTRIBUTES,
   problem: '',
+  remedy: undefined,
   selection: [],
   selected: undefined,
   circle: undefined,

@@ -78,7 +78,26 @@ export class FileActions {
     // What is too large is not read at all.
     const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file)
     if (region !== undefined) return this.#clipTo(region, file.name, gesture)
-    return this.#actions.openRead(() => this.#readFile(file))
+    return this.#openRead(() => this.#readFile(file))
+  }
+
+  /** Opens what is read. If some rows are no circles, the error offers to skip them. */
+  async #openRead(read: () => Promise<Read>): Promise<HowOpened> {
+    let invalid: InvalidRows | undefined
+    const how = await this.#actions.openRead(() =>
+      read().catch((error) => {
+        if (error instanceof InvalidRows) invalid = error
+        throw error
+      }),
+    )
+    if (how !== 'refused' || invalid === undefined) return how
+    const { message, count, skipping } = invalid
+    const rows = count === 1 ? '1 row' : `${wholeNumber(count)} rows`
+    const act = async () => {
+      if ((await this.#actions.openRead(skipping)) === 'opened') toast(`${rows} skipped.`)
+    }
+    this.#actions.offer({ problem: message, label: `Skip ${rows}`, act })
+    return how
   }
 
   /** Clips the cells to the polygons of a file. What cannot be a region changes nothing. */
@@ -127,7 +146,7 @@ export class FileActions {
     if (region !== undefined) return this.#clipTo(region, 'the pasted polygons')
     const read = () => this.#read(new TextEncoder().encode(text), name)
     const isTable = !/^\s*[[{<]/.test(text)
-    if (!isTable || this.#editing.circles.count === 0) return this.#actions.openRead(read)
+    if (!isTable || this.#editing.circles.count === 0) return this.#openRead(read)
     return this.#add(read)
   }
 
@@ -172,6 +191,10 @@ export class FileActions {
       return await this.#threads.reader.call('read', bytes.slice(), name)
     } catch (error) {
       const { message } = error as Error
+      const skipping = await this.#threads.reader.call('read', bytes.slice(), name, true).catch(() => undefined)
+      if (skipping !== undefined && 'skipped' in skipping && (skipping.skipped ?? 0) > 0) {
+        throw new InvalidRows(message, skipping.skipped as number, async () => skipping)
+      }
       if (isBinary(bytes)) throw new Error(`${name} is not a table of circles. ${READABLE}`)
       const rows = UNKNOWN_COLUMNS.test(message) ? rowsOf(new TextDecoder().decode(bytes)) : undefined
       // Of three columns without names, a row is wrong, and not the columns.
@@ -332,6 +355,18 @@ export class FileActions {
       this.#store.update((state) => ({ ...state, problem: (error as Error).message }))
       return false
     }
+  }
+}
+
+/** Some rows of a file are no circles. The others can be opened without them. */
+class InvalidRows extends Error {
+  readonly count: number
+  readonly skipping: () => Promise<Read>
+
+  constructor(message: string, count: number, skipping: () => Promise<Read>) {
+    super(message)
+    this.count = count
+    this.skipping = skipping
   }
 }
 

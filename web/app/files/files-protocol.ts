@@ -10,12 +10,16 @@ import type { Catalogue, Recipe } from '../generators/generators.ts'
 export type SavedFormat = 'csv' | 'json' | 'geojson' | 'cells'
 
 /** What a file holds: circles, or a link that was saved with them. */
-export type Read = NamedCircles | { readonly link: string }
+export type Read = (NamedCircles & { readonly skipped?: number | undefined }) | { readonly link: string }
 
 /** What the thread does. */
 export interface FilesCalls {
-  /** @throws CircleVoronoiError as `readCircles`, `readDiagram` */
-  read(bytes: Uint8Array<ArrayBuffer>, name: string): Read
+  /**
+   * `skipsInvalid`: whether rows that are no circles are left out, and counted as `skipped`.
+   *
+   * @throws CircleVoronoiError as `readCircleFile`, `readDiagramFile`
+   */
+  read(bytes: Uint8Array<ArrayBuffer>, name: string, skipsInvalid?: boolean): Read
   /** Circles that show a picture. @throws CircleVoronoiError `internal`, if the browser cannot read it */
   stipple(picture: Blob): Read
   /** `region`: what cells are clipped to. @throws CircleVoronoiError as `compute`, `writeDiagram` */

@@ -9,6 +9,7 @@ import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import { boundingBox } from '../../view/camera.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
+import type { NamedCircles } from '../csv.ts'
 import { randomNumbers } from '../random-circles.ts'
 import type { FilesCalls, Read, SavedFormat } from './files-protocol.ts'
 import { stippled, tonesOf } from './stipple.ts'
@@ -50,7 +51,7 @@ port.onmessage = async ({ data: { request, name, args } }) => {
   }
 }
 
-async function read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
+async function read(bytes: Uint8Array<ArrayBuffer>, name: string, skipInvalid = false): Promise<Read> {
   const text = new TextDecoder().decode(bytes)
   const isSvg = /^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)
   const table = isSvg ? tableOfSvg(text) : undefined
@@ -59,14 +60,14 @@ async function read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read>
   const tableBytes = table === undefined ? bytes : new TextEncoder().encode(table)
   const isDiagram = table === undefined && holdsDiagram(bytes)
   if (!isDiagram) {
-    const { circles, attributes } = readCircleFile(tableBytes, { name })
-    return withColumns(circles, attributes)
+    const { circles, attributes, skipped } = readCircleFile(tableBytes, { name, skipInvalid })
+    return { ...withColumns(circles, attributes), ...(skipInvalid && { skipped: skipped.length }) }
   }
   const { diagram, attributes } = readDiagramFile(bytes, { name })
   return withColumns(diagram.circles, attributes)
 }
 
-function withColumns(circles: Float64s, given: CircleAttributes): Read {
+function withColumns(circles: Float64s, given: CircleAttributes): NamedCircles {
   const attributes = columnsOf(given, circles.length / 3)
   const { columns, ids, heights, collection } = attributes
   const isAny = columns.length + ids.length + heights.length + collection.length > 0

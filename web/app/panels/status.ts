@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { State } from '../../editing/state.ts'
+import type { Remedy, State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
@@ -10,6 +10,8 @@ export function mountStatus(store: Store<State>): void {
   const problem = byId('problem', HTMLParagraphElement)
 
   let edited: State['edited']
+  let shown = ''
+  let offered: Remedy | undefined
 
   store.subscribe((state) => {
     // It is read out each time.
@@ -18,8 +20,20 @@ export function mountStatus(store: Store<State>): void {
       edited = state.edited
     }
     problem.hidden = state.problem === ''
-    if (problem.textContent !== state.problem) problem.textContent = state.problem
+    const remedy = state.problem !== '' && state.remedy?.problem === state.problem ? state.remedy : undefined
+    if (state.problem === shown && remedy === offered) return
+    shown = state.problem
+    offered = remedy
+    problem.replaceChildren(state.problem, ...(remedy === undefined ? [] : [' ', buttonOf(remedy)]))
   })
+}
+
+function buttonOf({ label, act }: Remedy): HTMLButtonElement {
+  const button = document.createElement('button')
+  button.type = 'button'
+  button.textContent = label
+  button.addEventListener('click', () => act())
+  return button
 }
 
 /** Phones have no room for minor parts, and small ones, or those where there are rare ones, none for second ones. */
