@@ -17,6 +17,7 @@ export const TEXTS = {
   'docs/areas.md': 'areas.html',
   'docs/element.md': 'element.html',
   'docs/embedding.md': 'embedding.html',
+  'docs/put-it-into.md': 'put-it-into.html',
   'docs/cpp.md': 'cpp.html',
   'docs/shell.md': 'shell.html',
   'docs/tiles.md': 'tiles.html',

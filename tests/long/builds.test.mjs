@@ -5,6 +5,8 @@ import assert from 'node:assert/strict'
 import { cpSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { after, before, it } from 'node:test'
+import { blocksRunBy } from '../readme/blocks.mjs'
+import { recipeOf } from '../readme/put-it-into.mjs'
 import {
   CIRCLES,
   closeBrowser,
@@ -18,13 +20,14 @@ import {
   withServer,
 } from './tool-project.mjs'
 
+const BLOCKS = blocksRunBy('tests/long/builds.test.mjs')
+/** The files that docs/put-it-into.md shows for a tool. */
+const recipe = (tool) => recipeOf(BLOCKS, tool)
+/** A component as the page shows it, which tells of changes. */
+const telling = (code) => code.replace(' />', " onCirclesChange={() => { document.title = 'changed' }} />")
 const IMPORT = "import 'circle-voronoi/element'\n"
 const page = (script, figure = FIGURE) =>
   `<!doctype html><html lang="en"><link rel="icon" href="data:,"><title>Circles</title>${script}${figure}</html>`
-/** A figure in JSX, whose region is an object: a server does not send it. */
-const COMPONENT = `<CircleVoronoi circles={${CIRCLES}} region={{ type: 'Polygon', coordinates: [[[0, 0], [9, 0], [9, 8], [0, 8], [0, 0]]] }}
-  onCirclesChange={() => { document.title = 'changed' }} />`
-
 let projects
 before(async () => {
   projects = new ToolProjects()
@@ -64,15 +67,7 @@ it('esbuild 0.25, by the module in one file', async () => {
 })
 
 it('VitePress 1.6', async () => {
-  const folder = projects.create('vitepress', ['vitepress@1.6.3'], {
-    'index.md': `# Circles\n\n<script setup>
-import { onMounted } from 'vue'
-onMounted(() => import('circle-voronoi/element'))
-</script>\n\n${FIGURE}\n`,
-    '.vitepress/config.js': `export default {
-      vue: { template: { compilerOptions: { isCustomElement: (name) => name === 'circle-voronoi' } } },
-    }\n`,
-  })
+  const folder = projects.create('vitepress', ['vitepress@1.6.3'], recipe('VitePress'))
   run(folder, 'vitepress', ['build'])
   await withFiles(join(folder, '.vitepress/dist'), useFigure)
   await withServer(folder, 'vitepress', (port) => ['dev', '--port', port, '--strictPort'], useFigure)
@@ -87,9 +82,7 @@ export default defineConfig({ integrations: [starlight({ title: 'Circles' })] })
 import { docsSchema } from '@astrojs/starlight/schema'
 import { defineCollection } from 'astro:content'
 export const collections = { docs: defineCollection({ loader: docsLoader(), schema: docsSchema() }) }\n`,
-    'src/components/Figure.astro': `${FIGURE}\n<script>import 'circle-voronoi/element'</script>\n`,
-    'src/content/docs/index.mdx':
-      "---\ntitle: Circles\n---\nimport Figure from '../../components/Figure.astro'\n\n<Figure />\n",
+    ...recipe('Astro Starlight'),
   })
   run(folder, 'astro', ['build'])
   await withFiles(join(folder, 'dist'), useFigure)
@@ -119,9 +112,7 @@ for (const bundler of ['webpack', 'turbopack']) {
       'app/layout.jsx': 'export default ({ children }) => <html lang="en"><body>{children}</body></html>\n',
       'app/page.jsx': `import { Figure } from './figure'
 export default function Page() { return <main><h1>Circles</h1><Figure /></main> }\n`,
-      'app/figure.jsx': `'use client'
-import { CircleVoronoi } from 'circle-voronoi/react'
-export function Figure() { return ${COMPONENT} }\n`,
+      'app/figure.jsx': telling(recipe('Next')['app/figure.jsx']),
     })
     run(folder, 'next', ['build', ...(bundler === 'turbopack' ? ['--turbopack'] : [])])
     const changed = async (page) => assert.equal(await page.title(), 'changed')
@@ -139,7 +130,7 @@ it('Docusaurus 3.9', async () => {
   title: 'Circles', url: 'https://example.com', baseUrl: '/',
   presets: [['classic', { docs: { routeBasePath: '/' }, blog: false }]],
 }\n`,
-    'docs/index.mdx': `---\nslug: /\n---\n# Circles\n\nimport { CircleVoronoi } from 'circle-voronoi/react'\n\n${COMPONENT.replace(/\s+/g, ' ')}\n`,
+    'docs/index.mdx': telling(recipe('Docusaurus')['docs/index.mdx']),
   })
   run(folder, 'docusaurus', ['build'])
   const changed = async (page) => assert.equal(await page.title(), 'changed')
@@ -147,12 +138,7 @@ it('Docusaurus 3.9', async () => {
 })
 
 it('Eleventy 3, with the files of the package beside its pages', async () => {
-  const folder = projects.create('eleventy', ['@11ty/eleventy@3.1.2'], {
-    'index.md': `# Circles\n\n<script type="module" src="/circle-voronoi/element/index.js"></script>\n\n${FIGURE}\n`,
-    'eleventy.config.js': `export default (config) => {
-  config.addPassthroughCopy({ 'node_modules/circle-voronoi/dist': 'circle-voronoi' })
-}\n`,
-  })
+  const folder = projects.create('eleventy', ['@11ty/eleventy@3.1.2'], recipe('Eleventy'))
   run(folder, 'eleventy', ['--quiet'])
   await withFiles(join(folder, '_site'), useFigure)
 })
@@ -161,16 +147,28 @@ it('MkDocs, with a table in Markdown between the tags', async () => {
   const table = `| x | y | r |\n|---|---|---|\n${JSON.parse(CIRCLES)
     .map((row) => `| ${row.join(' | ')} |`)
     .join('\n')}`
+  const files = recipe('MkDocs')
   const folder = projects.create('mkdocs', [], {
-    'mkdocs.yml': 'site_name: Circles\nextra_javascript: [circle-voronoi/classic.js]\n',
-    'docs/index.md': `# Circles\n\n<circle-voronoi region="${REGION}">\n\n${table}\n\n</circle-voronoi>\n`,
+    ...files,
+    // The theme fetches its highlighter from elsewhere.
+    'mkdocs.yml': `${files['mkdocs.yml']}theme: { name: mkdocs, highlightjs: false }\n`,
+    'docs/table.md': `# Circles\n\n<circle-voronoi region="${REGION}">\n\n${table}\n\n</circle-voronoi>\n`,
   })
   cpSync(
     join(folder, 'node_modules/circle-voronoi/dist/element/classic.js'),
     join(folder, 'docs/circle-voronoi/classic.js'),
   )
   run(folder, 'mkdocs', ['build', '--quiet'])
-  await withFiles(join(folder, 'site'), useFigure)
+  await withFiles(join(folder, 'site'), async (address) => {
+    await useFigure(address)
+    await useFigure(`${address}table/`)
+  })
+})
+
+it('Observable Framework 1.13', async () => {
+  const folder = projects.create('observable', ['@observablehq/framework@1.13.4'], recipe('Observable Framework'))
+  run(folder, 'observable', ['build'])
+  await withFiles(join(folder, 'dist'), useFigure)
 })
 
 /** At two sizes of the window, to which slides are scaled. */
@@ -180,19 +178,8 @@ const WINDOWS = [
 ]
 
 it('reveal.js 5: mouse, finger and keys stay on the slide', async () => {
-  const folder = projects.create('reveal', ['reveal.js@5.2.1'], {
-    'index.html': page(
-      `<link rel="stylesheet" href="node_modules/reveal.js/dist/reveal.css">`,
-      `<div class="reveal"><div class="slides"><section><h2>Circles</h2>${FIGURE}</section><section>Next</section></div></div>
-      <script type="module" src="node_modules/circle-voronoi/dist/element/bundle.js"></script>
-      <script type="module">
-        import Reveal from './node_modules/reveal.js/dist/reveal.esm.js'
-        await Reveal.initialize({ hash: true, transition: 'none' })
-        globalThis.Reveal = Reveal
-      </script>`,
-    ),
-  })
-  const stays = async (page) => assert.equal(await page.evaluate(() => Reveal.getIndices().h), 0)
+  const folder = projects.create('reveal', ['reveal.js@5.2.1'], recipe('reveal.js'))
+  const stays = async (page) => assert.doesNotMatch(page.url(), /#\/[1-9]/)
   await withFiles(folder, async (address) => {
     for (const viewport of WINDOWS) {
       for (const isTouch of [false, true])
@@ -203,13 +190,9 @@ it('reveal.js 5: mouse, finger and keys stay on the slide', async () => {
 
 it('Slidev 51: mouse, finger and keys stay on the slide', async () => {
   const packages = ['@slidev/cli@51.8.1', '@slidev/theme-default@0.25.0', 'vue@3.5.17']
-  const folder = projects.create('slidev', packages, {
-    'slides.md': `# Circles\n\n<Figure />\n\n---\n\n# Next\n`,
-    'components/Figure.vue': `<script setup>
-import { onMounted } from 'vue'
-onMounted(() => import('circle-voronoi/element'))
-</script>\n<template>${FIGURE}</template>\n`,
-  })
+  const files = recipe('Slidev')
+  const slides = `${files['slides.md']}\n---\n\n# Next\n`
+  const folder = projects.create('slidev', packages, { ...files, 'slides.md': slides })
   run(folder, 'slidev', ['build'])
   const stays = async (page) => assert.match(page.url(), /\/1(\?.*)?$/)
   await withFiles(

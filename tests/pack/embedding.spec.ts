@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The code of docs/embedding.md, as a reader would use it.
-import { readFileSync } from 'node:fs'
+import { cpSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
+import { embedCode } from '../../web/app/files/saving.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
 import { Project, ROOT } from './project.mjs'
+import { INLINE_POLICY, serve } from './static-server.ts'
 
 const BLOCKS = blocksRunBy('tests/pack/embedding.spec.ts')
 const below = (heading: string) => BLOCKS.filter(({ headings }) => headings.at(-1) === heading).map(({ code }) => code)
@@ -36,4 +38,29 @@ test('the commands and the script of the section about pictures draw', () => {
 test('the script of the page around a frame is that of the example', () => {
   const [code] = below('A frame that talks to its page') as [string]
   expect(readFileSync(join(ROOT, 'examples/element/question-frame/host.js'), 'utf8')).toContain(code)
+})
+
+test('the lines for Quarto are a live figure in a page', async ({ page }) => {
+  const [lines] = below('Quarto') as [string]
+  project.write(
+    'quarto.html',
+    `<!doctype html><html lang="en"><title>Quarto</title><link rel="icon" href="data:,">${lines}</html>`,
+  )
+  cpSync(join(ROOT, 'dist/element/bundle.js'), project.path('bundle.js'))
+  const server = await serve(project.folder, INLINE_POLICY)
+  await page.goto(`${server.address}quarto.html`)
+  const figure = page.locator('circle-voronoi')
+  await expect
+    .poll(() => figure.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.circles?.length))
+    .toBe(9)
+  expect(await figure.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.toSVG())).toContain(
+    'clipPath',
+  )
+  await server.close()
+})
+
+test('the lines for Moodle and WordPress are those that the playground writes', () => {
+  const [lines] = below('Moodle, WordPress and other systems') as [string]
+  const [, address = ''] = /src="([^"]+)"/.exec(lines) ?? []
+  expect(lines.trim()).toBe(embedCode(address))
 })

@@ -17,6 +17,7 @@ const MARKDOWN = [
     'cpp',
     'element',
     'embedding',
+    'put-it-into',
     'javascript',
     'regions',
     'results',
@@ -32,6 +33,7 @@ const PAGE = 'tests/pack/readme.spec.ts'
 const ELEMENT = 'tests/pack/element.spec.ts'
 const COOKBOOK = 'tests/pack/cookbook.spec.ts'
 const EMBEDDING = 'tests/pack/embedding.spec.ts'
+const TOOLS = 'tests/long/builds.test.mjs'
 const COMMENTS = 'tests/wasm/examples.test.mjs'
 
 /** Who runs the blocks of a file, below a heading if one is named. `what`, where it is not code to be run as it stands. */
@@ -55,6 +57,15 @@ const RUN_BY = [
   { by: PAGE, file: 'docs/element.md', language: 'html' },
   ...['js', 'sh', 'jsx'].map((language) => ({ by: ELEMENT, file: 'docs/element.md', language })),
   { by: EMBEDDING, file: 'docs/embedding.md' },
+  ...['Quarto', 'Moodle, WordPress and other systems'].map((heading) => ({
+    by: EMBEDDING,
+    file: 'docs/put-it-into.md',
+    heading,
+  })),
+  ...[
+    ...['VitePress', 'Docusaurus', 'Next', 'Astro Starlight', 'Eleventy', 'MkDocs', 'reveal.js', 'Slidev'],
+    'Observable Framework',
+  ].map((heading) => ({ by: TOOLS, file: 'docs/put-it-into.md', heading })),
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
