@@ -14,6 +14,7 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/final_cells.h"
+#include "circle_voronoi/periodic.h"
 #include "option_names.h"
 #include "trace_arrays.h"
 #include "values.h"
@@ -86,6 +87,25 @@ val computeValue(const val& coordinates, const val& options) {
   });
 }
 
+/// `lattice`: ax, ay, bx, by.
+val computePeriodicValue(const val& coordinates, const val& lattice, const val& options) {
+  return valueOf([&] {
+    const Result<Options> chosen = optionsFrom(options);
+    if (!chosen.ok()) return errorValue(chosen.error());
+    const auto circles = itemsFrom<double, Circle>(coordinates);
+    const Lattice periods = itemsFrom<double, Lattice>(lattice).at(0);
+    const Result<PeriodicDiagram> periodic = computePeriodic(circles, periods, chosen.value());
+    if (!periodic.ok()) return errorValue(periodic.error());
+    val result = val::object();
+    result.set("diagram", diagramValue(periodic->diagram));
+    result.set("circles", float64Array(periodic->diagram.circles));
+    result.set("lattice", float64Array(std::vector<Lattice>{periodic->lattice}));
+    result.set("circleOf", int32Array(periodic->circleOf));
+    result.set("shiftOf", int32Array(periodic->shiftOf));
+    return result;
+  });
+}
+
 val traceValue(const val& coordinates, const val& options) {
   return valueOf([&] {
     Result<Options> chosen = optionsFrom(options);
@@ -146,6 +166,7 @@ val traceKindNames() {
 
 EMSCRIPTEN_BINDINGS(circle_voronoi) {
   emscripten::function("compute", &computeValue);
+  emscripten::function("computePeriodic", &computePeriodicValue);
   emscripten::function("trace", &traceValue);
   emscripten::function("traceKindNames", &traceKindNames);
   emscripten::function("certify", &certifyValue);

@@ -15,6 +15,7 @@ export const TEXTS = {
   'docs/cookbook.md': 'cookbook.html',
   'docs/regions.md': 'regions.html',
   'docs/areas.md': 'areas.html',
+  'docs/periodic.md': 'periodic.html',
   'docs/element.md': 'element.html',
   'docs/embedding.md': 'embedding.html',
   'docs/put-it-into.md': 'put-it-into.html',

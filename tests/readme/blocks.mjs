@@ -19,6 +19,7 @@ const MARKDOWN = [
     'embedding',
     'put-it-into',
     'javascript',
+    'periodic',
     'regions',
     'results',
     'shell',
@@ -48,7 +49,7 @@ const RUN_BY = [
   { by: LISTED, file: 'docs/shell.md', language: '', what: 'file' },
   { by: PAGE, file: 'docs/javascript.md', language: 'html' },
   ...['js', 'sh'].map((language) => ({ by: PACKAGE, file: 'docs/javascript.md', language })),
-  ...['docs/regions.md', 'docs/areas.md'].flatMap((file) => [
+  ...['docs/regions.md', 'docs/areas.md', 'docs/periodic.md'].flatMap((file) => [
     { by: PACKAGE, file, language: 'js' },
     { by: NATIVE, file, language: 'sh' },
   ]),
@@ -77,6 +78,7 @@ const RUN_BY = [
     'The page',
     'The tutorial and the documentation',
     'Tiles',
+    'Periodic domains',
   ].map((heading) => ({
     by: LISTED,
     file: 'ARCHITECTURE.md',

@@ -15,7 +15,14 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const BLOCKS = blocksRunBy('tests/readme/native.test.mjs')
 const below = (heading) => BLOCKS.filter(({ headings }) => headings.includes(heading))
 /** Texts with commands; the later ones use files that the earlier ones write. */
-const WITH_COMMANDS = ['README.md', 'docs/shell.md', 'docs/regions.md', 'docs/areas.md', 'cpp/cli/circle-voronoi.1']
+const WITH_COMMANDS = [
+  'README.md',
+  'docs/shell.md',
+  'docs/regions.md',
+  'docs/areas.md',
+  'docs/periodic.md',
+  'cpp/cli/circle-voronoi.1',
+]
 
 let folder
 let prefix
@@ -56,12 +63,23 @@ function check(command, printed) {
   if (command.includes('stats')) assert.equal(JSON.parse(text).certificate.certified, true)
   else if (command.includes('certify')) assert.match(text, /^certified: 1000 circles/)
   else if (command.includes(' fit ')) checkAreas(JSON.parse(text))
+  else if (command.includes('--lattice')) checkRepeated(output, text)
   else if (output.endsWith('.geojson')) {
     assert.equal(JSON.parse(text).features.length, command.includes('shops') ? 3 : 1000)
   } else if (output.endsWith('.json')) assert.equal(JSON.parse(text).circles.length, 1000)
   else if (command.includes('--core')) assert.match(text, /^vertex,/m)
   else if (output.endsWith('.csv')) assert.equal(text.trim().split('\n').length, 1001)
   else assert.match(text, command.includes('--bounds') ? /^<svg [^>]*viewBox="0 -50 50 50"/ : /^<svg /)
+}
+
+/** Whole cells that fill the box, a table of contacts, or a drawing. */
+function checkRepeated(output, text) {
+  if (output.endsWith('.svg')) return assert.match(text, /^<svg [\s\S]*clipPath/)
+  if (output.endsWith('.csv')) return assert.match(text, /^circle,neighbor,shift_a,shift_b,length,gap,area,/)
+  const { features } = JSON.parse(text)
+  const sum = features.reduce((area, { properties }) => area + properties.area, 0)
+  assert.equal(features.length, 1000)
+  assert.ok(Math.abs(sum / 1600 - 1) < 1e-12)
 }
 
 /** Cells whose areas are in the ratio of their people, with the attributes of their towns. */

@@ -236,7 +236,7 @@ export class PageActions extends EditorActions {
 
   async #linked(text: string): Promise<Opened> {
     const state = await decodeLink(text)
-    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = state
+    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, lattice, areas } = state
     const attributes = state.attributes && columnsOf(state.attributes, (circles?.length ?? 0) / 3)
     const scene =
       circles === undefined
@@ -244,7 +244,7 @@ export class PageActions extends EditorActions {
         : { circles, names, ...(attributes && { attributes }), dataSet: '', isEdited: false }
     const own = 'domain' in scene ? scene.domain : undefined
     const shown = region === undefined ? own?.region : (region ?? undefined)
-    const domain = (shown ?? areas) && { region: shown, areas }
+    const domain = (shown ?? lattice ?? areas) && { region: shown, lattice: lattice ?? undefined, areas }
     const frame = frameOf(state)
     this.frame = Object.keys(frame).length > 0 ? frame : undefined
     return { ...scene, domain, edits, view, layers, step, method }

@@ -355,10 +355,11 @@ export class Editing {
 
   /** What the computer is told of a domain: of the region only where it is another one. */
   #changeTo(domain: Domain, fit: Shares): DomainChange | undefined {
-    const { region, areas } = domain
+    const { region, lattice, areas } = domain
     if (domain === NO_DOMAIN && this.#domain === NO_DOMAIN) return undefined
     return {
       region: region === this.#domain.region ? undefined : (region ?? null),
+      lattice: lattice === this.#domain.lattice ? undefined : (lattice ?? null),
       areSites: areas !== undefined,
       fit: areas && fit,
     }

@@ -110,6 +110,7 @@ export class EditorActions implements Hands {
       ...(names && { names }),
       ...(attributes && { attributes }),
       ...regionOfLink(scene, domain),
+      ...(domain.lattice && { lattice: domain.lattice }),
       ...(areas !== undefined && { areas }),
       ...(!this.isWhole && { view: viewOfLink(camera, size) }),
       ...(Object.keys(layers).length > 0 && { layers }),

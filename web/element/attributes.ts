@@ -2,6 +2,7 @@
 // What stands in attributes that are more than a word.
 import { reasonOf } from '../lib/base/errors.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
+import type { Lattice } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
 import type { Areas } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
@@ -89,6 +90,25 @@ export function parseMethod(text: string): Method {
  */
 export function parseAreas(text: string): Areas {
   return checkedAreas(text.trim() === 'equal' ? 'equal' : wordsIn(text).map(Number), text)
+}
+
+/**
+ * The periods that a text says: x and y of each.
+ *
+ * @throws Refusal
+ */
+export function parseLattice(text: string): Lattice {
+  const [ax, ay, bx, by, ...more] = wordsIn(text).map(Number) as [number, number, number, number]
+  return checkedLattice(more.length > 0 ? undefined : { a: [ax, ay], b: [bx, by] }, text)
+}
+
+/** @throws Refusal */
+export function checkedLattice(lattice: unknown, got = lattice): Lattice {
+  const { a, b }: Partial<Record<'a' | 'b', unknown>> = Object(lattice)
+  const isPeriod = (period: unknown): period is Lattice['a'] =>
+    Array.isArray(period) && period.length === 2 && period.every(Number.isFinite)
+  if (isPeriod(a) && isPeriod(b)) return { a, b }
+  refuse((words) => words.must(words.lattice, words.twoPeriods, shownValue(got)))
 }
 
 /** @throws Refusal */

@@ -5,6 +5,7 @@ import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
 import type { Check } from '../lib/check-types.ts'
+import type { Lattice } from '../lib/diagram/lattice.ts'
 import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import { Figure } from '../player/figure.ts'
@@ -17,9 +18,11 @@ import { isRegionText, readRegion } from '../view/region-text.ts'
 import type { View } from '../view/view.ts'
 import {
   checkedAreas,
+  checkedLattice,
   checkedView,
   parseAreas,
   parseControls,
+  parseLattice,
   parseLayers,
   parseMethod,
   parseSamples,
@@ -56,6 +59,8 @@ export interface FigureState {
   readonly method?: string | undefined
   /** The region to which cells are clipped; `undefined` if there is none. */
   readonly region?: RegionShape | undefined
+  /** The periods with which the circles repeat; `undefined` if they do not. */
+  readonly lattice?: Lattice | undefined
   /** The areas of the cells, in the order of the circles; `undefined` if circles keep their radii. */
   readonly areas?: Areas | undefined
 }
@@ -87,6 +92,7 @@ const ATTRIBUTES = [
   'controls',
   'dissolve',
   'lang',
+  'lattice',
   'layers',
   'method',
   'readonly',
@@ -165,6 +171,7 @@ export class CircleVoronoiElement extends Base {
   #layers: Layers | undefined
   #view: LinkView | undefined
   #region: RegionShape | undefined
+  #lattice: Lattice | undefined
   #areas: Areas | undefined
   #step: number | undefined
   #check: Check | undefined
@@ -289,6 +296,10 @@ export class CircleVoronoiElement extends Base {
         this.#changeDomain()
         return
       case 'dissolve':
+        this.#changeDomain()
+        return
+      case 'lattice':
+        this.#lattice = undefined
         this.#changeDomain()
         return
       case 'areas':
@@ -418,6 +429,27 @@ export class CircleVoronoiElement extends Base {
 
   set dissolve(isDissolved: boolean | undefined | null) {
     this.toggleAttribute('dissolve', isDissolved === true)
+  }
+
+  /**
+   * The two periods with which the circles repeat: the sides of a box whose opposite sides are glued together, as
+   * `{ a: [ax, ay], b: [bx, by] }`. The attribute has the four numbers, separated by spaces. The figure shows the box with a
+   * corner at the origin, and dimmed images around it. A circle that is dragged out of the box comes in on the other side.
+   * A lattice takes no region. Periods that are parallel cause an `error` event. `undefined` if circles do not repeat.
+   */
+  get lattice(): Lattice | undefined {
+    if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.domain.lattice
+    return this.#lattice ?? this.#read('lattice', parseLattice)
+  }
+
+  set lattice(lattice: Lattice | string | undefined | null) {
+    if (typeof lattice === 'string') this.#reflect('lattice', lattice)
+    else {
+      this.#try('lattice', () => {
+        this.#lattice = isSet(lattice) ? checkedLattice(lattice) : undefined
+        this.#changeDomain()
+      })
+    }
   }
 
   /**
@@ -615,7 +647,7 @@ export class CircleVoronoiElement extends Base {
   getState(): FigureState {
     const circles = listOf(this.circles)
     const own = this.#own
-    const { region, areas } = this
+    const { region, lattice, areas } = this
     const { view, layers, step, method } = this.#figure?.actions.linkState() ?? {
       view: own?.view,
       layers: own?.layers ?? keptLayers(this.layers),
@@ -629,6 +661,7 @@ export class CircleVoronoiElement extends Base {
       ...(step !== undefined && { step }),
       ...(method !== undefined && { method }),
       ...(region && { region }),
+      ...(lattice && { lattice }),
       ...(areas && { areas }),
     }
   }
@@ -785,9 +818,9 @@ export class CircleVoronoiElement extends Base {
     if (figure === undefined) return
     if (figure.editing.scene !== undefined) {
       const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
-      const { region = null } = figure.editing.domain
+      const { region = null, lattice = null } = figure.editing.domain
       const { areas } = figure.editing
-      this.#own = opened(figure.editing.circles.circles(), { view, layers, step, method, region, areas })
+      this.#own = opened(figure.editing.circles.circles(), { view, layers, step, method, region, lattice, areas })
     }
     this.#loading?.abort()
     figure.dispose()
@@ -843,8 +876,9 @@ export class CircleVoronoiElement extends Base {
   }
 
   /** Opens circles in a domain, or without what is wrong with that. */
-  async #openIn(figure: Figure, { region, areas }: Domain, opened: Opened): Promise<void> {
+  async #openIn(figure: Figure, { region, lattice, areas }: Domain, opened: Opened): Promise<void> {
     const attempts = [
+      ...(lattice === undefined ? [] : [{ name: 'lattice', domain: { region, lattice, areas } }]),
       ...(areas === undefined ? [] : [{ name: 'areas', domain: { region, areas } }]),
       ...(region === undefined ? [] : [{ name: 'region', domain: { region, areas: undefined } }]),
       { name: undefined, domain: NO_DOMAIN },
@@ -873,8 +907,9 @@ export class CircleVoronoiElement extends Base {
       // A text that is none was told of as it was set.
       if (!signal.aborted && !this.#wrong.has('region')) this.#fail('region', error as Error)
     }
+    const lattice = this.#lattice ?? this.#read('lattice', parseLattice)
     const areas = this.#areas ?? this.#read('areas', parseAreas)
-    return { region, areas }
+    return { region, lattice, areas }
   }
 
   /** Shows what attributes and properties say of the region and the areas: once, if both are set. */
@@ -1112,6 +1147,7 @@ const PARSERS = {
   areas: parseAreas,
   check: parseCheck,
   controls: parseControls,
+  lattice: parseLattice,
   layers: parseLayers,
   method: parseMethod,
   region: (text: string) => isRegionText(text) && readRegion(text),
@@ -1144,6 +1180,7 @@ const PROPERTIES = [
   'layers',
   'region',
   'dissolve',
+  'lattice',
   'areas',
   'method',
   'samples',

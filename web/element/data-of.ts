@@ -13,10 +13,10 @@ const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
 /** Circles as they are opened. */
 export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): Opened {
-  const { region, areas, attributes: said, ...others } = rest
+  const { region, lattice, areas, attributes: said, ...others } = rest
   const attributes = said && columnsOf(said, circles.length / 3)
-  const hasDomain = region !== undefined || areas !== undefined
-  const domain = hasDomain ? { region: region ?? undefined, areas } : undefined
+  const hasDomain = region !== undefined || lattice !== undefined || areas !== undefined
+  const domain = hasDomain ? { region: region ?? undefined, lattice: lattice ?? undefined, areas } : undefined
   return { circles, dataSet: '', isEdited: false, ...others, ...(attributes && { attributes }), domain }
 }
 

@@ -2,7 +2,7 @@
 // The element in JSX and in templates. A framework that is not installed is no part of a program.
 
 import type { Check } from '../lib/check-types.ts'
-import type { Circles, Method, RegionShape } from '../lib/index.ts'
+import type { Circles, Lattice, Method, RegionShape } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
 import type { Areas } from '../view/domain.ts'
 import type { Layers } from '../view/layers.ts'
@@ -22,6 +22,7 @@ export interface CircleVoronoiProps {
   controls?: string | boolean | null | undefined
   dissolve?: boolean | null | undefined
   lang?: string | undefined
+  lattice?: Lattice | string | null | undefined
   layers?: Partial<Layers> | string | null | undefined
   method?: Method | null | undefined
   name?: string | null | undefined

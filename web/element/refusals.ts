@@ -8,6 +8,8 @@ export interface ElementRefusals extends Refusals {
   readonly method: string
   readonly controls: string
   readonly samples: string
+  readonly lattice: string
+  readonly twoPeriods: string
   readonly areas: string
   readonly sharesOrEqual: string
   readonly selection: string
@@ -49,6 +51,8 @@ export const ENGLISH: ElementRefusals = {
   method: 'The method',
   controls: 'The controls',
   samples: 'The samples',
+  lattice: 'The lattice',
+  twoPeriods: 'two periods, four numbers ax ay bx by',
   areas: 'The areas',
   sharesOrEqual: 'equal, or a list of numbers above 0',
   selection: 'The selection',

@@ -55,6 +55,13 @@ export { type BoundedCurve, type EdgeCurve, edgeCurve, isBoundedCurve } from './
 export type { Change, EditWay } from './diagram/change.ts'
 export { type Cell, Diagram } from './diagram/diagram.ts'
 export type { DiagramFile } from './diagram/diagram-file.ts'
+export type { Lattice, Shift } from './diagram/lattice.ts'
+export {
+  type CircleImage,
+  type ContactTable,
+  type PeriodicData,
+  PeriodicDiagram,
+} from './diagram/periodic-diagram.ts'
 export type { MultiPolygon } from './drawing/draw-clipped.ts'
 export type {
   BoundsOptions,

@@ -8,6 +8,7 @@ import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordina
 import { CircleVoronoiError } from './base/errors.ts'
 import type { Float64s } from './base/types.ts'
 import type { Check } from './check-types.ts'
+import { type Lattice, latticeNumbers } from './diagram/lattice.ts'
 import { plainRegion, type RegionShape, ringArraysOf } from './regions/region-shape.ts'
 import type { Edit } from './wasm/editor.ts'
 
@@ -115,6 +116,8 @@ export interface LinkState extends LinkFrame {
   readonly method?: string | undefined
   /** The region to which cells are clipped. `null` for none, where the data set has one. */
   readonly region?: RegionShape | null | undefined
+  /** The periods with which the circles repeat. `null` for none. */
+  readonly lattice?: Lattice | null | undefined
   /** The areas of the cells: shares of the region, numbers above 0 for the circles in order, or `equal`. */
   readonly areas?: 'equal' | readonly number[] | undefined
 }
@@ -147,6 +150,7 @@ const FIELDS = [
   'step',
   'method',
   'region',
+  'lattice',
   'areas',
 ] as const
 
@@ -190,7 +194,7 @@ function linkFrom(letters: string): string {
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null)
     refuseArgument(`The state of a link must be an object, not ${shown(state)}.`)
-  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, areas } = state
+  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = state
   if (edits !== undefined && !Array.isArray(edits))
     refuseArgument(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> & LinkFrame = {
@@ -204,6 +208,7 @@ function jsonOf(state: LinkInput): string {
     step,
     method,
     region,
+    lattice: lattice && [...latticeNumbers(lattice, 'encodeLink')],
     areas,
     ...frameOf(state),
   }
@@ -264,11 +269,12 @@ interface Said extends LinkFrame {
   readonly step?: number | undefined
   readonly method?: string | undefined
   readonly region?: RegionShape | null | undefined
+  readonly lattice?: readonly [ax: number, ay: number, bx: number, by: number] | null | undefined
   readonly areas?: 'equal' | readonly number[] | undefined
 }
 
 function stateOf(said: Said): LinkState {
-  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, areas } = said
+  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = said
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
     ...(names && { names }),
@@ -280,9 +286,14 @@ function stateOf(said: Said): LinkState {
     ...(step !== undefined && { step }),
     ...(method !== undefined && { method }),
     ...(region !== undefined && { region: region && plainRegion(region) }),
+    ...(lattice !== undefined && { lattice: lattice && latticeOf(lattice) }),
     ...(areas !== undefined && { areas }),
     ...frameOf(said),
   }
+}
+
+function latticeOf([ax, ay, bx, by]: readonly [number, number, number, number]): Lattice {
+  return { a: [ax, ay], b: [bx, by] }
 }
 
 function listOf(edit: Edit): Exclude<Said['edits'], undefined>[number] {
@@ -316,7 +327,7 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 /** Why this is not `Said`. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it has no content'
-  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, areas } = said
+  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = said
   if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0))
     return 'the step is not a whole number from 0'
   if (method !== undefined && !isName(method)) return 'the method is not a name'
@@ -349,6 +360,8 @@ function problemOf(said: unknown): string | undefined {
     }
   }
   if (region !== undefined && region !== null && !isRegion(region)) return 'the region is invalid'
+  const isLattice = lattice === undefined || lattice === null || (isListOfNumbers(lattice) && lattice.length === 4)
+  if (!isLattice) return 'the lattice does not have four finite numbers'
   const isShares = isListOfNumbers(areas) && areas.every((share) => share > 0)
   if (areas !== undefined && areas !== 'equal' && !isShares) return 'the areas are neither "equal" nor numbers above 0'
   if (view !== undefined) {

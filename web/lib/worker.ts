@@ -11,6 +11,8 @@ import { receivedError, workerFailure } from './base/errors.ts'
 import { loadedOnce } from './base/loaded-once.ts'
 import type { DiagramData, Disposal } from './base/types.ts'
 import { Diagram } from './diagram/diagram.ts'
+import { type Lattice, latticeNumbers } from './diagram/lattice.ts'
+import { PeriodicDiagram } from './diagram/periodic-diagram.ts'
 import { EditorClient } from './threads/editor-client.ts'
 import { startThread, type Thread } from './threads/thread.ts'
 import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
@@ -50,6 +52,12 @@ export interface WorkerMethods {
    * AbortError if the worker is disposed of. Each as a rejection.
    */
   compute(circles: Circles, options?: AsyncOptions): Promise<Diagram>
+  /**
+   * Computes a periodic diagram in the worker, with the arguments of `computePeriodic` of the library.
+   *
+   * @throws CircleVoronoiError as `computePeriodic`, and what `compute` of the worker throws. Each as a rejection.
+   */
+  computePeriodic(circles: Circles, lattice: Lattice, options?: AsyncOptions): Promise<PeriodicDiagram>
   /**
    * Creates an editor in a thread of its own, with the arguments of `edit` of the library.
    *
@@ -145,13 +153,28 @@ class Client implements CircleVoronoiWorker {
   }
 
   async compute(circles: Circles, options: AsyncOptions = {}): Promise<Diagram> {
-    checkOptions(options, 'compute', ['signal'])
+    const reply = await this.#computed('compute', circles, {}, options)
+    return new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram)
+  }
+
+  async computePeriodic(circles: Circles, lattice: Lattice, options: AsyncOptions = {}): Promise<PeriodicDiagram> {
+    const [ax, ay, bx, by] = latticeNumbers(lattice, 'computePeriodic') as unknown as [number, number, number, number]
+    const reply = await this.#computed('computePeriodic', circles, { lattice: { a: [ax, ay], b: [bx, by] } }, options)
+    return new PeriodicDiagram((reply as Extract<Reply, { periodic: unknown }>).periodic)
+  }
+
+  #computed(
+    caller: string,
+    circles: Circles,
+    more: { readonly lattice?: Lattice },
+    options: AsyncOptions,
+  ): Promise<Reply> {
+    checkOptions(options, caller, ['signal'])
     const { signal, progress, ...rest } = options
     checkSignal(signal)
-    const request = { circles: coordinatesOf(circles), options: rest, tellsProgress: progress !== undefined }
+    const request = { circles: coordinatesOf(circles), ...more, options: rest, tellsProgress: progress !== undefined }
     const tell = (reply: Reply) => 'progress' in reply && progress?.(...reply.progress)
-    const reply = await this.#ask(request, [request.circles.buffer], { tell, signal })
-    return new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram)
+    return this.#ask(request, [request.circles.buffer], { tell, signal })
   }
 
   async fitAreas(

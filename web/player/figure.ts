@@ -117,16 +117,26 @@ export class Figure<Actions extends EditorActions = EditorActions> {
    *
    * @throws Error that says why edits were refused; then all stays as it was
    */
-  async change({ edits = [], view, layers, step, method, region, areas }: Omit<LinkState, 'circles'>): Promise<void> {
+  async change({
+    edits = [],
+    view,
+    layers,
+    step,
+    method,
+    region,
+    lattice,
+    areas,
+  }: Omit<LinkState, 'circles'>): Promise<void> {
     await this.#opening
     this.#refused = undefined
     if (edits.length > 0 && (await this.editing.edit(edits)) === undefined && this.#refused !== undefined) {
       throw this.#refused
     }
-    if (region !== undefined || areas !== undefined) {
+    if (region !== undefined || lattice !== undefined || areas !== undefined) {
       const before = this.editing.domain
       await this.setDomain({
         region: region === undefined ? before.region : (region ?? undefined),
+        lattice: lattice === undefined ? before.lattice : (lattice ?? undefined),
         areas: areas ?? this.editing.areas,
       })
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
-import type { Box } from '../lib/index.ts'
+import type { Box, Lattice } from '../lib/index.ts'
 import { type RegionShape, ringArraysOf } from '../lib/regions/region-shape.ts'
 
 /**
@@ -14,14 +14,17 @@ export type Areas = 'equal' | readonly number[]
 export interface Domain {
   /** `undefined`: the cells are not cut. */
   readonly region: RegionShape | undefined
+  /** The periods with which the circles repeat. `undefined`: they do not. */
+  readonly lattice?: Lattice | undefined
   /** Of circles by their numbers. `undefined`: circles have radii of their own. */
   readonly areas: Areas | undefined
 }
 
 export const NO_DOMAIN: Domain = { region: undefined, areas: undefined }
 
-/** The box around circles and the region. Where areas are given, that of the region: radii are weights. */
-export function boxOf(circles: Box, { region, areas }: Domain): Box {
+/** The box around circles and the region or the periods. Where areas are given, that of the region: radii are weights. */
+export function boxOf(circles: Box, { region, areas, lattice }: Domain): Box {
+  if (lattice !== undefined) return boxOfPeriods(lattice)
   if (region === undefined) return circles
   const box = boxes.get(region) ?? regionBox(region)
   boxes.set(region, box)
@@ -32,6 +35,24 @@ export function boxOf(circles: Box, { region, areas }: Domain): Box {
     maxX: Math.max(circles.maxX, box.maxX),
     maxY: Math.max(circles.maxY, box.maxY),
   }
+}
+
+function boxOfPeriods({ a, b }: Lattice): Box {
+  const [x, y] = [0, 1].map((axis) => [
+    0,
+    a[axis] as number,
+    b[axis] as number,
+    (a[axis] as number) + (b[axis] as number),
+  ])
+  const [minX, minY, maxX, maxY] = [
+    Math.min(...(x as number[])),
+    Math.min(...(y as number[])),
+    Math.max(...(x as number[])),
+    Math.max(...(y as number[])),
+  ]
+  // A part of the images is seen.
+  const margin = 0.1 * Math.max(maxX - minX, maxY - minY)
+  return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
 }
 
 const boxes = new WeakMap<RegionShape, Box>()

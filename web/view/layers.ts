@@ -153,6 +153,13 @@ export function withoutDiagram({ circles, hidden, data }: Layers): Layers {
   return { ...DEFAULT_LAYERS, circles, hidden, data, cells: 'none', edges: false, vertices: false }
 }
 
+/** What is drawn of circles that repeat: nothing that belongs to the whole plane. */
+export function repeatingLayers(layers: Layers): Layers {
+  const { hull, delaunay, ordinary, power, largestDisc, path, missedEdges } = DEFAULT_LAYERS
+  const method = Object.fromEntries(METHOD_LAYERS.map((name) => [name, false]))
+  return { ...layers, ...method, hull, delaunay, ordinary, power, largestDisc, path, missedEdges }
+}
+
 /** Whether something of the touching disc method is drawn. */
 export function isMethodShown(layers: Layers): boolean {
   return layers.missedEdges || METHOD_LAYERS.some((name) => layers[name])

@@ -236,8 +236,9 @@ export class Painter {
       waiting.reject(receivedError(message.error))
       return
     }
-    const { region = scene.domain.region, areSites = scene.domain.areSites } = waiting.message
-    scene.domain = { region, areSites }
+    const { message: asked } = waiting
+    const { region = scene.domain.region, lattice = scene.domain.lattice, areSites = scene.domain.areSites } = asked
+    scene.domain = { region, lattice, areSites }
     if (message.kind === 'opened' && waiting.message.kind === 'open') {
       // What stood out was one of the circles before.
       scene.mark = undefined

@@ -8,6 +8,7 @@ import type {
   DiagramData,
   Edit,
   Float64s,
+  Lattice,
   Options,
   Point,
   Stats,
@@ -63,6 +64,8 @@ export interface Wish {
 export interface DomainChange {
   /** What the cells are cut to from now on; `null`: nothing. `undefined`: as before. */
   readonly region?: RegionShape | null | undefined
+  /** The periods with which circles repeat from now on; `null`: they do not. `undefined`: as before. */
+  readonly lattice?: Lattice | null | undefined
   /** The circles get the radii with which each cell has its share of the region. */
   readonly fit?: Shares | undefined
   /** Whether circles are shown as points from now on, because their radii are only weights. */

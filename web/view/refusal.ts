@@ -26,6 +26,7 @@ export interface Refusals {
   drawingEnded(reason: string): string
   readonly nothingChanged: string
   readonly areasWithoutRegion: string
+  readonly latticeWithRegion: string
   /** `areas` numbers are given for `circles` circles. */
   areasForCircles(areas: number, circles: number): string
   tooManyForAreas(most: number): string
@@ -60,6 +61,7 @@ export const ENGLISH_REFUSALS: Refusals = {
   drawingEnded: (reason) => `The picture can no longer be drawn: ${reason}. Reload the page.`,
   nothingChanged: 'Nothing has changed. Try again.',
   areasWithoutRegion: 'Areas need a region: the cells divide it.',
+  latticeWithRegion: 'A lattice takes no region: its cells are whole.',
   areasForCircles: (areas, circles) => `There are ${areas} areas for ${circles} circles.`,
   tooManyForAreas: (most) => `Areas can be given to at most ${most} cells here.`,
   notRegion: (reason) => `This is neither GeoJSON nor well-known text of polygons: ${reason}`,

@@ -71,9 +71,7 @@ double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circ
   return outside.excess(*disc, 0x1p-33 * farthest + 4 * kUnitRoundoff * (size + farthest));
 }
 
-std::optional<Vertex> inUnits(const Vertex& disc, double unit) {
-  return Vertex{disc.x / unit, disc.y / unit, disc.r / unit};
-}
+Vertex inUnits(const Vertex& disc, double unit) { return {disc.x / unit, disc.y / unit, disc.r / unit}; }
 
 std::optional<Error> checkKnown(const Known& known) {
   const auto& [minX, minY, maxX, maxY] = known.box;
@@ -114,7 +112,18 @@ FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram,
   };
 
   result.vertices.reserve(diagram.vertexCircles.size());
+  double largest = 0;
+  for (const Circle& c : circles) largest = std::max(largest, std::abs(c.r));
   for (std::size_t v = 0; v < diagram.vertexCircles.size(); ++v) {
+    if (knowsVertices) {
+      // Most discs are far inside, whatever the circles are that they touch.
+      const Vertex disc = inUnits(diagram.vertices[v], scaled.unit);
+      const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + largest;
+      if (outside.excess(disc, 0x1p-30 * size) < 0) {
+        result.vertices.push_back(true);
+        continue;
+      }
+    }
     auto triple = diagram.vertexCircles[v];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto circle = [&](std::size_t k) { return &circles[static_cast<std::size_t>(triple[k])]; };

@@ -62,13 +62,16 @@ export function answerRequests(): void {
 type Tell = (told: Reply) => void
 
 async function computed(
-  { circles, options, tellsProgress }: ComputeRequest,
+  { circles, lattice, options, tellsProgress }: ComputeRequest,
   library: Promise<ComputingLibrary>,
   tell: Tell,
 ): Promise<Reply> {
-  const { compute } = await library
+  const { compute, computePeriodic } = await library
   const progress: Progress = (...told) => tell({ progress: told })
-  return { diagram: compute(circles, tellsProgress ? { ...options, progress } : options) }
+  const all = tellsProgress ? { ...options, progress } : options
+  return lattice === undefined
+    ? { diagram: compute(circles, all) }
+    : { periodic: computePeriodic(circles, lattice, all) }
 }
 
 /** Answers the fits of a thread, the first of which loads the module. */
@@ -113,6 +116,7 @@ function posted(error: unknown): PostedError {
 
 function buffersIn(reply: Reply): ArrayBuffer[] {
   if ('diagram' in reply) return buffersOf(reply.diagram)
+  if ('periodic' in reply) return [...buffersOf(reply.periodic), ...buffersOf(reply.periodic.diagram)]
   // The diagram of a fit has arrays of its own.
   return 'fit' in reply ? [...buffersOf(reply.fit), ...buffersOf(reply.fit.diagram)] : []
 }

@@ -4,6 +4,8 @@
 
 import type { PostedError } from '../base/errors.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
+import type { Lattice } from '../diagram/lattice.ts'
+import type { PeriodicData } from '../diagram/periodic-diagram.ts'
 import type { RingArrays } from '../regions/region-shape.ts'
 import type { AreaFit, FitInput, FitStep } from '../wasm/fit.ts'
 import type { Options, Stage } from '../wasm/options.ts'
@@ -18,6 +20,8 @@ export type Request = ComputeRequest | FitRequest
 
 export interface ComputeRequest {
   readonly circles: Float64s
+  /** The periods of the circles, if they repeat. */
+  readonly lattice?: Lattice
   readonly options: Omit<Options, 'progress'>
   readonly tellsProgress: boolean
 }
@@ -47,6 +51,7 @@ export type Reply =
   | { readonly progress: readonly [stage: Stage, done: number] }
   | { readonly step: FitStep }
   | { readonly diagram: DiagramData }
+  | { readonly periodic: PeriodicData }
   | { readonly fit: Omit<AreaFit, 'diagram'> & { readonly diagram: DiagramData } }
   | { readonly results: readonly CallResult[] }
   | { readonly error: PostedError }

@@ -12,6 +12,8 @@ import {
 } from '../base/coordinates.ts'
 import type { Box, Certificate, DiagramData, Float64s } from '../base/types.ts'
 import { Diagram, updatable } from '../diagram/diagram.ts'
+import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
+import { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 import createModule from '../generated/circle-voronoi.js'
 import type { Comparison } from './comparison.ts'
 import { type DiagramEditor, type EditorOptions, editorStart } from './editor.ts'
@@ -88,6 +90,24 @@ export interface CircleVoronoi {
     fr?: Accessor<Datum>,
     options?: Options,
   ): Diagram
+  /**
+   * Computes the Voronoi diagram of circles in a plane that repeats with two periods: in a box whose opposite sides are
+   * glued together. The box is any parallelogram. The circles may lie anywhere, be larger than the box, and be their own
+   * neighbors.
+   *
+   * Centers and periods are rounded once, to multiples of 2^-50 of the largest coordinate. The result is checked: borders
+   * have twins across the sides of the box, Euler's formula holds, and the areas sum to that of the box.
+   *
+   * @throws CircleVoronoiError as `compute`; `badArgument` if the lattice is none; `badOption` if the periods are zero,
+   *   parallel or not finite.
+   *
+   * @example
+   * ```js
+   * const box = library.computePeriodic([[1, 1, 1], [5, 4, 2]], { a: [8, 0], b: [0, 6] })
+   * box.neighbors(0).some(({ circle, shift }) => circle === 1 && shift[0] === -1) // true
+   * ```
+   */
+  computePeriodic(circles: Circles, lattice: Lattice, options?: Options): PeriodicDiagram
   /**
    * Computes the diagram of `circles` and records each step on the way: of the touching disc method, of flips (`method:
    * 'auto'` or `'flip'`), or, with the option `edits`, of edits to the diagram of `circles`.
@@ -190,6 +210,20 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibr
         refuseArgument('from takes three functions, for x, y and r of a datum.')
       }
       return diagramOf(coordinatesFrom(data, fx, fy, fr), options)
+    },
+    computePeriodic(circles, lattice, options = {}) {
+      checkOptions(options, 'computePeriodic')
+      const numbers = latticeNumbers(lattice, 'computePeriodic')
+      const coordinates = coordinatesOf(circles)
+      const computed = unwrap(told(options, (chosen) => module.computePeriodic(coordinates, numbers, chosen)))
+      const [ax, ay, bx, by] = computed.lattice as unknown as [number, number, number, number]
+      return new PeriodicDiagram({
+        diagram: { metric: 'circles', circles: computed.circles, ...computed.diagram },
+        circleCount: coordinates.length / 3,
+        lattice: { a: [ax, ay], b: [bx, by] },
+        circleOf: computed.circleOf,
+        shiftOf: computed.shiftOf,
+      })
     },
     trace(circles, options = {}) {
       checkOptions(options, 'trace', ['edits'])

@@ -19,6 +19,20 @@ type JudgedArrays = Omit<import('../base/types.ts').DiagramData, 'metric' | 'cer
 
 interface WasmModule {
   compute(circles: Float64Array, options: WasmOptions): WasmError | WasmDiagram
+  /** `lattice`: ax, ay, bx, by. */
+  computePeriodic(
+    circles: Float64Array,
+    lattice: Float64Array,
+    options: WasmOptions,
+  ):
+    | WasmError
+    | {
+        readonly diagram: WasmDiagram
+        readonly circles: import('../base/types.ts').Float64s
+        readonly lattice: Float64Array
+        readonly circleOf: import('../base/types.ts').Int32s
+        readonly shiftOf: import('../base/types.ts').Int32s
+      }
   trace(
     circles: Float64Array,
     options: WasmOptions,

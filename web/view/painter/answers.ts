@@ -2,7 +2,8 @@
 // The answers to questions about a scene.
 import { NONE } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { Questions } from '../protocol.ts'
+import type { Point } from '../../lib/index.ts'
+import type { Questions, Touching } from '../protocol.ts'
 import { distributionOf } from './distribution.ts'
 import { CanvasDrawing } from './drawing.ts'
 import { factsOf } from './facts.ts'
@@ -27,13 +28,17 @@ export const answers = {
   legend: (scene) => scene.picture.legend,
   touch(scene, x, y, slack) {
     const { diagram } = scene.picture
-    const box = { minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack }
-    const near = touchingNear(diagram, scene.picture.circlesIn(box), x, y, slack)
-    if (near !== undefined) return near
+    const home = scene.picture.home(x, y)
+    const box = { minX: home.x - slack, minY: home.y - slack, maxX: home.x + slack, maxY: home.y + slack }
+    const near = touchingNear(diagram, scene.picture.circlesIn(box), home.x, home.y, slack)
+    const back = { x: x - home.x, y: y - home.y }
+    if (near !== undefined) return movedBy(near, back)
     const id = scene.nearest(x, y)
-    return id < 0 ? undefined : touchingAround(diagram, diagram.indexOf(id), x, y)
+    return id < 0 ? undefined : movedBy(touchingAround(diagram, diagram.indexOf(id), home.x, home.y), back)
   },
   try({ library, picture, nearest, outlineOf }, circle) {
+    // What a circle takes from its own images is not known beforehand.
+    if (picture.torus !== undefined) return undefined
     const id = nearest(circle.x, circle.y)
     try {
       const index = id < 0 ? NONE : picture.diagram.indexOf(id)
@@ -66,6 +71,16 @@ export const answers = {
   },
   trace: ({ library, picture }, options) => traced(library, picture.diagram, options),
 } satisfies Answers
+
+function movedBy<Touched extends Touching | undefined>(touching: Touched, { x, y }: Point): Touched {
+  if (touching === undefined || (x === 0 && y === 0)) return touching
+  const { disc, points } = touching
+  return {
+    ...touching,
+    disc: { ...disc, x: disc.x + x, y: disc.y + y },
+    points: points.map((point) => ({ x: point.x + x, y: point.y + y })),
+  }
+}
 
 /** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
 function drawn<Drawn>(draw: () => Drawn): Drawn | undefined {

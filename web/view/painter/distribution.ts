@@ -12,7 +12,7 @@ const CELLS_AT_ONCE = 64
 export function* distributionOf(picture: Picture): Generator<void, Distribution> {
   const { diagram } = picture
   const measures = picture.areas()
-  for (let i = 0; i < diagram.circles.length / 3; i++) {
+  for (let i = 0; i < picture.count; i++) {
     measures.valueOf(i)
     if (i % CELLS_AT_ONCE === 0) yield
   }
@@ -20,7 +20,7 @@ export function* distributionOf(picture: Picture): Generator<void, Distribution>
   const { cells } = diagram
   const degrees: number[] = []
   const areas: number[] = []
-  for (let i = 0; i < diagram.circles.length / 3; i++) {
+  for (let i = 0; i < picture.count; i++) {
     if (!cells.exists(i)) continue
     const degree = new Set(diagram.neighbors(i)).size
     while (degrees.length <= degree) degrees.push(0)

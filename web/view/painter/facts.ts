@@ -29,7 +29,7 @@ function cellFacts({ diagram, clip }: Pick<Picture, 'diagram' | 'clip'>, i: numb
     hidden: !diagram.cells.exists(i),
     bounded: diagram.cells.isBounded(i),
     edges: around.length,
-    neighbors: [...new Set(around)].map((k) => numbers?.circles[k] ?? k),
+    neighbors: [...new Set(Array.from(around, (k) => numbers?.circles[k] ?? k))],
     area: clip?.areaOf(diagram, i) ?? cellArea(diagram, i),
     perimeter: clip?.perimeterOf(diagram, i) ?? perimeterOf(diagram, i),
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { PathSink } from '../../lib/index.ts'
-import type { Region } from '../../lib/regions/region.ts'
 import type { Drawing } from './drawing.ts'
 import { cells } from './layers/cells.ts'
 import { discs, rims } from './layers/circles.ts'
@@ -9,8 +8,9 @@ import { edges, missedEdges, ordinary, power } from './layers/edges.ts'
 import { delaunay, dual } from './layers/graphs.ts'
 import { hiders } from './layers/hiders.ts'
 import { vertices } from './layers/vertices.ts'
-import type { Layer, Painting } from './painting.ts'
+import { type Layer, Painting } from './painting.ts'
 import { addBorder, addInside, addOutside, partShown } from './region-path.ts'
+import type { Border } from './torus.ts'
 
 /** How much of the paper lies on what is outside of a region. */
 const VEIL = 0.6
@@ -38,24 +38,38 @@ const LAYERS: readonly Layer[] = [
 export function paint(painting: Painting): void {
   const { drawing, frame, style, picture, pixelRatio } = painting
   drawing.cover(style.paper)
+  const border: Border | undefined = picture.clip?.region ?? picture.torus?.border
+  const part = border && partShown(frame, border)
+  // Images are not cut at the border of their box.
   const region = picture.clip?.region
-  const part = region && partShown(frame, region)
   // Clips to long paths take long, and most squares of a picture have no border.
-  const inside = part === 'border' ? pathOf(drawing, (path) => addInside(path, frame, region as Region)) : undefined
+  const inside = region && part === 'border' ? pathOf(drawing, (path) => addInside(path, frame, region)) : undefined
+  const copies = copiesOf(painting)
   for (const layer of LAYERS) {
-    if (!layer.isOn(painting.layers) || (layer.isClipped === true && part === 'outside')) continue
+    if (!layer.isOn(painting.layers) || (layer.isClipped === true && region && part === 'outside')) continue
     drawing.clip(layer.isClipped === true ? inside : undefined)
-    layer.draw(painting)
+    // Data of clients do not repeat.
+    for (const copy of layer === data ? [painting] : copies) layer.draw(copy)
   }
   drawing.clip(undefined)
-  if (region === undefined || part === 'inside') return
+  if (border === undefined || part === 'inside') return
   drawing.fill(
-    pathOf(drawing, (path) => addOutside(path, frame, region)),
+    pathOf(drawing, (path) => addOutside(path, frame, border)),
     style.paper,
     VEIL,
   )
-  const border = pathOf(drawing, (path) => addBorder(path, frame, region))
-  drawing.stroke(border, style.region, BORDER * pixelRatio)
+  const line = pathOf(drawing, (path) => addBorder(path, frame, border))
+  drawing.stroke(line, style.region, BORDER * pixelRatio)
+}
+
+/** The painting itself, or one of each copy of the circles, if they repeat. */
+function copiesOf(painting: Painting): readonly Painting[] {
+  const { drawing, frame, pixelRatio, picture, style, limits } = painting
+  if (picture.torus === undefined) return [painting]
+  return picture.copiesIn(limits.region.box).map(({ x, y }) => {
+    const moved = { ...frame, x: frame.x - x, y: frame.y - y }
+    return new Painting(drawing, moved, pixelRatio, picture, style)
+  })
 }
 
 function pathOf(drawing: Drawing, add: (path: PathSink) => void): PathSink {

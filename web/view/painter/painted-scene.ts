@@ -6,7 +6,7 @@ import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange } from '../circle-table.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
-import { isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
+import { DEFAULT_LAYERS, isAnythingFound, isMethodShown, isTraced, type Layers, repeatingLayers } from '../layers.ts'
 import type {
   Described,
   DomainChange,
@@ -21,6 +21,7 @@ import type {
 } from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
+import { idOf } from './cell-boxes.ts'
 import { Centers } from './centers.ts'
 import { Clip } from './clip.ts'
 import { commandsOf } from './commands.ts'
@@ -32,9 +33,10 @@ import { apart, frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
 import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
-import { Picture } from './picture.ts'
+import { type Difference, Picture } from './picture.ts'
 import { leastFirst } from './ring.ts'
 import { SvgDrawing } from './svg-drawing.ts'
+import { RepeatedDiagram, Torus } from './torus.ts'
 
 /** What is looked at. */
 interface Look extends Wish {
@@ -64,6 +66,8 @@ export class PaintedScene {
   opening = 0
   /** The diagram, and how it is drawn. */
   picture: Picture
+  /** The layers that were asked for. */
+  #layers: Layers = DEFAULT_LAYERS
   /** How long it took last to find what depends on all circles. */
   #findingSeconds = 0
   /** Whether what depends on all circles has been found as it is now. */
@@ -92,11 +96,13 @@ export class PaintedScene {
    */
   open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): Opened {
     const clip = this.#clipOf(change, regions)
+    const torus = this.#torusOf(change, clip)
     const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
     const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
-    const opened = fit?.diagram.circles ?? circles
-    const picture = new Picture(this.library.edit(opened), clip)
-    const { layers, areSites } = this.picture
+    const opened = fit?.diagram.circles ?? torus?.wrappedCircles(circles) ?? circles
+    const picture = new Picture(this.library.edit(opened), clip, torus)
+    const { areSites } = this.picture
+    const layers = this.#layers
     picture.areSites = change.areSites ?? areSites
     this.dispose()
     this.picture = picture
@@ -106,13 +112,25 @@ export class PaintedScene {
     this.#selected = undefined
     this.#hovered = undefined
     this.setLayers(layers)
-    return { circles: fit?.diagram.circles, fitted: fit && { error: fit.error, steps: fit.steps } }
+    return {
+      circles: opened === circles ? undefined : opened.slice(),
+      fitted: fit && { error: fit.error, steps: fit.steps },
+    }
   }
 
   /** What cells are cut to once a change is done. */
   #clipOf({ region }: DomainChange, regions: Regions | undefined): Clip | undefined {
     if (region === undefined) return this.picture.clip
     return region === null ? undefined : new Clip(this.library, (regions as Regions).region(region))
+  }
+
+  /** The box in which circles repeat once a change is done. */
+  #torusOf({ lattice }: DomainChange, clip: Clip | undefined): Torus | undefined {
+    const torus =
+      lattice === undefined ? this.picture.torus : lattice === null ? undefined : new Torus(this.library, lattice)
+    if (torus !== undefined && clip !== undefined)
+      throw new Refusal(ENGLISH_REFUSALS, (words) => words.latticeWithRegion)
+    return torus
   }
 
   /** @throws Refusal, if there is no region */
@@ -127,8 +145,10 @@ export class PaintedScene {
   }
 
   /** Draws these from now on. */
-  setLayers(layers: Layers, isPainted = true): void {
+  setLayers(asked: Layers, isPainted = true): void {
     const picture = this.picture
+    this.#layers = asked
+    const layers = picture.torus === undefined ? asked : repeatingLayers(asked)
     const { candidates, sampleCount } = picture.layers
     this.#isFound = false
     picture.layers = layers
@@ -222,7 +242,14 @@ export class PaintedScene {
   }
 
   counts(): DiagramCounts {
-    const { circles, hidden, vertices, edges } = this.picture.diagram
+    const { count, torus, diagram } = this.picture
+    const { circles, hidden, vertices, edges } = diagram
+    if (torus !== undefined) {
+      const cells = Array.from({ length: count }, (_, i) => Number(diagram.cells.exists(i)))
+      const visible = cells.reduce((sum, exists) => sum + exists, 0)
+      // Each vertex has three edges, and V - E + F = 0.
+      return { circles: count, hidden: count - visible, vertices: 2 * visible, edges: 3 * visible }
+    }
     return {
       circles: circles.length / 3,
       hidden: hidden.length / 2,
@@ -248,18 +275,20 @@ export class PaintedScene {
     fitted: Fitted | undefined
   } {
     const clip = this.#clipOf(domain, regions)
+    const torus = this.#torusOf(domain, clip)
     const { edits, fit } =
       domain.fit === undefined
-        ? { edits: asked, fit: undefined }
+        ? { edits: torus === undefined ? asked : asked.map((edit) => torus.wrappedEdit(edit)), fit: undefined }
         : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
     const change = this.picture.editor.apply(edits)
     const { areSites = this.picture.areSites } = domain
-    const isElsewhere = clip !== this.picture.clip || areSites !== this.picture.areSites
+    const isRepeatedOtherwise = torus !== this.picture.torus
+    const isElsewhere = clip !== this.picture.clip || areSites !== this.picture.areSites || isRepeatedOtherwise
     this.picture.clip = clip
+    const { boxes, isEverywhere } = isRepeatedOtherwise ? this.#repeatIn(torus) : this.picture.apply(change)
     this.picture.areSites = areSites
-    const { boxes, isEverywhere } = this.picture.apply(change)
     // All that is seen goes together, so that no part of a motion comes late.
-    const isAtOnce = this.#followPower() && !isElsewhere
+    const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
     const patches = isElsewhere ? [] : this.#repaint(isAtOnce ? undefined : boxes)
     if ((isEverywhere && !isAtOnce) || isElsewhere) this.#restart()
     this.#isFound = false
@@ -271,6 +300,15 @@ export class PaintedScene {
       fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
     }
+  }
+
+  /** The same circles, repeated in another box, or not repeated. */
+  #repeatIn(torus: Torus | undefined): Difference {
+    const { editor, clip, centers } = this.picture
+    centers?.dispose()
+    this.picture = new Picture(editor, clip, torus)
+    this.setLayers(this.#layers, false)
+    return { boxes: [], isEverywhere: true }
   }
 
   /** Looks at something from now on, and says whether that is another box, or of another scale. */
@@ -310,16 +348,19 @@ export class PaintedScene {
   hit(x: number, y: number, slack: number): Hit | undefined {
     const { index, diagram } = this.picture
     const { circles } = diagram
+    const { x: homeX, y: homeY } = this.picture.home(x, y)
     let rim: number | undefined
     let rimDistance = slack
     let disc: number | undefined
     let discSize = Number.POSITIVE_INFINITY
-    for (const id of index.search({ minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack })) {
+    const around = { minX: homeX - slack, minY: homeY - slack, maxX: homeX + slack, maxY: homeY + slack }
+    for (const id of index.search(around)) {
       const i = diagram.indexOf(id)
       const r = this.picture.areSites ? 0 : at(circles, 3 * i + 2)
-      const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y) - r
+      const distance = Math.hypot(at(circles, 3 * i) - homeX, at(circles, 3 * i + 1) - homeY) - r
       // A small circle is all disc: it can be resized once it is seen larger.
-      const hasRim = r > 3 * slack
+      // The rim of an image cannot be dragged: the size is measured from the circle itself.
+      const hasRim = r > 3 * slack && homeX === x && homeY === y
       if (hasRim && Math.abs(distance) < rimDistance) {
         rim = id
         rimDistance = Math.abs(distance)
@@ -337,6 +378,11 @@ export class PaintedScene {
 
   /** The id of the circle whose cell a point is in; -1: there is none. */
   readonly nearest = (x: number, y: number): number => {
+    const { diagram } = this.picture
+    if (diagram instanceof RepeatedDiagram) {
+      const image = diagram.periodic.find(x, y)
+      return image === undefined ? -1 : idOf(diagram, image.circle)
+    }
     this.#hint = this.picture.editor.nearest(x, y, this.#hint)
     return this.#hint
   }
@@ -366,14 +412,16 @@ export class PaintedScene {
     let hiddenBy: number | undefined
     for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h) === i) hiddenBy = idOf(at(hidden, h + 1))
     const neighbors = [...new Set(diagram.neighbors(i))]
+    // Cells of images may lack neighbors.
+    const whole = neighbors.filter((k) => k < this.picture.count)
     return {
       id,
       circle: { ...circleAt(circles, i), ...(this.picture.areSites && { r: 0 }) },
       hiddenBy,
       isBounded: cells.isBounded(i),
-      neighbors: Int32Array.from(leastFirst(neighbors.map(idOf))),
+      neighbors: Int32Array.from(leastFirst([...new Set(neighbors.map(idOf))])),
       outline: this.outlineOf([i]),
-      neighborhood: this.outlineOf(neighbors.length > MOST_NEIGHBORS ? [] : neighbors),
+      neighborhood: this.outlineOf(whole.length > MOST_NEIGHBORS ? [] : whole),
     }
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, NONE } from '../../lib/base/diagram-data.ts'
-import type { Box, Change, Diagram, DiagramEditor } from '../../lib/index.ts'
+import type { Box, Change, Diagram, DiagramEditor, Point } from '../../lib/index.ts'
 import { boundingBox } from '../camera.ts'
 import {
   type CellColors,
@@ -13,16 +13,19 @@ import {
 } from '../layers.ts'
 import type { Legend } from '../protocol.ts'
 import { BoxIndex } from './box-index.ts'
-import { addAround, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
+import { addAround, boxAt, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
 import type { Centers } from './centers.ts'
 import type { Clip } from './clip.ts'
 import { Coloring } from './coloring.ts'
 import { Measures } from './measures.ts'
 import type { MethodResult } from './method-layers.ts'
+import { RepeatedDiagram, type Torus } from './torus.ts'
 
 /** How far, in extents of all circles, edges are taken to go that go to infinity. */
 const HORIZON = 1000
+
+const NO_MOVES: readonly Point[] = [{ x: 0, y: 0 }]
 
 /** A diagram that does not follow, and where its cells are. */
 export interface Ghost {
@@ -50,10 +53,16 @@ export interface IndexedData {
 /** What is drawn: the diagram of an editor, what of it lies where, and what is drawn in which way. */
 export class Picture {
   readonly editor: DiagramEditor
-  /** Follows the editor. */
-  readonly diagram: Diagram
+  /** Follows the editor; has images, too, if the circles repeat. */
+  diagram: Diagram
   /** Boxes around circles and their cells, by the circles' ids. */
-  readonly index: BoxIndex
+  index: BoxIndex
+  /** The box, if the circles repeat. */
+  readonly torus: Torus | undefined
+  /** Follows the editor, and has no images. */
+  readonly #snapshot: Diagram
+  /** The box around all circles and cells without images. */
+  #extent: Box = EMPTY_BOX
   /** About how far apart the circles are. */
   readonly cellWidth: number
   /** How far edges go that go to infinity. */
@@ -80,20 +89,50 @@ export class Picture {
   #hiddenBy: Map<number, number[]> | undefined
 
   /** Takes the editor over. */
-  constructor(editor: DiagramEditor, clip?: Clip) {
+  constructor(editor: DiagramEditor, clip?: Clip, torus?: Torus) {
     this.#clip = clip
     this.editor = editor
-    this.diagram = editor.snapshot()
-    const { circles } = this.diagram
+    this.torus = torus
+    this.#snapshot = editor.snapshot()
+    this.diagram = torus?.diagramOf(this.#snapshot) ?? this.#snapshot
+    const { circles } = this.#snapshot
     const box = boundingBox(circles)
     const extent = Math.max(box.maxX - box.minX, box.maxY - box.minY)
     this.reach = HORIZON * extent
     const count = circles.length / 3
     this.#automatic = count <= MOST_MAPPED ? 'different' : 'radius'
-    const area = (box.maxX - box.minX) * (box.maxY - box.minY)
+    const area = torus?.area ?? (box.maxX - box.minX) * (box.maxY - box.minY)
     // Circles in a row have hardly any area between them.
     this.cellWidth = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extent / count)
-    this.index = new BoxIndex(cellBoxes(this.diagram, this.reach))
+    this.index = this.#indexed()
+  }
+
+  /** The number of circles without images. */
+  get count(): number {
+    return this.#snapshot.circles.length / 3
+  }
+
+  /** How far copies of the circles are moved that a box shows. */
+  copiesIn(seen: Box): readonly Point[] {
+    return this.torus?.copiesIn(this.#extent, seen) ?? NO_MOVES
+  }
+
+  /** The point that stands for a point of the plane. */
+  home(x: number, y: number): Point {
+    return this.diagram instanceof RepeatedDiagram ? this.diagram.home(x, y) : { x, y }
+  }
+
+  /** Whether a side of a cell is drawn, as one of the two sides of an edge. */
+  draws(side: number): boolean {
+    return this.diagram instanceof RepeatedDiagram ? this.diagram.draws(side) : (side & 1) === 0
+  }
+
+  #indexed(): BoxIndex {
+    if (!(this.diagram instanceof RepeatedDiagram)) return new BoxIndex(cellBoxes(this.diagram, this.reach))
+    const boxes = this.diagram.cellBoxes(this.reach)
+    this.#extent = EMPTY_BOX
+    for (let k = 0; k < boxes.length / 4; k++) this.#extent = union(this.#extent, boxAt(boxes, k))
+    return new BoxIndex(boxes)
   }
 
   get layers(): Layers {
@@ -110,7 +149,7 @@ export class Picture {
     else if (cells === 'gap') this.#measures = this.gaps()
     else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram)
     if (cells !== 'different' || column !== undefined) this.#coloring = undefined
-    else this.#coloring ??= new Coloring(this.diagram)
+    else this.#coloring ??= new Coloring(this.#snapshot)
     if (!layers.dual) this.#stars = undefined
     if (layers.data !== this.#layers.data) this.data = layers.data.map((layer) => indexed(layer, layer.color))
     this.#layers = layers
@@ -185,7 +224,8 @@ export class Picture {
 
   /** The same of circles from whose centers segments to their neighbors' centers may meet a box. */
   starsIn(box: Box): number[] {
-    this.#stars ??= new BoxIndex(starBoxes(this.diagram))
+    const { diagram } = this
+    this.#stars ??= new BoxIndex(diagram instanceof RepeatedDiagram ? diagram.starBoxes() : starBoxes(diagram))
     return this.#indicesOf(this.#stars.search(box))
   }
 
@@ -201,6 +241,7 @@ export class Picture {
    * where something is shown that depends on a whole cell, it is those of the neighbors, too.
    */
   apply(change: Change): Difference {
+    if (this.torus !== undefined) return this.#repeat(this.torus, change)
     const { removed, replaced, inserted, cells, hidden, shown } = change
     const before = this.#lookOf([...removed, ...replaced, ...hidden, ...shown], cells)
     this.diagram.apply(change)
@@ -224,6 +265,22 @@ export class Picture {
       boxes: boxes.filter(({ minX, maxX }) => minX <= maxX),
       isEverywhere: recolored === undefined || isMethodShown || this.#layers.power,
     }
+  }
+
+  /** All is made anew, but for the colors of cells. */
+  #repeat(torus: Torus, change: Change): Difference {
+    this.#snapshot.apply(change)
+    this.diagram = torus.diagramOf(this.#snapshot)
+    this.index = this.#indexed()
+    this.#stars = undefined
+    this.#hiddenBy = undefined
+    this.#areas = undefined
+    this.#gaps = undefined
+    this.#measures = undefined
+    this.layers = this.#layers
+    const { inserted, replaced, shown, cells, hidden } = change
+    this.#coloring?.follow(this.#snapshot, new Set([...inserted, ...replaced, ...shown, ...cells, ...hidden]))
+    return { boxes: [], isEverywhere: true }
   }
 
   #indicesOf(ids: readonly number[]): number[] {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
 import type { PathSink } from '../../lib/index.ts'
-import type { Region } from '../../lib/regions/region.ts'
 import type { Frame } from './frame.ts'
 import { FrameSink } from './frame-sink.ts'
 import { addPolygon, addRectangle } from './polygon-path.ts'
 import { addSegment } from './segment-path.ts'
+import type { Border } from './torus.ts'
 
 /** So far outside the frame, in pixels, rings are cut off: what is seen stays, and numbers stay small. */
 const MARGIN = 16
 
 /** What a frame shows of a region: its border, or only its inside, or only its outside. */
-export function partShown(frame: Frame, region: Region): 'border' | 'inside' | 'outside' {
+export function partShown(frame: Frame, region: Border): 'border' | 'inside' | 'outside' {
   let isBorderSeen = false
   const moveTo = () => {
     isBorderSeen = true
@@ -22,20 +22,20 @@ export function partShown(frame: Frame, region: Region): 'border' | 'inside' | '
 }
 
 /** Adds what a frame shows of the inside of a region. */
-export function addInside(path: PathSink, frame: Frame, region: Region): void {
+export function addInside(path: PathSink, frame: Frame, region: Border): void {
   const sides = sidesOf(frame)
   for (const ring of ringsOf(frame, region)) addPolygon(path, sides.reduce(cut, ring))
 }
 
 /** Adds what a frame shows of the outside: a rectangle that runs against the outer rings. */
-export function addOutside(path: PathSink, frame: Frame, region: Region): void {
+export function addOutside(path: PathSink, frame: Frame, region: Border): void {
   const [right, bottom] = [frame.width + MARGIN, frame.height + MARGIN]
   addRectangle(path, -MARGIN, -MARGIN, right, bottom)
   addInside(path, frame, region)
 }
 
 /** Adds what a frame shows of the border. */
-export function addBorder(path: PathSink, frame: Frame, region: Region): void {
+export function addBorder(path: PathSink, frame: Frame, region: Border): void {
   for (const ring of ringsOf(frame, region)) {
     let [x, y] = [at(ring, ring.length - 2), at(ring, ring.length - 1)]
     for (let k = 0; k < ring.length; k += 2) {
@@ -47,7 +47,7 @@ export function addBorder(path: PathSink, frame: Frame, region: Region): void {
 }
 
 /** The rings in pixels. */
-function* ringsOf(frame: Frame, { points, ringOffsets }: Region): Generator<Float64Array> {
+function* ringsOf(frame: Frame, { points, ringOffsets }: Border): Generator<Float64Array> {
   const to = new FrameSink(frame, NO_PATH)
   for (let ring = 0; ring + 1 < ringOffsets.length; ring++) {
     const numbers = points.slice(2 * at(ringOffsets, ring), 2 * at(ringOffsets, ring + 1))

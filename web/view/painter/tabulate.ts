@@ -19,12 +19,12 @@ export function tabulated(picture: Picture, columns: readonly Column[], ids: Int
 /** The same of all circles: in steps, between which they may change. */
 export function* tabulatedAll(picture: Picture, columns: readonly Column[]): Generator<void, Tabulated> {
   const { diagram } = picture
-  for (let i = 0; i < diagram.circles.length / 3; i++) {
+  for (let i = 0; i < picture.count; i++) {
     for (const column of columns) numberOf(picture, column, idOf(diagram, i))
     if (i % CELLS_AT_ONCE === 0) yield
   }
   // What has changed meanwhile is measured once more; the rest is known.
-  const ids = Int32Array.from({ length: diagram.circles.length / 3 }, (_, i) => idOf(diagram, i))
+  const ids = Int32Array.from({ length: picture.count }, (_, i) => idOf(diagram, i))
   return tabulated(picture, columns, ids)
 }
 

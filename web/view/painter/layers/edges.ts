@@ -79,7 +79,7 @@ function strokeArcs(
   const { limits, tolerance, circles } = painting
   const { diagram } = painting.picture
   const add = (sink: FrameSink, e: number) => isDrawn(e) && drawEdge(sink, diagram, e, limits, tolerance)
-  strokeEdges(painting, diagram, circles, add, stroke)
+  strokeEdges(painting, diagram, circles, add, stroke, (side) => painting.picture.draws(side))
 }
 
 /** A dash and the gap after it, in CSS pixels. */
@@ -126,19 +126,24 @@ function lineOf({ circles, edges }: Diagram, e: number): { x: number; y: number;
   return { x: p.x + share * x, y: p.y + share * y, dx: -y / distance, dy: x / distance }
 }
 
-/** Adds each edge around circles once, with its left circle, and strokes what was added. */
+function isLeft(side: number): boolean {
+  return (side & 1) === 0
+}
+
+/** Adds each edge around circles once, by default with its left circle, and strokes what was added. */
 function strokeEdges(
   painting: Painting,
   { cells }: Diagram,
   circles: readonly number[],
   add: (sink: FrameSink, e: number) => void,
   stroke: (path: PathSink) => void,
+  draws: (side: number) => boolean = isLeft,
 ): void {
   let sink = painting.sink()
   let count = 0
   for (const i of circles) {
     for (const side of cells.sides(i)) {
-      if (side & 1) continue
+      if (!draws(side)) continue
       add(sink, side >> 1)
       count += 1
       if (count % EDGES_PER_PATH !== 0) continue

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Circles that repeat, in the thread that paints.
+import { describe, expect, it } from 'vitest'
+import type { CircleVoronoiError, Lattice } from '../../web/lib/index.ts'
+import { boxOf } from '../../web/view/domain.ts'
+import { DEFAULT_LAYERS, repeatingLayers } from '../../web/view/layers.ts'
+import { answers } from '../../web/view/painter/answers.ts'
+import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
+import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
+import { tabulated } from '../../web/view/painter/tabulate.ts'
+import type { Style } from '../../web/view/style.ts'
+import { library, seededRandom } from './library.ts'
+
+const LATTICE: Lattice = { a: [8, 0], b: [2, 6] }
+const STYLE = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
+
+function circles(count: number, seed: number): Float64Array {
+  const random = seededRandom(seed)
+  return Float64Array.from(
+    Array.from({ length: count }, () => {
+      const [u, v] = [random(), random()]
+      return [8 * u + 2 * v, 6 * v, 0.3 * random()]
+    }).flat(),
+  )
+}
+
+function sceneOf(coordinates: Float64Array, lattice = LATTICE): PaintedScene {
+  const scene = new PaintedScene(library)
+  scene.open(coordinates, { lattice })
+  scene.setLayers(DEFAULT_LAYERS)
+  return scene
+}
+
+const replace = (id: number, x: number, y: number, r: number) => ({ kind: 'replace' as const, id, circle: { x, y, r } })
+
+describe('circles that repeat', () => {
+  it('are counted without images', () => {
+    expect(sceneOf(circles(20, 1)).counts()).toEqual({ circles: 20, hidden: 0, vertices: 40, edges: 60 })
+  })
+
+  it('come in on the other side of the box', () => {
+    const scene = sceneOf(circles(5, 2))
+    const { change } = scene.edit([replace(2, 8.5, 1, 0.2)])
+    expect([...change.circles]).toEqual([0.5, 1, 0.2])
+    const { change: up } = scene.edit([replace(2, 3, 6.5, 0.2)])
+    expect([...up.circles]).toEqual([1, 0.5, 0.2])
+    // Circles that are opened outside, too; and the view is told.
+    const opened = scene.open(Float64Array.of(-1, 1, 0.5, 3, 3, 0.1))
+    expect([...(opened.circles as Float64Array)]).toEqual([7, 1, 0.5, 3, 3, 0.1])
+  })
+
+  it('have whole cells after each edit, whose areas fill the box', () => {
+    const random = seededRandom(4)
+    const scene = sceneOf(circles(12, 3))
+    for (let step = 0; step < 20; step++) {
+      scene.edit([replace(Math.floor(12 * random()), 20 * random() - 10, 20 * random() - 10, random())])
+      const { columns } = tabulated(
+        scene.picture,
+        ['area'],
+        Int32Array.from({ length: 12 }, (_, i) => i),
+      )
+      const areas = (columns[0] as Float64Array).map((area) => (Number.isNaN(area) ? 0 : area))
+      expect(areas.reduce((sum, area) => sum + area, 0)).toBeCloseTo(48, 9)
+    }
+    scene.edit([
+      { kind: 'remove', id: 3 },
+      { kind: 'insert', circle: { x: 1, y: 1, r: 0.1 } },
+    ])
+    expect(scene.counts().circles).toBe(12)
+    expect(scene.hit(1, 1, 0.01)?.id).toBe(12)
+  })
+
+  it('are found by any image, and name their neighbors by their own ids', () => {
+    const coordinates = circles(9, 5).map((value, k) => (k % 3 === 2 ? 0.05 : value))
+    const scene = sceneOf(coordinates)
+    for (let i = 0; i < 9; i++) {
+      const [x, y] = [coordinates[3 * i] as number, coordinates[3 * i + 1] as number]
+      for (const [k, l] of [
+        [0, 0],
+        [1, 0],
+        [-2, 1],
+        [0, -3],
+      ] as const) {
+        expect(scene.hit(x + 8 * k + 2 * l, y + 6 * l, 0.01)?.id).toBe(i)
+        expect(scene.nearest(x + 8 * k + 2 * l, y + 6 * l)).toBe(i)
+      }
+    }
+    const { selected } = scene.mark(0, undefined)
+    const neighbors = [...(selected?.neighbors ?? [])]
+    expect(neighbors.length).toBeGreaterThan(2)
+    expect(new Set(neighbors).size).toBe(neighbors.length)
+    expect(Math.max(...neighbors)).toBeLessThan(9)
+    expect(selected?.isBounded).toBe(true)
+    const { cells } = answers.tell(scene, [0])
+    expect([...(cells.get(0)?.neighbors ?? [])].sort()).toEqual(neighbors.sort())
+  })
+
+  it('are drawn with their images, the border of the box, and a veil around it', () => {
+    const drawn = (x: number, y: number, scale = 40) => {
+      const drawing = new SvgDrawing()
+      sceneOf(circles(6, 6)).draw(drawing, { x, y, scale, width: 320, height: 320 }, 1, STYLE)
+      return String(drawing)
+    }
+    // Around a corner of the box.
+    expect(drawn(8, 0)).toContain('stroke="region"')
+    expect(drawn(8, 0)).toMatch(/fill="paper"[^>]*opacity="0\.6"/)
+    // Inside there is neither.
+    expect(drawn(5, 3, 400)).not.toContain('stroke="region"')
+    // A period away, the same is drawn, but for the veil.
+    const cellsOf = (text: string) => text.split('\n').filter((line) => line.includes('"edge"'))
+    const [here, there] = [cellsOf(drawn(8, 0)), cellsOf(drawn(0, 0))]
+    expect(here.length).toBeGreaterThan(0)
+    expect(there).toHaveLength(here.length)
+    expect(sceneOf(circles(6, 6)).picture.copiesIn({ minX: 200, minY: 0, maxX: 210, maxY: 10 })).toEqual([])
+  })
+
+  it('draw each border once', () => {
+    const { picture } = sceneOf(circles(15, 7))
+    const { cells } = picture.diagram
+    let count = 0
+    for (let i = 0; i < 15; i++) for (const side of cells.sides(i)) count += Number(picture.draws(side))
+    expect(count).toBe(45)
+  })
+
+  it('show no layers of the whole plane', () => {
+    const scene = sceneOf(circles(6, 8))
+    scene.setLayers({ ...DEFAULT_LAYERS, hull: true, ordinary: true, delaunay: true, power: true, samples: true })
+    expect(scene.picture.layers).toEqual(repeatingLayers(DEFAULT_LAYERS))
+    expect(scene.picture.centers).toBeUndefined()
+    // They come back with circles that do not repeat.
+    scene.edit([], { lattice: null })
+    expect(scene.picture.layers.hull).toBe(true)
+    expect(scene.counts().circles).toBe(6)
+    scene.edit([], { lattice: { a: [9, 0], b: [0, 9] } })
+    expect(scene.counts().edges).toBe(18)
+  })
+
+  it('have no box of parallel periods, and no region', () => {
+    const problem = (lattice: Lattice) => {
+      try {
+        sceneOf(circles(3, 9), lattice)
+      } catch (error) {
+        return (error as CircleVoronoiError).message
+      }
+      return ''
+    }
+    expect(problem({ a: [1, 0], b: [2, 0] })).toMatch(/^The periods must not be zero or parallel/)
+    expect(problem({ a: [1, 0], b: [0, 2e150] })).toMatch(/^The periods must be finite/)
+  })
+
+  it('are seen with a part of their images', () => {
+    const all = { minX: 0, minY: 0, maxX: 1, maxY: 1 }
+    expect(boxOf(all, { region: undefined, areas: undefined, lattice: LATTICE })).toEqual({
+      minX: -1,
+      minY: -1,
+      maxX: 11,
+      maxY: 7,
+    })
+  })
+})

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkIndex, checkNumber, checkThing } from '../base/check.ts'
+import { at } from '../base/diagram-data.ts'
+import { hypotenuse } from '../base/scale.ts'
+import type { Box, DiagramData, Int32s, Point } from '../base/types.ts'
+import { edgeCurve, isBoundedCurve } from '../curves/curve.ts'
+import type { ContextOptions, PolygonOptions, TextOptions } from '../drawing/draw-options.ts'
+import type { Polygon } from '../drawing/polygon.ts'
+import { exportBox } from '../regions/export-box.ts'
+import { curveLength } from '../regions/measure.ts'
+import { Diagram } from './diagram.ts'
+import { type Lattice, type Periods, type Shift, shortestPeriods } from './lattice.ts'
+
+/**
+ * A copy of a given circle: the circle moved by shift[0] times period a plus shift[1] times period b.
+ *
+ * @category Periodic diagrams
+ */
+export interface CircleImage {
+  readonly circle: number
+  readonly shift: Shift
+}
+
+/**
+ * The data of a periodic diagram, as a structured clone has them.
+ *
+ * @category Periodic diagrams
+ */
+export interface PeriodicData {
+  /** The diagram of the given circles and of as many images as decide their cells. The given circles come first. */
+  readonly diagram: DiagramData
+  /** The number of given circles. */
+  readonly circleCount: number
+  /** The periods, rounded to multiples of 2^-50 of the largest coordinate. */
+  readonly lattice: Lattice
+  /** For each circle of `diagram` the given circle of which it is an image. */
+  readonly circleOf: Int32s
+  /**
+   * For each circle of `diagram` its shift from the given circle, two numbers each. They are 0 for a given circle, unless
+   * the given circles were too far apart and had to be moved by whole periods.
+   */
+  readonly shiftOf: Int32s
+}
+
+/**
+ * The neighbors of all circles, and what a packing is measured by. Item k of `lengths` and `gaps` is that of contact k.
+ *
+ * @category Periodic diagrams
+ */
+export interface ContactTable {
+  /** Four numbers for each contact: a circle, its neighbor, and the two shifts of the neighbor. */
+  readonly contacts: Int32Array
+  /** The length of the common border. */
+  readonly lengths: Float64Array
+  /** The gap between the two circles; negative if they overlap. */
+  readonly gaps: Float64Array
+  /** The area of the cell of each circle; 0 if it is hidden. */
+  readonly areas: Float64Array
+  /** The share of its cell that each circle covers, from 0 to 1. */
+  readonly packingFractions: Float64Array
+}
+
+/**
+ * The Voronoi diagram of circles that repeat with two periods, made by `library.computePeriodic`. The methods take the
+ * given circles, from 0 to `circleCount` - 1, and their cells are whole. `diagram` has everything else: it is the diagram of
+ * the given circles and of their images around them.
+ *
+ * @category Periodic diagrams
+ * @example
+ * const periodic = library.computePeriodic([[1, 1, 1], [5, 4, 2]], { a: [8, 0], b: [0, 6] })
+ * Math.round(periodic.cellArea(0) + periodic.cellArea(1)) // 48
+ * periodic.find(-3, 4) // { circle: 1, shift: [ -1, 0 ] }
+ */
+export class PeriodicDiagram implements PeriodicData {
+  readonly diagram: Diagram
+  readonly circleCount: number
+  readonly lattice: Lattice
+  readonly circleOf: Int32s
+  readonly shiftOf: Int32s
+  readonly #bounds: readonly [number, number, number, number]
+  #periods: Periods | undefined
+
+  /** Wraps the arrays of `data` without copying them. */
+  constructor(data: PeriodicData) {
+    checkThing(data, 'circleOf', 'new PeriodicDiagram', 'the data of a periodic diagram')
+    this.diagram = new Diagram(data.diagram)
+    this.circleCount = data.circleCount
+    this.lattice = data.lattice
+    this.circleOf = data.circleOf
+    this.shiftOf = data.shiftOf
+    this.#bounds = wholeCells(this.diagram, this.lattice)
+  }
+
+  /**
+   * Returns circle `other` of `diagram` as circle `i` of `diagram` sees it: the given circle, and its shift relative to
+   * circle `i`.
+   */
+  imageFrom(i: number, other: number): CircleImage {
+    for (const circle of [i, other]) checkIndex(circle, this.circleOf.length, 'imageFrom', 'circle')
+    return this.#imageFrom(i, other)
+  }
+
+  /**
+   * Returns the images across the sides of cell `i`, counter-clockwise. Their shifts are relative to circle `i`. A circle may
+   * be its own neighbor. An image appears once for each shared edge.
+   */
+  neighbors(i: number): CircleImage[] {
+    this.#checkCircle(i, 'neighbors')
+    return Array.from(this.diagram.cells.neighbors(i), (other) => this.#imageFrom(i, other))
+  }
+
+  /**
+   * Returns the image nearest to any point of the plane, or `undefined` if there are no circles or a coordinate is not
+   * finite.
+   */
+  find(x: number, y: number): CircleImage | undefined {
+    checkNumber(x, 'find', 'x')
+    checkNumber(y, 'find', 'y')
+    const { circles } = this.diagram
+    if (this.circleCount === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return undefined
+    this.#periods ??= shortestPeriods(this.lattice)
+    // Beside the given circles a point is nearest to some image. Moved by the shift of this image, it lies beside the given
+    // circle and no farther from the nearest one, so this ends at a given circle, whose cell is right.
+    const { steps, shift } = this.#periods.nearest(x - at(circles, 0), y - at(circles, 1))
+    let p: Point = { x: x - steps.x, y: y - steps.y }
+    let [k, l] = shift
+    let found = this.diagram.find(p.x, p.y)
+    // Rounding may lead around in circles, among images that are equally near.
+    for (let tries = 0; tries < 100 && found >= this.circleCount; tries++) {
+      const given = at(this.circleOf, found)
+      p = {
+        x: p.x + (at(circles, 3 * given) - at(circles, 3 * found)),
+        y: p.y + (at(circles, 3 * given + 1) - at(circles, 3 * found + 1)),
+      }
+      const image = this.#imageFrom(given, found)
+      k += image.shift[0]
+      l += image.shift[1]
+      found = this.diagram.find(p.x, p.y, given)
+    }
+    // Adding 0 turns -0 into 0.
+    return {
+      circle: at(this.circleOf, found),
+      shift: [k + at(this.shiftOf, 2 * found) + 0, l + at(this.shiftOf, 2 * found + 1) + 0],
+    }
+  }
+
+  /** Returns whether (x, y) lies in the cell of circle `i` of `diagram`, up to rounding. */
+  contains(i: number, x: number, y: number): boolean {
+    this.#checkCircle(i, 'contains')
+    return this.diagram.contains(i, x, y)
+  }
+
+  /** Draws the outline of cell `i`. */
+  cellPath(i: number, options?: PolygonOptions & TextOptions): string
+  cellPath(i: number, options: PolygonOptions & ContextOptions): void
+  cellPath(i: number, options: PolygonOptions & (TextOptions | ContextOptions) = {}): string | undefined {
+    this.#checkCircle(i, 'cellPath')
+    return this.diagram.cellPath(i, this.#whole(options) as PolygonOptions & TextOptions)
+  }
+
+  /** Returns the polygon of cell `i`, or `undefined` if circle `i` is hidden. */
+  cellPolygon(i: number, options: PolygonOptions & { readonly region?: undefined } = {}): Polygon | undefined {
+    this.#checkCircle(i, 'cellPolygon')
+    return this.diagram.cellPolygon(i, this.#whole(options))
+  }
+
+  /** Returns the area of cell `i`. The areas of all cells sum to the area of the box. */
+  cellArea(i: number): number {
+    this.#checkCircle(i, 'cellArea')
+    return this.diagram.cellArea(i, { bounds: this.#bounds })
+  }
+
+  /** Returns the center of mass of cell `i`, or `undefined` if circle `i` is hidden. */
+  cellCentroid(i: number): Point | undefined {
+    this.#checkCircle(i, 'cellCentroid')
+    return this.diagram.cellCentroid(i, { bounds: this.#bounds })
+  }
+
+  /** Returns the length of the border of cell `i`. */
+  cellPerimeter(i: number): number {
+    this.#checkCircle(i, 'cellPerimeter')
+    return this.diagram.cellPerimeter(i, { bounds: this.#bounds })
+  }
+
+  /** Measures all borders and cells, in linear time. Each pair of neighbors occurs twice, once from each side. */
+  contacts(): ContactTable {
+    const { diagram, circleCount } = this
+    const { circles, cells } = diagram
+    const contacts: number[] = []
+    const lengths: number[] = []
+    const gaps: number[] = []
+    const areas = new Float64Array(circleCount)
+    const packingFractions = new Float64Array(circleCount)
+    for (let i = 0; i < circleCount; i++) {
+      const met = new Map<string, number>()
+      let least = Infinity
+      for (const side of cells.sides(i)) {
+        const curve = edgeCurve(diagram, side >> 1)
+        const length = isBoundedCurve(curve) ? curveLength(curve) : Infinity
+        const other = cells.neighborOf(side)
+        const { circle, shift } = this.#imageFrom(i, other)
+        const key = `${circle},${shift}`
+        const before = met.get(key)
+        if (before !== undefined) {
+          lengths[before] = (lengths[before] as number) + length
+          continue
+        }
+        met.set(key, lengths.length)
+        contacts.push(i, circle, ...shift)
+        lengths.push(length)
+        const gap = gapOf(circles, i, other)
+        gaps.push(gap)
+        least = Math.min(least, gap)
+      }
+      if (met.size === 0) continue
+      const r = at(circles, 3 * i + 2)
+      const area = this.cellArea(i)
+      const isApart = least >= 0 && r > 0
+      const covered = isApart ? Math.PI * r * r : diagram.cellArea(i, { bounds: this.#bounds, maxDistance: 0 })
+      areas[i] = area
+      packingFractions[i] = area > 0 ? Math.min(covered / area, 1) : Number(r > 0)
+    }
+    return {
+      contacts: Int32Array.from(contacts),
+      lengths: Float64Array.from(lengths),
+      gaps: Float64Array.from(gaps),
+      areas,
+      packingFractions,
+    }
+  }
+
+  /**
+   * Returns the table of `contacts` as CSV, with the columns circle, neighbor, shift_a, shift_b, length, gap, area and
+   * packing_fraction. The last two are those of the circle. Hidden circles have no line.
+   */
+  contactsCsv(): string {
+    const { contacts, lengths, gaps, areas, packingFractions } = this.contacts()
+    const lines = Array.from(lengths, (length, k) => {
+      const [i, ...neighbor] = contacts.subarray(4 * k, 4 * k + 4) as unknown as [number, ...number[]]
+      return [i, ...neighbor, length, at(gaps, k), at(areas, i), at(packingFractions, i)].join(',')
+    })
+    return `${['circle,neighbor,shift_a,shift_b,length,gap,area,packing_fraction', ...lines].join('\n')}\n`
+  }
+
+  #imageFrom(i: number, other: number): CircleImage {
+    const { circleOf, shiftOf } = this
+    const shift = (period: number) => at(shiftOf, 2 * other + period) - at(shiftOf, 2 * i + period)
+    return { circle: at(circleOf, other), shift: [shift(0), shift(1)] }
+  }
+
+  #whole<Options extends PolygonOptions>(options: Options): Options {
+    const { a, b } = this.lattice
+    const tolerance = TOLERANCE * Math.max(...[...a, ...b].map(Math.abs))
+    return { bounds: this.#bounds, tolerance, ...options }
+  }
+
+  #checkCircle(i: number, caller: string): void {
+    checkIndex(i, this.circleCount, caller, 'circle')
+  }
+}
+
+/** By default curves are drawn within this share of the largest coordinate of the periods. */
+const TOLERANCE = 1e-5
+
+function gapOf(circles: Float64Array, i: number, j: number): number {
+  const apart = hypotenuse(at(circles, 3 * j) - at(circles, 3 * i), at(circles, 3 * j + 1) - at(circles, 3 * i + 1))
+  return apart - at(circles, 3 * i + 2) - at(circles, 3 * j + 2)
+}
+
+/** A box that cuts no given cell: each point of a cell is nearer to its center than the sum of the periods. */
+function wholeCells(diagram: Diagram, { a, b }: Lattice): [number, number, number, number] {
+  const { minX, minY, maxX, maxY }: Box = exportBox(diagram.circles)
+  const margin = Math.abs(a[0]) + Math.abs(a[1]) + Math.abs(b[0]) + Math.abs(b[1])
+  return [minX - margin, minY - margin, maxX + margin, maxY + margin]
+}
