@@ -135,7 +135,7 @@ void Arcs::findLevels(const Region& region, std::span<const CircleIndex> circles
       if (target != kNone && levels_[at(target)] == kUnknown) levels_[at(target)] = level;
     }
   }
-  std::ranges::replace(levels_, kUnknown, 0);
+  std::replace(levels_.begin(), levels_.end(), kUnknown, 0);
 }
 
 void Arcs::makeArcs() {

@@ -53,7 +53,10 @@ class RoomMaker {
       };
       // Each step turns by less than half a turn. Corners beyond the steps come last.
       const auto last = std::find_if_not(first, corners.end(), isHere);
-      add(points[k - 1], points[k], {first, last}, 0);
+      add(points[k - 1], points[k],
+          std::span<const Point>(corners).subspan(static_cast<std::size_t>(first - corners.begin()),
+                                                  static_cast<std::size_t>(last - first)),
+          0);
       first = last;
     }
     return std::move(result_);

@@ -270,7 +270,8 @@ Polygons polygonsOf(const std::vector<PointLoop>& loops) {
   }
   std::vector<PointRing> holes;
   for (auto& rings : Steps(loops).walks()) {
-    const auto hole = std::ranges::partition(rings, [](const PointRing& ring) { return areaOf(ring) > 0; }).begin();
+    const auto hole =
+        std::partition(rings.begin(), rings.end(), [](const PointRing& ring) { return areaOf(ring) > 0; });
     if (hole - rings.begin() == 1) {
       polygons.push_back(std::move(rings));
       continue;
