@@ -170,7 +170,7 @@ function areaOfBox(west: number, south: number, east: number, north: number): nu
     const density = (a * Math.cos(lat) * a * (1 - square)) / w ** 2
     sum += (k === 0 || k === parts ? 0.5 : 1) * density * step
   }
-  return sum * ((east - west) * Math.PI) / 180
+  return (sum * ((east - west) * Math.PI)) / 180
 }
 
 it('fit gives cells areas in square meters', () => {

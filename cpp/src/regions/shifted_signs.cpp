@@ -134,7 +134,7 @@ using Difference2 = Weighted::Difference;
 Integer<2> dotOf(const Difference2& u, const Difference2& v) { return u.x * v.x + u.y * v.y; }
 Integer<2> crossOf(const Difference2& u, const Difference2& v) { return u.x * v.y - u.y * v.x; }
 
-Point centerOf(const Circle& c) { return {c.x, c.y}; }
+Point centerPointOf(const Circle& c) { return {c.x, c.y}; }
 
 }  // namespace
 
@@ -188,9 +188,9 @@ ShiftedSigns::Comparison ShiftedSigns::compareStraight(const Circle& c, const Ci
       kSignRounding * (square + 2 * sizeOf(p) * sizeOf(across) + weight(c) + weight(d)) + kSignUnderflow;
   if (value > error) return {1, (value - error) / (2 * std::sqrt(square)) * (1 - kSignRounding)};
   if (value < -error) return {-1, -1};
-  const Weighted numbers({corner, centerOf(c), centerOf(d)}, {weight(c), weight(d)});
-  const auto u = numbers.between(centerOf(c), corner);
-  const auto v = numbers.between(centerOf(c), centerOf(d));
+  const Weighted numbers({corner, centerPointOf(c), centerPointOf(d)}, {weight(c), weight(d)});
+  const auto u = numbers.between(centerPointOf(c), corner);
+  const auto v = numbers.between(centerPointOf(c), centerPointOf(d));
   const auto weights = numbers.square(weight(c)) - numbers.square(weight(d));
   const auto twice = dotOf(u, v) + dotOf(u, v);
   if (const int sign = (dotOf(v, v) - twice + weights).sign(); sign != 0) return {sign, -1};
@@ -211,9 +211,9 @@ int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) con
   if (vertex == kNone) {
     if (!isCurved_) {
       // The bisector goes at right angles to the line of centers; a parallel to it lies on the neighbor's side.
-      const Weighted numbers({line.from, line.to, centerOf(own), centerOf(other)}, {});
+      const Weighted numbers({line.from, line.to, centerPointOf(own), centerPointOf(other)}, {});
       const auto direction = numbers.between(line.from, line.to);
-      const auto across = numbers.between(centerOf(own), centerOf(other));
+      const auto across = numbers.between(centerPointOf(own), centerPointOf(other));
       if (const int sign = dotOf(direction, across).sign(); sign != 0) return isTarget ? sign : -sign;
       return crossOf(direction, across).sign();
     }
@@ -232,11 +232,11 @@ int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) con
   const exact::Face face = faceOf(side, isTarget);
   if (!isCurved_) {
     const auto& [o, a, b] = face;
-    const Weighted numbers({line.from, line.to, centerOf(*o), centerOf(*a), centerOf(*b)},
+    const Weighted numbers({line.from, line.to, centerPointOf(*o), centerPointOf(*a), centerPointOf(*b)},
                            {weight(*o), weight(*a), weight(*b)});
-    const auto u = numbers.between(centerOf(*o), centerOf(*a));
-    const auto w = numbers.between(centerOf(*o), centerOf(*b));
-    const auto from = numbers.between(centerOf(*o), line.from);
+    const auto u = numbers.between(centerPointOf(*o), centerPointOf(*a));
+    const auto w = numbers.between(centerPointOf(*o), centerPointOf(*b));
+    const auto from = numbers.between(centerPointOf(*o), line.from);
     const auto direction = numbers.between(line.from, line.to);
     const auto ku = dotOf(u, u) + numbers.square(weight(*o)) - numbers.square(weight(*a));
     const auto kw = dotOf(w, w) + numbers.square(weight(*o)) - numbers.square(weight(*b));
@@ -331,7 +331,7 @@ int ShiftedSigns::turnFromEnd(SideIndex side, bool isTarget, Point corner) const
 int ShiftedSigns::turnFromNeighbor(SideIndex side, Point corner) const {
   const Circle& own = circle(diagram_.circleOf(side));
   const Circle& other = circle(diagram_.neighborOf(side));
-  const int sign = orientation(centerOf(own), centerOf(other), corner);
+  const int sign = orientation(centerPointOf(own), centerPointOf(other), corner);
   if (sign != 0) return sign;
   return own.y != other.y ? (other.y > own.y ? -1 : 1) : (other.x > own.x ? 1 : -1);
 }
@@ -342,7 +342,7 @@ bool ShiftedSigns::hasApex(SideIndex side) const {
   if (own.r > other.r) return false;
   // Of a straight line that does not span half a turn the apex does not count.
   if (own.r == other.r && (diagram_.originOf(side) != kNone || diagram_.targetOf(side) != kNone)) return false;
-  return turnFromEnd(side, false, centerOf(other)) > 0 && turnFromEnd(side, true, centerOf(other)) < 0;
+  return turnFromEnd(side, false, centerPointOf(other)) > 0 && turnFromEnd(side, true, centerPointOf(other)) < 0;
 }
 
 // With the centers c and c' as seen from the start of the line, its direction d, D = c' - c and the difference s of the
@@ -428,9 +428,9 @@ double ShiftedSigns::shareOfCrossing(CircleIndex from, CircleIndex to, const Lin
   const Circle& c = circle(from);
   const Circle& d = circle(to);
   if (!isCurved_ || c.r == d.r) {
-    const Weighted numbers({line.from, line.to, centerOf(c), centerOf(d)}, {weight(c), weight(d)});
-    const auto across = numbers.between(centerOf(c), centerOf(d));
-    const auto start = numbers.between(centerOf(c), line.from);
+    const Weighted numbers({line.from, line.to, centerPointOf(c), centerPointOf(d)}, {weight(c), weight(d)});
+    const auto across = numbers.between(centerPointOf(c), centerPointOf(d));
+    const auto start = numbers.between(centerPointOf(c), line.from);
     const auto direction = numbers.between(line.from, line.to);
     const auto half = dotOf(start, across);
     const auto way = dotOf(direction, across);

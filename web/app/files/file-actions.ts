@@ -110,12 +110,7 @@ export class FileActions {
     return this.#clipTo(() => readRegion(text), file.name, gesture)
   }
 
-  async #clipTo(
-    read: ReadsRegion,
-    name: string,
-    gesture?: number,
-    merges = this.mergesPolygons,
-  ): Promise<HowOpened> {
+  async #clipTo(read: ReadsRegion, name: string, gesture?: number, merges = this.mergesPolygons): Promise<HowOpened> {
     try {
       const edited = await this.#actions.setDomain({ region: plainRegion(read(), merges) }, gesture)
       if (edited === undefined) {
