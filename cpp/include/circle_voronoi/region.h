@@ -93,11 +93,9 @@ class Region {
  private:
   Region() = default;
 
-  /// The region of arrays as they are, and of the union of their polygons. Each throws a Refusal.
+  /// The region of arrays as they are. Throws a Refusal.
   static Region valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                       std::span<const std::int32_t> polygonOffsets);
-  static Region unionOf(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
-                        std::span<const std::int32_t> polygonOffsets);
 
   /// What a run of sides one after the other spans, for contains().
   struct Run {

@@ -268,6 +268,17 @@ struct Flat {
   void endPolygon() { polygonOffsets.push_back(static_cast<std::int32_t>(ringOffsets.size() - 1)); }
 };
 
+/// The rings around the union of polygons.
+Rings ringsAround(const Given& given) {
+  const Names names(given);
+  const auto clean = cleaned(given, names, true);
+  std::vector<std::int32_t> polygonOfRing;
+  for (const std::size_t ring : clean.inputRing) {
+    polygonOfRing.push_back(given.polygonOffsets.empty() ? 0 : static_cast<std::int32_t>(names.polygonOf(ring)));
+  }
+  return dissolved(clean.rings, polygonOfRing);
+}
+
 }  // namespace
 
 Region Region::valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
@@ -317,31 +328,17 @@ Region Region::valid(std::span<const Point> points, std::span<const std::int32_t
   return region;
 }
 
-Region Region::unionOf(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
-                       std::span<const std::int32_t> polygonOffsets) {
-  const Given given = {points, ringOffsets, polygonOffsets};
-  const Names names(given);
-  const auto clean = cleaned(given, names, true);
-  std::vector<std::int32_t> polygonOfRing;
-  for (const std::size_t ring : clean.inputRing) {
-    polygonOfRing.push_back(polygonOffsets.empty() ? 0 : static_cast<std::int32_t>(names.polygonOf(ring)));
-  }
-  const Rings rings = dissolved(clean.rings, polygonOfRing);
-  if (rings.points.empty()) refuse("The region has no area.");
-  auto merged = guarded([&]() -> Result<Region> { return valid(rings.points, rings.offsets, {}); });
-  if (merged) return *std::move(merged);
-  const Error& error = merged.error();
-  if (error.code != ErrorCode::badOption) throw Refusal{error};
-  throw Refusal{{ErrorCode::internal, kNone, "The union of the polygons: " + error.message}};
-}
-
 Result<Region> Region::fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                                   std::span<const std::int32_t> polygonOffsets, const RegionOptions& options) {
   return guarded([&]() -> Result<Region> {
     checkArrays({points, ringOffsets, polygonOffsets});
     auto asItIs = guarded([&]() -> Result<Region> { return valid(points, ringOffsets, polygonOffsets); });
     if (asItIs || !options.dissolve || asItIs.error().code != ErrorCode::badOption) return asItIs;
-    return unionOf(points, ringOffsets, polygonOffsets);
+    const Rings rings = ringsAround({points, ringOffsets, polygonOffsets});
+    if (rings.points.empty()) return errorWith(ErrorCode::badOption, "The region has no area.");
+    auto merged = guarded([&]() -> Result<Region> { return valid(rings.points, rings.offsets, {}); });
+    if (merged || merged.error().code != ErrorCode::badOption) return merged;
+    return errorWith(ErrorCode::internal, ("The union of the polygons: " + merged.error().message).c_str());
   });
 }
 
