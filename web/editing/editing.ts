@@ -100,6 +100,11 @@ export class Editing {
     return this.#computer.circles
   }
 
+  /** How many edits and openings are under way or wait. One that is being told of is still among them. */
+  get unfinished(): number {
+    return this.#queue.works.length
+  }
+
   /** What was opened: the circles as they were then. */
   get scene(): Scene | undefined {
     return this.#scene

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { nextFrame } from '../view/next-frame.ts'
 
 /** Holds a value and tells whoever subscribed once per frame in which it was replaced. */
 export interface Store<Value> {
@@ -22,7 +23,7 @@ export function createStore<Value>(initial: Value): Store<Value> {
       const next = change(value)
       if (next === value) return
       value = next
-      if (!isScheduled) requestAnimationFrame(tell)
+      if (!isScheduled) nextFrame(tell)
       isScheduled = true
     },
     subscribe(listener) {

@@ -32,7 +32,9 @@ import {
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import { mountControls, paddingBelow } from './controls.ts'
 import { circlesWithin, linkState, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
+import { whenIdle } from './idle.ts'
 import { loadWords, wordsOf } from './language.ts'
+import { Paper } from './paper.ts'
 import { readCircles } from './read-circles.ts'
 import { refuse } from './refusals.ts'
 import { Shell } from './shell.ts'
@@ -75,11 +77,18 @@ export interface CircleVoronoiEventMap {
   checkchange: CustomEvent<{ readonly isMet: boolean }>
   /** The selection has changed: the ids of the selected circles. */
   selectionchange: CustomEvent<{ readonly selection: readonly number[] }>
+  /** A reader has changed the circles, also while dragging one: like the event of form controls. */
+  input: Event
+  /** A reader has changed the circles and released them. */
+  change: Event
   /** Another step of the method is visible. `steps` is the number of steps; the last step is the diagram. */
   stepchange: CustomEvent<{ readonly step: number; readonly steps: number }>
   /** Circles, an attribute or a property cannot be shown. The message of `error` says why. */
   error: CustomEvent<{ readonly error: Error }>
 }
+
+/** An element that is in no page for so long, in milliseconds, has not only been moved. */
+const MOVED = 30_000
 
 /** Which part of an element is what: for `HTMLElement` in Node, where there is none. */
 const Base: typeof HTMLElement = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement)
@@ -182,6 +191,16 @@ export class CircleVoronoiElement extends Base {
   /** The selection of circles that are not there yet. */
   #nextSelection: readonly number[] | undefined
   #stopWatching: (() => void) | undefined
+  #stopWaiting: (() => void) | undefined
+  /** Ends the figure of an element that is in no page. */
+  #leaving: ReturnType<typeof setTimeout> | undefined
+  #paper: Paper | undefined
+  /** `value`, and which change it is of. */
+  #value: { readonly circles: Float64s; readonly change: number } | undefined
+  /** How many programs change the circles; if none does, a reader does. */
+  #programs = 0
+  /** Whether a reader has changed circles that are still held. */
+  #isHeld = false
   #children: MutationObserver | undefined
   #loading: AbortController | undefined
   /** Circles are about to be shown. */
@@ -208,13 +227,17 @@ export class CircleVoronoiElement extends Base {
     this.#describe()
     this.#shell.onrestyle = () => this.#figure?.view.restyle()
     // After the figure itself has heard of it.
+    for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+      this.#shell.figure.addEventListener(name, () => queueMicrotask(() => this.#tellReleased(0)))
+    }
     this.#shell.frame.addEventListener('wheel', (event) => {
       if (!event.defaultPrevented) this.#shell.hint(this.#words.wheelHint)
     })
   }
 
-  /** Starts the figure when it comes into view. */
+  /** Starts the figure when it comes into view, or when the browser has nothing else to do. */
   connectedCallback(): void {
+    clearTimeout(this.#leaving)
     for (const name of PROPERTIES) this.#upgrade(name)
     this.#applyControls()
     this.#speak()
@@ -222,6 +245,10 @@ export class CircleVoronoiElement extends Base {
       if (this.#figure !== undefined && this.#isOfChildren) this.#reload()
     })
     this.#children.observe(this, { childList: true, subtree: true, characterData: true })
+    if (this.#figure?.editing.scene !== undefined) this.#ready.settle()
+    // A page is printed whole, and a tab that is hidden is never seen.
+    const { connection } = navigator as { readonly connection?: { readonly saveData?: boolean } }
+    if (connection?.saveData !== true) this.#stopWaiting = whenIdle(() => this.#start())
     this.#stopWatching = watchSight(this, (sight) => {
       this.#isShown = sight === 'near'
       if (this.#isShown) this.#start()
@@ -229,21 +256,32 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** Ends the figure, unless the element is only moved. */
+  /** Ends the figure, unless the element is only moved: undo then goes back to before. */
   disconnectedCallback(): void {
     this.#stopWatching?.()
+    this.#stopWaiting?.()
     this.#children?.disconnect()
     queueMicrotask(() => {
       if (this.isConnected) return
-      this.#stop()
+      this.#isShown = false
+      this.#show()
+      this.#figure?.stepping.pause()
+      clearTimeout(this.#leaving)
+      this.#leaving = setTimeout(() => this.#stop(), MOVED)
       this.#ready.settle()
       this.#ready = new Settling()
     })
   }
 
+  /** What is set while the element is in no page has no size to be shown in: it is shown as by a new figure. */
+  #stopAway(): void {
+    if (!this.isConnected) this.#stop()
+  }
+
   /** Applies an attribute. A wrong value is an `error` event and changes nothing. */
   attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
     const text = this.getAttribute(name)
+    if (!UNSIZED.includes(name)) this.#stopAway()
     this.#try(name, () => {
       if (text !== null && name in PARSERS) PARSERS[name as keyof typeof PARSERS](text)
       this.#take(name)
@@ -353,6 +391,26 @@ export class CircleVoronoiElement extends Base {
   set circles(circles: Circles | string | undefined | null) {
     if (typeof circles === 'string') this.#reflect('circles', circles)
     else if (!isSet(circles) || circles !== this.#newest) this.#try('circles', () => this.#setCircles(circles))
+  }
+
+  /**
+   * The same as `circles`, by the name that form libraries use. Between two changes it is one object. Setting circles that are
+   * there already changes nothing, and `''` means "not set".
+   */
+  get value(): Float64s {
+    if (this.#value?.change !== this.#changes) this.#value = { circles: this.circles, change: this.#changes }
+    return this.#value.circles
+  }
+
+  set value(value: Circles | string | undefined | null) {
+    if (value === '') this.circles = undefined
+    else if (typeof value === 'string' || !isSet(value)) this.circles = value
+    else this.#try('circles', () => this.#setValue(value))
+  }
+
+  #setValue(value: Circles): void {
+    const [given, known] = [coordinatesOf(value), this.value]
+    if (given.length !== known.length || given.some((number, k) => number !== known[k])) this.#setCircles(value)
   }
 
   /**
@@ -679,11 +737,12 @@ export class CircleVoronoiElement extends Base {
         : { ...state, circles: state.circles && coordinatesOf(state.circles) }
     const figure = await this.#started()
     if (said.circles === undefined && said.dataSet === undefined && figure.editing.scene !== undefined) {
-      await figure.change(said)
+      await this.#byProgram(() => figure.change(said))
       return
     }
     const next = { domain: NO_DOMAIN, ...openedState(said) }
-    await figure.open({ ...next, layers: next.layers ?? {}, step: next.step ?? this.#firstStep })
+    const opening = { ...next, layers: next.layers ?? {}, step: next.step ?? this.#firstStep }
+    await this.#byProgram(() => figure.open(opening))
     this.#own = next
   }
 
@@ -774,8 +833,8 @@ export class CircleVoronoiElement extends Base {
 
   #start(): void {
     if (this.#figure !== undefined) return
-    const { figure, frame, controls, player, said } = this.#shell
-    const places = { figure, around: frame, player, said }
+    const { figure, picture, paper, controls, player, said } = this.#shell
+    const places = { figure, around: picture, player, said }
     this.#figure = new Figure(places, {
       load: (this.constructor as typeof CircleVoronoiElement).load,
       scrolls: true,
@@ -786,6 +845,7 @@ export class CircleVoronoiElement extends Base {
         this.#describe()
         this.#tellForm()
         this.#tell('circleschange', this.#detail())
+        if (this.#programs === 0) this.#tellInput()
         this.#tell('diagramchange', { ...edited.counts, seconds: edited.seconds })
       },
       onproblem: (error) => this.#tell('error', { error }),
@@ -797,7 +857,11 @@ export class CircleVoronoiElement extends Base {
       onstep: (step, steps) => this.#tell('stepchange', { step, steps }),
       words: () => this.#words.others,
     })
-    const { store, editing } = this.#figure
+    const { store, editing, view } = this.#figure
+    this.#paper = new Paper(paper, async () => (view.size.width === 0 ? '' : view.toSVG()))
+    for (const name of ['camera', 'layers', 'diagram', 'style', 'found', 'changed'] as const) {
+      view.on(name, () => this.#paper?.change())
+    }
     let before: readonly number[] = []
     store.subscribe(({ selection }) => {
       this.#showProblems()
@@ -813,9 +877,37 @@ export class CircleVoronoiElement extends Base {
     this.#reload()
   }
 
+  /** Does what is not a reader's doing. */
+  async #byProgram(act: () => Promise<unknown>): Promise<void> {
+    this.#programs += 1
+    try {
+      await act()
+    } finally {
+      this.#programs -= 1
+    }
+  }
+
+  #tellInput(): void {
+    this.#isHeld = true
+    this.dispatchEvent(new Event('input', { bubbles: true, composed: true }))
+    // The edit that is told of is one of those that are not finished.
+    this.#tellReleased(1)
+  }
+
+  /** `unfinished`: how many edits there may be that are. */
+  #tellReleased(unfinished: number): void {
+    const figure = this.#figure
+    if (!this.#isHeld || figure === undefined || figure.isPressed || figure.editing.unfinished > unfinished) return
+    this.#isHeld = false
+    this.dispatchEvent(new Event('change', { bubbles: true }))
+  }
+
   #stop(): void {
     const figure = this.#figure
     if (figure === undefined) return
+    clearTimeout(this.#leaving)
+    this.#paper?.dispose()
+    this.#paper = undefined
     if (figure.editing.scene !== undefined) {
       const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
       const { region = null, lattice = null } = figure.editing.domain
@@ -840,14 +932,13 @@ export class CircleVoronoiElement extends Base {
     const loading = new AbortController()
     this.#loading = loading
     const figure = this.#figure as Figure
-    const ready = this.#ready
     this.#isOpening = true
-    this.#update = this.#open(figure, loading.signal).then(() => {
+    this.#update = this.#byProgram(() => this.#open(figure, loading.signal)).then(() => {
       // If not, others are about to be shown.
       if (loading.signal.aborted) return
       this.#isOpening = false
       this.#select()
-      ready.settle()
+      this.#ready.settle()
     })
   }
 
@@ -914,6 +1005,7 @@ export class CircleVoronoiElement extends Base {
 
   /** Shows what attributes and properties say of the region and the areas: once, if both are set. */
   #changeDomain(): void {
+    this.#stopAway()
     if (this.#own !== undefined) this.#own = { ...this.#own, domain: undefined }
     const figure = this.#figure
     if (figure === undefined || this.#isChanging) return
@@ -924,7 +1016,7 @@ export class CircleVoronoiElement extends Base {
       if (figure !== this.#figure || figure.editing.scene === undefined) return
       const domain = await this.#domain(signal)
       // Who opens something else meanwhile asks for both again.
-      if (!signal.aborted) await figure.setDomain(domain).catch(() => {})
+      if (!signal.aborted) await this.#byProgram(() => figure.setDomain(domain)).catch(() => {})
     })
   }
 
@@ -934,6 +1026,10 @@ export class CircleVoronoiElement extends Base {
     const text = this.getAttribute('circles')
     if (text !== null) return opened(readCircles(text))
     if (this.src !== '') return openedFrom(new URL(this.src, this.baseURI).href, signal)
+    // A script that a browser meets before the element runs before what stands between the tags is there.
+    if (document.readyState === 'loading') {
+      await new Promise((resolve) => addEventListener('DOMContentLoaded', resolve, { signal, once: true }))
+    }
     const circles = circlesWithin(this)
     return circles && opened(circles)
   }
@@ -982,11 +1078,14 @@ export class CircleVoronoiElement extends Base {
   }
 
   #setCircles(circles: Circles | undefined | null): void {
+    this.#stopAway()
+    this.#value = undefined
     this.#own = isSet(circles) ? opened(coordinatesOf(circles)) : undefined
     if (this.#figure !== undefined) this.#reload()
   }
 
   #setView(view: LinkView | undefined): void {
+    this.#stopAway()
     this.#view = view
     this.#figure?.actions.look(this.view)
   }
@@ -1124,7 +1223,10 @@ export class CircleVoronoiElement extends Base {
     }
   }
 
-  #tell<Name extends keyof CircleVoronoiEventMap>(name: Name, detail: CircleVoronoiEventMap[Name]['detail']): void {
+  #tell<Name extends keyof CircleVoronoiEventMap>(
+    name: Name,
+    detail: CircleVoronoiEventMap[Name] extends CustomEvent<infer Detail> ? Detail : never,
+  ): void {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }))
   }
 
@@ -1173,7 +1275,11 @@ function listOf(circles: Float64s): number[][] {
   return Array.from({ length: circles.length / 3 }, (_, i) => [...circles.subarray(3 * i, 3 * i + 3)])
 }
 
+/** Attributes that can be applied without a size. */
+const UNSIZED: readonly string[] = ['alt', 'check', 'controls', 'lang', 'readonly']
+
 const PROPERTIES = [
+  'value',
   'circles',
   'src',
   'view',

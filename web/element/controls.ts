@@ -13,8 +13,11 @@ const BELOW_BUTTONS = 12
 const SVG = 'http://www.w3.org/2000/svg'
 
 /** What is free around circles that are all seen. */
-export function paddingBelow({ clientHeight }: HTMLElement): Padding {
-  const top = clientHeight === 0 ? ROOM : clientHeight + BELOW_BUTTONS
+export function paddingBelow(controls: HTMLElement): Padding {
+  const { clientHeight } = controls
+  // Those of a narrow figure stand below it.
+  const isAbove = clientHeight > 0 && getComputedStyle(controls).position === 'absolute'
+  const top = isAbove ? clientHeight + BELOW_BUTTONS : ROOM
   return { top, right: ROOM, bottom: ROOM, left: ROOM }
 }
 

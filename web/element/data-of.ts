@@ -6,7 +6,7 @@ import type { LinkState } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { Refusal } from '../view/refusal.ts'
 import { isRegionText, readRegion } from '../view/region-text.ts'
-import { circlesOfTable, readCircles } from './read-circles.ts'
+import { circlesOfMarkdown, circlesOfTable, readCircles } from './read-circles.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
@@ -84,6 +84,26 @@ export async function regionFrom(text: string, base: string, signal: AbortSignal
 export function circlesWithin(element: Element): Float64s | undefined {
   const script = element.querySelector(':scope > script[type="application/json"]')
   if (script !== null) return readCircles(script.textContent ?? '')
-  const table = element.querySelector('table')
-  return table === null ? undefined : circlesOfTable(table)
+  const table = element.querySelector('table') ?? tableAfter(element)
+  if (table !== null) return circlesOfTable(table)
+  // A table in Markdown that no program has read.
+  const text = Array.from(element.childNodes, (node) =>
+    node.nodeType === Node.TEXT_NODE ? node.textContent : '',
+  ).join('')
+  return /^\s*\|/.test(text) ? circlesOfMarkdown(text) : undefined
+}
+
+/**
+ * The table that an author has written between the tags, after which some readers of Markdown close the paragraph of the first tag
+ * (`<p><circle-voronoi></p><table>...</table><p></circle-voronoi></p>`): a browser then closes the element before the table, and
+ * leaves an empty paragraph after it.
+ */
+function tableAfter(element: Element): HTMLTableElement | null {
+  const paragraph = element.parentElement
+  const isAlone =
+    paragraph?.localName === 'p' && paragraph.children.length === 1 && paragraph.textContent?.trim() === ''
+  const after = isAlone ? paragraph.nextElementSibling : null
+  const end = after?.nextElementSibling
+  if (end?.localName !== 'p' || end.childNodes.length > 0) return null
+  return after instanceof HTMLTableElement ? after : (after?.querySelector('table') ?? null)
 }

@@ -28,12 +28,38 @@ export function readCircles(text: string): Float64s {
 export function circlesOfTable(table: HTMLTableElement): Float64s {
   const rows = Array.from(table.rows, (row, k) => ({
     line: k + 1,
-    fields: Array.from(row.cells, (cell) => ({ text: (cell.textContent ?? '').trim(), isQuoted: false })),
+    fields: Array.from(row.cells, (cell) => cell.textContent ?? ''),
   }))
+  return circlesOfCells(rows, (words, line) => words.row(line))
+}
+
+/** Those of a table in Markdown, with or without a line below its header. */
+export function circlesOfMarkdown(text: string): Float64s {
+  const lines = text.split(/\r\n?|\n/).map((line, k) => ({
+    line: k + 1,
+    fields: line
+      .trim()
+      .replace(/^\||\|$/g, '')
+      .split('|'),
+  }))
+  const rows = lines.filter(({ fields }) => !fields.every((field) => /^\s*:?-*:?\s*$/.test(field)))
+  return circlesOfCells(rows, (words, line) => words.line(line))
+}
+
+/** `place`: what a row is called in errors. */
+function circlesOfCells(
+  rows: readonly { readonly line: number; readonly fields: readonly string[] }[],
+  place: (words: ElementRefusals, line: number) => string,
+): Float64s {
+  const cells = rows.map(({ line, fields }) => ({
+    line,
+    fields: fields.map((text) => ({ text: text.trim(), isQuoted: false })),
+  }))
+  const fieldsOf = (line: number) => rows.find((row) => row.line === line)?.fields.map((text) => text.trim()) ?? []
   const circles = saying(
     // Commas separate nothing between cells.
-    () => circlesOfRows(rows, ';'),
-    (words, line) => words.notThree(words.row(line), rows[line - 1]?.fields.map(({ text }) => text).join(' ') ?? ''),
+    () => circlesOfRows(cells, ';'),
+    (words, line) => words.notThree(place(words, line), fieldsOf(line).join(' ')),
   )
   return circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
 }

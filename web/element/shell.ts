@@ -11,6 +11,10 @@ let sheet: CSSStyleSheet | undefined
 export class Shell {
   /** The picture, and what stands above it. */
   readonly frame = make('div', 'frame')
+  /** The picture and its buttons. */
+  readonly picture = make('div', 'picture')
+  /** What is printed in place of pixels. */
+  readonly paper = make('div', 'paper')
   readonly figure = make('div', 'figure circle-voronoi')
   readonly controls = make('div', 'controls')
   /** Where the method is told of, below the picture. */
@@ -52,14 +56,17 @@ export class Shell {
     this.#problem.setAttribute('part', 'problem')
     this.#problem.role = 'alert'
     this.#problem.hidden = true
-    this.frame.append(this.figure, this.#fallback, this.controls, this.#hint, this.#problem)
+    this.paper.hidden = true
+    this.paper.ariaHidden = 'true'
+    this.frame.append(this.figure, this.paper, this.#fallback, this.#hint, this.#problem)
+    this.picture.append(this.frame, this.controls)
     // Its colors take a moment to change, which is told of: nothing else tells of a custom property, or of a page that turns dark.
     const probe = make('span', 'probe')
     probe.addEventListener('transitionrun', () => this.onrestyle())
     const stage = make('div', 'stage')
     const both = make('div', 'both')
     stage.append(both)
-    both.append(this.frame, this.player)
+    both.append(this.picture, this.player)
     root.append(stage, probe, slot('caption'), this.#about, this.#keys, this.said)
     this.isRunning = false
   }

@@ -14,6 +14,7 @@ import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
 import type { FigureLoadOptions } from '../view/load.ts'
 import { mount } from '../view/mount.ts'
+import { nextFrame } from '../view/next-frame.ts'
 import { type Listening, listenToPointer } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
 import { Stepping } from './stepping.ts'
@@ -169,18 +170,31 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   /** Ends once there is nothing left to be painted. */
   whenPainted(): Promise<void> {
     return new Promise((resolve) => {
-      const isPainted = () => !this.view.isShown || this.view.size.width === 0 || this.#figure.ariaBusy === 'false'
-      const observer = new MutationObserver(() => {
+      // In a hidden tab nothing is painted until it is shown.
+      const isPainted = () =>
+        !this.view.isShown ||
+        this.view.size.width === 0 ||
+        this.#figure.ariaBusy === 'false' ||
+        document.visibilityState === 'hidden'
+      const look = () => {
         if (!isPainted()) return
         observer.disconnect()
+        document.removeEventListener('visibilitychange', look)
         resolve()
-      })
+      }
+      const observer = new MutationObserver(look)
       // What was set may not have begun.
-      requestAnimationFrame(() => {
-        if (isPainted()) resolve()
-        else observer.observe(this.#figure, { attributeFilter: ['aria-busy'] })
+      nextFrame(() => {
+        observer.observe(this.#figure, { attributeFilter: ['aria-busy'] })
+        document.addEventListener('visibilitychange', look)
+        look()
       })
     })
+  }
+
+  /** Whether a button or a finger is down on it. */
+  get isPressed(): boolean {
+    return this.#listening.isPressed
   }
 
   dispose(): void {

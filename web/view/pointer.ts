@@ -26,6 +26,8 @@ const MIDDLE = 1
 export interface Listening {
   /** Ends once all that the pointer has done is done; `undefined` if it is, as what it pressed is known. */
   readonly pending: Promise<unknown> | undefined
+  /** Whether a button or a finger is down. */
+  readonly isPressed: boolean
   stop(): void
 }
 
@@ -336,6 +338,9 @@ export function listenToPointer(
   return {
     get pending() {
       return pending
+    },
+    get isPressed() {
+      return pressed.size > 0
     },
     stop() {
       listeners.abort()

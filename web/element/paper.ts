@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures on paper. A page is printed at once, so the picture of each figure is kept as a drawing, which is sharp at any resolution.
+import { parsedSvg } from './parsed-svg.ts'
+
+/** Nothing changes for so long, in milliseconds, before the drawing is made. */
+const REST = 300
+/** Longer drawings are not kept: paper shows the pixels of the screen. */
+const LONGEST = 4_000_000
+
+const papers = new Set<Paper>()
+let isListening = false
+
+/** The drawing of one figure, which it has while its page is printed. */
+export class Paper {
+  readonly #place: HTMLElement
+  readonly #draw: () => Promise<string>
+  #text = ''
+  #rest: ReturnType<typeof setTimeout> | undefined
+  #turn = 0
+
+  /** `place` gets the drawing as its child. */
+  constructor(place: HTMLElement, draw: () => Promise<string>) {
+    this.#place = place
+    this.#draw = draw
+    papers.add(this)
+    if (isListening) return
+    isListening = true
+    const show = (isShown: boolean) => {
+      for (const paper of papers) paper.show(isShown)
+    }
+    addEventListener('beforeprint', () => show(true))
+    addEventListener('afterprint', () => show(false))
+    matchMedia('print').addEventListener('change', ({ matches }) => show(matches))
+  }
+
+  /** Whether there is a drawing, so that the pixels can be given up. */
+  get isKept(): boolean {
+    return this.#text !== ''
+  }
+
+  /** Has the drawing made anew, once nothing else changes. */
+  change(): void {
+    this.#turn += 1
+    const turn = this.#turn
+    clearTimeout(this.#rest)
+    this.#rest = setTimeout(async () => {
+      const text = await this.#draw().catch(() => '')
+      if (turn !== this.#turn) return
+      this.#text = text.length > LONGEST ? '' : text
+      if (matchMedia('print').matches) this.show(true)
+    }, REST)
+  }
+
+  show(isShown: boolean): void {
+    this.#place.replaceChildren()
+    const drawing = isShown && this.#text !== '' ? parsedSvg(this.#text) : undefined
+    if (drawing !== undefined) this.#place.append(drawing)
+    this.#place.hidden = drawing === undefined
+  }
+
+  dispose(): void {
+    papers.delete(this)
+    this.#turn += 1
+    clearTimeout(this.#rest)
+    this.show(false)
+  }
+}

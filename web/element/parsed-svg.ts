@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+const SVG = 'http://www.w3.org/2000/svg'
+const TAG = /<(\/?)([a-zA-Z]+)([^>]*?)(\/?)>|([^<]+)/g
+const ATTRIBUTE = /([\w:-]+)="([^"]*)"/g
+
+/**
+ * The elements of an SVG that `svgOf` has written. A parser of the browser would take it only from a policy where a page requires
+ * Trusted Types.
+ */
+export function parsedSvg(text: string): SVGElement | undefined {
+  const open: SVGElement[] = []
+  for (const [, end, name = '', attributes = '', isEmpty, words] of text.matchAll(TAG)) {
+    const parent = open.at(-1)
+    if (words !== undefined) {
+      if (words.trim() !== '') parent?.append(words)
+    } else if (end) {
+      const element = open.pop()
+      if (open.length === 0) return element
+    } else {
+      const element = document.createElementNS(SVG, name)
+      for (const [, key, value] of attributes.matchAll(ATTRIBUTE)) {
+        if (key !== 'xmlns') element.setAttribute(key as string, value as string)
+      }
+      parent?.append(element)
+      if (!isEmpty) open.push(element)
+    }
+  }
+  return undefined
+}
