@@ -177,12 +177,15 @@ function cli() {
 const wasmInside = {
   name: 'wasm-inside',
   setup({ onLoad }) {
-    onLoad({ filter: /\.wasm$/ }, async ({ path }) => ({
-      contents: await zopfli(readFileSync(path)),
-      loader: 'base64',
-    }))
+    onLoad({ filter: /\.wasm$/ }, async ({ path }) => {
+      if (!compressed.has(path)) compressed.set(path, zopfli(readFileSync(path)))
+      return { contents: await compressed.get(path), loader: 'base64' }
+    })
   },
 }
+
+/** By their paths: several builds contain the same modules. */
+const compressed = new Map()
 
 async function zopfli(bytes) {
   const { gzip } = await import('@gfx/zopfli')

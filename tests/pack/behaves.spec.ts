@@ -132,7 +132,8 @@ test('buttons stand below a figure of 120 pixels, and above the picture of a wid
   )
   const overlap = () =>
     page.locator('circle-voronoi').evaluate((element) => {
-      const box = (name: string) => ((element.shadowRoot as ShadowRoot).querySelector(name) as HTMLElement).getBoundingClientRect()
+      const box = (name: string) =>
+        ((element.shadowRoot as ShadowRoot).querySelector(name) as HTMLElement).getBoundingClientRect()
       return box('.controls').top < box('.figure').bottom
     })
   expect(await overlap()).toBe(false)

@@ -983,14 +983,14 @@ test('twenty figures share a module and a thread, and give back what is far away
   await page.evaluate(() => scrollTo(0, 0))
   await expect.poll(pixels).toContain(0)
   await expectToBeLive(page)
-  // On paper, one without pixels shows what stands between its tags.
+  // On paper, none shows what stands between its tags: those without pixels are drawings.
   await page.emulateMedia({ media: 'print' })
   const visible = await page
     .locator('circle-voronoi')
     .evaluateAll((elements) =>
       elements.map((element) => getComputedStyle(element.shadowRoot?.querySelector('.fallback') as Element).visibility),
     )
-  expect([visible[0], visible[19]]).toEqual(['hidden', 'visible'])
+  expect(new Set(visible)).toEqual(new Set(['hidden']))
   expect(problems).toEqual([])
 })
 

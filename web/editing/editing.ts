@@ -50,6 +50,13 @@ export interface Outcome {
   readonly isOpened: boolean
 }
 
+/** A history that goes on where its circles are opened again. */
+export interface Past {
+  readonly history: History
+  readonly lastGesture: number
+  readonly lastAbsent: number
+}
+
 interface Job {
   /** What it makes of circles that are there; `undefined`: it removes them. */
   readonly made: ReadonlyMap<number, Circle | undefined>
@@ -98,6 +105,31 @@ export class Editing {
 
   get circles(): CircleTable {
     return this.#computer.circles
+  }
+
+  /** The history for these circles once they are opened again, as the k-th one; `undefined`: areas go by other numbers then. */
+  get past(): Past | undefined {
+    const ids = this.circles.ids()
+    const { done, undone } = this.#history
+    const domains = [
+      this.#domain,
+      ...[...done, ...undone].map((entry) => (entry.kind === 'edits' ? entry.domain : undefined)),
+    ]
+    const hasLists = domains.some((domain) => Array.isArray(domain?.areas))
+    if (hasLists && ids.some((id, k) => this.numberOf(id) !== k)) return undefined
+    const history = renamed(
+      this.#history,
+      idsOnceOpened(ids, () => --this.#lastAbsent),
+    )
+    return { history, lastGesture: this.#lastGesture, lastAbsent: this.#lastAbsent }
+  }
+
+  /** Takes up the history of the circles that were opened, and returns it. */
+  takeUp({ history, lastGesture, lastAbsent }: Past): History {
+    this.#history = history
+    this.#lastGesture = Math.max(this.#lastGesture, lastGesture)
+    this.#lastAbsent = Math.min(this.#lastAbsent, lastAbsent)
+    return history
   }
 
   /** How many edits and openings are under way or wait. One that is being told of is still among them. */

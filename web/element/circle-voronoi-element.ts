@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { Past } from '../editing/editing.ts'
 import { EditorActions, type Opened } from '../editing/editor-actions.ts'
 import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
@@ -87,8 +89,8 @@ export interface CircleVoronoiEventMap {
   error: CustomEvent<{ readonly error: Error }>
 }
 
-/** An element that is in no page for so long, in milliseconds, has not only been moved. */
-const MOVED = 30_000
+/** Of more circles no drawing is kept, which would take long after each edit. */
+const MOST_DRAWN = 5000
 
 /** Which part of an element is what: for `HTMLElement` in Node, where there is none. */
 const Base: typeof HTMLElement = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement)
@@ -182,7 +184,6 @@ export class CircleVoronoiElement extends Base {
   #region: RegionShape | undefined
   #lattice: Lattice | undefined
   #areas: Areas | undefined
-  #step: number | undefined
   #check: Check | undefined
   #isMet: boolean | undefined
   #isDisabled = false
@@ -192,8 +193,8 @@ export class CircleVoronoiElement extends Base {
   #nextSelection: readonly number[] | undefined
   #stopWatching: (() => void) | undefined
   #stopWaiting: (() => void) | undefined
-  /** Ends the figure of an element that is in no page. */
-  #leaving: ReturnType<typeof setTimeout> | undefined
+  /** What undo goes back to once the circles of a figure that has ended are shown again. */
+  #past: { readonly own: Opened; readonly past: Past } | undefined
   #paper: Paper | undefined
   /** `value`, and which change it is of. */
   #value: { readonly circles: Float64s; readonly change: number } | undefined
@@ -237,7 +238,6 @@ export class CircleVoronoiElement extends Base {
 
   /** Starts the figure when it comes into view, or when the browser has nothing else to do. */
   connectedCallback(): void {
-    clearTimeout(this.#leaving)
     for (const name of PROPERTIES) this.#upgrade(name)
     this.#applyControls()
     this.#speak()
@@ -245,7 +245,6 @@ export class CircleVoronoiElement extends Base {
       if (this.#figure !== undefined && this.#isOfChildren) this.#reload()
     })
     this.#children.observe(this, { childList: true, subtree: true, characterData: true })
-    if (this.#figure?.editing.scene !== undefined) this.#ready.settle()
     // A page is printed whole, and a tab that is hidden is never seen.
     const { connection } = navigator as { readonly connection?: { readonly saveData?: boolean } }
     if (connection?.saveData !== true) this.#stopWaiting = whenIdle(() => this.#start())
@@ -256,32 +255,22 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** Ends the figure, unless the element is only moved: undo then goes back to before. */
+  /** Ends the figure, unless the element is only moved. Undo goes back to before in any case. */
   disconnectedCallback(): void {
     this.#stopWatching?.()
     this.#stopWaiting?.()
     this.#children?.disconnect()
     queueMicrotask(() => {
       if (this.isConnected) return
-      this.#isShown = false
-      this.#show()
-      this.#figure?.stepping.pause()
-      clearTimeout(this.#leaving)
-      this.#leaving = setTimeout(() => this.#stop(), MOVED)
+      this.#stop()
       this.#ready.settle()
       this.#ready = new Settling()
     })
   }
 
-  /** What is set while the element is in no page has no size to be shown in: it is shown as by a new figure. */
-  #stopAway(): void {
-    if (!this.isConnected) this.#stop()
-  }
-
   /** Applies an attribute. A wrong value is an `error` event and changes nothing. */
   attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
     const text = this.getAttribute(name)
-    if (!UNSIZED.includes(name)) this.#stopAway()
     this.#try(name, () => {
       if (text !== null && name in PARSERS) PARSERS[name as keyof typeof PARSERS](text)
       this.#take(name)
@@ -320,7 +309,6 @@ export class CircleVoronoiElement extends Base {
         figure?.stepping.restart()
         return
       case 'step':
-        this.#step = undefined
         this.#play(this.#ownStep)
         return
       case 'layers':
@@ -540,10 +528,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   set step(step: number | undefined | null) {
-    this.#try('step', () => {
-      this.#step = isSet(step) ? parseStep(String(step)) : undefined
-      this.#play(this.#ownStep)
-    })
+    this.#reflect('step', step)
   }
 
   /** The method of `compute()` (default: `auto`) and of the player (default: `touching-disc`). */
@@ -858,7 +843,9 @@ export class CircleVoronoiElement extends Base {
       words: () => this.#words.others,
     })
     const { store, editing, view } = this.#figure
-    this.#paper = new Paper(paper, async () => (view.size.width === 0 ? '' : view.toSVG()))
+    this.#paper = new Paper(paper, async () =>
+      view.size.width === 0 || editing.circles.count > MOST_DRAWN ? '' : view.toSVG(),
+    )
     for (const name of ['camera', 'layers', 'diagram', 'style', 'found', 'changed'] as const) {
       view.on(name, () => this.#paper?.change())
     }
@@ -905,14 +892,16 @@ export class CircleVoronoiElement extends Base {
   #stop(): void {
     const figure = this.#figure
     if (figure === undefined) return
-    clearTimeout(this.#leaving)
     this.#paper?.dispose()
     this.#paper = undefined
     if (figure.editing.scene !== undefined) {
       const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
       const { region = null, lattice = null } = figure.editing.domain
       const { areas } = figure.editing
-      this.#own = opened(figure.editing.circles.circles(), { view, layers, step, method, region, lattice, areas })
+      const own = opened(figure.editing.circles.circles(), { view, layers, step, method, region, lattice, areas })
+      const { past } = figure.editing
+      this.#own = own
+      this.#past = past && { own, past }
     }
     this.#loading?.abort()
     figure.dispose()
@@ -922,8 +911,10 @@ export class CircleVoronoiElement extends Base {
 
   #show(): void {
     if (this.#figure === undefined) return
-    this.#figure.view.isShown = this.#isShown
-    this.#shell.isShown = this.#isShown
+    // Many circles are printed as the pixels that there are.
+    const isShown = this.#isShown || this.#figure.editing.circles.count > MOST_DRAWN
+    this.#figure.view.isShown = isShown
+    this.#shell.isShown = isShown
   }
 
   /** Opens what attributes, properties and children say. */
@@ -957,6 +948,8 @@ export class CircleVoronoiElement extends Base {
       const domain = opened.domain ?? (await this.#domain(signal))
       if (signal.aborted) return
       await this.#openIn(figure, domain, { ...opened, view, layers, step })
+      if (this.#past?.own === opened) figure.takeUp(this.#past.past)
+      this.#past = undefined
       figure.view.setLayers({ data: this.#layers?.data ?? [] })
     } catch (error) {
       if (signal.aborted) return
@@ -1005,7 +998,6 @@ export class CircleVoronoiElement extends Base {
 
   /** Shows what attributes and properties say of the region and the areas: once, if both are set. */
   #changeDomain(): void {
-    this.#stopAway()
     if (this.#own !== undefined) this.#own = { ...this.#own, domain: undefined }
     const figure = this.#figure
     if (figure === undefined || this.#isChanging) return
@@ -1034,9 +1026,9 @@ export class CircleVoronoiElement extends Base {
     return circles && opened(circles)
   }
 
-  /** What the page says. */
+  /** What the page says. What is shown is the figure's. */
   get #ownStep(): number | undefined {
-    return this.#step ?? this.#read('step', parseStep)
+    return this.#read('step', parseStep)
   }
 
   /** Where the method begins, if it is to be played at all. */
@@ -1078,14 +1070,12 @@ export class CircleVoronoiElement extends Base {
   }
 
   #setCircles(circles: Circles | undefined | null): void {
-    this.#stopAway()
     this.#value = undefined
     this.#own = isSet(circles) ? opened(coordinatesOf(circles)) : undefined
     if (this.#figure !== undefined) this.#reload()
   }
 
   #setView(view: LinkView | undefined): void {
-    this.#stopAway()
     this.#view = view
     this.#figure?.actions.look(this.view)
   }
@@ -1274,9 +1264,6 @@ class Settling {
 function listOf(circles: Float64s): number[][] {
   return Array.from({ length: circles.length / 3 }, (_, i) => [...circles.subarray(3 * i, 3 * i + 3)])
 }
-
-/** Attributes that can be applied without a size. */
-const UNSIZED: readonly string[] = ['alt', 'check', 'controls', 'lang', 'readonly']
 
 const PROPERTIES = [
   'value',

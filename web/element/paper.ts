@@ -4,8 +4,6 @@ import { parsedSvg } from './parsed-svg.ts'
 
 /** Nothing changes for so long, in milliseconds, before the drawing is made. */
 const REST = 300
-/** Longer drawings are not kept: paper shows the pixels of the screen. */
-const LONGEST = 4_000_000
 
 const papers = new Set<Paper>()
 let isListening = false
@@ -18,7 +16,7 @@ export class Paper {
   #rest: ReturnType<typeof setTimeout> | undefined
   #turn = 0
 
-  /** `place` gets the drawing as its child. */
+  /** `place` gets the drawing as its child. Where `draw` returns an empty text, paper shows the pixels of the screen. */
   constructor(place: HTMLElement, draw: () => Promise<string>) {
     this.#place = place
     this.#draw = draw
@@ -33,11 +31,6 @@ export class Paper {
     matchMedia('print').addEventListener('change', ({ matches }) => show(matches))
   }
 
-  /** Whether there is a drawing, so that the pixels can be given up. */
-  get isKept(): boolean {
-    return this.#text !== ''
-  }
-
   /** Has the drawing made anew, once nothing else changes. */
   change(): void {
     this.#turn += 1
@@ -46,7 +39,7 @@ export class Paper {
     this.#rest = setTimeout(async () => {
       const text = await this.#draw().catch(() => '')
       if (turn !== this.#turn) return
-      this.#text = text.length > LONGEST ? '' : text
+      this.#text = text
       if (matchMedia('print').matches) this.show(true)
     }, REST)
   }

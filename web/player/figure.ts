@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { editView } from '../editing/edited-view.ts'
-import type { Editing, Outcome } from '../editing/editing.ts'
+import type { Editing, Outcome, Past } from '../editing/editing.ts'
 import type { EditorActions, Opened } from '../editing/editor-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
@@ -160,6 +160,12 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   /** Whether an error was told of as a problem. */
   isTold(error: Error): boolean {
     return error === this.#refused
+  }
+
+  /** Has undo and redo go on with what was done to the circles that were opened last, when another figure showed them. */
+  takeUp(past: Past): void {
+    const history = this.editing.takeUp(past)
+    this.store.update((state) => ({ ...state, history }))
   }
 
   /** The step of the method that is shown, if it is played. */
