@@ -3,7 +3,7 @@
 // build/bench/native.json; circle-voronoi-bench explains its options), then the WebAssembly build against the native one
 // on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly;
 // with `-- --regions` that of clipping, also of polygons and edits in WebAssembly; with `-- --areas` that of fits of areas,
-// also against d3-voronoi-map.
+// also against d3-voronoi-map; with `-- --python` that of the Python package against the program and scipy.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { benchAreas } from './bench-areas.mjs'
 import { benchEdits, benchWorstEdits } from './bench-edits.mjs'
@@ -18,6 +18,10 @@ const REPETITIONS = 5
 
 await main(async () => {
   await build('build:native')
+  if (process.argv[2] === '--python') {
+    const environment = { PYTHONPATH: `${ROOT}build/native/cpp/python` }
+    return run(process.env.PYTHON_PATH ?? '/usr/bin/python3', ['cpp/python/bench.py'], environment)
+  }
   await run('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_BUILD_BENCH=ON'])
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
   const chosen = process.argv.slice(2)

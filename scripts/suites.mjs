@@ -41,6 +41,13 @@ export const SUITES = [
     args: (report) => nodeTests(report, 'tests/files', 'tests/tiles', 'tests/pack', 'tests/readme'),
   },
   {
+    name: 'Python',
+    // Debian's interpreter, which has the packages; another python3 may come first on the path.
+    program: process.env.PYTHON_PATH ?? '/usr/bin/python3',
+    args: (report) => ['-m', 'pytest', 'cpp/python/tests', '-q', '-p', 'no:cacheprovider', `--junitxml=${report}`],
+    env: () => ({ PYTHONPATH: `${ROOT}build/native/cpp/python`, PYTHONDONTWRITEBYTECODE: '1' }),
+  },
+  {
     name: "The paper's results and the program in Node",
     program: process.execPath,
     args: (report) => nodeTests(report, 'tests/long'),

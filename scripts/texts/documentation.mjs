@@ -20,6 +20,7 @@ export const TEXTS = {
   'docs/embedding.md': 'embedding.html',
   'docs/put-it-into.md': 'put-it-into.html',
   'docs/cpp.md': 'cpp.html',
+  'docs/python.md': 'python.html',
   'docs/shell.md': 'shell.html',
   'docs/tiles.md': 'tiles.html',
   'docs/building.md': 'building.html',

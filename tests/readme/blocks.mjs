@@ -20,6 +20,7 @@ const MARKDOWN = [
     'put-it-into',
     'javascript',
     'periodic',
+    'python',
     'regions',
     'results',
     'shell',
@@ -35,6 +36,7 @@ const ELEMENT = 'tests/pack/element.spec.ts'
 const COOKBOOK = 'tests/pack/cookbook.spec.ts'
 const EMBEDDING = 'tests/pack/embedding.spec.ts'
 const TOOLS = 'tests/long/builds.test.mjs'
+const PYTHON = 'cpp/python/tests/test_documentation.py'
 const COMMENTS = 'tests/wasm/examples.test.mjs'
 
 /** Who runs the blocks of a file, below a heading if one is named. `what`, where it is not code to be run as it stands. */
@@ -54,6 +56,8 @@ const RUN_BY = [
     { by: NATIVE, file, language: 'sh' },
   ]),
   { by: NATIVE, file: 'docs/tiles.md' },
+  { by: PYTHON, file: 'docs/python.md', language: 'python' },
+  { by: LISTED, file: 'docs/python.md', language: 'sh', what: 'commands' },
   { by: COOKBOOK, file: 'docs/cookbook.md' },
   { by: PAGE, file: 'docs/element.md', language: 'html' },
   ...['js', 'sh', 'jsx'].map((language) => ({ by: ELEMENT, file: 'docs/element.md', language })),

@@ -33,8 +33,12 @@ class BucketGrid {
 
   bool hasBuckets() const { return !items_.empty(); }
 
+  std::size_t bucketCount() const { return items_.size(); }
+  /// The bucket of a point, row by row. Precondition: there are buckets.
+  std::size_t bucketOf(Point p) const { return at(columnOf(p), rowOf(p)); }
+
   /// Puts an item into the bucket of a point, in place of the one there.
-  void put(Point p, int item) { items_[at(columnOf(p), rowOf(p))] = item; }
+  void put(Point p, int item) { items_[bucketOf(p)] = item; }
 
   /// Gives each empty bucket the item of one beside it, from those that have some outwards.
   void spread() {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <numeric>
 
 #include "bucket_grid.h"
 #include "circle_voronoi/cells.h"
@@ -48,6 +50,7 @@ class Finder::Walker {
  public:
   explicit Walker(const Diagram& diagram);
   CircleIndex find(Point p, CircleIndex hint) const;
+  std::vector<std::uint32_t> inOrderOfBuckets(std::span<const Point> points) const;
 
  private:
   CircleIndex nearerNeighbor(CircleIndex circle, Point p) const;
@@ -123,6 +126,22 @@ CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
   }
 }
 
+/// The indices of points, those of each bucket together: a walk then finds its circles in the cache.
+std::vector<std::uint32_t> Finder::Walker::inOrderOfBuckets(std::span<const Point> points) const {
+  std::vector<std::uint32_t> order(points.size());
+  if (!starts_.hasBuckets()) {
+    std::iota(order.begin(), order.end(), 0U);
+    return order;
+  }
+  std::vector<std::uint32_t> next(starts_.bucketCount() + 1, 0);
+  for (const Point& p : points) ++next[starts_.bucketOf(p) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    order[next[starts_.bucketOf(points[k])]++] = static_cast<std::uint32_t>(k);
+  }
+  return order;
+}
+
 /// A neighbor nearer to p than the circle itself, or kNone.
 CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
   double most = 0;
@@ -159,9 +178,9 @@ Finder::~Finder() = default;
 CircleIndex Finder::find(Point p, CircleIndex hint) const { return walker_->find(p, hint); }
 
 std::vector<CircleIndex> Finder::findAll(std::span<const Point> points) const {
-  std::vector<CircleIndex> result;
-  result.reserve(points.size());
-  for (const Point& p : points) result.push_back(find(p, result.empty() ? CircleIndex() : result.back()));
+  std::vector<CircleIndex> result(points.size());
+  CircleIndex before = kNone;
+  for (const std::uint32_t k : walker_->inOrderOfBuckets(points)) before = result[k] = find(points[k], before);
   return result;
 }
 

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Voronoi diagrams of circles, exact and certified.
+
+    import circle_voronoi as cv
+
+    diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+    diagram.areas(bounds=(-5, -5, 15, 15))
+
+The package is a thin layer over the C++ library circle-voronoi. NumPy is all that it needs; shapely, geopandas and
+matplotlib are used where they are installed.
+"""
+
+from ._diagram import (
+    AreaFit,
+    Certificate,
+    ClearestPath,
+    Diagram,
+    EmptyDisc,
+    compute,
+    fit_areas,
+    read,
+    read_attributes,
+)
+from ._errors import CircleVoronoiError
+from ._frames import to_geodataframe
+from ._periodic import Contacts, PeriodicDiagram, compute_periodic
+from ._regions import Region
+
+__all__ = [
+    "AreaFit",
+    "Certificate",
+    "CircleVoronoiError",
+    "ClearestPath",
+    "Contacts",
+    "Diagram",
+    "EmptyDisc",
+    "PeriodicDiagram",
+    "Region",
+    "compute",
+    "compute_periodic",
+    "fit_areas",
+    "read",
+    "read_attributes",
+    "to_geodataframe",
+]

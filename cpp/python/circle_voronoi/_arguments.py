@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arguments as the arrays that the extension module takes. Each array is right, or an error names the row."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from ._errors import CircleVoronoiError
+
+Floats = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.int32]
+
+# Larger whole numbers need not be doubles.
+_LARGEST_WHOLE = 2**53
+
+
+def matrix(data: Any, columns: Sequence[str], name: str) -> Floats:
+    """Return `data` as an array of doubles, one row for each item and one column for each name."""
+    array = _array(data, name)
+    if array.size == 0 and array.ndim <= 2:
+        return np.empty((0, len(columns)))
+    if array.ndim == 2 and array.shape[1] == len(columns):
+        return _doubles(array, columns)
+    shape = f"(n, {len(columns)})"
+    if array.ndim == 1 and array.dtype == object:
+        # NumPy keeps rows of different lengths as objects.
+        for row, item in enumerate(array):
+            length = len(item) if hasattr(item, "__len__") and not isinstance(item, (str, bytes)) else 1
+            if length != len(columns):
+                raise CircleVoronoiError(
+                    f"Row {row} of {name} has {_counted(length, 'number')}; expected {len(columns)}"
+                    f" ({', '.join(columns)}).",
+                    circle=row,
+                )
+    raise CircleVoronoiError(f"{name} has the shape {array.shape}; expected {shape}: {', '.join(columns)}.")
+
+
+def column(data: Any, count: int | None, name: str) -> Floats:
+    """Return `data` as a one-dimensional array of doubles; a single number is repeated `count` times."""
+    array = _array(data, name)
+    if array.ndim == 0 and count is not None:
+        array = np.full(count, array[()])
+    if array.ndim != 1:
+        raise CircleVoronoiError(f"{name} has the shape {array.shape}; expected (n,).")
+    if count is not None and len(array) != count:
+        raise CircleVoronoiError(f"{name} has {_counted(len(array), 'number')}; expected {count}.")
+    return _doubles(array.reshape(-1, 1), [name])[:, 0] if len(array) > 0 else np.empty(0)
+
+
+def finite_points(data: Any, name: str) -> Floats:
+    """Return points as an array of shape (n, 2) without NaN and infinity."""
+    points = matrix(data, ("x", "y"), name)
+    finite = np.isfinite(points).all(axis=1)
+    if not finite.all():
+        row = int(np.argmin(finite))
+        raise CircleVoronoiError(f"Row {row} of {name} is not finite: {tuple(points[row])}.", "nonFinite", row)
+    return points
+
+
+def point(data: Any, name: str) -> tuple[float, float]:
+    """Return one finite point."""
+    try:
+        row = finite_points([data], name)[0]
+    except CircleVoronoiError as error:
+        raise CircleVoronoiError(f"{name} must be two finite numbers, x and y (got {data!r}).", error.code) from None
+    return float(row[0]), float(row[1])
+
+
+def indices(data: Any, name: str) -> Indices:
+    """Return whole numbers as an array of 32-bit integers."""
+    array = _array(data, name).reshape(-1)
+    if array.size == 0:
+        return np.empty(0, dtype=np.int32)
+    if array.dtype.kind not in "iu" or np.any(array < 0) or np.any(array > np.iinfo(np.int32).max):
+        raise CircleVoronoiError(f"{name} must be whole numbers from 0.")
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def index(value: Any, count: int, name: str) -> int:
+    """Return the index of one of `count` items."""
+    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__"):
+        raise CircleVoronoiError(f"{name} must be a whole number (got {value!r}).")
+    number = int(value)
+    if not 0 <= number < count:
+        raise CircleVoronoiError(f"{name} must be from 0 to {count - 1} (got {number}).")
+    return number
+
+
+def choice(value: Any, choices: Sequence[str], name: str) -> str:
+    """Return one of the allowed words."""
+    if value not in choices:
+        raise CircleVoronoiError(f"{name} must be one of {', '.join(choices)} (got {value!r}).", "badOption")
+    return str(value)
+
+
+def positive(value: Any, name: str) -> float:
+    """Return a positive finite number."""
+    number = float(column([value], 1, name)[0])
+    if not (0 < number < np.inf):
+        raise CircleVoronoiError(f"{name} must be a positive number (got {value!r}).", "badOption")
+    return number
+
+
+def optional_number(value: Any, name: str) -> float | None:
+    """Return a number or None."""
+    return None if value is None else float(column([value], 1, name)[0])
+
+
+def whole(value: Any, least: int, most: int, name: str) -> int:
+    """Return a whole number in a range."""
+    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__") or not least <= int(value) <= most:
+        raise CircleVoronoiError(f"{name} must be a whole number from {least} to {most} (got {value!r}).", "badOption")
+    return int(value)
+
+
+def _array(data: Any, name: str) -> npt.NDArray[Any]:
+    if isinstance(data, np.ma.MaskedArray):
+        mask = np.broadcast_to(data.mask, data.shape)
+        if mask.any():
+            row = int(np.argwhere(mask)[0][0]) if mask.ndim > 0 else 0
+            raise CircleVoronoiError(f"Row {row} of {name} is masked.", circle=row)
+        return np.asarray(data.data)
+    if data is None:
+        raise CircleVoronoiError(f"{name} must be an array of numbers (got None).")
+    if isinstance(data, np.ndarray) or hasattr(data, "__array__"):
+        return np.asarray(data)
+    if isinstance(data, (str, bytes)):
+        raise CircleVoronoiError(f"{name} must be an array of numbers (got {data!r}).")
+    items = list(data) if hasattr(data, "__iter__") else data
+    try:
+        array = np.asarray(items)
+        # One text or complex number would turn all others into such.
+        return array if array.dtype.kind in "fiub" else np.asarray(items, dtype=object)
+    except ValueError:  # rows of different lengths, which newer versions of NumPy refuse
+        rows = np.empty(len(items), dtype=object)
+        rows[:] = items
+        return rows
+
+
+def _doubles(array: npt.NDArray[Any], columns: Sequence[str]) -> Floats:
+    if array.dtype.kind in "fb":
+        return np.ascontiguousarray(array, dtype=np.float64)
+    if array.dtype.kind in "iu":
+        large = (array > _LARGEST_WHOLE) | (array < -_LARGEST_WHOLE if array.dtype.kind == "i" else False)
+        if np.any(large):
+            row, place = np.argwhere(large)[0]
+            raise CircleVoronoiError(
+                f"Row {row}: {columns[place]} is {array[row, place]}, a whole number that is no double.", circle=int(row)
+            )
+        return np.ascontiguousarray(array, dtype=np.float64)
+    result = np.empty(array.shape)
+    for row, items in enumerate(array):
+        for place, item in enumerate(items):
+            result[row, place] = _number(item, row, columns[place])
+    return result
+
+
+def _number(item: Any, row: int, name: str) -> float:
+    if isinstance(item, (str, bytes, complex, np.complexfloating, np.datetime64)) or item is None:
+        raise CircleVoronoiError(f"Row {row}: {name} is not a real number (got {item!r}).", circle=row)
+    try:
+        return float(item)
+    except (TypeError, ValueError, OverflowError):
+        raise CircleVoronoiError(f"Row {row}: {name} is not a number (got {item!r}).", circle=row) from None
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

@@ -1,0 +1,713 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Voronoi diagrams of circles."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _figure, _plot
+from ._arguments import (
+    Floats,
+    Indices,
+    choice,
+    column,
+    finite_points,
+    index,
+    indices,
+    matrix,
+    optional_number,
+    point,
+    positive,
+    whole,
+)
+from ._errors import CircleVoronoiError
+from ._frames import circles_of, is_frame
+from ._regions import box, region_of
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+METHODS = ("auto", "touching-disc", "flip")
+CANDIDATES = ("dynamic", "uniform", "all-pairs")
+FORMATS = ("json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj")
+_XYR = ("x", "y", "r")
+
+
+class Certificate(NamedTuple):
+    """The verdict on a diagram: proven to be right, or the first flaw.
+
+    `circle`, `vertex` and `edge` are the indices concerned, or None. `message` is one sentence; it is empty if the
+    diagram is certified.
+    """
+
+    certified: bool
+    flaw: str
+    circle: int | None
+    vertex: int | None
+    edge: int | None
+    message: str
+
+
+class EmptyDisc(NamedTuple):
+    """A disc that overlaps no circle, and the circles that it touches."""
+
+    x: float
+    y: float
+    r: float
+    circles: Indices
+
+
+class ClearestPath(NamedTuple):
+    """A path that stays as far from all circles as any path between its ends can.
+
+    `clearance` is the smallest distance from a circle along the path; it is negative if every path enters a circle.
+    `edges` are the edges of the diagram that it follows. `points` has shape (k, 2): a polyline within the tolerance of
+    the path, from its start to its end.
+    """
+
+    clearance: float
+    edges: Indices
+    points: Floats
+
+
+class Diagram:
+    """The Voronoi diagram of n circles, by indices. Make one with `compute`, `read` or `update`.
+
+    A point belongs to the circle with the smallest distance minus radius. Arrays are read-only views of the diagram's
+    own memory. The index -1 means "none": an end at infinity.
+
+    Attributes
+    ----------
+    ids : ndarray of int32, shape (n,)
+        The id of each circle. Ids stay the same in `update`; without updates they are 0 to n - 1.
+    """
+
+    def __init__(self, core: _core.Diagram, ids: Indices | None = None, editor: _Editor | None = None) -> None:
+        self._core = core
+        self._finder: _core.Finder | None = None
+        self._editor = editor
+        if ids is None:
+            ids = np.arange(len(core.circles), dtype=np.int32)
+            ids.flags.writeable = False
+        self.ids = ids
+
+    @property
+    def circles(self) -> Floats:
+        """The circles of the input, shape (n, 3): x, y, r."""
+        return self._core.circles
+
+    @property
+    def vertices(self) -> Floats:
+        """The Voronoi vertices, shape (v, 3): x, y and radius of the disc that touches the three circles of the vertex.
+
+        A vertex that touches more than three circles appears as several vertices, joined by edges of length zero.
+        """
+        return self._core.vertices
+
+    @property
+    def vertex_circles(self) -> Indices:
+        """The three circles of each vertex, counter-clockwise, shape (v, 3)."""
+        return self._core.vertex_circles
+
+    @property
+    def edges(self) -> Indices:
+        """The edges, shape (e, 4): left circle, right circle, start vertex, end vertex."""
+        return self._core.edges
+
+    @property
+    def hidden(self) -> Indices:
+        """The circles without a cell, each with a circle that contains it, shape (h, 2)."""
+        return self._core.hidden
+
+    @property
+    def hull(self) -> Indices:
+        """The circles on the convex hull, counter-clockwise. A circle recurs if the hull touches it more than once."""
+        return self._core.hull
+
+    @property
+    def next_side(self) -> Indices:
+        """The next side around the cell of each side, shape (2 e,). Sides 2 k and 2 k + 1 are edge k from left and right."""
+        return self._core.next_side
+
+    @property
+    def first_side(self) -> Indices:
+        """The smallest side of each cell, shape (n,)."""
+        return self._core.first_side
+
+    @property
+    def weights(self) -> bool:
+        """Whether radii are additive weights, which may be negative."""
+        return self._core.weights
+
+    @property
+    def certificate(self) -> Certificate:
+        """The certificate that came with the diagram."""
+        return Certificate(*self._core.certificate)
+
+    @property
+    def certified(self) -> bool:
+        """Whether the diagram is proven to be right."""
+        return self.certificate.certified
+
+    @property
+    def stats(self) -> dict[str, Any]:
+        """How the diagram was made: the construction (`way`), `counts`, and `seconds` of each stage."""
+        return self._core.stats
+
+    def __len__(self) -> int:
+        return len(self._core.circles)
+
+    def __repr__(self) -> str:
+        counts = f"{len(self)} circles, {len(self.hidden)} hidden, {len(self.vertices)} vertices, {len(self.edges)} edges"
+        return f"<Diagram of {counts}, {'certified' if self.certified else 'not certified'}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (self.to_bytes("json"), self.ids)
+
+    def _repr_html_(self) -> str:
+        return _figure.html(self)
+
+    def certify(self) -> Certificate:
+        """Judge the diagram once more. Linear time.
+
+        Returns
+        -------
+        Certificate
+        """
+        return Certificate(*self._core.certify())
+
+    def areas(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
+        """Return the area of each cell.
+
+        Parameters
+        ----------
+        bounds : four numbers, optional
+            Clip the cells to this box: least x and y, largest x and y.
+        region : optional
+            Clip the cells to this region: see `Region`.
+        max_distance : float, optional
+            Cut each cell at this distance from its circle.
+
+        Returns
+        -------
+        ndarray of float64, shape (n,)
+            In square units of the input. Hidden circles have 0. Without limits, unbounded cells have infinity. In a
+            region without `max_distance`, the areas sum to that of the region.
+
+        Raises
+        ------
+        CircleVoronoiError
+            The limits are not valid.
+        """
+        return _core.areas(self._core, region_of(bounds, region), _distance(max_distance))
+
+    def centroids(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
+        """Return the center of mass of each cell.
+
+        Parameters are those of `areas`.
+
+        Returns
+        -------
+        ndarray of float64, shape (n, 2)
+            NaN for unbounded cells without limits, and where there is no cell.
+        """
+        return _core.centroids(self._core, region_of(bounds, region), _distance(max_distance))
+
+    def perimeters(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
+        """Return the length of the outline of each cell, holes included.
+
+        Parameters are those of `areas`.
+
+        Returns
+        -------
+        ndarray of float64, shape (n,)
+            In units of the input. Hidden circles have 0. Without limits, unbounded cells have infinity.
+        """
+        return _core.perimeters(self._core, region_of(bounds, region), _distance(max_distance))
+
+    def polygons(
+        self,
+        *,
+        tolerance: float | None = None,
+        bounds: Any = None,
+        region: Any = None,
+        max_distance: float | None = None,
+    ) -> list[Any]:
+        """Return the cells as polygons. Neighbors share their points to the bit.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            The largest distance between a polygon and the true curves, in units of the input. By default a
+            hundred-thousandth of the size of the box or region.
+        bounds, region, max_distance : optional
+            Those of `areas`. By default cells are clipped to the bounding box of the circles with a margin.
+
+        Returns
+        -------
+        list of length n
+            With shapely installed a Polygon, a MultiPolygon if the region cuts the cell apart, or None if there is no
+            cell. Without shapely a list of polygons, each a list of rings, each an array of shape (k, 2). The first
+            ring is the outer one, counter-clockwise; the others are holes.
+        """
+        arrays = _core.polygons(
+            self._core,
+            region_of(bounds, region),
+            _distance(max_distance),
+            None if tolerance is None else positive(tolerance, "tolerance"),
+        )
+        cells = _nested(*arrays)
+        try:
+            from shapely.geometry import MultiPolygon, Polygon
+        except ImportError:
+            return cells
+        shapes: list[Any] = []
+        for cell in cells:
+            parts = [Polygon(rings[0], rings[1:]) for rings in cell]
+            shapes.append(None if not parts else parts[0] if len(parts) == 1 else MultiPolygon(parts))
+        return shapes
+
+    def neighbors(
+        self, circle: int, *, bounds: Any = None, region: Any = None, max_distance: float | None = None
+    ) -> Indices:
+        """Return the circles whose cells share an edge with a cell, counter-clockwise, each once.
+
+        Parameters
+        ----------
+        circle : int
+        bounds, region, max_distance : optional
+            Those of `areas`. With limits, only circles count that share a part of an edge inside them. For all circles
+            at once, `neighbor_pairs` is faster.
+
+        Returns
+        -------
+        ndarray of int32
+        """
+        i = index(circle, len(self), "circle")
+        clip, distance = region_of(bounds, region), _distance(max_distance)
+        if clip is not None or distance is not None:
+            return _core.neighbors_inside(self._core, i, clip, distance)
+        found = self._core.neighbors(i)
+        _, first = np.unique(found, return_index=True)
+        return found[np.sort(first)]
+
+    def neighbor_pairs(
+        self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None
+    ) -> Indices:
+        """Return the pairs of circles whose cells share an edge, as an array of shape (k, 2).
+
+        Each pair occurs once, with the smaller index first, in increasing order. Parameters are those of `neighbors`.
+        """
+        clip, distance = region_of(bounds, region), _distance(max_distance)
+        if clip is None and distance is None:
+            return self._core.neighbor_pairs()
+        return _core.pairs_inside(self._core, clip, distance)
+
+    def find(self, points: Any) -> Indices:
+        """Return the circle nearest to each point: the cell that contains it.
+
+        Parameters
+        ----------
+        points : array_like, shape (m, 2)
+
+        Returns
+        -------
+        ndarray of int32, shape (m,)
+            -1 if there are no circles.
+
+        Raises
+        ------
+        CircleVoronoiError
+            A point is not finite; the message names its row.
+        """
+        if self._finder is None:
+            self._finder = _core.Finder(self._core)
+        return self._finder.find(finite_points(points, "points"))
+
+    def largest_empty_disc(self, *, bounds: Any = None, region: Any = None, inside: bool = False) -> EmptyDisc | None:
+        """Return the largest disc that overlaps no circle.
+
+        Parameters
+        ----------
+        bounds, region : optional
+            The center lies in this box or region. By default it lies in the convex hull of the circles.
+        inside : bool
+            Whether the whole disc lies in the box or region.
+
+        Returns
+        -------
+        EmptyDisc or None
+            None if there are no circles. The radius is negative if circles cover the region.
+        """
+        clip = region_of(bounds, region)
+        if inside and clip is None:
+            raise CircleVoronoiError("inside needs bounds or region.", "badOption")
+        found = _core.largest_empty_disc(self._core, clip, inside)
+        return None if found is None else EmptyDisc(*found)
+
+    def clearest_path(
+        self, start: Any, end: Any, *, bounds: Any = None, region: Any = None, tolerance: float | None = None
+    ) -> ClearestPath | None:
+        """Return a path between two points that stays as far from all circles as any path can.
+
+        Parameters
+        ----------
+        start, end : array_like, shape (2,)
+        bounds, region : optional
+            The path stays inside this box or region. It may run along the boundary, which counts as no obstacle.
+        tolerance : float, optional
+            The largest distance of `points` from the true curves. By default a hundred-thousandth of the size of the
+            circles' bounding box.
+
+        Returns
+        -------
+        ClearestPath or None
+            None if the ends lie in different parts of the region.
+
+        Raises
+        ------
+        CircleVoronoiError
+            There are no circles, or an end lies outside the region.
+        """
+        distance = None if tolerance is None else positive(tolerance, "tolerance")
+        found = _core.clearest_path(
+            self._core, point(start, "start"), point(end, "end"), region_of(bounds, region), distance
+        )
+        return None if found is None else ClearestPath(*found)
+
+    def update(self, *, remove: Any = (), replace: Mapping[int, Any] | None = None, insert: Any = ()) -> Diagram:
+        """Return the certified diagram after some edits. All edits are made, or none.
+
+        The edits themselves take microseconds each, the arrays of the new diagram take linear time. This diagram stays
+        as it is. Only the newest diagram of a series can be updated.
+
+        Parameters
+        ----------
+        remove : array_like of int
+            The ids of circles to remove.
+        replace : mapping of int to (x, y, r), optional
+            New circles for ids.
+        insert : array_like, shape (k, 3)
+            New circles. They get the next ids, in their order.
+
+        Returns
+        -------
+        Diagram
+            Its `ids` name the circle of each row.
+
+        Raises
+        ------
+        CircleVoronoiError
+            An id is unknown, or a circle is not valid. `edit` is the index of the edit to blame.
+        """
+        editor = self._editor if self._editor is not None else _Editor(self)
+        if editor.newest is not self._core:
+            raise CircleVoronoiError("Another update was made from this diagram. Update the newest one.", "badInput")
+        changes = {} if replace is None else dict(replace)
+        result = editor.apply(
+            indices(remove, "remove"),
+            indices(list(changes), "the ids of replace"),
+            matrix(list(changes.values()), _XYR, "replace"),
+            matrix(insert, _XYR, "insert"),
+        )
+        self._editor = editor
+        return result
+
+    def to_bytes(
+        self,
+        format: str,
+        *,
+        bounds: Any = None,
+        region: Any = None,
+        max_distance: float | None = None,
+        tolerance: float | None = None,
+        digits: int | None = None,
+        attributes: Sequence[Mapping[str, Any]] | None = None,
+    ) -> bytes:
+        """Return the diagram as the text of a file, as the program ``circle-voronoi compute`` writes it.
+
+        Parameters
+        ----------
+        format : {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj"}
+        bounds, region, max_distance, tolerance : optional
+            Those of `polygons`.
+        digits : int, optional
+            The largest number of digits after the decimal point.
+        attributes : sequence of n mappings, optional
+            More properties for the features of GeoJSON.
+        """
+        if bounds is not None and region is not None:
+            raise CircleVoronoiError("Give either bounds or region, not both.", "badOption")
+        if attributes is not None and len(attributes) != len(self):
+            raise CircleVoronoiError(f"attributes has {len(attributes)} items; expected {len(self)}.")
+        return _core.write_diagram(
+            self._core,
+            choice(format, FORMATS, "format"),
+            None if bounds is None else box(bounds),
+            region_of(None, region),
+            _distance(max_distance),
+            None if tolerance is None else positive(tolerance, "tolerance"),
+            None if digits is None else whole(digits, 0, 2**31 - 1, "digits"),
+            [] if attributes is None else [json.dumps(dict(one))[1:-1] for one in attributes],
+        )
+
+    def write(self, path: str | PathLike[str], *, format: str | None = None, **options: Any) -> None:
+        """Write the diagram to a file, which is replaced only when the text is complete.
+
+        Parameters
+        ----------
+        path : str or path
+        format : str, optional
+            A format of `to_bytes`. By default the extension of the file.
+        **options
+            The other parameters of `to_bytes`.
+        """
+        target = Path(path)
+        text = self.to_bytes(target.suffix[1:].lower() if format is None else format, **options)
+        part = target.with_name(f".{target.name}.part")
+        try:
+            part.write_bytes(text)
+            part.replace(target)
+        finally:
+            part.unlink(missing_ok=True)
+
+    def plot(self, ax: Any = None, *, bounds: Any = None, region: Any = None, **style: Any) -> Any:
+        """Draw circles and edges with matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            By default a new one.
+        bounds, region : optional
+            The part to draw: see `areas`.
+        **style
+            Properties of the edges, such as ``color`` and ``linewidth``.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        return _plot.plot(self, ax, bounds, region, style)
+
+
+class _Editor:
+    """An editor, and the newest diagram that it made."""
+
+    def __init__(self, diagram: Diagram) -> None:
+        self._core = _core.Editor(diagram.circles, diagram.weights)
+        self.newest = diagram._core
+
+    def apply(self, removed: Indices, replaced: Indices, replacements: Floats, inserted: Floats) -> Diagram:
+        self._core.apply(removed, replaced, replacements, inserted)
+        self.newest = self._core.snapshot()
+        return Diagram(self.newest, self._core.ids(), self)
+
+
+class AreaFit(NamedTuple):
+    """What `fit_areas` found.
+
+    `weights` has the weight of each point, the least one 0. `diagram` is the certified diagram of the points with the
+    weights as radii. `areas` are the areas of its cells inside the region, and `error` is the largest relative error of
+    an area. `steps` is the number of Newton steps.
+    """
+
+    weights: Floats
+    diagram: Diagram
+    areas: Floats
+    error: float
+    steps: int
+
+
+def compute(
+    circles: Any,
+    y: Any = None,
+    r: Any = None,
+    *,
+    x: Any = None,
+    weights: bool = False,
+    method: str = "auto",
+    candidates: str = "dynamic",
+    samples: int | None = None,
+    resample: bool = False,
+    threads: int = 1,
+) -> Diagram:
+    """Compute the Voronoi diagram of circles.
+
+    The circles may be disjoint, intersecting, tangent, nested, equal, or points, in any position. The same input gives
+    the same bits on every platform and with any number of threads. Ctrl-C cancels.
+
+    Parameters
+    ----------
+    circles : array_like, shape (n, 3), or (n, 2) with `r`, or shape (n,) with `y` and `r`, or a table
+        Rows of x, y, r; or points with `r` apart; or x alone. A DataFrame has columns that `x`, `y` and `r` name, by
+        default these letters. A GeoDataFrame has points as geometry, and its radii are the column `r`.
+    y, r : array_like, shape (n,), or a number for `r`; for tables a name of a column
+    x : str, optional
+        For tables, the name of the column.
+    weights : bool
+        Whether radii are additive weights, which may be negative.
+    method : {"auto", "touching-disc", "flip"}
+        With "auto" the result is certified, or there is an error.
+    candidates, samples, resample
+        For "touching-disc": which pairs of circles are tried ("dynamic", "uniform", "all-pairs"), the number of
+        samples, and whether to take more samples where the diagram is not certified.
+    threads : int
+        How many threads may work at the same time; 0 means as many as the machine has.
+
+    Returns
+    -------
+    Diagram
+
+    Raises
+    ------
+    CircleVoronoiError
+        A number is missing, not finite, too large, or a radius is negative. The message names the row.
+    """
+    core = _core.compute(
+        _circles(circles, x, y, r),
+        bool(weights),
+        choice(method, METHODS, "method"),
+        choice(candidates, CANDIDATES, "candidates"),
+        None if samples is None else whole(samples, 0, 1000, "samples"),
+        bool(resample),
+        whole(threads, 0, 1024, "threads"),
+    )
+    return Diagram(core)
+
+
+def fit_areas(
+    points: Any,
+    areas: Any,
+    region: Any,
+    *,
+    shares: bool = False,
+    tolerance: float = 1e-9,
+    max_steps: int = 500,
+    relax: int = 0,
+    weights: Any = 0.0,
+) -> AreaFit:
+    """Find weights for which the cell of each point has a given area inside a region.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2)
+    areas : array_like, shape (n,), or "equal"
+        Positive areas that sum to that of the region.
+    region
+        See `Region`.
+    shares : bool
+        Whether `areas` are shares: they are multiplied so that they sum to the area of the region.
+    tolerance : float
+        The largest relative error of an area.
+    max_steps : int
+        The largest number of Newton steps.
+    relax : int
+        How often all points move to the centers of mass of their cells, which makes cells rounder.
+    weights : array_like, shape (n,)
+        The weights to start from.
+
+    Returns
+    -------
+    AreaFit
+
+    Raises
+    ------
+    CircleVoronoiError
+        An area is not positive, the areas do not fit the region, two points are equal, or the fit does not converge.
+    """
+    sites = finite_points(points, "points")
+    if isinstance(areas, str):
+        areas, shares = (np.ones(len(sites)), True) if areas == "equal" else (choice(areas, ("equal",), "areas"), shares)
+    clip = region_of(None, region)
+    if clip is None:
+        raise CircleVoronoiError("fit_areas needs a region.", "badOption")
+    found = _core.fit_areas(
+        np.column_stack([sites, column(weights, len(sites), "weights")]),
+        column(areas, len(sites), "areas"),
+        clip,
+        bool(shares),
+        positive(tolerance, "tolerance"),
+        whole(max_steps, 1, 2**31 - 1, "max_steps"),
+        whole(relax, 0, 2**31 - 1, "relax"),
+    )
+    return AreaFit(found[0], Diagram(found[1]), *found[2:])
+
+
+def read(path: str | PathLike[str], *, weights: bool = False, points: bool = False) -> Diagram | Floats:
+    """Read circles or a diagram from a file of any format that the program reads.
+
+    Parameters
+    ----------
+    path : str or path
+        A table (CSV), JSON, GeoJSON points, or a diagram in the project's JSON format.
+    weights : bool
+        Whether radii may be negative.
+    points : bool
+        Whether circles may lack a radius, which is 0 then.
+
+    Returns
+    -------
+    Diagram or ndarray of float64, shape (n, 3)
+        A diagram is judged again: see `Diagram.certified`.
+
+    Raises
+    ------
+    CircleVoronoiError
+        The text is not valid; the message names the line.
+    """
+    text = Path(path).read_bytes()
+    if _core.holds_diagram(text):
+        return Diagram(_core.read_diagram(text, str(path)))
+    return _core.read_circles(text, str(path), bool(weights), bool(points))
+
+
+def read_attributes(path: str | PathLike[str]) -> list[dict[str, Any]]:
+    """Read what a file says about each circle beyond x, y and r, for `Diagram.to_bytes`.
+
+    Parameters
+    ----------
+    path : str or path
+        A file of circles, as `read` takes it.
+
+    Returns
+    -------
+    list of dict, one for each circle
+    """
+    members = _core.read_attributes(Path(path).read_bytes(), str(path))
+    return [json.loads("{" + text + "}") for text in members]
+
+
+def _circles(circles: Any, x: Any, y: Any, r: Any) -> Floats:
+    if is_frame(circles):
+        return circles_of(circles, x, y, r)
+    if x is not None:
+        raise CircleVoronoiError("x names a column of a table; pass arrays as compute(x, y, r).", "badOption")
+    if y is not None:
+        first = column(circles, None, "x")
+        radii = column(r, len(first), "r")
+        return np.column_stack([first, column(y, len(first), "y"), radii])
+    if r is not None:
+        points = matrix(circles, ("x", "y"), "points")
+        return np.column_stack([points, column(r, len(points), "r")])
+    return matrix(circles, _XYR, "circles")
+
+
+def _distance(value: Any) -> float | None:
+    return optional_number(value, "max_distance")
+
+
+def _nested(
+    polygons: Indices, rings: Indices, points: Indices, coordinates: npt.NDArray[np.float64]
+) -> list[list[list[Floats]]]:
+    loops = np.split(coordinates, points[1:-1]) if len(points) > 1 else []
+    shapes = [loops[first:end] for first, end in zip(rings[:-1], rings[1:])]
+    return [shapes[first:end] for first, end in zip(polygons[:-1], polygons[1:])]
+
+
+def _unpickled(text: bytes, ids: Indices) -> Diagram:
+    return Diagram(_core.read_diagram(text, "pickle"), ids)

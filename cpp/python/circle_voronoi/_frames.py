@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of pandas and geopandas."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._arguments import Floats, column
+from ._errors import CircleVoronoiError
+
+if TYPE_CHECKING:
+    from ._diagram import Diagram
+
+
+def is_frame(data: Any) -> bool:
+    """Return whether `data` is a DataFrame or a GeoDataFrame."""
+    return hasattr(data, "columns") and hasattr(data, "iloc")
+
+
+def circles_of(frame: Any, x: Any, y: Any, r: Any) -> Floats:
+    """Return the circles of a table. `x`, `y` and `r` name its columns; a GeoDataFrame has its points as geometry."""
+    if hasattr(frame, "geometry"):
+        if x is not None or y is not None:
+            raise CircleVoronoiError("A GeoDataFrame has its points as geometry; give no x and y.", "badOption")
+        points = _points(frame)
+    else:
+        points = np.column_stack([_column(frame, x or "x"), _column(frame, y or "y")])
+    if r is None or isinstance(r, str):
+        radii = _column(frame, r or "r")
+    else:
+        radii = column(r, len(frame), "r")
+    return np.column_stack([points, radii])
+
+
+def to_geodataframe(diagram: Diagram, frame: Any, **limits: Any) -> Any:
+    """Return a copy of a GeoDataFrame with the cells as its geometry.
+
+    Parameters
+    ----------
+    diagram : Diagram
+        The diagram of the rows of `frame`, in their order.
+    frame : geopandas.GeoDataFrame
+        The table. Its rows, columns, index and crs stay as they are.
+    **limits
+        `tolerance`, `bounds`, `region` and `max_distance` of `Diagram.polygons`.
+
+    Returns
+    -------
+    geopandas.GeoDataFrame
+        The geometry of a row without a cell is None.
+
+    Raises
+    ------
+    CircleVoronoiError
+        The table does not have a row for each circle, or what `Diagram.polygons` raises.
+    """
+    try:
+        import geopandas  # noqa: F401
+    except ImportError:
+        raise ImportError("to_geodataframe needs geopandas. Install it with your package manager or pip.") from None
+    if len(frame) != len(diagram):
+        raise CircleVoronoiError(f"The table has {len(frame)} rows, the diagram {len(diagram)} circles.")
+    cells = np.empty(len(frame), dtype=object)
+    cells[:] = diagram.polygons(**limits)
+    crs = getattr(frame, "crs", None)
+    return frame.set_geometry(geopandas.GeoSeries(cells, index=frame.index, crs=crs))
+
+
+def _column(frame: Any, name: str) -> Floats:
+    if name not in frame.columns:
+        names = ", ".join(str(one) for one in frame.columns)
+        raise CircleVoronoiError(f"The table has no column {name!r}. Its columns are {names}.")
+    values = frame[name]
+    missing = np.asarray(values.isna())
+    if missing.any():
+        raise _row_error(frame, int(np.argmax(missing)), f"{name} is missing")
+    try:
+        return column(values.to_numpy(), len(frame), name)
+    except CircleVoronoiError as error:
+        if error.circle is None:
+            raise
+        row = error.circle
+        raise _row_error(frame, row, f"{name} is not a number (got {values.iloc[row]!r})") from None
+
+
+def _points(frame: Any) -> Floats:
+    crs = getattr(frame, "crs", None)
+    if crs is not None and crs.is_geographic:
+        raise CircleVoronoiError(
+            f"The coordinates are degrees ({crs.to_string()}), in which distances mean nothing. Project them first,"
+            " for example with frame.to_crs(frame.estimate_utm_crs()).",
+            "badInput",
+        )
+    points = np.empty((len(frame), 2))
+    for row, geometry in enumerate(frame.geometry):
+        if geometry is None or geometry.is_empty:
+            raise _row_error(frame, row, "there is no geometry")
+        if geometry.geom_type == "MultiPoint" and len(geometry.geoms) == 1:
+            geometry = geometry.geoms[0]
+        if geometry.geom_type != "Point":
+            raise _row_error(frame, row, f"the geometry is a {geometry.geom_type}, not a Point")
+        points[row] = geometry.x, geometry.y
+    return points
+
+
+def _row_error(frame: Any, row: int, what: str) -> CircleVoronoiError:
+    label = frame.index[row]
+    name = f"Row {row}" if label == row else f"Row {row} (index {label!r})"
+    return CircleVoronoiError(f"{name}: {what}.", circle=row)

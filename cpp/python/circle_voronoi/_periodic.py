@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Diagrams in a box whose opposite sides are glued together."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _core
+from ._arguments import Floats, Indices, finite_points, index, matrix, point, whole
+from ._diagram import Diagram
+
+
+class Contacts(NamedTuple):
+    """The contact table of a packing.
+
+    The first five arrays have a row for each border of each visible circle, so each pair of circles occurs twice.
+    `circle`, `neighbor` and `shift` (shape (k, 2)) name the two circles: the neighbor is moved by shift[0] times the first
+    period and shift[1] times the second one. `length` is the length of the border, and `gap` the distance between the two
+    circles, negative if they overlap. `area` and `packing_fraction` have a row for each circle: the area of its cell,
+    and the share of its cell that it covers.
+    """
+
+    circle: Indices
+    neighbor: Indices
+    shift: Indices
+    length: Floats
+    gap: Floats
+    area: Floats
+    packing_fraction: Floats
+
+
+class PeriodicDiagram:
+    """The Voronoi diagram of n circles that repeat with two periods. Make one with `compute_periodic`.
+
+    Attributes
+    ----------
+    images : Diagram
+        The certified diagram of the given circles, which come first, and of as many images as decide their cells.
+    """
+
+    def __init__(self, core: _core.PeriodicDiagram) -> None:
+        self._core = core
+        self.images = Diagram(core.diagram)
+
+    def __len__(self) -> int:
+        return self._core.circle_count
+
+    def __repr__(self) -> str:
+        a, b = self.periods
+        return f"<PeriodicDiagram of {len(self)} circles, periods {tuple(a.tolist())} and {tuple(b.tolist())}>"
+
+    @property
+    def circles(self) -> Floats:
+        """The given circles, shape (n, 3), rounded so that images are exact."""
+        return self.images.circles[: len(self)]
+
+    @property
+    def periods(self) -> Floats:
+        """The two periods, shape (2, 2)."""
+        return np.array(self._core.lattice).reshape(2, 2)
+
+    @property
+    def image_circles(self) -> Indices:
+        """For each circle of `images` the given circle of which it is an image."""
+        return self._core.circle_of
+
+    @property
+    def image_shifts(self) -> Indices:
+        """For each circle of `images` how many times each period is added to the given circle, shape (m, 2)."""
+        return self._core.shift_of
+
+    def areas(self) -> Floats:
+        """Return the area of each cell, shape (n,). They sum to the area of the box."""
+        return self.images.areas()[: len(self)]
+
+    def centroids(self) -> Floats:
+        """Return the center of mass of each cell, shape (n, 2)."""
+        return self.images.centroids()[: len(self)]
+
+    def perimeters(self) -> Floats:
+        """Return the length of the outline of each cell, shape (n,)."""
+        return self.images.perimeters()[: len(self)]
+
+    def polygons(self, *, tolerance: float | None = None) -> list[Any]:
+        """Return the cells of the given circles as polygons: see `Diagram.polygons`. They may cross the box."""
+        return self.images.polygons(tolerance=tolerance)[: len(self)]
+
+    def neighbors(self, circle: int) -> tuple[Indices, Indices]:
+        """Return the neighbors of a circle, counter-clockwise, and their shifts.
+
+        A circle can be its own neighbor, with a shift that is not zero.
+
+        Parameters
+        ----------
+        circle : int
+
+        Returns
+        -------
+        circles : ndarray of int32, shape (k,)
+        shifts : ndarray of int32, shape (k, 2)
+            How many times each period is added to the neighbor.
+        """
+        return self._core.neighbors(index(circle, len(self), "circle"))
+
+    def find(self, points: Any) -> tuple[Indices, Indices]:
+        """Return the nearest circle to each point of the plane, and the shift of the image that is nearest.
+
+        Parameters
+        ----------
+        points : array_like, shape (m, 2)
+
+        Returns
+        -------
+        circles : ndarray of int32, shape (m,)
+        shifts : ndarray of int32, shape (m, 2)
+        """
+        return self._core.find(finite_points(points, "points"))
+
+    def contacts(self) -> Contacts:
+        """Return borders, gaps, areas and packing fractions as arrays. Linear time."""
+        return Contacts(*self._core.contacts())
+
+
+def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, threads: int = 1) -> PeriodicDiagram:
+    """Compute the Voronoi diagram of circles in a box whose opposite sides are glued together.
+
+    Parameters
+    ----------
+    circles : array_like, shape (n, 3)
+        They may lie anywhere, overlap, and be larger than the box.
+    a, b : array_like, shape (2,)
+        The periods: the sides of the box, which is any parallelogram.
+    weights, threads
+        Those of `compute`.
+
+    Returns
+    -------
+    PeriodicDiagram
+
+    Raises
+    ------
+    CircleVoronoiError
+        The periods are zero, parallel or not finite, or what `compute` raises.
+    """
+    core = _core.compute_periodic(
+        matrix(circles, ("x", "y", "r"), "circles"),
+        point(a, "a"),
+        point(b, "b"),
+        bool(weights),
+        whole(threads, 0, 1024, "threads"),
+    )
+    return PeriodicDiagram(core)

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regions, the parts of cells inside them, fits of areas, largest empty discs and clearest paths.
+#include "circle_voronoi/region.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "circle_voronoi/cells.h"
+#include "circle_voronoi/clearest_path.h"
+#include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/curve.h"
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/fit_areas.h"
+#include "circle_voronoi/io.h"
+#include "circle_voronoi/queries.h"
+#include "circle_voronoi/region_queries.h"
+#include "errors.h"
+#include "interruptible.h"
+#include "module.h"
+
+namespace py = pybind11;
+
+namespace circle_voronoi::python {
+namespace {
+
+/// The tolerance of polygons and paths as a share of the size of what they lie in.
+constexpr double kDefaultTolerance = 1e-5;
+
+using SharedDiagram = std::shared_ptr<Diagram>;
+using SharedRegion = std::shared_ptr<Region>;
+
+SharedRegion readSharedRegion(const std::string& text, const std::string& name, bool dissolve) {
+  return interruptible([=](const Cancellation&) {
+    return std::make_shared<Region>(valueOf(readRegion(text, name, {.dissolve = dissolve})));
+  });
+}
+
+/// The rings of a region, each an array of points; by the even-odd rule.
+SharedRegion regionOfRings(const std::vector<Doubles>& rings, bool dissolve) {
+  std::vector<Region::Ring> copies;
+  for (const Doubles& ring : rings) copies.push_back(pointsOf(ring));
+  return std::make_shared<Region>(valueOf(Region::fromRings(copies, {.dissolve = dissolve})));
+}
+
+SharedRegion defaultRegion(const SharedDiagram& diagram) {
+  return std::make_shared<Region>(valueOf(Region::from(exportBox(diagram->circles))));
+}
+
+SharedRegion regionOfBox(const std::array<double, 4>& bounds) {
+  return std::make_shared<Region>(valueOf(Region::from(Box{bounds[0], bounds[1], bounds[2], bounds[3]})));
+}
+
+/// What limits cells. Without a region, cells that a maximum distance cuts lie in the box that files have by default.
+struct Limits {
+  SharedRegion region;
+  std::optional<double> maxDistance;
+
+  [[nodiscard]] bool areSet() const { return region != nullptr || maxDistance.has_value(); }
+};
+
+/// A diagram in a region, with the memory that it refers to.
+struct Clip {
+  SharedDiagram diagram;
+  SharedRegion region;
+  ClippedDiagram clipped;
+};
+
+Clip clipOf(const SharedDiagram& diagram, const Limits& limits) {
+  const SharedRegion region = limits.region != nullptr
+                                  ? limits.region
+                                  : std::make_shared<Region>(valueOf(
+                                        Region::from(exportBox(diagram->circles, limits.maxDistance))));
+  return {diagram, region, valueOf(ClippedDiagram::from(*diagram, *region, limits.maxDistance))};
+}
+
+/// The outline of a whole cell; nothing if it is unbounded.
+std::optional<Outline> wholeOutline(const Diagram& diagram, CircleIndex circle) {
+  Outline whole = outline(diagram, circle);
+  if (whole.empty() && diagram.hasCell(circle)) return {};
+  return whole;
+}
+
+/// A measure of each cell: of whole cells by `ofWhole`, with `unbounded` for unbounded ones, otherwise by `ofClip`.
+template <class Value, class OfWhole, class OfClip>
+std::vector<Value> measured(const SharedDiagram& diagram, const Limits& limits, Value unbounded, OfWhole ofWhole,
+                            OfClip ofClip) {
+  return interruptible([=](const Cancellation& cancellation) {
+    if (limits.areSet()) return ofClip(clipOf(diagram, limits).clipped);
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < diagram->circles.size(); ++i) {
+      if (i % 1024 == 0) cancellation.check();
+      const auto outline = wholeOutline(*diagram, static_cast<std::int32_t>(i));
+      values.push_back(outline ? ofWhole(*outline) : unbounded);
+    }
+    return values;
+  });
+}
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+py::array areas(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
+  return arrayOf<double>(measured(
+      diagram, {region, maxDistance}, kInfinite, [](const Outline& outline) { return area(outline); },
+      [](const ClippedDiagram& clipped) { return clipped.areas(); }));
+}
+
+py::array centroids(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
+  return arrayOf<double>(measured(
+      diagram, {region, maxDistance}, Point{kNan, kNan},
+      [](const Outline& outline) { return outline.empty() ? Point{kNan, kNan} : centroid(outline); },
+      [](const ClippedDiagram& clipped) { return clipped.centroids(); }));
+}
+
+py::array perimeters(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
+  return arrayOf<double>(measured(
+      diagram, {region, maxDistance}, kInfinite, [](const Outline& outline) { return perimeter(outline); },
+      [](const ClippedDiagram& clipped) { return clipped.perimeters(); }));
+}
+
+/// Offsets of polygons by circle, of rings by polygon and of points by ring, and the points.
+py::tuple polygons(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance,
+                   std::optional<double> tolerance) {
+  ClippedPolygons result = interruptible([=](const Cancellation&) {
+    const Clip clip = clipOf(diagram, {region, maxDistance});
+    const Box box = clip.region->bounds();
+    return clip.clipped.polygons(tolerance.value_or(kDefaultTolerance * std::max(box.maxX - box.minX, box.maxY - box.minY)));
+  });
+  return py::make_tuple(arrayOf<std::int32_t>(std::move(result.polygonOffsets)),
+                        arrayOf<std::int32_t>(std::move(result.ringOffsets)),
+                        arrayOf<std::int32_t>(std::move(result.pointOffsets)),
+                        arrayOf<double>(std::move(result.points)));
+}
+
+py::array neighborsInside(const SharedDiagram& diagram, std::int32_t circle, const SharedRegion& region,
+                          std::optional<double> maxDistance) {
+  return arrayOf<std::int32_t>(interruptible(
+      [=](const Cancellation&) { return clipOf(diagram, {region, maxDistance}).clipped.neighbors(circle); }));
+}
+
+/// The pairs of circles whose cells share a part of an edge inside, each once, in the order of neighborPairs.
+py::array pairsInside(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
+  return arrayOf<std::int32_t>(interruptible([=](const Cancellation&) {
+    std::vector<std::array<CircleIndex, 2>> pairs;
+    const Clip clip = clipOf(diagram, {region, maxDistance});
+    for (const EdgeIndex edge : clip.clipped.edges().edge) {
+      const Edge& ends = diagram->edges[static_cast<std::size_t>(edge)];
+      pairs.push_back({std::min(ends.left, ends.right), std::max(ends.left, ends.right)});
+    }
+    std::ranges::sort(pairs);
+    const auto repeated = std::ranges::unique(pairs);
+    pairs.erase(repeated.begin(), repeated.end());
+    return pairs;
+  }));
+}
+
+/// The parts of edges inside, as cubic Bezier curves: the edge of each curve, and its four points.
+py::tuple edgeCurves(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance,
+                     double tolerance) {
+  std::vector<EdgeIndex> edges;
+  std::vector<CubicBezier> curves;
+  std::tie(edges, curves) = interruptible([=](const Cancellation& cancellation) {
+    std::pair<std::vector<EdgeIndex>, std::vector<CubicBezier>> found;
+    const Clip clip = clipOf(diagram, {region, maxDistance});
+    for (std::size_t e = 0; e < diagram->edges.size(); ++e) {
+      if (e % 1024 == 0) cancellation.check();
+      const EdgeIndex edge = static_cast<std::int32_t>(e);
+      for (const EdgeCurve& part : clip.clipped.edgeParts(edge)) {
+        for (const CubicBezier& curve : cubicBeziers(part, tolerance)) {
+          found.first.push_back(edge);
+          found.second.push_back(curve);
+        }
+      }
+    }
+    return found;
+  });
+  const auto count = static_cast<py::ssize_t>(curves.size());
+  return py::make_tuple(arrayOf<std::int32_t>(std::move(edges)),
+                        arrayOf<double>(std::move(curves)).reshape({count, py::ssize_t{4}, py::ssize_t{2}}));
+}
+
+/// Center x, y and radius, and the circles it touches; None if there is no disc.
+py::object discOf(const std::optional<EmptyDisc>& found) {
+  if (!found) return py::none();
+  std::vector<CircleIndex> touched(found->circles.begin(), found->circles.end());
+  std::erase(touched, kNone);
+  const Vertex& disc = found->disc;
+  return py::make_tuple(disc.x, disc.y, disc.r, arrayOf<std::int32_t>(std::move(touched)));
+}
+
+py::object largestEmptyDisc(const SharedDiagram& diagram, const SharedRegion& region, bool inside) {
+  return discOf(interruptible([=](const Cancellation&) {
+    if (region == nullptr) return largestEmptyDiscCenteredInHull(*diagram);
+    if (inside) return valueOf(largestEmptyDiscInside(*diagram, *region));
+    return clipOf(diagram, {region, {}}).clipped.largestEmptyDisc();
+  }));
+}
+
+/// A box so far around circles and points that no path has more clearance outside: at its sides the clearance is larger
+/// than at the ends of the path.
+Region farAround(const Diagram& diagram, Point p, Point q) {
+  Box box = exportBox(diagram.circles);
+  for (const Point end : {p, q}) {
+    box = {std::min(box.minX, end.x), std::min(box.minY, end.y), std::max(box.maxX, end.x),
+           std::max(box.maxY, end.y)};
+  }
+  const double size = 2 * std::max(box.maxX - box.minX, box.maxY - box.minY);
+  return valueOf(Region::from(Box{box.minX - size, box.minY - size, box.maxX + size, box.maxY + size}));
+}
+
+/// Clearance, edges and points of a path; None if the region has none.
+py::object pathBetween(const SharedDiagram& diagram, std::array<double, 2> start, std::array<double, 2> end,
+                       const SharedRegion& region, std::optional<double> tolerance) {
+  auto found = interruptible([=](const Cancellation&) {
+    const Point p{start[0], start[1]};
+    const Point q{end[0], end[1]};
+    return valueOf(clearestPath(*diagram, p, q, region == nullptr ? farAround(*diagram, p, q) : *region));
+  });
+  if (!found) return py::none();
+  const Box box = exportBox(diagram->circles);
+  const double near = tolerance.value_or(kDefaultTolerance * std::max(box.maxX - box.minX, box.maxY - box.minY));
+  std::vector<Point> points;
+  for (const EdgeCurve& curve : found->curves) {
+    const std::vector<Point> more = polyline(curve, near);
+    points.insert(points.end(), more.begin() + (points.empty() ? 0 : 1), more.end());
+  }
+  return py::make_tuple(found->clearance, arrayOf<std::int32_t>(std::move(found->edges)),
+                        arrayOf<double>(std::move(points)));
+}
+
+py::tuple fitted(const Doubles& sites, const Doubles& areas, const SharedRegion& region, bool shares,
+                 double tolerance, int maxSteps, int relax) {
+  AreaFitOptions options{.shares = shares, .tolerance = tolerance, .maxSteps = maxSteps, .relax = relax};
+  AreaFit fit = interruptible([options, region, sites = circlesOf(sites),
+                               areas = itemsOf<double>(areas)](const Cancellation& cancellation) mutable {
+    options.onStep = [&](const AreaFitStep&) { cancellation.check(); };
+    return valueOf(fitAreas(sites, areas, *region, options));
+  });
+  return py::make_tuple(arrayOf<double>(std::move(fit.weights)), std::make_shared<Diagram>(std::move(fit.diagram)),
+                        arrayOf<double>(std::move(fit.areas)), fit.error, fit.steps);
+}
+
+}  // namespace
+
+void addRegions(py::module_& module) {
+  py::class_<Region, SharedRegion>(module, "Region")
+      .def_property_readonly("area", &Region::area)
+      .def_property_readonly("bounds",
+                             [](const Region& region) {
+                               const Box box = region.bounds();
+                               return py::make_tuple(box.minX, box.minY, box.maxX, box.maxY);
+                             })
+      .def_property_readonly("points",
+                             [](const SharedRegion& region) { return viewOf<double>(region, region->points()); })
+      .def_property_readonly(
+          "ring_offsets", [](const SharedRegion& region) { return viewOf<std::int32_t>(region, region->ringOffsets()); })
+      .def_property_readonly("polygon_offsets", [](const SharedRegion& region) {
+        return viewOf<std::int32_t>(region, region->polygonOffsets());
+      });
+  module.def("read_region", readSharedRegion);
+  module.def("region_of_rings", regionOfRings);
+  module.def("region_of_box", regionOfBox);
+  module.def("default_region", defaultRegion);
+  module.def("areas", areas);
+  module.def("centroids", centroids);
+  module.def("perimeters", perimeters);
+  module.def("polygons", polygons);
+  module.def("neighbors_inside", neighborsInside);
+  module.def("pairs_inside", pairsInside);
+  module.def("edge_curves", edgeCurves);
+  module.def("largest_empty_disc", largestEmptyDisc);
+  module.def("clearest_path", pathBetween);
+  module.def("fit_areas", fitted);
+}
+
+}  // namespace circle_voronoi::python

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import json
+import pickle
+
+import numpy as np
+import pytest
+from conftest import program, program_json, random_circles, table
+
+import circle_voronoi as cv
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_diagram_has_the_bits_that_the_program_writes(seed):
+    circles = random_circles(200, seed)
+    diagram = cv.compute(circles)
+    written = program_json("compute", table(circles))
+    assert diagram.vertices.tolist() == [[v["x"], v["y"], v["r"]] for v in written["vertices"]]
+    assert diagram.edges.tolist() == [e["circles"] + [-1 if v is None else v for v in e["vertices"]] for e in written["edges"]]
+    assert diagram.hull.tolist() == written["hull"]
+    assert [circle for circle, _ in diagram.hidden] == [h["circle"] for h in written["hidden"]]
+    assert diagram.certified and written["stats"]["certificate"]["certified"]
+
+
+@pytest.mark.parametrize("threads", [0, 2])
+def test_threads_give_the_same_bits(threads):
+    circles = random_circles(20_000, 1)
+    one, more = cv.compute(circles), cv.compute(circles, threads=threads)
+    assert one.vertices.tobytes() == more.vertices.tobytes() and one.edges.tobytes() == more.edges.tobytes()
+
+
+def test_arrays_are_read_only_views_that_keep_their_memory():
+    vertices = cv.compute(random_circles(50, 2)).vertices
+    again = cv.compute(random_circles(50, 2))
+    assert vertices.tobytes() == again.vertices.tobytes()
+    assert np.shares_memory(again.vertices, again.vertices)
+    for array in (again.circles, again.vertices, again.vertex_circles, again.edges, again.hidden, again.hull):
+        with pytest.raises(ValueError):
+            array[...] = 0
+
+
+def test_the_parts_of_a_diagram_fit_together():
+    diagram = cv.compute(random_circles(300, 3))
+    visible = len(diagram) - len(diagram.hidden)
+    assert len(diagram.vertices) == 2 * visible - 2 - len(diagram.hull)
+    for (x, y, r), touched in zip(diagram.vertices, diagram.vertex_circles):
+        distances = np.hypot(*(diagram.circles[touched, :2] - (x, y)).T) - diagram.circles[touched, 2]
+        assert distances == pytest.approx(r, abs=1e-9)
+    side = diagram.first_side[diagram.hull[0]]
+    around = [side]
+    while (side := diagram.next_side[side]) != around[0]:
+        around.append(side)
+    neighbors = {int(diagram.edges[s // 2, 1 - s % 2]) for s in around}
+    assert neighbors == set(diagram.neighbors(diagram.hull[0]).tolist())
+
+
+def test_neighbors_and_pairs_agree():
+    diagram = cv.compute(random_circles(100, 4))
+    pairs = {tuple(pair) for pair in diagram.neighbor_pairs().tolist()}
+    assert pairs == {tuple(sorted((i, int(j)))) for i in range(100) for j in diagram.neighbors(i)}
+    bounds = (20, 20, 60, 60)
+    inside = {tuple(pair) for pair in diagram.neighbor_pairs(bounds=bounds).tolist()}
+    assert inside < pairs
+    assert inside == {tuple(sorted((i, int(j)))) for i in range(100) for j in diagram.neighbors(i, bounds=bounds)}
+
+
+def test_find_gives_the_nearest_circle():
+    circles = random_circles(200, 5)
+    points = np.random.default_rng(6).random((1000, 2)) * 120 - 10
+    found = cv.compute(circles).find(points)
+    distances = np.hypot(*(points[:, None] - circles[None, :, :2]).transpose(2, 0, 1)) - circles[:, 2]
+    assert distances[np.arange(1000), found] == pytest.approx(distances.min(axis=1), abs=1e-9)
+
+
+def test_areas_centroids_and_perimeters_are_those_of_the_polygons():
+    diagram = cv.compute(random_circles(60, 7))
+    bounds = (10, 5, 90, 80)
+    cells = diagram.polygons(bounds=bounds, tolerance=1e-4)
+    areas = np.array([0 if cell is None else cell.area for cell in cells])
+    assert diagram.areas(bounds=bounds) == pytest.approx(areas, abs=0.05)
+    assert diagram.areas(bounds=bounds).sum() == pytest.approx(80 * 75, rel=1e-12)
+    lengths = np.array([0 if cell is None else cell.length for cell in cells])
+    assert diagram.perimeters(bounds=bounds) == pytest.approx(lengths, abs=0.05)
+    centers = diagram.centroids(bounds=bounds)
+    for cell, center in zip(cells, centers):
+        if cell is None:
+            assert np.isnan(center).all()
+        elif cell.area > 1:
+            assert center == pytest.approx(np.array(cell.centroid.coords[0]), abs=0.05)
+
+
+def test_whole_cells_are_unbounded_empty_or_those_in_a_large_box():
+    diagram = cv.compute(random_circles(60, 8))
+    areas, clipped = diagram.areas(), diagram.areas(bounds=(-1e4, -1e4, 1e4, 1e4))
+    is_bounded = np.isfinite(areas)
+    assert set(np.flatnonzero(~is_bounded)) == set(diagram.hull)
+    assert areas[diagram.hidden[:, 0]].tolist() == [0] * len(diagram.hidden)
+    is_small = is_bounded & (clipped < 1e4)
+    assert areas[is_small] == pytest.approx(clipped[is_small], rel=1e-9, abs=1e-9)
+    assert cv.compute([[1, 2, 3]]).areas().tolist() == [np.inf]
+
+
+def test_a_cell_cut_at_a_distance_is_a_disc_where_no_neighbor_is_near():
+    diagram = cv.compute([[0, 0, 1], [100, 0, 2]])
+    assert diagram.areas(max_distance=3) == pytest.approx(np.pi * np.array([16, 25]))
+
+
+def test_certify_proves_and_the_paper_s_method_may_be_wrong():
+    circles = random_circles(40, 9)
+    assert cv.compute(circles).certify() == (True, "none", None, None, None, "")
+    by_touching = cv.compute(circles, method="touching-disc", candidates="all-pairs")
+    assert by_touching.stats["way"] == "touching-disc"
+
+
+def test_a_pickled_diagram_is_the_same():
+    diagram = cv.compute(random_circles(40, 10)).update(remove=[3])
+    copy = pickle.loads(pickle.dumps(diagram))
+    assert copy.vertices.tobytes() == diagram.vertices.tobytes()
+    assert copy.ids.tolist() == diagram.ids.tolist() and copy.certified
+
+
+def test_negative_weights():
+    circles = random_circles(30, 11)
+    lowered = circles - [0, 0, 5]
+    with pytest.raises(cv.CircleVoronoiError):
+        cv.compute(lowered)
+    assert cv.compute(lowered, weights=True).vertices[:, :2] == pytest.approx(cv.compute(circles).vertices[:, :2])
+
+
+def test_the_largest_empty_disc_touches_three_circles():
+    circles = random_circles(50, 12)
+    disc = cv.compute(circles).largest_empty_disc()
+    gaps = np.hypot(circles[:, 0] - disc.x, circles[:, 1] - disc.y) - circles[:, 2]
+    assert gaps.min() == pytest.approx(disc.r, abs=1e-9)
+    assert gaps[disc.circles] == pytest.approx(disc.r, abs=1e-9)
+
+
+def test_a_figure_in_a_notebook_holds_the_circles():
+    diagram = cv.compute(random_circles(10, 13))
+    text = diagram._repr_html_()
+    assert "<circle-voronoi" in text or "<svg" in text
+    if "<circle-voronoi" in text:
+        held = json.loads(text.split('circles="')[1].split('"')[0])
+        assert held == diagram.circles.tolist()
+    assert "<svg" in cv.compute(random_circles(2001, 14))._repr_html_()
+    assert "0 circles" in cv.compute([])._repr_html_()
+
+
+def test_a_plot_shows_edges_and_circles():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    diagram = cv.compute(random_circles(30, 15))
+    ax = diagram.plot(bounds=(0, 0, 100, 100), color="black")
+    assert len(ax.patches) == 1 and len(ax.collections) == 1
+    assert ax.get_xlim() == (0, 100)
+    corners = ax.patches[0].get_path().vertices
+    assert corners.min() >= -1 and corners.max() <= 101
+    ax.figure.savefig("figure.pdf")

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ROOT, program, random_circles, table
+
+import circle_voronoi as cv
+
+
+@pytest.mark.parametrize("format", ["json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj"])
+def test_a_file_has_the_bytes_that_the_program_writes(format):
+    path = table(random_circles(60, 1))
+    diagram = cv.compute(cv.read(path))
+    options = [] if format in ("json", "csv") else ["--bounds", "0,0,100,100"]
+    written = program("compute", path, "--format", format, *options)
+    diagram.write(f"cells.{format}", **({"bounds": (0, 0, 100, 100)} if options else {}))
+    ours = Path(f"cells.{format}").read_bytes()
+    if format == "json":  # times differ
+        ours, written = (json.dumps({**json.loads(text), "stats": None}).encode() for text in (ours, written))
+    assert ours == written
+
+
+def test_circles_and_attributes_are_read():
+    path = ROOT / "public/data/bronzefilter.csv"
+    assert cv.read(path).shape == (678, 3)
+    Path("shops.csv").write_text("name;lon;lat;radius\nA;1,5;2;0,5\nB;3;4;1\n")
+    assert cv.read("shops.csv").tolist() == [[1.5, 2, 0.5], [3, 4, 1]]
+    assert cv.read_attributes("shops.csv") == [{"name": "A"}, {"name": "B"}]
+
+
+def test_a_diagram_is_read_and_judged_again():
+    diagram = cv.compute(random_circles(30, 2))
+    diagram.write("diagram.json")
+    assert cv.read("diagram.json").certified
+    text = json.loads(Path("diagram.json").read_text())
+    text["vertices"][0]["x"] += 1
+    Path("diagram.json").write_text(json.dumps(text))
+    wrong = cv.read("diagram.json")
+    assert (wrong.certified, wrong.certificate.flaw, wrong.certificate.vertex) == (False, "vertexMisplaced", 0)
+
+
+def test_attributes_become_properties():
+    diagram = cv.compute([[0, 0, 1], [5, 0, 1]])
+    text = diagram.to_bytes("geojson", attributes=[{"name": "A", "visits": 3}, {"name": "“B”"}])
+    properties = [feature["properties"] for feature in json.loads(text)["features"]]
+    assert properties[0]["name"] == "A" and properties[0]["visits"] == 3 and properties[1]["name"] == "“B”"
+
+
+def test_a_file_that_cannot_be_written_leaves_the_old_one():
+    diagram = cv.compute([[0, 0, 1], [5, 0, 1]])
+    Path("cells.geojson").write_text("old")
+    with pytest.raises(cv.CircleVoronoiError):
+        diagram.write("cells.geojson", tolerance=-1)
+    assert Path("cells.geojson").read_text() == "old" and list(Path().iterdir()) == [Path("cells.geojson")]
+
+
+@pytest.mark.parametrize("text, words", [(b"x,y,r\n1,2,q\n", "bad.csv:2"), (b"", "bad.csv"), (b"\xff\xfe", "bad.csv")])
+def test_a_bad_file_is_one_error_that_names_the_line(text, words):
+    Path("bad.csv").write_bytes(text)
+    with pytest.raises(cv.CircleVoronoiError) as caught:
+        cv.read("bad.csv")
+    assert str(caught.value).startswith(words)

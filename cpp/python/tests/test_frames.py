@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import geopandas
+import numpy as np
+import pandas
+import pytest
+from conftest import random_circles
+from shapely.geometry import MultiPoint, Point, Polygon
+
+import circle_voronoi as cv
+
+
+def frame(crs="EPSG:32633"):
+    circles = random_circles(12, 1)
+    return geopandas.GeoDataFrame(
+        {"name": [f"s{i}" for i in range(12)], "radius": circles[:, 2]},
+        geometry=[Point(x, y) for x, y in circles[:, :2]],
+        index=[f"row {i}" for i in range(12)],
+        crs=crs,
+    )
+
+
+def test_a_geodataframe_keeps_rows_index_and_crs():
+    points = frame()
+    diagram = cv.compute(points, r="radius")
+    cells = cv.to_geodataframe(diagram, points, bounds=(0, 0, 100, 100))
+    assert list(cells.index) == list(points.index) and list(cells["name"]) == list(points["name"])
+    assert cells.crs == points.crs and points.geometry.iloc[0].geom_type == "Point"
+    assert np.nan_to_num(cells.area) == pytest.approx(diagram.areas(bounds=(0, 0, 100, 100)), abs=0.1)
+    hidden = diagram.hidden[:, 0]
+    assert all(cells.geometry.iloc[i] is None for i in hidden)
+
+
+def test_a_dataframe_gives_its_columns():
+    circles = random_circles(12, 2)
+    table = pandas.DataFrame(circles, columns=["east", "north", "size"])
+    expected = cv.compute(circles).vertices.tobytes()
+    assert cv.compute(table, x="east", y="north", r="size").vertices.tobytes() == expected
+    assert cv.compute(table.set_axis(["x", "y", "r"], axis=1)).vertices.tobytes() == expected
+    assert cv.compute(table, x="east", y="north", r=0).circles[:, 2].tolist() == [0] * 12
+
+
+def with_geometry(row, geometry):
+    points = frame()
+    points.geometry = [geometry if i == row else one for i, one in enumerate(points.geometry)]
+    return points
+
+
+@pytest.mark.parametrize(
+    "table, row, words",
+    [
+        (with_geometry(3, None), 3, "Row 3 (index 'row 3'): there is no geometry"),
+        (with_geometry(3, Point()), 3, "there is no geometry"),
+        (with_geometry(4, MultiPoint([(0, 0), (1, 1)])), 4, "MultiPoint"),
+        (with_geometry(5, Polygon([(0, 0), (1, 0), (0, 1)])), 5, "Polygon"),
+        (frame("EPSG:4326"), None, "degrees"),
+        (frame().assign(radius=[1.0] * 7 + [np.nan] + [1.0] * 4), 7, "radius is missing"),
+        (frame().assign(radius=["1"] * 12), 0, "radius is not a number"),
+        (frame().drop(columns="radius"), None, "no column 'radius'"),
+    ],
+    ids=["null", "empty", "multi", "polygon", "degrees", "missing", "text", "no column"],
+)
+def test_a_bad_row_is_one_error_that_names_it(table, row, words):
+    with pytest.raises(cv.CircleVoronoiError) as caught:
+        cv.compute(table, r="radius")
+    assert caught.value.circle == row and words in str(caught.value)
+
+
+def test_a_multipoint_of_one_point_is_a_point():
+    assert cv.compute(with_geometry(2, MultiPoint([(7, 8)])), r="radius").circles[2, :2].tolist() == [7, 8]
+
+
+def test_a_region_is_a_geodataframe():
+    areas = geopandas.GeoDataFrame(geometry=[Polygon([(0, 0), (50, 0), (50, 50)]), Polygon([(60, 0), (90, 0), (90, 50)])])
+    assert cv.compute(random_circles(9, 3)).areas(region=areas).sum() == pytest.approx(1250 + 750)
+
+
+def test_other_tables_are_refused():
+    points = frame()
+    with pytest.raises(cv.CircleVoronoiError, match="11 rows, the diagram 12"):
+        cv.to_geodataframe(cv.compute(points, r="radius"), points.iloc[:11])

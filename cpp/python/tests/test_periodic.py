@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import numpy as np
+import pytest
+from conftest import random_circles
+
+import circle_voronoi as cv
+
+
+def test_cells_fill_the_box_and_neighbors_are_mutual():
+    a, b = (100, 0), (30, 90)
+    periodic = cv.compute_periodic(random_circles(40, 1), a, b)
+    assert len(periodic) == 40 and periodic.images.certified
+    assert periodic.areas().sum() == pytest.approx(9000, rel=1e-12)
+    borders = set()
+    for i in range(40):
+        for j, (s, t) in zip(*map(np.ndarray.tolist, periodic.neighbors(i))):
+            borders.add((i, j, s, t))
+    assert borders == {(j, i, -s, -t) for i, j, s, t in borders}
+
+
+def test_the_contact_table_agrees_with_the_neighbors():
+    periodic = cv.compute_periodic(random_circles(30, 2), (100, 0), (0, 100))
+    contacts = periodic.contacts()
+    assert contacts.area == pytest.approx(periodic.areas(), rel=1e-12)
+    for i in range(30):
+        rows = contacts.circle == i
+        circles, shifts = periodic.neighbors(i)
+        assert {(j, *s) for j, s in zip(contacts.neighbor[rows].tolist(), contacts.shift[rows].tolist())} == {
+            (j, *s) for j, s in zip(circles.tolist(), shifts.tolist())
+        }
+        assert contacts.length[rows].sum() == pytest.approx(periodic.perimeters()[i])
+    images = periodic.circles[contacts.neighbor, :2] + contacts.shift @ periodic.periods
+    distance = np.hypot(*(periodic.circles[contacts.circle, :2] - images).T)
+    radii = periodic.circles[contacts.circle, 2] + periodic.circles[contacts.neighbor, 2]
+    assert contacts.gap == pytest.approx(distance - radii, abs=1e-9)
+
+
+def test_find_wraps():
+    periodic = cv.compute_periodic([[10, 10, 1], [60, 60, 2]], (100, 0), (0, 100))
+    circles, shifts = periodic.find([[11, 9], [-39, 62], [1010, -990]])
+    assert circles.tolist() == [0, 1, 0] and shifts.tolist() == [[0, 0], [-1, 0], [10, -10]]
+
+
+def test_one_circle_is_its_own_neighbor():
+    periodic = cv.compute_periodic([[3, 4, 1]], (10, 0), (0, 10))
+    circles, shifts = periodic.neighbors(0)
+    assert set(circles.tolist()) == {0} and (1, 0) in map(tuple, shifts.tolist())
+    assert periodic.areas() == pytest.approx([100])
+
+
+@pytest.mark.parametrize("a, b", [((1, 0), (2, 0)), ((0, 0), (1, 1)), ((np.inf, 0), (0, 1)), ((1, 2, 3), (0, 1))])
+def test_periods_that_span_no_box_are_one_error(a, b):
+    with pytest.raises(cv.CircleVoronoiError):
+        cv.compute_periodic([[0, 0, 1]], a, b)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import program, random_circles, table
+from shapely import wkt
+from shapely.geometry import MultiPolygon, Polygon, box, mapping
+from shapely.ops import unary_union
+
+import circle_voronoi as cv
+
+ROOM = Polygon([(0, 0), (100, 0), (100, 40), (50, 40), (50, 100), (0, 100)], [[(10, 10), (10, 20), (20, 20), (20, 10)]])
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        ROOM,
+        mapping(ROOM),
+        {"type": "Feature", "properties": {}, "geometry": mapping(ROOM)},
+        ROOM.wkt,
+        json.dumps(mapping(ROOM)),
+        [np.array(ROOM.exterior.coords), np.array(ROOM.interiors[0].coords)],
+        [list(ring.coords)[:-1] for ring in (ROOM.exterior, *ROOM.interiors)],
+        cv.Region(ROOM),
+    ],
+    ids=["shapely", "mapping", "feature", "wkt", "geojson", "arrays", "lists", "region"],
+)
+def test_a_region_comes_in_every_form(shape):
+    diagram = cv.compute(random_circles(50, 1))
+    areas = diagram.areas(region=shape)
+    assert areas.sum() == pytest.approx(ROOM.area, rel=1e-12)
+    assert areas.tobytes() == diagram.areas(region=ROOM).tobytes()
+
+
+def test_a_region_comes_from_a_file_and_goes_back_to_shapely():
+    path = Path("room.wkt")
+    path.write_text(ROOM.wkt)
+    region = cv.Region(path)
+    from shapely.geometry import shape
+
+    assert shape(region).equals(MultiPolygon([ROOM]))
+    assert region.area == ROOM.area and region.bounds == ROOM.bounds
+
+
+def test_polygons_in_a_region_are_valid_and_cover_it():
+    cells = cv.compute(random_circles(80, 2)).polygons(region=ROOM)
+    parts = [cell for cell in cells if cell is not None]
+    assert all(cell.is_valid for cell in parts)
+    assert sum(cell.area for cell in parts) == pytest.approx(ROOM.area, rel=1e-9)
+    assert unary_union(parts).symmetric_difference(ROOM).area < 1e-6
+
+
+def test_areas_in_a_region_are_those_that_the_program_writes():
+    circles = random_circles(60, 3)
+    Path("room.wkt").write_text(ROOM.wkt)
+    written = json.loads(program("compute", table(circles), "--region", "room.wkt", "--format", "geojson"))
+    expected = [feature["properties"]["area"] for feature in written["features"]]
+    assert cv.compute(circles).areas(region=ROOM).tolist() == expected
+
+
+def test_fitted_areas_are_those_asked_for():
+    points = random_circles(20, 4)[:, :2] * 0.9
+    areas = np.arange(1, 21)
+    fit = cv.fit_areas(points, areas, ROOM, shares=True)
+    assert fit.areas == pytest.approx(areas * ROOM.area / areas.sum(), rel=1e-8)
+    assert fit.diagram.areas(region=ROOM) == pytest.approx(fit.areas)
+    assert fit.weights.min() == 0 and fit.error < 1e-8
+    again = cv.fit_areas(points, fit.areas, ROOM, weights=fit.weights)
+    assert again.steps <= 1
+    assert cv.fit_areas(points, "equal", ROOM).areas == pytest.approx(ROOM.area / 20, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    "areas, words",
+    [([1, 2], "2 numbers; expected 3"), ([1, -1, 1], "Area 1 must be positive"), ([1, 1, 1], "sum"), ("other", "one of equal"), (["1", 2, 3], "number")],
+)
+def test_areas_that_do_not_fit_are_one_error(areas, words):
+    with pytest.raises(cv.CircleVoronoiError) as caught:
+        cv.fit_areas([[10, 30], [70, 20], [30, 70]], areas, ROOM)
+    assert words in str(caught.value), str(caught.value)
