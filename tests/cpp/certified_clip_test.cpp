@@ -121,7 +121,8 @@ std::vector<std::vector<Region::Ring>> polygonsOf(const ClippedPolygons& all, st
   for (std::int32_t p = all.polygonOffsets[cell]; p < all.polygonOffsets[cell + 1]; ++p) {
     auto& rings = polygons.emplace_back();
     for (std::int32_t r = all.ringOffsets[at(p)]; r < all.ringOffsets[at(p) + 1]; ++r) {
-      rings.emplace_back(all.points.begin() + all.pointOffsets[at(r)], all.points.begin() + all.pointOffsets[at(r) + 1]);
+      rings.emplace_back(all.points.begin() + all.pointOffsets[at(r)],
+                         all.points.begin() + all.pointOffsets[at(r) + 1]);
     }
   }
   return polygons;

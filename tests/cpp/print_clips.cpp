@@ -33,8 +33,8 @@ Json polygonsOf(std::span<const Point> points, std::span<const std::int32_t> rin
     Json polygon = Json::array();
     for (std::int32_t r = ringOffsets[static_cast<std::size_t>(p)]; r < ringOffsets[static_cast<std::size_t>(p) + 1];
          ++r) {
-      polygon.push_back(ringOf(points, pointOffsets[static_cast<std::size_t>(r)],
-                               pointOffsets[static_cast<std::size_t>(r) + 1]));
+      polygon.push_back(
+          ringOf(points, pointOffsets[static_cast<std::size_t>(r)], pointOffsets[static_cast<std::size_t>(r) + 1]));
     }
     polygons.push_back(polygon);
   }
@@ -75,6 +75,7 @@ void print(const ClipFamily& family, int count, std::uint64_t seed) {
 int main(int argc, char** argv) {
   using namespace circle_voronoi::test;
   if (argc != 3) return 2;
-  for (const ClipFamily& family : clipFamilies()) print(family, std::atoi(argv[1]), std::strtoull(argv[2], nullptr, 10));
+  for (const ClipFamily& family : clipFamilies())
+    print(family, std::atoi(argv[1]), std::strtoull(argv[2], nullptr, 10));
   return std::cout.good() ? 0 : 1;
 }

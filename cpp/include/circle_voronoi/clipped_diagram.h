@@ -67,17 +67,17 @@ struct ClippedPolygons {
 /// A diagram in a region: the parts of its cells and edges that lie inside.
 ///
 /// The boundary of the region is followed through the diagram once, from cell to cell. This takes linear time in sides,
-/// crossings and cells. Exact signs decide which edges it crosses, as if the region were moved by less than any number:
-/// so a corner exactly at a vertex, or a side along an edge, is as good as any other. A judge checks each clip. All cells
-/// on a crossing take the same point from it, to the bit, so that they fit together without gaps and overlaps.
+/// crossings and cells. Exact signs decide which edges it crosses, as if the region were moved by less than any number.
+/// So a corner exactly at a vertex, or a side along an edge, is as good as any other. A judge checks each clip. All
+/// cells on a crossing take the same point from it, to the bit, so that they fit together without gaps and overlaps.
 class ClippedDiagram {
  public:
   /// Clips a certified diagram, or one of comparison.h, to a region. Cells are also cut at `maxDistance` from their
   /// circle, if that is given (bufferOutline). The diagram and the region must outlive the result.
   /// Errors: badInput if the arrays of the diagram do not fit together (checked in linear time, so that nothing outside
   /// them is read); badOption if `maxDistance` is not finite, exceeds kRegionLimit, or is given for Metric::power;
-  /// notCertified if the judge finds a fault, as for a diagram that is not certified; tooManyCircles if memory runs out;
-  /// internal.
+  /// notCertified if the judge finds a fault, as for a diagram that is not certified; tooManyCircles if memory runs
+  /// out; internal.
   static Result<ClippedDiagram> from(const Diagram& diagram, const Region& region,
                                      std::optional<double> maxDistance = {});
   static Result<ClippedDiagram> from(const Diagram&& diagram, const Region& region,
@@ -87,8 +87,8 @@ class ClippedDiagram {
 
   /// Clips some cells only, in time for these cells and the sides of the region near them, but for a few bytes for each
   /// circle and edge. All other cells count as outside the region, and so do edges between them. After an edit, clip
-  /// the cells whose sides have changed anew: their outlines have the bits that `from` gives them. Polygons are those of
-  /// `polygons()` only if the neighbors are clipped, too. Errors: those of `from`.
+  /// the cells whose sides have changed anew: their outlines have the bits that `from` gives them. Polygons are those
+  /// of `polygons()` only if the neighbors are clipped, too. Errors: those of `from`.
   static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region& region,
                                         std::span<const CircleIndex> circles, std::optional<double> maxDistance = {});
 
@@ -140,8 +140,8 @@ class ClippedDiagram {
   [[nodiscard]] std::optional<EmptyDisc> largestEmptyDisc() const;
 
   class Parts;
-  /// For the library's own use: `from`, which calls `visit` with each part of an edge inside the region, so that its curve
-  /// is computed once.
+  /// For the library's own use: `from`, which calls `visit` with each part of an edge inside the region, so that its
+  /// curve is computed once.
   static Result<ClippedDiagram> visitingArcs(const Diagram& diagram, const Region& region,
                                              const std::function<void(const Edge&, const EdgeCurve&)>& visit);
   /// For the library's own use.
