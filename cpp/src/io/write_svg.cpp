@@ -367,7 +367,8 @@ void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& 
   const std::vector<Vector> copies = periodic.circleCount > 0 ? copiesIn(periodic, view) : std::vector<Vector>();
   const double width = view.maxX - view.minX;
   const double height = view.maxY - view.minY;
-  const double unit = std::max(width, height) / SvgFigure{}.pixels;
+  const SvgFigure usual;
+  const double unit = std::max(width, height) / usual.pixels;
   const EdgePoints edges = drawnEdges(frame);
   const Vector a = periodic.lattice.a;
   const Vector b = periodic.lattice.b;
