@@ -60,7 +60,10 @@ struct Equation {
 
 /// Solves three equations. Returns nothing if they are not independent.
 std::optional<DiscPlace> solved(const std::array<Equation, 3>& equations) {
-  const auto& [first, second, third] = equations;
+  // Clang 14 captures no structured bindings.
+  const Equation& first = equations[0];
+  const Equation& second = equations[1];
+  const Equation& third = equations[2];
   const DiscPlace sides = crossOf(second.row, third.row);
   const double volume = dotOf(first.row, sides);
   if (volume == 0) return std::nullopt;
