@@ -32,6 +32,7 @@ const PURPOSES = {
       'libbenchmark-dev',
       'libgmp-dev',
       'libmpfr-dev',
+      'mkdocs',
       'mypy',
       'nlohmann-json3-dev',
       'pybind11-dev',

@@ -71,9 +71,9 @@ Neighbors placedNeighborsOf(const PeriodicDiagram& periodic, CircleIndex circle)
 }
 
 /// A basis of the same lattice: a = m[0] a' + m[1] b', b = m[2] a' + m[3] b', with determinant 1 or -1.
-using Change = std::array<std::int32_t, 4>;
+using BasisChange = std::array<std::int32_t, 4>;
 
-Lattice changed(const Lattice& nice, const Change& m) {
+Lattice changed(const Lattice& nice, const BasisChange& m) {
   const auto sum = [&](double k, double l) { return Vector{k * nice.a.x + l * nice.b.x, k * nice.a.y + l * nice.b.y}; };
   return {sum(m[0], m[1]), sum(m[2], m[3])};
 }
@@ -81,7 +81,7 @@ Lattice changed(const Lattice& nice, const Change& m) {
 /// A random lattice with periods that are nearly as short as possible, and another basis of it.
 struct RandomLattice {
   Lattice nice;
-  Change change = {1, 0, 0, 1};
+  BasisChange change = {1, 0, 0, 1};
 
   Lattice given() const { return changed(nice, change); }
 };
@@ -197,7 +197,7 @@ class Block {
 };
 
 /// Shifts in the periods of the given basis, as shifts in those of the nice one.
-Neighbors inNiceBasis(const Neighbors& neighbors, const Change& m) {
+Neighbors inNiceBasis(const Neighbors& neighbors, const BasisChange& m) {
   Neighbors result;
   for (const auto& [j, k, l] : neighbors) result.emplace_back(j, k * m[0] + l * m[2], k * m[1] + l * m[3]);
   return rotated(std::move(result));
