@@ -28,6 +28,7 @@ using test::areasByBruteForce;
 using test::clipFamilies;
 using test::ClipFamily;
 using test::ClipInput;
+using test::hasPolygons;
 using test::seedOr;
 
 double extentOf(const Region& region) {
@@ -96,6 +97,9 @@ TEST_P(ClipFamilies, AreConsistent) {
   forFamily(clipFamilies()[GetParam()], seedOr(52),
             [](const ClipInput&, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
               const double extent = extentOf(region);
+              // Vertices are rounded as the circles are, however small the region is.
+              double farthest = 0;
+              for (const Circle& c : diagram.circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y)});
               const auto areas = clipped.areas();
               EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), region.area(), 1e-13 * extent * extent);
               double inner = 0;
@@ -104,7 +108,7 @@ TEST_P(ClipFamilies, AreConsistent) {
               }
               const auto perimeters = clipped.perimeters();
               EXPECT_NEAR(std::accumulate(perimeters.begin(), perimeters.end(), 0.0), region.perimeter() + 2 * inner,
-                          1e-9 * (region.perimeter() + inner));
+                          1e-9 * (region.perimeter() + inner) + 1e-12 * farthest);
               for (std::int32_t i = 0; i < static_cast<std::int32_t>(areas.size()); ++i) {
                 const auto at = static_cast<std::size_t>(i);
                 EXPECT_NEAR(area(clipped.outline(i)), areas[at], 1e-12 * extent * extent);
@@ -145,7 +149,8 @@ std::vector<double> areasOfValidPolygons(const ClippedDiagram& clipped, double t
 
 TEST_P(ClipFamilies, HaveValidPolygonsThatMakeUpTheRegion) {
   forFamily(clipFamilies()[GetParam()], seedOr(56),
-            [](const ClipInput&, const Region& region, const Diagram&, const ClippedDiagram& clipped) {
+            [](const ClipInput& input, const Region& region, const Diagram&, const ClippedDiagram& clipped) {
+              if (!hasPolygons(input)) return;
               const double extent = extentOf(region);
               for (const double tolerance : {1.0, 0.01}) {
                 const auto areas = areasOfValidPolygons(clipped, tolerance * extent);

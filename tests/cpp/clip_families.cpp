@@ -288,6 +288,18 @@ ClipInput anything(Random& random) {
 
 }  // namespace
 
+bool hasPolygons(const ClipInput& input) {
+  constexpr double kMost = 1e6;
+  double reach = 0;
+  for (const Circle& c : input.circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y), std::abs(c.r)});
+  for (const auto& ring : input.rings) {
+    for (const Point& p : ring) {
+      if (std::max(std::abs(p.x), std::abs(p.y)) > kMost * reach) return false;
+    }
+  }
+  return true;
+}
+
 const std::vector<ClipFamily>& clipFamilies() {
   static const std::vector<ClipFamily> families = {{"corner at a vertex", cornerAtVertex},
                                                    {"corner on an edge", cornerOnEdge},

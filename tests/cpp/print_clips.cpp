@@ -47,7 +47,7 @@ void print(const ClipFamily& family, int count, std::uint64_t seed) {
   for (int done = 0; done < count;) {
     const ClipInput input = family.make(random);
     const auto region = Region::fromRings(input.rings);
-    if (!region) continue;
+    if (!region || !hasPolygons(input)) continue;
     const Diagram diagram = computeComparison(input.circles, input.metric).value();
     const auto clipped = ClippedDiagram::from(diagram, *region).value();
     const Box box = region->bounds();

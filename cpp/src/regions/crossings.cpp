@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "at.h"
 #include "circle_voronoi/curve.h"
@@ -295,17 +296,25 @@ class Walk {
     const BranchCrossing found(bisector, line, isAlong != line.isForward);
     double parameter = found.parameter;
     double share = line.shareOf(pointAt(bisector, parameter));
+    Point point = line.at(share);
     if (!found.isCertain || !(share > kNearEnd && share < 1 - kNearEnd)) {
       const CircleIndex own = diagram_.circleOf(side);
       const CircleIndex other = diagram_.neighborOf(side);
-      share = signs_.shareOfCrossing(line.isForward ? own : other, line.isForward ? other : own, {line.from, line.to});
-      share = std::clamp(share, 0.0, 1.0);
-      parameter = parameterAt(bisector, line.at(share));
+      const auto& [out, in] = line.isForward ? std::pair(own, other) : std::pair(other, own);
+      share = std::clamp(signs_.shareOfCrossing(out, in, {line.from, line.to}), 0.0, 1.0);
+      point = line.at(share);
+      if (share > 0.5) {
+        // Next to the other end, which may be much nearer to the circles, as seen from there.
+        const double rest = std::clamp(signs_.shareOfCrossing(in, out, {line.to, line.from}), 0.0, 1.0);
+        share = 1 - rest;
+        if (rest < 1) point = {line.to.x - rest * line.along.x, line.to.y - rest * line.along.y};
+      }
+      parameter = parameterAt(bisector, point);
     }
     if (left != ends.left) parameter = 1 / parameter;
     const EdgeCurve curve = edgeCurve(diagram_, edge);
     parameter = std::clamp(parameter, curve.from, curve.to);
-    crossings_.all.push_back({edge, index, line.at(share), parameter, share, side % 2 == 0});
+    crossings_.all.push_back({edge, index, point, parameter, share, side % 2 == 0});
   }
 
   const Diagram& diagram_;
