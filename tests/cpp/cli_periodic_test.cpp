@@ -151,7 +151,9 @@ TEST_F(CliPeriodic, JsonIsADiagramWithShifts) {
     const Json& given = json["circles"][image["circle"].get<std::size_t>()];
     const int a = image["shift"][0].get<int>();
     const int b = image["shift"][1].get<int>();
-    if (m < 3) EXPECT_EQ(image["circle"], m);
+    if (m < 3) {
+      EXPECT_EQ(image["circle"], m);
+    }
     EXPECT_NEAR(json["circles"][m]["x"].get<double>(), given["x"].get<double>() + a + 0.25 * b, 1e-15);
     EXPECT_NEAR(json["circles"][m]["y"].get<double>(), given["y"].get<double>() + b, 1e-15);
   }

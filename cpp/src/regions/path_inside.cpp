@@ -176,20 +176,23 @@ class PathGraph {
   /// Calls `visit` with each place where the ray from a center meets a piece.
   template <class Visit>
   void visitCrossings(std::size_t index, Point center, Vector direction, Visit visit) const {
-    const auto& [bisector, from, to, start, end] = pieces_[index].curve;
+    const EdgeCurve& curve = pieces_[index].curve;
     const auto offer = [&](double place, double first, double last, auto pointAtPlace) {
-      const Point point = place == first ? start : place == last ? end : pointAtPlace(place);
+      const Point point = place == first ? curve.start : place == last ? curve.end : pointAtPlace(place);
       if (facing(direction, vectorTo(center, point)) > 0) visit({index, place, point});
     };
     if (pieces_[index].edge != kNone) {
-      const LineCrossing line(bisector, center, direction);
+      const double from = curve.from;
+      const double to = curve.to;
+      const LineCrossing line(curve.bisector, center, direction);
       for (const double s : line.parameters()) {
         if (!(s >= from * (1 - kSlackOfPlace) && s <= to * (1 + kSlackOfPlace))) continue;
-        offer(std::clamp(s, from, to), from, to, [&](double place) { return pointAt(bisector, place); });
+        offer(std::clamp(s, from, to), from, to, [&](double place) { return pointAt(curve.bisector, place); });
       }
       return;
     }
-    const Vector along = vectorTo(start, end);
+    const Point start = curve.start;
+    const Vector along = vectorTo(start, curve.end);
     const double share = cross(direction, vectorTo(start, center)) / cross(direction, along);
     const double place = std::clamp(share, 0.0, 1.0);
     if (!(std::abs(share - place) <= kSlackOfPlace)) return;
