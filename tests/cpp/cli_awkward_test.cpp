@@ -47,17 +47,18 @@ TEST_F(CliAwkward, ThinCellsAreAsAccurateAsTheLastBitsAllow) {
 }
 
 TEST_F(CliAwkward, CountiesThatShareABorderAreMergedOnRequest) {
-  const std::string circles = write("circles.csv", "x,y,r\n2,2,0\n7,6,1\n");
+  const std::string circles = write("circles.csv", "x,y,r,share\n2,2,0,1\n7,6,1,2\n");
   const std::string compute =
       "compute " + circles + " --format geojson --region " + fixture("regions/shared-border.wkt");
   expectFailure(run(compute), 2, "overlap beside (5, 0). --dissolve merges them.");
   const auto [status, out, err] = run(compute + " --dissolve");
   ASSERT_EQ(status, 0) << err;
   double sum = 0;
-  for (const Json& feature : Json::parse(out)["features"]) sum += feature["properties"]["area"].get<double>();
+  const Json cells = Json::parse(out);
+  for (const Json& feature : cells["features"]) sum += feature["properties"]["area"].get<double>();
   EXPECT_NEAR(sum, 100, 1e-10);
   const std::string merged = " --dissolve --format wkt --region " + fixture("regions/shared-border.wkt");
-  EXPECT_EQ(run("fit " + circles + " --areas x --shares" + merged).status, 0);
+  EXPECT_EQ(run("fit " + circles + " --areas share --shares" + merged).status, 0);
   expectFailure(run("compute " + circles + " --dissolve"), 2, "--dissolve needs --region.");
 }
 

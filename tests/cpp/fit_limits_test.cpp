@@ -93,7 +93,7 @@ TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
   EXPECT_EQ(errorOf(fitToShares({{2.5e148, 1e148, 0}, {7.5e148, 3e148, 0}}, {1, 3}, regionOfBox({0, 0, 1e149, 1e149}))),
             "");
   EXPECT_EQ(
-      errorOf(fitToShares({{2.5e-131, 1e-131, 0}, {7.5e-131, 3e-131, 0}}, {1, 3}, regionOfBox({0, 0, 1e-130, 1e-130}))),
+      errorOf(fitToShares({{2.5e-96, 1e-96, 0}, {7.5e-96, 3e-96, 0}}, {1, 3}, regionOfBox({0, 0, 1e-95, 1e-95}))),
       "");
 }
 

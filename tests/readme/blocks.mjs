@@ -57,7 +57,7 @@ const RUN_BY = [
   ]),
   { by: NATIVE, file: 'docs/tiles.md' },
   { by: PYTHON, file: 'docs/python.md', language: 'python' },
-  { by: LISTED, file: 'docs/python.md', language: 'sh', what: 'commands' },
+  { by: 'tests/long/python.test.mjs', file: 'docs/python.md', language: 'sh' },
   { by: COOKBOOK, file: 'docs/cookbook.md' },
   { by: PAGE, file: 'docs/element.md', language: 'html' },
   ...['js', 'sh', 'jsx'].map((language) => ({ by: ELEMENT, file: 'docs/element.md', language })),

@@ -13,13 +13,20 @@ function grid(): Diagram {
   return new Diagram(structuredClone(library.compute(circles as [number, number, number][])))
 }
 
-function codeOf(act: () => unknown): string | undefined {
+function problemOf(act: () => unknown): string | undefined {
   try {
     act()
   } catch (error) {
-    return error instanceof CircleVoronoiError ? error.code : String(error)
+    return error instanceof CircleVoronoiError ? `${error.code}: ${error.message}` : String(error)
   }
   return undefined
+}
+
+/** Moves the vertex where the first side of the circle in the middle begins: the arrays still fit together. */
+function moveVertex({ cells, firstSide, vertices }: Diagram, dx: number, dy: number): void {
+  const vertex = cells.originOf(firstSide[MIDDLE] as number)
+  const [x, y] = vertices.subarray(3 * vertex) as unknown as [number, number]
+  vertices.set([x + dx, y + dy], 3 * vertex)
 }
 
 describe('cells in bounds', () => {
@@ -29,13 +36,35 @@ describe('cells in bounds', () => {
     expect(grid().cellAreas({ bounds, maxDistance: 0.2 })).toHaveLength(25)
   })
 
+  const misfit = /^badInput: The arrays of the diagram do not fit together at circle 12\./
+
   it.each<[string, (diagram: Diagram) => void]>([
     ['a cell begins at a side of another', ({ firstSide }) => firstSide.set([firstSide[MIDDLE + 1] as number], MIDDLE)],
     ['a cell begins across its side', ({ firstSide }) => firstSide.set([(firstSide[MIDDLE] as number) ^ 1], MIDDLE)],
-    ['a cell has no sides', ({ firstSide }) => firstSide.set([-1], MIDDLE)],
   ])('are refused where %s', (_, corrupt) => {
     const diagram = grid()
     corrupt(diagram)
-    expect(codeOf(() => diagram.cellAreas({ bounds }))).toBe('notCertified')
+    expect(problemOf(() => diagram.cellAreas({ bounds }))).toMatch(misfit)
+    expect(problemOf(() => diagram.cellArea(MIDDLE, { bounds }))).toMatch(misfit)
+  })
+
+  // Here the sides that are left lead around their cells: only what they enclose is wrong.
+  it.each<[string, RegExp, (diagram: Diagram) => void]>([
+    ['a cell has no sides', /^notCertified: The areas of the cells sum to 7\.07/, ({ firstSide }) => firstSide.set([-1], MIDDLE)],
+    [
+      'two circles trade places',
+      /^notCertified: The areas of the cells sum to 16\.5,/,
+      ({ circles }) => {
+        const first = circles.slice(0, 3)
+        circles.copyWithin(0, 3 * MIDDLE, 3 * MIDDLE + 3)
+        circles.set(first, 3 * MIDDLE)
+      },
+    ],
+    ['a vertex lies beyond its cell', /^notCertified: The area of cell 12, -0\.\d+, is not between 0/, (d) => moveVertex(d, 2, 0)],
+    ['a vertex lies beyond other cells', /^notCertified: The outline of cell 11 does not close/, (d) => moveVertex(d, 0, 2)],
+  ])('are refused where %s', (_, problem, corrupt) => {
+    const diagram = grid()
+    corrupt(diagram)
+    expect(problemOf(() => diagram.cellAreas({ bounds }))).toMatch(problem)
   })
 })

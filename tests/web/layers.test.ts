@@ -273,7 +273,8 @@ describe('the power diagram', () => {
 /** The dashes of a layer that a frame shows, each as its two ends in the plane. */
 function dashesIn(picture: Picture, layer: Layer, frame: Frame): number[][] {
   const drawing = new SvgDrawing()
-  layer.draw(new Painting(drawing, frame, 1, picture, {} as Style))
+  const style = { ordinary: 'gray', power: 'teal' } as Style
+  layer.draw(new Painting(drawing, frame, 1, picture, style))
   const numbers = [...String(drawing).matchAll(/M([-\d.]+),([-\d.]+)L([-\d.]+),([-\d.]+)/g)]
   return numbers.map(([, ...ends]) =>
     ends.map(Number).map((value, k) => {

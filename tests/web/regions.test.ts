@@ -6,6 +6,7 @@ import {
   type Circles,
   CircleVoronoiError,
   circleAt,
+  clearestPath,
   clipCurve,
   convexHull,
   Diagram,
@@ -475,13 +476,14 @@ describe('a diagram in a region', () => {
     const calls: ((given: object) => unknown)[] = [
       (given) => diagram.renderDual(given),
       (given) => diagram.renderCircles(given),
-      (given) => largestEmptyDiscInside(diagram, given as { bounds: Bounds }),
       (given) => clipCurve(edgeCurve(diagram, 0), given as { bounds: Bounds }),
     ]
     for (const call of calls)
       expect(problemOf(() => call(options))).toMatch(/^badOption: There is no option region of /)
     const both = { region: hall, bounds: [0, 0, 1, 1] as const }
     expect(problemOf(() => largestEmptyDiscCenteredIn(diagram, both))).toMatch(/^badOption: .+ not both/)
+    expect(problemOf(() => largestEmptyDiscInside(diagram, both))).toMatch(/^badOption: .+ not both/)
+    expect(problemOf(() => clearestPath(diagram, { x: 0, y: 0 }, { x: 1, y: 1 }, both))).toMatch(/^badOption: .+ not both/)
     expect(problemOf(() => largestEmptyDiscCenteredIn(diagram, {} as typeof both))).toMatch(/^badOption: Bounds are/)
   })
 

@@ -94,22 +94,26 @@ describe('numbers', () => {
   })
 
   it('of circles that have changed since they were asked for are not shown', async () => {
-    vi.useFakeTimers()
+    // Frames are those of `draw`.
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
     const { store, editing, view, answers } = await started()
     mountNumbers(store, view)
     onopen()
     await vi.advanceTimersByTimeAsync(1000)
     expect(answers).toHaveLength(1)
-    const edited = editing.edit([{ kind: 'remove', id: 3 }])
-    await edited
+    await editing.edit([{ kind: 'remove', id: 3 }])
     draw()
+    const shown = () => valuesIn(body()).join(' ')
+    expect(shown()).toContain('Circles 9')
     answers[0]?.(distribution(1234))
     await vi.advanceTimersByTimeAsync(0)
-    expect(valuesIn(body()).join(' ')).not.toContain('1230')
+    expect(shown()).not.toContain('1230')
+    expect(shown()).toContain('Counting')
     await vi.advanceTimersByTimeAsync(1000)
+    expect(answers).toHaveLength(2)
     answers[1]?.(distribution(5678))
     await vi.advanceTimersByTimeAsync(0)
-    expect(valuesIn(body()).join(' ')).toContain('5680')
+    expect(shown()).toContain('5680')
   })
 
   it('of a method are forgotten where the circles have changed since', async () => {

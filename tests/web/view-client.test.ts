@@ -33,6 +33,8 @@ beforeEach(() => {
   const canvas = () => ({ getContext: () => ({ clearRect() {} }) })
   vi.stubGlobal('document', Object.assign(new EventTarget(), { createElement: canvas, fonts: new EventTarget() }))
   vi.stubGlobal('matchMedia', () => Object.assign(new EventTarget(), { matches: false }))
+  const window = new EventTarget()
+  vi.stubGlobal('addEventListener', window.addEventListener.bind(window))
   vi.stubGlobal('devicePixelRatio', 1)
   vi.stubGlobal(
     'ResizeObserver',
@@ -64,6 +66,9 @@ function opened() {
     appendChild: (child: unknown) => child,
     clientWidth: 80,
     clientHeight: 60,
+    offsetWidth: 80,
+    offsetHeight: 60,
+    getBoundingClientRect: () => ({ width: 80, height: 60 }),
   }
   const view = new View(container as unknown as HTMLElement, painter)
   view.setLayers({ ...view.layers, disc: true })

@@ -12,10 +12,10 @@ export type {
   RingShape,
   Stats,
 } from '../lib/index.ts'
-export type { LayerValue, LinkFrame, LinkInput, LinkView } from '../lib/link.ts'
+export type { LayerValue, LinkAttributes, LinkFrame, LinkInput, LinkView } from '../lib/link.ts'
 export type { DiagramCounts } from '../view/diagram-counts.ts'
 export type { Areas } from '../view/domain.ts'
-export type { CellColors, DataLayer, Layers } from '../view/layers.ts'
+export type { CellColors, CellValues, DataLayer, Layers } from '../view/layers.ts'
 export type { FigureLoadOptions } from '../view/load.ts'
 export {
   CircleVoronoiElement,

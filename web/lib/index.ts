@@ -79,6 +79,7 @@ export {
   encodeLinkAtOnce,
   type LayerValue,
   LINK_LIMITS,
+  type LinkAttributes,
   type LinkFrame,
   type LinkInput,
   type LinkState,

@@ -488,8 +488,8 @@ std::string text(double value) {
   return buffer;
 }
 
-/// A fit computes with parts of areas, and with boxes and weights that are larger than the region.
-constexpr double kLeastTarget = 0x1p-900;
+/// A fit computes with parts and squares of areas, and with boxes and weights that are larger than the region.
+constexpr double kLeastTarget = 0x1p-640;
 constexpr double kLargestRegion = kCoordinateLimit / 8;
 
 void checkRegion(const Region& region) {

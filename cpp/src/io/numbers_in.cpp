@@ -26,6 +26,9 @@ std::optional<double> numberNamed(const std::string& members, std::string_view c
 
 Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::string_view column) {
   return guarded([&]() -> Result<std::vector<double>> {
+    if (attributes.properties.empty()) {
+      return Error{ErrorCode::badInput, kNone, "there is no column or property \"" + std::string(column) + "\"."};
+    }
     std::vector<double> numbers;
     for (const std::string& members : attributes.properties) {
       const auto number = numberNamed(members, column);

@@ -33,9 +33,12 @@ Result<CircleFile> readFile(std::string_view text, std::string_view name, const 
 }  // namespace
 
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options) {
-  auto file = readFile(text, name, options, Keep::circles);
-  if (!file) return file.error();
-  return std::move(file.value().circles);
+  // The copy of an error takes memory, too.
+  return guarded([&]() -> Result<std::vector<Circle>> {
+    auto file = readFile(text, name, options, Keep::circles);
+    if (!file) return file.error();
+    return std::move(file.value().circles);
+  });
 }
 
 Result<CircleFile> readCircleFile(std::string_view text, std::string_view name, const ReadOptions& options) {

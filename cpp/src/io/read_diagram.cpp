@@ -285,9 +285,12 @@ Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep 
 }  // namespace
 
 Result<Diagram> readDiagram(std::string_view text, std::string_view name) {
-  auto file = readKept(text, name, Keep::circles);
-  if (!file) return file.error();
-  return std::move(file.value().diagram);
+  // The copy of an error takes memory, too.
+  return guarded([&]() -> Result<Diagram> {
+    auto file = readKept(text, name, Keep::circles);
+    if (!file) return file.error();
+    return std::move(file.value().diagram);
+  });
 }
 
 Result<DiagramFile> readDiagramFile(std::string_view text, std::string_view name) {
