@@ -26,6 +26,7 @@ test('the first page sends each reader on within a screen', async ({ page }) => 
     ['understand it', '../tutorial/01-nearest-circle.html'],
     ['use it in JavaScript', 'javascript.html'],
     ['use it in C++', 'cpp.html'],
+    ['or Python', 'python.html'],
     ['put a figure into a page', 'element.html'],
     ['run it in the shell', 'shell.html'],
     ['build it from source', 'building.html'],

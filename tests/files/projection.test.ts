@@ -94,7 +94,10 @@ describe.each(KINDS)('--project %s', (kind) => {
 
   it('has a vertex far away that is as near to all three circles, in meters', () => {
     const cells = cellsOf(['compute', FILE, '--project', kind, '--bounds', '148,-36.2,149.6,-35'])
-    const [first, ...others] = cells.map((cell) => new Set(pointsOf(cell).map(String))) as [Set<string>, ...Set<string>[]]
+    const [first, ...others] = cells.map((cell) => new Set(pointsOf(cell).map(String))) as [
+      Set<string>,
+      ...Set<string>[],
+    ]
     const common = [...first].filter((point) => others.every((points) => points.has(point)))
     expect(common).toHaveLength(1)
     const vertex = common[0]?.split(',').map(Number) as unknown as Position

@@ -50,7 +50,11 @@ describe('cells in bounds', () => {
 
   // Here the sides that are left lead around their cells: only what they enclose is wrong.
   it.each<[string, RegExp, (diagram: Diagram) => void]>([
-    ['a cell has no sides', /^notCertified: The areas of the cells sum to 7\.07/, ({ firstSide }) => firstSide.set([-1], MIDDLE)],
+    [
+      'a cell has no sides',
+      /^notCertified: The areas of the cells sum to 7\.07/,
+      ({ firstSide }) => firstSide.set([-1], MIDDLE),
+    ],
     [
       'two circles trade places',
       /^notCertified: The areas of the cells sum to 16\.5,/,
@@ -60,8 +64,16 @@ describe('cells in bounds', () => {
         circles.set(first, 3 * MIDDLE)
       },
     ],
-    ['a vertex lies beyond its cell', /^notCertified: The area of cell 12, -0\.\d+, is not between 0/, (d) => moveVertex(d, 2, 0)],
-    ['a vertex lies beyond other cells', /^notCertified: The outline of cell 11 does not close/, (d) => moveVertex(d, 0, 2)],
+    [
+      'a vertex lies beyond its cell',
+      /^notCertified: The area of cell 12, -0\.\d+, is not between 0/,
+      (d) => moveVertex(d, 2, 0),
+    ],
+    [
+      'a vertex lies beyond other cells',
+      /^notCertified: The outline of cell 11 does not close/,
+      (d) => moveVertex(d, 0, 2),
+    ],
   ])('are refused where %s', (_, problem, corrupt) => {
     const diagram = grid()
     corrupt(diagram)

@@ -483,7 +483,9 @@ describe('a diagram in a region', () => {
     const both = { region: hall, bounds: [0, 0, 1, 1] as const }
     expect(problemOf(() => largestEmptyDiscCenteredIn(diagram, both))).toMatch(/^badOption: .+ not both/)
     expect(problemOf(() => largestEmptyDiscInside(diagram, both))).toMatch(/^badOption: .+ not both/)
-    expect(problemOf(() => clearestPath(diagram, { x: 0, y: 0 }, { x: 1, y: 1 }, both))).toMatch(/^badOption: .+ not both/)
+    expect(problemOf(() => clearestPath(diagram, { x: 0, y: 0 }, { x: 1, y: 1 }, both))).toMatch(
+      /^badOption: .+ not both/,
+    )
     expect(problemOf(() => largestEmptyDiscCenteredIn(diagram, {} as typeof both))).toMatch(/^badOption: Bounds are/)
   })
 
