@@ -138,8 +138,8 @@ test('an SVG of circles too many for a link opens again, as these circles', asyn
 })
 
 const WRONG_FILES = [
-  ['a line that is no circle', 'a.csv', '0,0,1\n1,2,three', /^a\.csv:2: .*\.$/],
-  ['a negative radius', 'a.csv', '0,0,1\n1,2,-3', /^a\.csv:2: Circle 1 has a negative radius\.$/],
+  ['a line that is no circle', 'a.csv', '0,0,1\n1,2,three', /^a\.csv:2: .*\. Skip 1 row$/],
+  ['a negative radius', 'a.csv', '0,0,1\n1,2,-3', /^a\.csv:2: Circle 1 has a negative radius\. Skip 1 row$/],
   ['JSON of something else', 'a.json', '{"name": "x"}', /^a\.json:.*\.$/],
   [
     'something that is no text',

@@ -105,7 +105,7 @@ test('the card says what a cell measures, and what the number of a circle is', a
   const { page } = app
   await app.choose('Introduction')
   await app.select(INTRODUCTION, 0)
-  const facts = app.inspector.locator('dl')
+  const facts = app.inspector.locator('#inspector-facts')
   await expect(facts).toContainText('Area of the cell')
   const [area, perimeter] = (await facts.locator('dd').allTextContents()).map(Number) as [number, number]
   expect(area).toBeGreaterThan(Math.PI * 1.6 ** 2)
