@@ -7,4 +7,4 @@
 export type { LoadOptions } from '../lib/index.ts'
 export type { LinkInput } from '../lib/link.ts'
 export { type PictureOptions, renderSVG } from './render.ts'
-export type { Scheme } from './theme.ts'
+export type { Scheme } from './scheme.ts'

@@ -20,7 +20,8 @@ import type { PaintedScene } from '../view/painter/painted-scene.ts'
 import { traced } from '../view/painter/traced.ts'
 import { svgPicture } from '../view/svg-picture.ts'
 import { SceneComputer } from './scene-computer.ts'
-import { playerColors, type Scheme, themeStyle } from './theme.ts'
+import type { Scheme } from './scheme.ts'
+import { playerColors, themeStyle } from './theme.ts'
 
 /** Options of `renderSVG`. */
 export interface PictureOptions extends LoadOptions {

@@ -4,8 +4,7 @@ import playerSheet from '../player/player.css?inline'
 import { type Colors, PLAYER_COLORS } from '../player/scene.ts'
 import { STYLE_PROPERTIES, type Style, styleOf } from '../view/style.ts'
 import themeSheet from '../view/theme.css?inline'
-
-export type Scheme = 'light' | 'dark'
+import type { Scheme } from './scheme.ts'
 
 /** The colors of the drawing. */
 export function themeStyle(scheme: Scheme): Style {

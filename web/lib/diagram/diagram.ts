@@ -95,7 +95,7 @@ export interface Cell {
  * @example
  * diagram.find(5, 1) // 1
  * diagram.cellArea(0, { bounds: [-5, -5, 10, 10] }) // 72
- * diagram.cellPath(0, { bounds: [-5, -5, 10, 10] }) // 'M3,-5L3,4L-5,4L-5,-5L3,-5Z'
+ * diagram.cellPath(0, { bounds: [-5, -5, 10, 10] }) // 'M-5,-5L3,-5L3,4L-5,4L-5,-5Z'
  * new Diagram(structuredClone(diagram)).find(5, 1) // 1
  */
 export class Diagram implements DiagramData {
