@@ -20,7 +20,7 @@ await main(async () => {
   await build('build:native')
   if (process.argv[2] === '--python') {
     const environment = { PYTHONPATH: `${ROOT}build/native/cpp/python` }
-    return run(process.env.PYTHON_PATH ?? '/usr/bin/python3', ['cpp/python/bench.py'], environment)
+    return run(process.env.PYTHON_PATH ?? '/usr/bin/python3', ['scripts/bench-python.py'], environment)
   }
   await run('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_BUILD_BENCH=ON'])
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])

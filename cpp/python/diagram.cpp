@@ -55,8 +55,8 @@ py::tuple certificateOf(const Certificate& certificate) {
     return index == kNone ? py::object(py::none()) : py::int_(index);
   };
   return py::make_tuple(certificate.certified(), std::string(flawName(certificate.flaw)),
-                        indexOrNone(certificate.circle), indexOrNone(certificate.vertex),
-                        indexOrNone(certificate.edge), certificate.message);
+                        indexOrNone(certificate.circle), indexOrNone(certificate.vertex), indexOrNone(certificate.edge),
+                        certificate.message);
 }
 
 py::dict statsOf(const Stats& stats) {
@@ -79,9 +79,8 @@ struct SharedFinder {
   explicit SharedFinder(Shared of) : diagram(std::move(of)), finder(std::make_shared<const Finder>(*diagram)) {}
 
   py::array find(const Doubles& points) const {
-    auto found = interruptible([own = *this, points = pointsOf(points)](const Cancellation&) {
-      return own.finder->findAll(points);
-    });
+    auto found = interruptible(
+        [own = *this, points = pointsOf(points)](const Cancellation&) { return own.finder->findAll(points); });
     return arrayOf<std::int32_t>(std::move(found));
   }
 };

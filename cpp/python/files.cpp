@@ -35,14 +35,15 @@ ReadOptions readOptions(bool weights, bool points) {
   return options;
 }
 
-py::array circlesIn(const std::string& text, const std::string& name, bool weights, bool points) {
-  return arrayOf<double>(interruptible(
-      [=](const Cancellation&) { return valueOf(readCircles(text, name, readOptions(weights, points))); }));
+py::array circlesIn(std::string text, const std::string& name, bool weights, bool points) {
+  return arrayOf<double>(interruptible([=, text = std::move(text)](const Cancellation&) {
+    return valueOf(readCircles(text, name, readOptions(weights, points)));
+  }));
 }
 
 /// For each circle the members of a JSON object. Radii play no role.
-std::vector<std::string> propertiesIn(const std::string& text, const std::string& name) {
-  return interruptible([=](const Cancellation&) {
+std::vector<std::string> propertiesIn(std::string text, const std::string& name) {
+  return interruptible([=, text = std::move(text)](const Cancellation&) {
     CircleFile file = valueOf(readCircleFile(text, name, readOptions(true, true)));
     file.attributes.properties.resize(file.circles.size());
     return std::move(file.attributes.properties);
@@ -50,8 +51,8 @@ std::vector<std::string> propertiesIn(const std::string& text, const std::string
 }
 
 /// Reads a diagram and judges it.
-std::shared_ptr<Diagram> diagramIn(const std::string& text, const std::string& name) {
-  return interruptible([=](const Cancellation&) {
+std::shared_ptr<Diagram> diagramIn(std::string text, const std::string& name) {
+  return interruptible([=, text = std::move(text)](const Cancellation&) {
     auto diagram = std::make_shared<Diagram>(valueOf(readDiagram(text, name)));
     diagram->certificate = valueOf(certify(*diagram));
     return diagram;
@@ -62,10 +63,8 @@ using Write = std::function<Result<void>(std::ostream&, const Diagram&, const Ex
 
 const std::map<std::string, Write>& writers() {
   static const std::map<std::string, Write> all = {
-      {"json",
-       [](auto& out, const auto& d, const auto& options) {
-         return writeDiagramFile(out, d, *options.attributes, options.digits);
-       }},
+      {"json", [](auto& out, const auto& d,
+                  const auto& options) { return writeDiagramFile(out, d, *options.attributes, options.digits); }},
       {"csv", [](auto& out, const auto& d, const auto& options) { return writeDiagramCsv(out, d, options.digits); }},
       {"svg", writeSvg},
       {"geojson", writeGeoJson},
@@ -77,8 +76,9 @@ const std::map<std::string, Write>& writers() {
 }
 
 py::bytes textOf(const std::shared_ptr<Diagram>& diagram, const std::string& format,
-                 const std::optional<std::array<double, 4>>& bounds, const std::shared_ptr<Region>& region, std::optional<double> maxDistance,
-                 std::optional<double> tolerance, std::optional<int> digits, std::vector<std::string> properties) {
+                 const std::optional<std::array<double, 4>>& bounds, const std::shared_ptr<Region>& region,
+                 std::optional<double> maxDistance, std::optional<double> tolerance, std::optional<int> digits,
+                 std::vector<std::string> properties) {
   return interruptible([=, attributes = CircleAttributes{.properties = std::move(properties)}](const Cancellation&) {
     std::ostringstream out;
     ExportOptions options;

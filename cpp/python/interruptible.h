@@ -37,7 +37,8 @@ template <class Compute>
 auto interruptible(Compute compute) {
   using Value = decltype(compute(std::declval<const Cancellation&>()));
   const auto cancellation = std::make_shared<Cancellation>();
-  std::packaged_task<Value()> task([compute = std::move(compute), cancellation]() mutable { return compute(*cancellation); });
+  std::packaged_task<Value()> task(
+      [compute = std::move(compute), cancellation]() mutable { return compute(*cancellation); });
   std::future<Value> result = task.get_future();
   std::thread(std::move(task)).detach();
   for (;;) {

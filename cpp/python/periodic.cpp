@@ -59,7 +59,8 @@ py::tuple found(const Shared& periodic, const Doubles& points) {
   }));
 }
 
-/// The columns of the contact table: circle, neighbor, shift, length, gap; then area and packing fraction of each circle.
+/// The columns of the contact table: circle, neighbor, shift, length, gap; then area and packing fraction of each
+/// circle.
 py::tuple contacts(const Shared& periodic) {
   ContactTable table = interruptible([periodic](const Cancellation&) { return contactTable(*periodic); });
   std::vector<CircleIndex> circles;
@@ -90,10 +91,9 @@ void addPeriodic(py::module_& module) {
                                const auto& [a, b] = p.lattice;
                                return py::make_tuple(a.x, a.y, b.x, b.y);
                              })
-      .def_property_readonly("circle_of",
-                             [](const Shared& p) {
-                               return viewOf<std::int32_t>(p, std::span<const CircleIndex>(p->circleOf));
-                             })
+      .def_property_readonly(
+          "circle_of",
+          [](const Shared& p) { return viewOf<std::int32_t>(p, std::span<const CircleIndex>(p->circleOf)); })
       .def_property_readonly(
           "shift_of", [](const Shared& p) { return viewOf<std::int32_t>(p, std::span<const Shift>(p->shiftOf)); })
       .def("neighbors", [](const PeriodicDiagram& p, std::int32_t circle) { return arraysOf(neighbors(p, circle)); })

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions, the parts of cells inside them, fits of areas, largest empty discs and clearest paths.
-#include "circle_voronoi/region.h"
-
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -25,6 +23,7 @@
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/queries.h"
+#include "circle_voronoi/region.h"
 #include "circle_voronoi/region_queries.h"
 #include "errors.h"
 #include "interruptible.h"
@@ -78,10 +77,10 @@ struct Clip {
 };
 
 Clip clipOf(const SharedDiagram& diagram, const Limits& limits) {
-  const SharedRegion region = limits.region != nullptr
-                                  ? limits.region
-                                  : std::make_shared<Region>(valueOf(
-                                        Region::from(exportBox(diagram->circles, limits.maxDistance))));
+  const SharedRegion region =
+      limits.region != nullptr
+          ? limits.region
+          : std::make_shared<Region>(valueOf(Region::from(exportBox(diagram->circles, limits.maxDistance))));
   return {diagram, region, valueOf(ClippedDiagram::from(*diagram, *region, limits.maxDistance))};
 }
 
@@ -120,7 +119,9 @@ py::array areas(const SharedDiagram& diagram, const SharedRegion& region, std::o
 py::array centroids(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
   return arrayOf<double>(measured(
       diagram, {region, maxDistance}, Point{kNan, kNan},
-      [](const Outline& outline) { return outline.empty() ? Point{kNan, kNan} : centroid(outline); },
+      [](const Outline& outline) {
+        return outline.empty() ? Point{kNan, kNan} : centroid(outline);
+      },
       [](const ClippedDiagram& clipped) { return clipped.centroids(); }));
 }
 
@@ -136,18 +137,19 @@ py::tuple polygons(const SharedDiagram& diagram, const SharedRegion& region, std
   ClippedPolygons result = interruptible([=](const Cancellation&) {
     const Clip clip = clipOf(diagram, {region, maxDistance});
     const Box box = clip.region->bounds();
-    return clip.clipped.polygons(tolerance.value_or(kDefaultTolerance * std::max(box.maxX - box.minX, box.maxY - box.minY)));
+    return clip.clipped.polygons(
+        tolerance.value_or(kDefaultTolerance * std::max(box.maxX - box.minX, box.maxY - box.minY)));
   });
-  return py::make_tuple(arrayOf<std::int32_t>(std::move(result.polygonOffsets)),
-                        arrayOf<std::int32_t>(std::move(result.ringOffsets)),
-                        arrayOf<std::int32_t>(std::move(result.pointOffsets)),
-                        arrayOf<double>(std::move(result.points)));
+  return py::make_tuple(
+      arrayOf<std::int32_t>(std::move(result.polygonOffsets)), arrayOf<std::int32_t>(std::move(result.ringOffsets)),
+      arrayOf<std::int32_t>(std::move(result.pointOffsets)), arrayOf<double>(std::move(result.points)));
 }
 
 py::array neighborsInside(const SharedDiagram& diagram, std::int32_t circle, const SharedRegion& region,
                           std::optional<double> maxDistance) {
-  return arrayOf<std::int32_t>(interruptible(
-      [=](const Cancellation&) { return clipOf(diagram, {region, maxDistance}).clipped.neighbors(circle); }));
+  return arrayOf<std::int32_t>(interruptible([=](const Cancellation&) {
+    return clipOf(diagram, {region, maxDistance}).clipped.neighbors(circle);
+  }));
 }
 
 /// The pairs of circles whose cells share a part of an edge inside, each once, in the order of neighborPairs.
@@ -213,8 +215,7 @@ py::object largestEmptyDisc(const SharedDiagram& diagram, const SharedRegion& re
 Region farAround(const Diagram& diagram, Point p, Point q) {
   Box box = exportBox(diagram.circles);
   for (const Point end : {p, q}) {
-    box = {std::min(box.minX, end.x), std::min(box.minY, end.y), std::max(box.maxX, end.x),
-           std::max(box.maxY, end.y)};
+    box = {std::min(box.minX, end.x), std::min(box.minY, end.y), std::max(box.maxX, end.x), std::max(box.maxY, end.y)};
   }
   const double size = 2 * std::max(box.maxX - box.minX, box.maxY - box.minY);
   return valueOf(Region::from(Box{box.minX - size, box.minY - size, box.maxX + size, box.maxY + size}));
@@ -240,8 +241,8 @@ py::object pathBetween(const SharedDiagram& diagram, std::array<double, 2> start
                         arrayOf<double>(std::move(points)));
 }
 
-py::tuple fitted(const Doubles& sites, const Doubles& areas, const SharedRegion& region, bool shares,
-                 double tolerance, int maxSteps, int relax) {
+py::tuple fitted(const Doubles& sites, const Doubles& areas, const SharedRegion& region, bool shares, double tolerance,
+                 int maxSteps, int relax) {
   AreaFitOptions options{.shares = shares, .tolerance = tolerance, .maxSteps = maxSteps, .relax = relax};
   AreaFit fit = interruptible([options, region, sites = circlesOf(sites),
                                areas = itemsOf<double>(areas)](const Cancellation& cancellation) mutable {
@@ -265,7 +266,8 @@ void addRegions(py::module_& module) {
       .def_property_readonly("points",
                              [](const SharedRegion& region) { return viewOf<double>(region, region->points()); })
       .def_property_readonly(
-          "ring_offsets", [](const SharedRegion& region) { return viewOf<std::int32_t>(region, region->ringOffsets()); })
+          "ring_offsets",
+          [](const SharedRegion& region) { return viewOf<std::int32_t>(region, region->ringOffsets()); })
       .def_property_readonly("polygon_offsets", [](const SharedRegion& region) {
         return viewOf<std::int32_t>(region, region->polygonOffsets());
       });

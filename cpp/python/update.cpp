@@ -26,7 +26,8 @@ SharedEditor editorOf(const Doubles& circles, bool weights) {
   });
 }
 
-/// Applies all edits or none. An edit in progress is never abandoned, because the editor would change behind its owner's back.
+/// Applies all edits or none. An edit in progress is never abandoned, because the editor would change behind its
+/// owner's back.
 void apply(DiagramEditor& editor, const Ints& removed, const Ints& replaced, const Doubles& replacements,
            const Doubles& inserted) {
   std::vector<Edit> edits;

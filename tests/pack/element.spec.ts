@@ -8,6 +8,7 @@ import { build as bundle, type Plugin } from 'esbuild'
 import { build } from 'vite'
 import { buildSite } from '../../examples/element/markdown/build.mjs'
 import type { FigureState } from '../../web/element/circle-voronoi-element.ts'
+import type { Check } from '../../web/lib/check-types.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { violationsOf } from '../e2e/accessibility.ts'
@@ -985,12 +986,15 @@ test('twenty figures share a module and a thread, and give back what is far away
   await expectToBeLive(page)
   // On paper, none shows what stands between its tags: those without pixels are drawings.
   await page.emulateMedia({ media: 'print' })
-  const visible = await page
-    .locator('circle-voronoi')
-    .evaluateAll((elements) =>
-      elements.map((element) => getComputedStyle(element.shadowRoot?.querySelector('.fallback') as Element).visibility),
+  const printed = () =>
+    page.locator('circle-voronoi').evaluateAll((elements) =>
+      elements.map((element) => {
+        const [fallback, drawing] = ['.fallback', '.paper > svg'].map((name) => element.shadowRoot?.querySelector(name))
+        return [getComputedStyle(fallback as Element).visibility, drawing?.checkVisibility() === true]
+      }),
     )
-  expect(new Set(visible)).toEqual(new Set(['hidden']))
+  // Media that are emulated are told of with the next frame.
+  await expect.poll(printed).toEqual(Array(20).fill(['hidden', true]))
   expect(problems).toEqual([])
 })
 
@@ -1183,6 +1187,16 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
     await element.evaluate((element: Element, name) => Object.assign(element, { [name]: undefined }), name)
     await expect(alert).toBeHidden()
   }
+  // It cannot be an attribute, and is forgotten although there is none.
+  await element.evaluate((element: Element) => {
+    const parts: Check[] = []
+    parts.push({ all: parts })
+    element.check = { all: parts }
+  })
+  await expect(alert).toHaveText(/circular/)
+  expect(await errors(page)).toHaveLength(1)
+  await element.evaluate((element: Element) => Object.assign(element, { check: undefined }))
+  await expect(alert).toBeHidden()
   await element.evaluate((element: Element) => element.setAttribute('layers', 'cells=typo'))
   await expect(alert).toHaveText(sentences.cells)
   expect(await errors(page)).toHaveLength(1)
@@ -1364,14 +1378,26 @@ test('layers that cannot be sent change nothing', async ({ page }) => {
   await open(page, 'unsendable', `<circle-voronoi circles="${THREE}" layers="hull"></circle-voronoi>`)
   await shown(page)
   const element = page.locator('circle-voronoi')
-  const layers = await element.evaluate((element: Element) => {
-    element.layers = { dual: true, data: [{ id: 'a', color: 'red', points: [0, 0], act: () => {} } as never] }
-    return [element.layers, element.getState().layers] as const
-  })
-  expect(layers[0]).toMatchObject({ hull: true, dual: false, data: [] })
+  const setting = (isDetached: boolean) =>
+    element.evaluate((element: Element, isDetached) => {
+      const points = new Float64Array([0, 0])
+      if (isDetached) structuredClone(points, { transfer: [points.buffer] })
+      const column = { name: 'b', values: new Float64Array(3), act: () => {} }
+      element.layers = { dual: true, column, data: [{ id: 'a', color: 'red', points, act: () => {} } as never] }
+      return [element.layers, element.getState().layers] as const
+    }, isDetached)
+  const layers = await setting(true)
+  expect(layers[0]).toMatchObject({ hull: true, dual: false, column: undefined, data: [] })
   expect(layers[1]).toEqual({ hull: true })
-  await expect(element.getByRole('alert')).toHaveText(/could not be cloned/)
+  await expect(element.getByRole('alert')).toHaveText(/detached/)
   expect(await errors(page)).toHaveLength(1)
+  // What no layer has is left out.
+  const [sent] = await setting(false)
+  expect(sent).toMatchObject({ hull: false, dual: true })
+  expect(Object.keys(sent.column ?? {})).toEqual(['name', 'values'])
+  expect(Object.keys(sent.data[0] ?? {})).toEqual(['id', 'color', 'points'])
+  await expect(element.getByRole('alert')).toBeHidden()
+  expect(await errors(page)).toHaveLength(0)
 })
 
 test('what is drawn as an SVG and as a PNG is what is seen', async ({ page }) => {

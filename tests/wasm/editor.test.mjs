@@ -250,7 +250,7 @@ describe('an editor in a worker', () => {
     editor.dispose()
   })
 
-  it('rejects with the errors of an editor', async () => {
+  it('rejects with the errors of an editor, and an edit stands whose listener throws', async (t) => {
     const editor = await worker.edit(THREE)
     const rejects = (promise, code, circle) => assert.rejects(promise, { name: 'CircleVoronoiError', code, circle })
     await rejects(editor.remove(7), 'unknownCircle', 7)
@@ -263,7 +263,11 @@ describe('an editor in a worker', () => {
     editor.onchange = () => {
       throw new RangeError('mine')
     }
-    await assert.rejects(editor.remove(0), new RangeError('mine'))
+    // What a listener throws goes to whoever hears of uncaught errors.
+    const reported = []
+    t.mock.method(globalThis, 'queueMicrotask', (report) => reported.push(report))
+    assert.deepEqual([...(await editor.remove(0)).removed], [0])
+    assert.throws(() => reported.forEach((report) => report()), new RangeError('mine'))
     assert.equal(await editor.size(), 2)
     editor.dispose()
   })

@@ -162,7 +162,7 @@ describe('what cannot be read is said as by the program', () => {
     it(name, () => {
       const bytes = readFileSync(`${CORPUS}/${name}`)
       const { status, problem } = run(['convert', `${CORPUS}/${name}`, '--format', 'json'])
-      const read = files.holdsDiagram(bytes) ? files.readDiagram : files.readCircles
+      const read = files.holdsDiagram(bytes) ? files.readDiagramFile : files.readCircleFile
       const action = () => read(bytes, { name: `${CORPUS}/${name}` })
       if (status === 0) action()
       else assert.equal(`circle-voronoi: ${errorOf(action).message}`, problem)

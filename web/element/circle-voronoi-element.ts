@@ -594,8 +594,17 @@ export class CircleVoronoiElement extends Base {
   }
 
   set check(check: Check | string | undefined | null) {
-    if (typeof check !== 'object' || check === null) this.#reflect('check', check)
-    else this.#try('check', () => this.#reflect('check', JSON.stringify(check)))
+    let text: string | undefined | null
+    try {
+      text = typeof check === 'object' && check !== null ? JSON.stringify(check) : check
+    } catch (error) {
+      this.#fail('check', error as Error)
+      return
+    }
+    // An attribute that is not there does not change.
+    if (!isSet(text)) this.#right('check')
+    // What is wrong with a text is told where the attribute is taken.
+    this.#reflect('check', text)
   }
 
   /** The name of the field in a form. Its value is JSON: `{ "circles": [[x, y, r], ...], "check": true }`. */

@@ -226,7 +226,8 @@ export function checkedLayers(given: unknown): Layers {
   const layers = { ...DEFAULT_LAYERS, ...Object.fromEntries(set) } as Layers
   checkLayers(layers)
   // Copies, so that nobody changes them afterwards, and nothing else that could not be sent to a thread.
-  return { ...layers, path: layersFrom(layers).path, data: layers.data.map(plainData) }
+  const { column, data } = layers
+  return { ...layers, path: layersFrom(layers).path, column: column && plainColumn(column), data: data.map(plainData) }
 }
 
 /** @throws Refusal of a name that no layer has, or a value that would end the thread that draws */
@@ -274,6 +275,10 @@ function isNumbersOrNone(list: unknown): boolean {
   if (list === undefined) return true
   const isList = Array.isArray(list) || (ArrayBuffer.isView(list) && !(list instanceof DataView))
   return isList && Array.prototype.every.call(list, (item: unknown) => typeof item === 'number')
+}
+
+function plainColumn({ name, values, categories }: CellValues): CellValues {
+  return { name, values: values.slice(), ...(categories && { categories: [...categories] }) }
 }
 
 function plainData({ id, color, points, segments, discs }: DataLayer): DataLayer {

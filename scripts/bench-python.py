@@ -17,8 +17,8 @@ from shapely.geometry import Polygon
 
 import circle_voronoi as cv
 
-PROGRAM = Path(__file__).resolve().parents[2] / "build/native/circle-voronoi"
-REPETITIONS = 5
+PROGRAM = Path(__file__).resolve().parents[1] / "build/native/circle-voronoi"
+REPETITIONS = 3
 
 
 def seconds(work):
