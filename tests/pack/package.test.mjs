@@ -43,7 +43,7 @@ it('holds the built library and nothing else', () => {
     ),
     ...['element.css', 'custom-elements.json'],
   ].map((name) => `dist/element/${name}`)
-  const picture = ['command.js', 'index.js', 'index.d.ts', 'render.d.ts', 'theme.d.ts'].map(
+  const picture = ['command.js', 'index.js', 'index.d.ts', 'render.d.ts', 'scheme.d.ts'].map(
     (name) => `dist/picture/${name}`,
   )
   const view = ['diagram-counts', 'domain', 'layers', 'load'].map((name) => `dist/view/${name}.d.ts`)
