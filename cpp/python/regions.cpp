@@ -61,7 +61,8 @@ SharedRegion regionOfBox(const std::array<double, 4>& bounds) {
   return std::make_shared<Region>(valueOf(Region::from(Box{bounds[0], bounds[1], bounds[2], bounds[3]})));
 }
 
-/// What limits cells. Without a region, cells that a maximum distance cuts lie in the box that files have by default.
+/// The limits of cells: a region and a maximum distance. Without a region, cells that a maximum distance cuts lie in
+/// the box that files have by default.
 struct Limits {
   SharedRegion region;
   std::optional<double> maxDistance;

@@ -27,7 +27,7 @@ struct Lattice {
   friend bool operator==(const Lattice&, const Lattice&) = default;
 };
 
-/// How many times each period is added to a circle.
+/// The number of times that each period is added to a circle.
 using Shift = std::array<std::int32_t, 2>;
 
 /// A copy of a given circle: the circle moved by shift[0] a + shift[1] b.

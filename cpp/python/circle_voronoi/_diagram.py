@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Sequence
 
 import numpy as np
@@ -406,15 +407,20 @@ class Diagram:
             An id is unknown, or a circle is not valid. `edit` is the index of the edit to blame.
         """
         editor = self._editor if self._editor is not None else _Editor(self)
-        if editor.newest is not self._core:
-            raise CircleVoronoiError("Another update was made from this diagram. Update the newest one.", "badInput")
         changes = {} if replace is None else dict(replace)
-        result = editor.apply(
+        edits = (
             indices(remove, "remove"),
             indices(list(changes), "the ids of replace"),
             matrix(list(changes.values()), _XYR, "replace"),
             matrix(insert, _XYR, "insert"),
         )
+        # Edits release the GIL, and an editor serves one thread at a time.
+        with editor.lock:
+            if editor.newest is not self._core:
+                raise CircleVoronoiError(
+                    "Another update was made from this diagram. Update the newest one.", "badInput"
+                )
+            result = editor.apply(*edits)
         self._editor = editor
         return result
 
@@ -500,12 +506,16 @@ class _Editor:
 
     def __init__(self, diagram: Diagram) -> None:
         self._core = _core.Editor(diagram.circles, diagram.weights)
-        self.newest = diagram._core
+        self.newest: _core.Diagram | None = diagram._core
+        self.lock = Lock()
 
     def apply(self, removed: Indices, replaced: Indices, replacements: Floats, inserted: Floats) -> Diagram:
         self._core.apply(removed, replaced, replacements, inserted)
-        self.newest = self._core.snapshot()
-        return Diagram(self.newest, self._core.ids(), self)
+        # Ctrl-C may end the snapshot: then no diagram shows what the editor holds.
+        self.newest = None
+        newest = self._core.snapshot()
+        self.newest = newest
+        return Diagram(newest, self._core.ids(), self)
 
 
 class AreaFit(NamedTuple):

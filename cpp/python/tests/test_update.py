@@ -34,3 +34,21 @@ def test_only_the_newest_diagram_can_be_updated():
     with pytest.raises(cv.CircleVoronoiError, match="newest"):
         first.update(remove=[2])
     assert len(second.update(remove=[2])) == 8
+
+
+def test_after_an_update_that_was_interrupted_the_old_diagram_cannot_be_updated(monkeypatch):
+    first = cv.compute(random_circles(10, 4))
+    second = first.update(remove=[1])
+
+    class Interrupted:
+        def __init__(self, core):
+            self.apply, self.ids = core.apply, core.ids
+
+        def snapshot(self):
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(second._editor, "_core", Interrupted(second._editor._core))
+    with pytest.raises(KeyboardInterrupt):
+        second.update(remove=[2])
+    with pytest.raises(cv.CircleVoronoiError, match="newest"):
+        second.update(remove=[3])

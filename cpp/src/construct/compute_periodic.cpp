@@ -116,7 +116,7 @@ void gather(Torus& torus) {
   }
 }
 
-/// Where circles lie, in periods, and the parallelogram around them.
+/// The places of circles, in periods, and the parallelogram around them.
 struct Spread {
   std::vector<Vector> places;
   Vector low = {kInfinite, kInfinite};

@@ -13,7 +13,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Where arrays do not fit together: a thing and its index.
+/// The place where arrays do not fit together: a thing and its index.
 struct Place {
   const char* thing;
   std::size_t index;
