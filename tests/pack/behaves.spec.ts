@@ -77,8 +77,9 @@ test('all figures are printed as drawings, also those that nobody has scrolled t
       return isThere
     })
     .toBe(true)
+  // A page hears of another medium with its next frame.
   await page.emulateMedia({ media: 'print' })
-  expect((await printed()).every((size) => size > 1000)).toBe(true)
+  await expect.poll(async () => (await printed()).every((size) => size > 1000)).toBe(true)
   const fallbacks = await page
     .locator('circle-voronoi')
     .evaluateAll((figures) =>
@@ -88,7 +89,7 @@ test('all figures are printed as drawings, also those that nobody has scrolled t
     )
   expect(new Set(fallbacks)).toEqual(new Set(['hidden']))
   await page.emulateMedia({ media: 'screen' })
-  expect(await printed()).toEqual(Array.from({ length: 20 }, () => 0))
+  await expect.poll(printed).toEqual(Array.from({ length: 20 }, () => 0))
 })
 
 test('a drawing on paper is that of the circles as they are', async ({ page }) => {
