@@ -27,6 +27,7 @@ const PURPOSES = {
   },
   tests: {
     packages: [
+      'clang-format',
       'gcovr',
       'libgtest-dev',
       'libbenchmark-dev',
@@ -120,7 +121,7 @@ function checkOtherSystem(libraries, tests, missingBrowsers) {
     cmake: 'CMake 3.25 or later',
     ninja: 'Ninja',
     mandoc: 'mandoc',
-    ...(tests && { 'c++': 'a C++20 compiler' }),
+    ...(tests && { 'c++': 'a C++20 compiler', 'clang-format': 'clang-format 14' }),
   })
     .filter(([program]) => spawnSync(program, ['--version']).error !== undefined)
     .map(([program, what]) => `  ${what} (${program})`)

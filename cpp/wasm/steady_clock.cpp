@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of the standard library's, which may throw a system_error and so brings the messages of all of them and printf:
-// 6 kB, compressed.
+// In place of the standard library's, which may throw a system_error and so brings the messages of all of them and
+// printf: 6 kB, compressed.
 #include <emscripten/emscripten.h>
 
 #include <chrono>

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -200,7 +200,8 @@ TEST(ClippedDiagram, ARegionAndItsComplementAddUp) {
 }
 
 TEST(ClippedDiagram, NeighborsShareAnEdgeInTheRegion) {
-  const Diagram diagram = computeComparison(std::vector<Circle>{{0, 0, 1}, {4, 0, 1}, {2, 3, 1}}, Metric::circles).value();
+  const Diagram diagram =
+      computeComparison(std::vector<Circle>{{0, 0, 1}, {4, 0, 1}, {2, 3, 1}}, Metric::circles).value();
   const Region all = Region::from(Box{-9, -9, 9, 9}).value();
   EXPECT_EQ(ClippedDiagram::from(diagram, all)->neighbors(0).size(), 2U);
   // Below the vertex only the edge of the first two circles is left, and in a hole of the region none.

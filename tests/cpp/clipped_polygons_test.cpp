@@ -132,7 +132,8 @@ void expectCoverage(const ClippedPolygons& polygons, const Region& region, doubl
     }
   }
   const Box box = region.bounds();
-  const double near = 1e-14 * std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
+  const double near =
+      1e-14 * std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
   const auto isOnBoundary = [&](Point p) {
     for (std::size_t k = 0; k < region.sideCount(); ++k) {
       const auto ring = static_cast<std::size_t>(std::int32_t{region.ringOf(static_cast<std::int32_t>(k))});

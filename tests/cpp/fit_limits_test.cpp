@@ -92,9 +92,8 @@ TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
   // Up to the limits it is as everywhere.
   EXPECT_EQ(errorOf(fitToShares({{2.5e148, 1e148, 0}, {7.5e148, 3e148, 0}}, {1, 3}, regionOfBox({0, 0, 1e149, 1e149}))),
             "");
-  EXPECT_EQ(
-      errorOf(fitToShares({{2.5e-96, 1e-96, 0}, {7.5e-96, 3e-96, 0}}, {1, 3}, regionOfBox({0, 0, 1e-95, 1e-95}))),
-      "");
+  EXPECT_EQ(errorOf(fitToShares({{2.5e-96, 1e-96, 0}, {7.5e-96, 3e-96, 0}}, {1, 3}, regionOfBox({0, 0, 1e-95, 1e-95}))),
+            "");
 }
 
 }  // namespace

@@ -132,9 +132,7 @@ std::vector<RegionShape> hardRegions(const Diagram& diagram, std::mt19937_64& ra
 
   // Corners on vertices, along edges, and across them.
   const auto& vertices = diagram.vertices;
-  const auto isNear = [&](Point p) {
-    return box.minX < p.x && p.x < box.maxX && box.minY < p.y && p.y < box.maxY;
-  };
+  const auto isNear = [&](Point p) { return box.minX < p.x && p.x < box.maxX && box.minY < p.y && p.y < box.maxY; };
   std::vector<Point> places;
   for (const Vertex& v : vertices) {
     if (isNear({v.x, v.y})) places.push_back({v.x, v.y});
@@ -158,12 +156,12 @@ std::vector<RegionShape> hardRegions(const Diagram& diagram, std::mt19937_64& ra
     const Circle& d = diagram.circles[static_cast<std::size_t>(right)];
     ++count;
     add("side along an edge", {{curve.start, curve.end, {c.x, c.y}}});
-    add("side beyond an edge",
-        {{mixed(curve.start, curve.end, -0.5), mixed(curve.start, curve.end, 1.5), {d.x, d.y}}});
+    add("side beyond an edge", {{mixed(curve.start, curve.end, -0.5), mixed(curve.start, curve.end, 1.5), {d.x, d.y}}});
     add("corner on an edge", {{middle, {c.x, c.y}, mixed(curve.start, {c.x, c.y}, -0.3)}});
     // A side that touches the edge in its middle.
     const Vector along = {curve.end.x - curve.start.x, curve.end.y - curve.start.y};
-    add("tangent side", {{{middle.x - along.x, middle.y - along.y}, {middle.x + along.x, middle.y + along.y}, {c.x, c.y}}});
+    add("tangent side",
+        {{{middle.x - along.x, middle.y - along.y}, {middle.x + along.x, middle.y + along.y}, {c.x, c.y}}});
     add("tangent side from the other circle",
         {{{middle.x - along.x, middle.y - along.y}, {middle.x + along.x, middle.y + along.y}, {d.x, d.y}}});
     // A side that crosses the arc twice.

@@ -111,7 +111,8 @@ TEST(Region, RefusesRingsThatCrossOrOverlapOthers) {
   // Crossing in corners alone.
   EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {4, 4}}, {{3, -1}, {4, 0}, {3, 1}, {0, 0.5}}}).find("cross at"),
             std::string::npos);
-  EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {2, 3}}, {{2, -1}, {2, 0}, {3, 1}, {4, 0.5}}}).find("cross at"), std::string::npos);
+  EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {2, 3}}, {{2, -1}, {2, 0}, {3, 1}, {4, 0.5}}}).find("cross at"),
+            std::string::npos);
 }
 
 TEST(Region, RingsMayTouchInPoints) {
@@ -143,8 +144,10 @@ TEST(Region, RefusesWhatIsNoRegion) {
   EXPECT_EQ(messageOfPolygons({{square(0, 0, 1)}, {}}), "Polygon 1 of the region has no ring.");
   EXPECT_EQ(messageOf({{{0, 0}, {1, 0}, {1, 0}, {0, 0}}}),
             "Ring 0 of the region has fewer than three different points.");
-  EXPECT_EQ(messageOf({{{0, 0}, {1, kNaN}, {1, 0}}}), "Point 1 of ring 0 of the region is not finite, or beyond 1e152.");
-  EXPECT_EQ(messageOf({{{0, 0}, {1, 1e153}, {1, 0}}}), "Point 1 of ring 0 of the region is not finite, or beyond 1e152.");
+  EXPECT_EQ(messageOf({{{0, 0}, {1, kNaN}, {1, 0}}}),
+            "Point 1 of ring 0 of the region is not finite, or beyond 1e152.");
+  EXPECT_EQ(messageOf({{{0, 0}, {1, 1e153}, {1, 0}}}),
+            "Point 1 of ring 0 of the region is not finite, or beyond 1e152.");
   EXPECT_NE(messageOf({{{0, 0}, {1, 1}, {2, 2}}}), "");
 }
 

@@ -23,8 +23,8 @@ struct AreaFitStep {
 struct AreaFitOptions {
   /// Whether the areas are shares of the region's area: they are multiplied so that they sum to it.
   bool shares = false;
-  /// The largest relative error of each area, above 0 and below 1. Larger errors, below 1, remain only where a change of
-  /// the last bits of a weight does not make them smaller, as for a cell that is a sliver behind a close neighbor.
+  /// The largest relative error of each area, above 0 and below 1. Larger errors, below 1, remain only where a change
+  /// of the last bits of a weight does not make them smaller, as for a cell that is a sliver behind a close neighbor.
   double tolerance = 1e-9;
   /// The largest number of steps, 1 or more.
   int maxSteps = 500;
@@ -59,9 +59,9 @@ struct AreaFit {
 ///
 /// Errors: nonFinite, coordinateTooLarge (both name the site), badInput (there are not as many areas as sites, an area
 /// is not positive and finite, two sites are equal, the areas do not sum to the region's, their sum exceeds the largest
-/// number, an area is so small or the region so large that a fit leaves the range of numbers), badOption, tooManyCircles
-/// (also if memory runs out), notConverged (the message says how many steps there were and what they reached; the best
-/// weights are those with which `onStep` was called last).
+/// number, an area is so small or the region so large that a fit leaves the range of numbers), badOption,
+/// tooManyCircles (also if memory runs out), notConverged (the message says how many steps there were and what they
+/// reached; the best weights are those with which `onStep` was called last).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
 

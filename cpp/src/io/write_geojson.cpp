@@ -52,7 +52,7 @@ void writeGeometry(Writer& out, const std::vector<CellPolygons::Polygon>& polygo
 void writeAttributes(Writer& out, const CircleAttributes& attributes, std::size_t circle) {
   const std::string_view height = entryOf(attributes.heights, circle);
   const auto isOwn = [&](std::string_view name) {
-    constexpr std::array<std::string_view, 7> kWritten = {"circle",    "r",      "area",      "neighbors",
+    constexpr std::array<std::string_view, 7> kWritten = {"circle",   "r",      "area",      "neighbors",
                                                           "hiddenBy", "shifts", "hiderShift"};
     return std::ranges::find(kWritten, name) != kWritten.end() || (!height.empty() && name == "z");
   };

@@ -20,8 +20,8 @@ struct Chain {
 /// Returns a ring as a loop.
 std::vector<OutlinePiece> wholeLoop(const Ring& ring);
 
-/// Joins chains along the ring to the loops of what they enclose together. `depth` tells how far a point of the ring lies
-/// inside what the chains are cut from; it is negative outside. There is at least one chain.
+/// Joins chains along the ring to the loops of what they enclose together. `depth` tells how far a point of the ring
+/// lies inside what the chains are cut from; it is negative outside. There is at least one chain.
 Outline joined(const Ring& ring, std::vector<Chain> chains, const std::function<double(Point)>& depth);
 
 }  // namespace circle_voronoi

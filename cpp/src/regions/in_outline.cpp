@@ -28,8 +28,8 @@ bool isBeyondChord(const OutlinePiece& arc, Point p) {
   return lengthOf(vectorTo(center, p)) < arc.r;
 }
 
-/// The same of an arc of a bisector. What the branch bends around is convex, so the chord cuts off what lies between, and
-/// that lies between the ends seen across the axis, too: this keeps to arcs whose chord is mostly rounding.
+/// The same of an arc of a bisector. What the branch bends around is convex, so the chord cuts off what lies between,
+/// and that lies between the ends seen across the axis, too: this keeps to arcs whose chord is mostly rounding.
 bool isBeyondChord(const EdgeCurve& curve, Point p) {
   const Bisector& bisector = curve.bisector;
   const int side = orientation(curve.start, curve.end, p);

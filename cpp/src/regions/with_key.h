@@ -8,8 +8,8 @@
 
 namespace circle_voronoi {
 
-/// The items with a key, among items sorted by it. (The result of std::ranges::equal_range does not compile with Clang 14
-/// and the standard library of GCC.)
+/// The items with a key, among items sorted by it. (The result of std::ranges::equal_range does not compile with Clang
+/// 14 and the standard library of GCC.)
 template <class Item, class Key, class KeyOf>
 std::span<const Item> withKey(const std::vector<Item>& items, const Key& key, KeyOf keyOf) {
   const auto first = std::ranges::lower_bound(items, key, {}, keyOf);
