@@ -6,7 +6,24 @@ import { readFileSync } from 'node:fs'
 import { isMain, main, ROOT } from './run.mjs'
 
 /** The folders whose comments are checked. */
-const FOLDERS = ['cpp/cgal', 'cpp/src/comparison', 'cpp/src/edit', 'examples/districts', 'examples/element', 'examples/fetch_content', 'examples/find_package', 'tests/package', 'web/cli', 'web/docs', 'web/editing', 'web/embed', 'web/picture', 'web/player', 'web/reading', 'web/tutorial']
+const FOLDERS = [
+  'cpp/cgal',
+  'cpp/src/comparison',
+  'cpp/src/edit',
+  'examples/districts',
+  'examples/element',
+  'examples/fetch_content',
+  'examples/find_package',
+  'tests/package',
+  'web/cli',
+  'web/docs',
+  'web/editing',
+  'web/embed',
+  'web/picture',
+  'web/player',
+  'web/reading',
+  'web/tutorial',
+]
 
 const COMMENT = /(?:^|\s)(?:\/\/[/!]?<?|#)(?: (.*)|$)|^\s*(?:\/\*\*?|\*(?!\/))(?: (.*)|$)|\s\/\*\* (.*)$/
 const HEADLESS =

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program circle-voronoi in WebAssembly. It runs in a thread of its own, so that here signals are heard, and the line
-// that says how far the work is goes on, while it computes or waits for its input.
+// The program circle-voronoi in WebAssembly. The program runs in a thread of its own. The main thread handles signals
+// and redraws the progress line while the program computes or waits for input.
 import { rmSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { Worker } from 'node:worker_threads'
@@ -9,7 +9,7 @@ import { ProgressLine } from './progress-line.ts'
 import type { Start, Told } from './thread-messages.ts'
 
 const [command, ...rest] = process.argv.slice(2)
-// The only command that is not the core's: it draws as the page does.
+// The only command outside the core: it draws like the page.
 if (command === 'picture') {
   const { picture } = await import(new URL('../picture/command.js', import.meta.url).href)
   process.exitCode = await picture(rest, fileURLToPath(import.meta.url))
@@ -20,17 +20,18 @@ if (command === 'picture') {
 /** Runs a command of the core. */
 function run(): void {
   const line = new ProgressLine()
-  /** A file that is not yet whole. */
+  /** An output file that is still incomplete. */
   let made: string | undefined
 
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) {
     process.once(signal, () => {
       if (made !== undefined) rmSync(made, { force: true })
-      // Now that nobody listens, it does what it does to any program.
+      // With the listener removed, the signal has its default effect.
       process.kill(process.pid, signal)
     })
   }
-  // Node ignores this one, of which other programs die without a word. A listener that goes leaves the system's own behind.
+  // Node ignores SIGPIPE by default, while other programs end silently. Adding and removing a listener restores the
+  // default of the system.
   const ignore = () => {}
   process.on('SIGPIPE', ignore).off('SIGPIPE', ignore)
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The thread that runs the program.
+// Runs the program in a worker thread.
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { isatty } from 'node:tty'
 import { parentPort, workerData } from 'node:worker_threads'
 import type { Start, Told } from './thread-messages.ts'
 
-/** What Emscripten makes of the program; what it calls of this is named in cpp/wasm/node_files.js. */
+/** The module that Emscripten builds. cpp/wasm/node_files.js names the functions that it calls. */
 interface Program {
   callMain(args: readonly string[]): void
 }
@@ -20,7 +20,7 @@ type CreateProgram = (options: {
   endLine(): void
 }) => Promise<Program>
 
-/** Milliseconds until the line is shown that was not asked for. */
+/** Milliseconds before an automatic progress line is shown. */
 const DELAY = 1000
 const STANDARD_ERROR = 2
 

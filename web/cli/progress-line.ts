@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// As cpp/cli/progress_text.h and progress_line.cpp.
+// Corresponds to cpp/cli/progress_text.h and progress_line.cpp.
 import { writeSync } from 'node:fs'
 
 const PERIOD = 100
 const STANDARD_ERROR = 2
 
-/** A line on standard error that says what is being done and since when, rewritten in place and erased in the end. */
+/** A line on standard error with the current stage and the elapsed time, rewritten in place and erased at the end. */
 export class ProgressLine {
   readonly #write: (text: string) => void
   #begin = 0
@@ -15,12 +15,12 @@ export class ProgressLine {
   #percent: number | undefined
   #line = ''
 
-  /** `write`: writes to the terminal; a test has its own. */
+  /** `write` writes to the terminal. Tests replace it. */
   constructor(write = (text: string): unknown => writeSync(STANDARD_ERROR, text)) {
     this.#write = write
   }
 
-  /** `delay`: milliseconds until it is first shown. */
+  /** Starts the line; it appears after `delay` milliseconds. */
   begin(delay: number): void {
     this.#begin = performance.now()
     this.#delay = delay
@@ -28,7 +28,7 @@ export class ProgressLine {
     this.#refresher.unref()
   }
 
-  /** What is being done, and how many percent of it are, if that is known. */
+  /** Sets the stage and the percentage done, if known. */
   show(stage: string, percent: number | undefined): void {
     if (stage === this.#stage && percent === this.#percent) return
     this.#stage = stage

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page of the documentation does beyond being read: its search finds, and its examples run.
+// Starts the interactive parts of a documentation page: its search and its examples.
 import { offerSearch } from '../reading/search.ts'
 import { runExamples } from './gallery.ts'
 

@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where circles go that are moved, scaled and snapped, and which one is next.
+// Geometry of moving, scaling and snapping circles, and of choosing the next one in a direction.
 import type { Circle, Point } from '../lib/index.ts'
 
-/** Of 1, 2 and 5 times a power of ten, the one nearest to a length: a step that leaves numbers short. */
+/** Rounds a length to 1, 2 or 5 times a power of ten, a step that keeps numbers short. */
 export function roundStep(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length))
   const share = length / power
-  // Times or through a power of ten that a double has: so 0.2 comes out, and not 0.2 and a bit.
+  // Multiplies or divides by a power of ten that a double represents exactly, so that the result is 0.2 rather than
+  // 0.2000…1.
   const times = share < Math.SQRT2 ? 1 : share < Math.sqrt(10) ? 2 : share < Math.sqrt(50) ? 5 : 10
   return Number((times * power).toPrecision(1))
 }
 
-/** A sum without the digits that neither has: 0.1 + 0.2 is 0.3. */
+/** Adds without digits that neither summand has: 0.1 + 0.2 is 0.3. */
 export function stepped(value: number, step: number): number {
   if (step === 0) return value
   const digits = Math.max(digitsOf(value), digitsOf(step))
   return digits > 15 ? value + step : Number((value + step).toFixed(digits))
 }
 
-/** How many digits the shortest text of a number has after the point. */
+/** The number of digits after the decimal point in the shortest text of a number. */
 function digitsOf(value: number): number {
   const [mantissa, exponent = '0'] = String(value).split('e') as [string, string?]
   return Math.max((mantissa.split('.')[1] ?? '').length - Number(exponent), 0)
 }
 
-/** Scaled by a factor about a point: centers and radii. */
+/** Scales a circle's center and radius by a factor about a point. */
 export function scaled({ x, y, r }: Circle, about: Point, factor: number): Circle {
   return { x: about.x + (x - about.x) * factor, y: about.y + (y - about.y) * factor, r: r * factor }
 }
 
-/** The middle of the box around circles. */
+/** The center of the bounding box of circles. */
 export function middleOf(circles: readonly Circle[]): Point {
   const middle = (low: (circle: Circle) => number, high: (circle: Circle) => number) =>
     (circles.reduce((least, circle) => Math.min(least, low(circle)), Number.POSITIVE_INFINITY) +
@@ -47,7 +48,7 @@ export function middleOf(circles: readonly Circle[]): Point {
   }
 }
 
-/** Of other points the next one in a direction, of length 1: within 45 degrees of it if any is, else on its side. */
+/** The next point in a direction of length 1: within 45 degrees of the direction if possible, else on its side. */
 export function nextInDirection<Other extends Point>(
   from: Point,
   others: readonly Other[],
@@ -62,7 +63,7 @@ export function nextInDirection<Other extends Point>(
     if (!(along > 0)) continue
     const isAhead = across <= along
     const length = Math.hypot(along, across)
-    // Longer the more it is to the side; without bound where it is nearly square to the direction.
+    // Grows with the angle to the direction, without bound toward a right angle.
     const rank = length * (length / along)
     const isBetter = isAhead === nextIsAhead ? rank < least : isAhead
     if (next !== undefined && !isBetter) continue
@@ -73,15 +74,15 @@ export function nextInDirection<Other extends Point>(
   return next
 }
 
-/** What a circle may snap to, if it is so near. */
+/** The candidates for snapping and the distance at which it acts. */
 export interface Snapping {
   readonly others: readonly Circle[]
-  /** The distance of the lines of a grid through the origin. */
+  /** The spacing of a grid through the origin. */
   readonly grid: number
   readonly within: number
 }
 
-/** A circle moved a little, to touch one other circle or two; else to the grid. */
+/** Moves a circle to touch one or two other circles, if any are near enough; else to the grid. */
 export function snappedInPlace(circle: Circle, { others, grid, within }: Snapping): Circle {
   const { r } = circle
   const gapTo = (other: Circle) => Math.abs(Math.hypot(circle.x - other.x, circle.y - other.y) - r - other.r)
@@ -95,7 +96,7 @@ export function snappedInPlace(circle: Circle, { others, grid, within }: Snappin
   return { x: nearest.x + (circle.x - nearest.x) * factor, y: nearest.y + (circle.y - nearest.y) * factor, r }
 }
 
-/** A circle with another radius, to touch another circle; else one of the grid. */
+/** Changes a radius so that the circle touches another one, if any is near enough; else to a multiple of the grid. */
 export function snappedInSize({ x, y, r }: Circle, { others, grid, within }: Snapping): Circle {
   const fitting = others
     .map((other) => Math.hypot(x - other.x, y - other.y) - other.r)
@@ -104,7 +105,7 @@ export function snappedInSize({ x, y, r }: Circle, { others, grid, within }: Sna
   return { x, y, r: fitting[0] ?? Math.max(onGrid(r, grid, within), 0) }
 }
 
-/** The place nearest to a circle's where it touches two others from outside. */
+/** The nearest position at which a circle touches two others from outside. */
 function touchingBoth({ x, y, r }: Circle, one: Circle, other: Circle): Point | undefined {
   const [a, b] = [r + one.r, r + other.r]
   const [dx, dy] = [other.x - one.x, other.y - one.y]

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file says about circles beside their centers and radii, by columns. All values are texts of JSON, so that no number
-// loses a digit and no text becomes a number.
+// The attributes that files give to circles beside centers and radii, by columns. All values are JSON texts, so that no
+// number loses a digit and no text becomes a number.
 import type { LinkAttributes } from '../lib/link.ts'
 
-/** A column: the text of a JSON value for each circle by its number; empty, where there is none. */
+/** A column: the JSON text of a value for each circle by its number, empty where a circle has no value. */
 export interface DataColumn {
   readonly name: string
   readonly values: readonly string[]
 }
 
-/** The columns of circles, and what GeoJSON says of features and collections (`LinkAttributes`). */
+/** The columns of circles, and the data of GeoJSON features and collections (`LinkAttributes`). */
 export interface Attributes extends Omit<LinkAttributes, 'properties'> {
   readonly columns: readonly DataColumn[]
 }
 
 export const NO_ATTRIBUTES: Attributes = { columns: [], ids: [], heights: [], collection: '' }
 
-/** Whether a column has numbers alone; texts and other values are shown as they are. */
+/** Whether all values of a column are numbers. */
 export function isNumeric({ values }: DataColumn): boolean {
   let isAny = false
   for (const value of values) {
@@ -27,28 +27,28 @@ export function isNumeric({ values }: DataColumn): boolean {
   return isAny
 }
 
-/** The number of a JSON text; NaN, if it is none. */
+/** The number in a JSON text; NaN for other values. */
 export function numberIn(value: string | undefined): number {
   return value !== undefined && /^-?\d/.test(value) ? Number(value) : Number.NaN
 }
 
-/** A value as people write it: a text without quotation marks, nothing for `null`. */
+/** Formats a value for people: a text without quotation marks, nothing for `null`. */
 export function textIn(value: string | undefined): string {
   if (value === undefined || value === '' || value === 'null') return ''
   return value.startsWith('"') ? (JSON.parse(value) as string) : value
 }
 
-/** Names that columns of names have in other programs, the surest first. */
+/** Names of label columns in other programs, the most likely first. */
 const NAMES = /^(name|label|title|ort|stadt|city|place|bezeichnung|beschriftung)$/i
 
-/** The column that says what circles are called. */
+/** The column that holds the labels of circles. */
 export function nameColumn(columns: readonly DataColumn[]): DataColumn | undefined {
   return columns.find(({ name }) => NAMES.test(name.trim())) ?? columns.find(({ name }) => /^id$/i.test(name.trim()))
 }
 
 /**
- * The value that a text becomes that somebody writes into a column; `undefined`: the column has numbers, and it is none. Nothing
- * becomes `null`.
+ * Converts text that a user enters into a value of a column. Empty text becomes `null`; `undefined` if a numeric column
+ * gets no number.
  */
 export function valueFrom(text: string, column: DataColumn): string | undefined {
   const trimmed = text.trim()
@@ -59,7 +59,7 @@ export function valueFrom(text: string, column: DataColumn): string | undefined 
     const value = Number(number)
     return Number.isFinite(value) && !/^[-+]?0[xob]/i.test(number) ? JSON.stringify(value) : undefined
   }
-  // A value of another kind is replaced by one of this kind.
+  // A text replaces values of another kind only if no value of the column is a text.
   const isOther = column.values.every((value) => value === '' || /^[ntf{[]/.test(value))
   if (isOther && isJson(trimmed)) return trimmed
   return JSON.stringify(text)
@@ -78,7 +78,7 @@ function isJson(text: string): boolean {
   }
 }
 
-/** The attributes as columns. `count`: how many circles there are. */
+/** Converts attributes to columns. `count` is the number of circles. */
 export function columnsOf({ properties, ids, heights, collection }: LinkAttributes, count: number): Attributes {
   const columns = new Map<string, string[]>()
   properties.forEach((text, k) => {
@@ -91,7 +91,7 @@ export function columnsOf({ properties, ids, heights, collection }: LinkAttribut
   return { columns: [...columns].map(([name, values]) => ({ name, values })), ids, heights, collection }
 }
 
-/** The attributes of some circles by their numbers, as files and links have them. */
+/** The attributes of some circles by their numbers, in the form of files and links. */
 export function attributesOf(
   { columns, ids, heights, collection }: Attributes,
   numbers: readonly number[],
@@ -108,7 +108,7 @@ export function attributesOf(
   return { properties: numbers.map(propertiesOf), ids: listOf(ids), heights: listOf(heights), collection }
 }
 
-/** The members of the text of a JSON object, with the texts of their values. */
+/** The members of a JSON object, with the JSON texts of their values. */
 export function membersOf(text: string): [name: string, value: string][] {
   const members: [string, string][] = []
   let depth = 0
@@ -140,7 +140,7 @@ export function membersOf(text: string): [name: string, value: string][] {
   return members
 }
 
-/** The attributes with another value of a circle in a column. */
+/** Sets one circle's value in a column. */
 export function withValue(attributes: Attributes, column: string, number: number, value: string): Attributes {
   const columns = attributes.columns.map((known) => {
     if (known.name !== column) return known
@@ -151,7 +151,7 @@ export function withValue(attributes: Attributes, column: string, number: number
   return { ...attributes, columns }
 }
 
-/** About how much memory they take, in bytes. */
+/** Estimates the memory of attributes, in bytes. */
 export function bytesOfAttributes({ columns, ids, heights }: Attributes): number {
   const bytesIn = (list: readonly string[]) => list.reduce((sum, text) => sum + 2 * text.length + 16, 0)
   return [...columns.map(({ values }) => values), ids, heights].reduce((sum, list) => sum + bytesIn(list), 0)

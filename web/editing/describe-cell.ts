@@ -2,7 +2,7 @@
 import type { Described } from '../view/protocol.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
-/** What is known of a circle's cell as a sentence, and the circles that it names. */
+/** Describes a circle's cell in a sentence. Also returns the circles that the sentence names. */
 export function describeCell(described: Described, words = ENGLISH_EDITING): [string, readonly number[]] {
   const { hiddenBy, isBounded } = described
   if (hiddenBy !== undefined) return [words.hidden(hiddenBy), [hiddenBy]]

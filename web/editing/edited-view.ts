@@ -4,13 +4,13 @@ import { Editing, type Outcome } from './editing.ts'
 import { INITIAL_STATE, type State, stateAfter, withSelection } from './state.ts'
 import { createStore, type Store } from './store.ts'
 
-/** The circles of a view with their history, and what is known of them. */
+/** The editable circles of a view, with their history and query results. */
 export interface EditedView {
   readonly store: Store<State>
   readonly editing: Editing
 }
 
-/** Edits the circles of a view: the store has what is known of them, and what it says stands out is what stands out in the view. */
+/** Makes the circles of a view editable. The store receives query results; its highlights are shown in the view. */
 export function editView(
   view: View,
   onOutcome: (outcome: Outcome) => void,
@@ -22,7 +22,7 @@ export function editView(
     (outcome) => {
       const dataSet = editing.scene?.dataSet ?? ''
       store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet }))
-      // With the picture of the same edit.
+      // Waits for the picture of the same edit, so that highlights and circles change together.
       if (store.get().selection.length > 0) choose()
       onOutcome(outcome)
     },
@@ -30,7 +30,7 @@ export function editView(
   )
   const choose = () => {
     const circles = store.get().selection.flatMap((id) => editing.circles.get(id) ?? [])
-    // Where areas are given, radii are weights.
+    // Radii are weights if areas are given.
     view.choose(editing.domain.areas === undefined ? circles : circles.map(({ x, y }) => ({ x, y, r: 0 })))
   }
   let before = store.get()
@@ -41,7 +41,7 @@ export function editView(
   })
   view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
   view.on('failed', ({ error, marks }) => {
-    // What stood out may have been the cause.
+    // The failed request may have been one for highlights.
     if (marks) store.update((state) => ({ ...withSelection(state, [], editing.circles), hovered: undefined }))
     onProblem(error)
   })

@@ -31,26 +31,26 @@ import {
 } from './history.ts'
 import { PackedSteps } from './packed-steps.ts'
 
-/** Who computes: a view. */
+/** The backend that computes diagrams: a view. */
 export interface Computer {
-  /** The circles as they are. */
+  /** The current circles. */
   readonly circles: CircleTable
   setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited>
   apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
 }
 
-/** What became of what was asked. */
+/** The result of a request. */
 export interface Outcome {
   readonly edited: Edited
   readonly history: History
   readonly domain: Domain
-  /** What else is known of circles, by their numbers. */
+  /** The attributes of circles, by their numbers. */
   readonly attributes: Attributes
-  /** Whether the circles are other ones than before, with ids of their own. */
+  /** Whether the circles were replaced by others with new ids. */
   readonly isOpened: boolean
 }
 
-/** A history that goes on where its circles are opened again. */
+/** A history that continues when its circles are opened again. */
 export interface Past {
   readonly history: History
   readonly lastGesture: number
@@ -58,15 +58,15 @@ export interface Past {
 }
 
 interface Job {
-  /** What it makes of circles that are there; `undefined`: it removes them. */
+  /** Maps circles to their values after an edit; `undefined` removes a circle. */
   readonly made: ReadonlyMap<number, Circle | undefined>
-  /** `undefined`: there was nothing to do. */
+  /** Resolves to `undefined` if there was nothing to do. */
   run(): Promise<Edited | undefined>
 }
 
 /**
- * The circles and their history, as the computer has confirmed them: what it refuses has never been. One thing at a time is
- * asked of it; what of a drag has not begun gives way to what comes after, so that a fast one never queues up.
+ * The circles and their history, as confirmed by the backend. A refused edit leaves no trace. Requests run one at a
+ * time; a pending step of a drag is replaced by the next one, so that fast drags never queue up.
  */
 export class Editing {
   readonly #computer: Computer
@@ -75,7 +75,7 @@ export class Editing {
   #scene: Scene | undefined
   #domain = NO_DOMAIN
   #attributes = NO_ATTRIBUTES
-  /** The ids by the numbers of circles, and the numbers by the ids, where a number is not `#shift` more than the id. */
+  /** Maps circle numbers to ids and back, for circles whose number is not `#shift` more than their id. */
   readonly #ids = new Map<number, number>()
   readonly #numbers = new Map<number, number>()
   #shift = 0
@@ -85,12 +85,12 @@ export class Editing {
   readonly #queue = new NewestQueue<Job, Edited | undefined>()
   #lastKey: string | undefined
   #lastGesture = 0
-  /** The last gesture that began with other circles than there are now. */
+  /** The last gesture that began before the current circles were opened. */
   #lastFormer = 0
-  /** How often circles were opened, but for undo and redo. */
+  /** The number of openings, except by undo and redo. */
   #openings = 0
 
-  /** `mostBytes`: of the history. */
+  /** `mostBytes` limits the memory of the history. */
   constructor(
     computer: Computer,
     onOutcome: (outcome: Outcome) => void,
@@ -107,7 +107,10 @@ export class Editing {
     return this.#computer.circles
   }
 
-  /** The history for these circles once they are opened again, as the k-th one; `undefined`: areas go by other numbers then. */
+  /**
+   * The history, for when the current circles are opened again as the k-th scene; `undefined` if areas use other
+   * numbers then.
+   */
   get past(): Past | undefined {
     const ids = this.circles.ids()
     const { done, undone } = this.#history
@@ -124,7 +127,7 @@ export class Editing {
     return { history, lastGesture: this.#lastGesture, lastAbsent: this.#lastAbsent }
   }
 
-  /** Takes up the history of the circles that were opened, and returns it. */
+  /** Continues the history of the circles that were opened, and returns it. */
   takeUp({ history, lastGesture, lastAbsent }: Past): History {
     this.#history = history
     this.#lastGesture = Math.max(this.#lastGesture, lastGesture)
@@ -132,22 +135,24 @@ export class Editing {
     return history
   }
 
-  /** How many edits and openings are under way or wait. One that is being told of is still among them. */
+  /**
+   * The number of edits and openings that are running or pending. A request counts until its listeners have returned.
+   */
   get unfinished(): number {
     return this.#queue.works.length
   }
 
-  /** What was opened: the circles as they were then. */
+  /** The circles as they were opened. */
   get scene(): Scene | undefined {
     return this.#scene
   }
 
-  /** What cells are cut to, and their areas by the numbers of circles. */
+  /** The clipping region, and the areas by circle number. */
   get domain(): Domain {
     return this.#domain
   }
 
-  /** The areas that were asked for, in the order of the circles. */
+  /** The prescribed areas, in the order of the circles. */
   get areas(): Areas | undefined {
     const { areas } = this.#domain
     if (areas === undefined || areas === 'equal') return areas
@@ -157,22 +162,24 @@ export class Editing {
     return known.map((share) => share ?? mean)
   }
 
-  /** The id of a circle by its number: the id that it had first. One that comes back by undo has another id. */
+  /**
+   * The id of a circle by its number. A circle's number is its first id; undo restores a removed circle under a new id.
+   */
   idOf(number: number): number {
     return this.#ids.get(number) ?? number - this.#shift
   }
 
-  /** The number of a circle, which stays the same when it comes back by undo. */
+  /** The number of a circle. Undo restores a removed circle under its old number. */
   numberOf(id: number): number {
     return this.#numbers.get(id) ?? id + this.#shift
   }
 
-  /** What else is known of circles, by their numbers. */
+  /** The attributes of circles, by their numbers. */
   get attributes(): Attributes {
     return this.#attributes
   }
 
-  /** The attributes of the circles as they are, in their order; `undefined`: there are none. */
+  /** The attributes of the current circles, in their order; `undefined` if there are none. */
   get fileAttributes(): LinkAttributes | undefined {
     if (this.#attributes === NO_ATTRIBUTES) return undefined
     return attributesOf(
@@ -181,18 +188,18 @@ export class Editing {
     )
   }
 
-  /** What a circle is called, if it is called anything. */
+  /** The label of a circle, or an empty text. */
   nameOf(id: number): string {
     const number = this.numberOf(id)
     return this.#scene?.names?.[number] ?? textIn(nameColumn(this.#attributes.columns)?.values[number])
   }
 
-  /** The text of a JSON value of a circle in a column; empty, where there is none. */
+  /** The JSON text of a circle's value in a column, empty if the circle has no value. */
   valueOf(id: number, column: string): string {
     return this.#columnOf(column)?.values[this.numberOf(id)] ?? ''
   }
 
-  /** A column in the order of the circles; NaN where there is no number. */
+  /** A column in the order of the circles, with NaN where there is no number. */
   valuesOf(name: string): Float64s {
     const values = this.#columnOf(name)?.values
     return Float64Array.from(this.circles.ids(), (id) => numberIn(values?.[this.numberOf(id)]))
@@ -202,7 +209,9 @@ export class Editing {
     return this.#attributes.columns.find((column) => column.name === name)
   }
 
-  /** Gives a circle another value in a column, as the text of JSON. `undefined`: refused, or void. */
+  /**
+   * Sets a circle's value in a column, as JSON text. Resolves to `undefined` if the edit was refused or had no effect.
+   */
   setValue(id: number, column: string, value: string, gesture = this.beginGesture()): Promise<Edited | undefined> {
     const number = this.numberOf(id)
     return this.#ask(async () => {
@@ -225,10 +234,10 @@ export class Editing {
     return { numbers: new Map(this.#numbers), shift: this.#shift, end: this.circles.size + this.#shift }
   }
 
-  /** Circles that were opened again have the numbers that they had, and so have those that may come back. */
+  /** Reopened circles get their former numbers, and so do removed circles that undo may restore. */
   #restoreNumbers({ ids, numbering: { numbers, shift, end } }: Opening): (id: number) => number {
     const numberOf = (id: number) => numbers.get(id) ?? id + shift
-    // The next circles get numbers that none has.
+    // New circles get numbers that no circle has had.
     this.#shift = end - ids.length
     ids.forEach((id, k) => {
       if (numberOf(id) !== k + this.#shift) this.#giveNumber(k, numberOf(id))
@@ -242,15 +251,18 @@ export class Editing {
   }
 
   /**
-   * A number for the edits of one gesture: they become one entry of the history. It belongs to the circles that are there: once
-   * others are, edits of the gesture are void.
+   * Returns a number that groups the edits of one gesture into one history entry. Once other circles are opened,
+   * further edits of the gesture have no effect.
    */
   beginGesture(): number {
     this.#lastGesture += 1
     return this.#lastGesture
   }
 
-  /** Other circles, and edits of them, before anything else is asked. Undo goes back to those that were there. `undefined`: refused. */
+  /**
+   * Replaces the circles, then applies edits, before any pending request. Undo restores the former circles. Resolves to
+   * `undefined` if the circles were refused.
+   */
   async open(scene: Scene, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     let isOpened = false
     const opened = this.#ask(async () => {
@@ -269,8 +281,8 @@ export class Editing {
   }
 
   /**
-   * All or none of the edits, and another domain, whose areas are in the order of the circles. `undefined`: refused, or void, as
-   * other circles have come since the gesture began.
+   * Applies all edits or none, and a change of the domain, whose areas are in the order of the circles. Resolves to
+   * `undefined` if the edits were refused, or if other circles have been opened since the gesture began.
    */
   edit(edits: readonly Edit[], gesture = this.beginGesture(), domain?: Partial<Domain>): Promise<Edited | undefined> {
     const key = domain === undefined ? keyOf(gesture, edits) : `domain,${gesture}`
@@ -302,7 +314,7 @@ export class Editing {
     return this.#step('undone', 'done')
   }
 
-  /** Takes back what a gesture has done, for good. */
+  /** Reverts the edits of a gesture and forgets them. */
   async cancel(gesture: number): Promise<void> {
     await this.#ask(async () => {
       const last = this.#history.done.at(-1)
@@ -315,7 +327,7 @@ export class Editing {
 
   #step(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
     const openings = this.#openings
-    // What was opened since it was asked is not undone: nobody has seen it yet.
+    // Undo does not revert an opening that was requested later, because the user has not seen it yet.
     return this.#ask(async () => (openings === this.#openings ? this.#goBack(from, to) : undefined))
   }
 
@@ -356,7 +368,7 @@ export class Editing {
     this.#domain = { ...this.#domain, ...this.#byNumber(this.#domain.areas) }
     const left = this.#history[from].slice(0, -1)
     const others = this.#history[to]
-    // What is on the other side is about the circles that go.
+    // The opposite side of the history refers to the circles that are being replaced.
     const kept = renamed({ ...EMPTY_HISTORY, [from]: left }, idOf)[from]
     this.#history = { ...EMPTY_HISTORY, [from]: kept, [to]: [...others, ...before] }
     return edited
@@ -378,7 +390,7 @@ export class Editing {
     return edited
   }
 
-  /** Areas in the order of the circles as they are. */
+  /** Converts areas from the order of the circles to circle numbers. */
   #byNumber(areas: Areas | undefined): Pick<Domain, 'areas'> | undefined {
     const list = listIn(areas)
     if (list === undefined) return undefined
@@ -390,7 +402,7 @@ export class Editing {
     return { areas: byNumber }
   }
 
-  /** What the computer is told of a domain: of the region only where it is another one. */
+  /** The change of domain for the backend. It contains the region only if the region differs. */
   #changeTo(domain: Domain, fit: Shares): DomainChange | undefined {
     const { region, lattice, areas } = domain
     if (domain === NO_DOMAIN && this.#domain === NO_DOMAIN) return undefined
@@ -402,7 +414,7 @@ export class Editing {
     }
   }
 
-  /** The areas of the circles that there are and of those that edits insert. */
+  /** The areas of the current circles and of the circles that edits insert. */
   #sharesOf({ areas }: Domain, edits: readonly Step[]): Shares {
     const list = listIn(areas)
     if (list === undefined) return { known: undefined, inserted: [] }
@@ -413,12 +425,12 @@ export class Editing {
     }
   }
 
-  /** What goes back to the circles as they are; nothing before the first ones. */
+  /** The entry that restores the current circles; empty before the first opening. */
   #before(): Opening[] {
     if (this.#scene === undefined) return []
     const ids = this.circles.ids()
     const isRecorded = [this.#history.done, this.#history.undone].some((side) => side.at(-1)?.kind === 'edits')
-    // What moves by itself is not recorded.
+    // Animated changes are not recorded.
     const numbering = this.#numbering
     if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids, numbering }]
     const circles = this.circles.circles()
@@ -429,15 +441,15 @@ export class Editing {
     return [{ kind: 'opening', scene: { ...this.#scene, circles, isEdited, attributes, domain }, ids, numbering }]
   }
 
-  /** A circle as it will be once all that was asked is done, if nothing is refused. */
+  /** Predicts a circle's value after all pending requests, assuming that none is refused. */
   latest(id: number): Circle | undefined {
     const last = this.#queue.works.findLast(({ made }) => made.has(id))
     return last === undefined ? this.circles.get(id) : last.made.get(id)
   }
 
-  /** `key`: the newest job of a key takes the place of one that has not begun. Without a key, none does. */
+  /** A new request replaces a pending one with the same `key`. Requests without a key are never replaced. */
   #ask(run: () => Promise<Edited | undefined>, edits: readonly Edit[] = [], key?: string): Promise<Edited | undefined> {
-    // What has not begun gives way to what the same gesture does next, and not to what comes later.
+    // A pending request may be replaced by the same gesture, but not by a later one.
     if (key !== this.#lastKey) this.#queue.settle()
     this.#lastKey = key
     const answer = this.#queue.add({ made: madeBy(edits), run }, key)
@@ -464,7 +476,7 @@ export class Editing {
   }
 }
 
-/** Edits that put the same circles somewhere else in one gesture have one key; others have none. */
+/** Edits of one gesture that move the same circles share a key; other edits have none. */
 function keyOf(gesture: number, edits: readonly Edit[]): string | undefined {
   const ids = edits.map((edit) => (edit.kind === 'replace' ? edit.id : undefined))
   return ids.length === 0 || ids.includes(undefined) ? undefined : [gesture, ...ids].join()

@@ -17,55 +17,55 @@ import { type State, type Tool, withSelection } from './state.ts'
 import type { Store } from './store.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
-/** How much a button or a key zooms in. */
+/** Zoom factor of a button or key. */
 const ZOOM_STEP = 1.5
-/** What is zoomed to fills a part of the view: so many times as much is seen. */
+/** Zooming to a selection shows this many times its size. */
 const SHOWN_AROUND = 3
-/** The share of the width that a path goes across at first. */
+/** Initial length of a path, relative to the view's width. */
 const PATH_SHARE = 0.6
-/** The radius of a circle that is added with room around, in pixels. */
+/** Radius of a circle added to empty space, in pixels. */
 const USUAL_RADIUS = 24
-/** Copies lie so far aside, in pixels. */
+/** Offset of a copy from its original, in pixels. */
 const ASIDE = 16
-/** The distance of the lines of the grid, in pixels. */
+/** Grid spacing, in pixels. */
 const GRID = 16
 
-/** Circles to be opened, and what a link may say beside them. */
+/** Circles to open, with the viewport, layers and step of a link. */
 export interface Opened extends Scene {
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
   readonly layers?: LinkState['layers']
-  /** Of the method, which is not played without it. Where nothing is said of it, a player that is there begins anew. */
+  /** The step of playback. If `step` is missing, a running player restarts. */
   readonly step?: number | undefined
-  /** As usual, where a step is named and no method. */
+  /** The method to play. Default: the usual one. */
   readonly method?: string | undefined
 }
 
-/** How far it is with circles that are opened. */
+/** The loading stage of circles. */
 export type Stage = 'loading' | 'computing' | 'opened' | 'refused'
 
-/** `superseded`: something else was asked for meanwhile. */
+/** The result of an opening. `superseded` means that a later request replaced it. */
 export type HowOpened = 'opened' | 'refused' | 'superseded'
 
 /**
- * All that a user can do with circles. Input and panels call these; nothing else changes the state, but for what was
- * computed.
+ * Everything that a user can do with circles. Input handlers and panels call these methods; apart from results of the
+ * backend, nothing else changes the state.
  */
 export class EditorActions implements Hands {
-  /** Whether circles are only looked at and selected. */
+  /** Whether the circles can be selected but not edited. */
   isReadonly = false
-  /** Of how many circles a link says the name alone, if they have one. */
+  /** Links to named data sets with more circles than this store only the name. */
   protected readonly mostNamed: number = 0
-  /** What is read out. */
+  /** The texts for screen readers. */
   words = ENGLISH_EDITING
-  /** Called with each stage, and how many circles are opened; 0: not known. */
+  /** Called at each stage with the number of circles, 0 if unknown. */
   onstage: (stage: Stage, circles: number) => void = () => {}
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #view: View
   readonly #padding: () => Padding
   #lastLoad = 0
-  /** Ends the wait for what is loaded, which may never come. */
+  /** Stops waiting for a download that may never finish. */
   #stopLoading: () => void = () => {}
   #isPanning = false
   #pending: Promise<unknown> | undefined
@@ -93,14 +93,14 @@ export class EditorActions implements Hands {
     return this.#editing.beginGesture()
   }
 
-  /** What is shown, to be kept or sent; `undefined`: nothing yet. */
+  /** The current state in the form of a link; `undefined` before the first opening. */
   linkState(): LinkInput | undefined {
     const { scene, circles, domain, areas } = this.#editing
     if (scene === undefined) return undefined
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
-    // Areas go by the order of the circles.
+    // Areas are stored in the order of the circles.
     const attributes = this.#editing.fileAttributes
     const isWritten = Array.isArray(areas) || attributes !== undefined
     const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
@@ -118,22 +118,22 @@ export class EditorActions implements Hands {
     }
   }
 
-  /** What is covered of the picture now. */
+  /** The parts of the picture that panels cover. */
   get paddingNow(): Padding {
     return this.#padding()
   }
 
-  /** Whether all circles are seen, as large as that can be. */
+  /** Whether the viewport shows all circles as large as possible. */
   get isWhole(): boolean {
     return isSame(this.#view.camera, this.#fitted(this.#box))
   }
 
-  /** Whether anything was opened, or is about to be. */
+  /** Whether circles have been opened or are being opened. */
   get hasOpened(): boolean {
     return this.#lastLoad > 0
   }
 
-  /** Opens what is loaded, unless something else is asked for meanwhile. What is refused changes nothing. */
+  /** Opens circles once they are loaded, unless a later request replaces them. A refusal changes nothing. */
   async open(load: () => Promise<Opened>): Promise<HowOpened> {
     this.#lastLoad += 1
     this.#stopLoading()
@@ -145,7 +145,7 @@ export class EditorActions implements Hands {
     let end: Stage = 'refused'
     try {
       this.onstage('loading', 0)
-      // What was wrong before is no longer of interest.
+      // Opening new circles clears the previous problem.
       this.complain('')
       const opened = await Promise.race([load(), stopped])
       if (opened === undefined || isSuperseded()) return 'superseded'
@@ -166,7 +166,7 @@ export class EditorActions implements Hands {
         return 'refused'
       }
       end = 'opened'
-      // What is beside the picture may have opened meanwhile.
+      // A panel may have opened beside the picture since, which changes the padding.
       if (this.#view.camera === camera && !isSame(camera, cameraNow())) this.#view.setCamera(cameraNow())
       if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
       else this.#forgetPlaces()
@@ -185,9 +185,9 @@ export class EditorActions implements Hands {
     }
   }
 
-  /** Ends what is being opened: what was there stays. */
+  /** Cancels the current opening; the circles stay. */
   cancelOpening(): void {
-    // What is being loaded comes too late then.
+    // Drops circles that are still loading.
     if (!this.#view.cancel()) {
       this.#lastLoad += 1
       this.#stopLoading()
@@ -195,21 +195,21 @@ export class EditorActions implements Hands {
     }
   }
 
-  /** What layers have in places of other circles is no longer right. */
+  /** Removes layers that refer to positions among the former circles. */
   #forgetPlaces(): void {
     const { path, nearZero, maxDistance } = this.#view.layers
     if (path === undefined && nearZero === undefined && maxDistance === undefined) return
     this.#view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
   }
 
-  /** A path across what is seen. */
+  /** A path across the visible part of the plane. */
   pathAcross(): NonNullable<Layers['path']> {
     const { camera, size } = this.#view
     const half = (PATH_SHARE * size.width) / camera.scale / 2
     return { from: { x: camera.x - half, y: camera.y }, to: { x: camera.x + half, y: camera.y } }
   }
 
-  /** Those that are selected, as they will be. */
+  /** The selected circles, with pending edits applied. */
   held(): Held[] {
     if (this.isReadonly) return []
     return this.#store.get().selection.flatMap((id) => {
@@ -219,7 +219,7 @@ export class EditorActions implements Hands {
   }
 
   set(changes: readonly Held[], gesture = this.beginGesture()): void {
-    // A drag may go on where a circle was removed by a key.
+    // A drag may continue after the keyboard removed one of its circles.
     const there = changes.filter(({ id }) => this.#editing.latest(id) !== undefined)
     if (there.length > 0)
       this.#editing.edit(
@@ -229,9 +229,9 @@ export class EditorActions implements Hands {
   }
 
   /**
-   * Another region, or other areas in the order of the circles, and edits, as one step of undo. `undefined`: refused.
-   *
-   * @throws CircleVoronoiError `badOption` of what is no region
+   * Changes the region or the areas (in the order of the circles), and edits circles, in one undo step. Resolves to
+   * `undefined` if refused.
+   * @throws CircleVoronoiError `badOption` if the region is invalid
    */
   setDomain(change: Partial<Domain>, gesture?: number, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     const { region } = change
@@ -239,17 +239,17 @@ export class EditorActions implements Hands {
     return this.#editing.edit(edits, gesture, plain)
   }
 
-  /** All or none of the edits, as one step of undo. `undefined`: refused. */
+  /** Applies all edits or none as one undo step. Resolves to `undefined` if refused. */
   edit(edits: readonly Edit[]): Promise<Edited | undefined> {
     return this.#editing.edit(edits)
   }
 
-  /** One sentence about what cannot be done; empty: nothing is wrong any more. */
+  /** Shows a problem in one sentence. An empty text clears it. */
   complain(problem: string): void {
     this.#store.update((state) => ({ ...state, problem }))
   }
 
-  /** Adds circles and selects them; returns their ids, or none if they were refused. */
+  /** Adds circles and selects them. Returns their ids, or none if they were refused. */
   async add(circles: readonly Circle[], gesture = this.beginGesture()): Promise<readonly number[]> {
     if (this.isReadonly) return []
     const edited = await this.#editing.edit(
@@ -269,7 +269,7 @@ export class EditorActions implements Hands {
     if (circle !== undefined) await this.add([circle], gesture)
   }
 
-  /** A circle that leaves some room to the nearest other one, if one may be added. */
+  /** A new circle at a point, with some room to the nearest circle; `undefined` where none fits. */
   async fitted({ x, y }: Point): Promise<Circle | undefined> {
     if (this.isReadonly) return undefined
     const usual = USUAL_RADIUS / this.#view.camera.scale
@@ -279,7 +279,7 @@ export class EditorActions implements Hands {
     return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
   }
 
-  /** Adds the selected circles once more, a little aside. */
+  /** Adds copies of the selected circles at an offset. */
   async duplicateSelected(): Promise<void> {
     const aside = roundStep(ASIDE / this.#view.camera.scale)
     const circles = this.held().map(({ circle: { x, y, r } }) => ({ x: stepped(x, aside), y: stepped(y, -aside), r }))
@@ -287,7 +287,7 @@ export class EditorActions implements Hands {
     if (length > 0) this.#say(this.words.duplicated(length))
   }
 
-  /** Adds copies of circles: a little aside, or in the middle of the view if they are not in it. */
+  /** Adds copies of circles: at an offset, or in the middle of the view if they are outside. */
   async paste(circles: readonly Circle[], times: number): Promise<void> {
     const { x, y } = middleOf(circles)
     const { camera } = this.#view
@@ -300,7 +300,7 @@ export class EditorActions implements Hands {
     this.#editing.cancel(gesture)
   }
 
-  /** Has a method played, from this step on; `undefined`: no longer. */
+  /** Plays a method from a step on; `undefined` ends playback. */
   showStep(step: number | undefined, method = this.#store.get().method): void {
     this.#store.update((state) => (state.step === step && state.method === method ? state : { ...state, step, method }))
   }
@@ -309,12 +309,12 @@ export class EditorActions implements Hands {
     this.#store.update((state) => (state.tool === tool ? state : { ...state, tool }))
   }
 
-  /** Adding, or no more. */
+  /** Switches the tool for adding circles on or off. */
   toggleAdding(): void {
     this.useTool(this.#store.get().tool === 'add' ? 'select' : 'add')
   }
 
-  /** What is pressed pans for as long as a key is held. */
+  /** Lets drags pan while a key is held. */
   holdPanning(isHeld: boolean): void {
     this.#isPanning = isHeld
   }
@@ -334,12 +334,12 @@ export class EditorActions implements Hands {
     this.#say(ids.length === 1 ? this.words.deleted(ids[0] as number) : this.words.deletedMany(ids.length))
   }
 
-  /** Moves by steps that leave the numbers short. */
+  /** Moves the selected circles in steps that keep their coordinates short. */
   moveSelected(dx: number, dy: number, gesture: number): void {
     this.#changeSelected(({ x, y, r }) => ({ x: stepped(x, dx), y: stepped(y, dy), r }), gesture)
   }
 
-  /** Changes one radius by a step, but not below zero, or scales several circles. */
+  /** Changes a single radius by a step, not below zero, or scales several circles by a factor. */
   growSelected(dr: number, factor: number, gesture: number): void {
     const held = this.held()
     if (held.length === 1) this.#changeSelected(({ x, y, r }) => ({ x, y, r: Math.max(stepped(r, dr), 0) }), gesture)
@@ -375,13 +375,13 @@ export class EditorActions implements Hands {
     return this.#store.get().selection.includes(id)
   }
 
-  /** Selects a circle beside the others, or no longer. */
+  /** Adds a circle to the selection, or removes it. */
   toggle(id: number): void {
     const { selection } = this.#store.get()
     this.select(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id])
   }
 
-  /** Selects the circles with their centers in a box, beside those that are. */
+  /** Adds the circles with centers in a box to the selection. */
   selectWithin(box: Box): void {
     const { selection } = this.#store.get()
     this.select([...new Set([...selection, ...this.#editing.circles.within(box)])])
@@ -393,7 +393,7 @@ export class EditorActions implements Hands {
     this.#saySelected()
   }
 
-  /** Selects a circle and has the view show it. */
+  /** Selects a circle and brings it into view. */
   goTo(id: number): void {
     this.select([id])
     this.#reveal(id)
@@ -408,7 +408,7 @@ export class EditorActions implements Hands {
     })
   }
 
-  /** Selects the next circle by number, or the one before; reports whether there is one. */
+  /** Selects the next or previous circle by number. Returns whether there is one. */
   selectNext(step: 1 | -1): boolean {
     const last = this.#store.get().selection.at(-1)
     const next = last === undefined ? undefined : this.#editing.circles.next(last + step, step)
@@ -416,20 +416,23 @@ export class EditorActions implements Hands {
     return next !== undefined
   }
 
-  /** Selects the neighbor in a direction, of length 1. */
+  /** Selects the neighbor in a direction of length 1. */
   selectNeighbor(direction: readonly [number, number]): void {
     const { circle } = this.#store.get()
     const next = circle === undefined ? undefined : nextInDirection(circle, this.#neighbors(), direction)
     if (next !== undefined) this.goTo(next.id)
   }
 
-  /** A circle that is dragged, touching neighbors or on the grid if it is so near, in units; `sizes`: its radius changes. */
+  /**
+   * Snaps a dragged circle to its neighbors or the grid if they are within a distance. `sizes` means that the drag
+   * changes its radius.
+   */
   snapped(circle: Circle, within: number, sizes: boolean): Circle {
     const snapping = { others: this.#neighbors(), grid: roundStep(GRID / this.#view.camera.scale), within }
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
   }
 
-  /** Those of the selected circle that are not selected, too. */
+  /** The neighbors of the selected circles that are not selected. */
   #neighbors(): (Circle & { id: number })[] {
     const ids = this.#store.get().described?.neighbors ?? []
     return [...ids].flatMap((id) => {
@@ -451,13 +454,13 @@ export class EditorActions implements Hands {
     this.#store.update((state) => (state.hovered === id ? state : { ...state, hovered: id }))
   }
 
-  /** Gives up what is going on: a tool, or else the selection. */
+  /** Ends the current tool; without one, clears the selection. */
   release(): void {
     if (this.#store.get().tool !== 'select') this.useTool('select')
     else this.select([])
   }
 
-  /** Draws something else, or something more. */
+  /** Changes some of the layers. */
   setLayers(change: Partial<Layers>): void {
     this.#view.setLayers(change)
   }
@@ -470,7 +473,7 @@ export class EditorActions implements Hands {
     return this.#waitFor(() => this.#go(() => this.#editing.redo()))
   }
 
-  /** Ends once it is known what was undone, done again or selected; `undefined`: it is. */
+  /** Settles once pending undo, redo and hit tests are known; `undefined` if none are pending. */
   get pending(): Promise<unknown> | undefined {
     return this.#pending
   }
@@ -505,39 +508,39 @@ export class EditorActions implements Hands {
     this.#view.setCamera(zoomed(camera, size, anchor, scale / camera.scale))
   }
 
-  /** Zooms by a step: in by 1, out by -1. */
+  /** Zooms in (1) or out (-1) by one step. */
   zoomAtMiddle(steps: 1 | -1): void {
     const { width, height } = this.#view.size
     this.zoom(ZOOM_STEP ** steps, { x: width / 2, y: height / 2 })
   }
 
-  /** Shows what a view says, if it is one of these circles; else, and without one, everything. */
+  /** Applies a link's viewport if it shows any of the circles. Otherwise shows all circles. */
   look(view: LinkView | undefined): void {
     this.#view.setCamera(this.#looking(view, this.#box))
   }
 
-  /** Shows the selected circles, with as much around them. */
+  /** Zooms to the selected circles, with a margin. */
   zoomToSelection(): void {
     const circles = this.#store.get().selection.flatMap((id) => this.#editing.circles.get(id) ?? [])
     if (circles.length === 0) return
     const box = boundingBox(Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r])))
     const { camera } = this.#view
-    // A point has no size: it is seen as a circle that is added would be.
+    // A point is shown at the size of a new circle.
     const least = USUAL_RADIUS / camera.scale
     const half = SHOWN_AROUND * (Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2 || least)
     const [x, y] = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2]
     this.#view.setCamera(this.#fitted({ minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }))
   }
 
-  /** Shows everything, or where everything is shown already, all but what lies far outside. */
+  /** Shows everything. If everything is already visible, leaves out distant outliers. */
   fit(): void {
     const { circles, domain } = this.#editing
     const [whole, core] = [this.#fitted(this.#box), this.#fitted(circles.core())]
-    // A region is not left out.
+    // A region is always shown in full.
     this.#view.setCamera(domain.region === undefined && isSame(this.#view.camera, whole) ? core : whole)
   }
 
-  /** Around all that is to be seen. */
+  /** The bounding box of the circles and the region. */
   get #box(): Box {
     return boxOf(this.#editing.circles.box(), this.#editing.domain)
   }
@@ -547,7 +550,7 @@ export class EditorActions implements Hands {
     return [whole * SMALLEST_ZOOM, Math.max(whole, this.#fitted(core).scale) * LARGEST_ZOOM]
   }
 
-  /** The camera of a view that somebody else has made up, if it is one of these circles; else all of them. */
+  /** The camera of a link's viewport if it shows any of the circles, else of all circles. */
   #looking(view: LinkView | undefined, box: Box): Camera {
     return cameraLooking(view, box, this.#view.size, this.#padding())
   }
@@ -556,7 +559,7 @@ export class EditorActions implements Hands {
     return fitted(box, this.#view.size, this.#padding())
   }
 
-  /** Has the view show the center of a circle, where it does not. */
+  /** Brings the center of a circle into view. */
   #reveal(id: number): void {
     const circle = this.#editing.circles.get(id)
     if (circle !== undefined && !this.#shows(circle)) {
@@ -564,12 +567,12 @@ export class EditorActions implements Hands {
     }
   }
 
-  /** Has the view show all of some circles, where it does not. */
+  /** Brings all given circles into view. */
   reveal(circles: readonly Circle[]): void {
     if (!circles.every((circle) => this.#shows(circle))) this.look(undefined)
   }
 
-  /** Whether a point is in the view, where no panel stands. */
+  /** Whether a point is visible and not covered by a panel. */
   #shows(point: Point): boolean {
     const { camera, size } = this.#view
     const { top, right, bottom, left } = this.#padding()

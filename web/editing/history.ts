@@ -5,52 +5,52 @@ import type { Domain } from '../view/domain.ts'
 import { type Attributes, bytesOfAttributes, NO_ATTRIBUTES } from './attributes.ts'
 import { PackedSteps } from './packed-steps.ts'
 
-/** Circles that are opened at once. */
+/** A set of circles that are opened together. */
 export interface Scene {
   readonly circles: Float64s
-  /** The name of a data set, or empty. */
+  /** The name of a data set, or an empty text. */
   readonly dataSet: string
-  /** Whether the circles are no longer those of the data set. */
+  /** Whether the circles differ from those of the data set. */
   readonly isEdited: boolean
-  /** What each circle is called; empty: nothing. */
+  /** The label of each circle, empty for circles without one. */
   readonly names?: readonly string[] | undefined
-  /** What else a file says of the circles. */
+  /** The other attributes of a file. */
   readonly attributes?: Attributes | undefined
-  /** What cells are cut to, and their areas. `undefined`: neither. */
+  /** The clipping region and the areas, if any. */
   readonly domain?: Domain | undefined
 }
 
-/** What goes back to before one gesture. */
+/** The edits that undo one gesture. */
 interface Edits {
   readonly kind: 'edits'
   readonly steps: PackedSteps
-  /** The domain before; `undefined`: it stays. */
+  /** The former domain; `undefined` if the gesture did not change it. */
   readonly domain?: Domain | undefined
-  /** The attributes before, likewise. */
+  /** The former attributes; `undefined` if the gesture did not change them. */
   readonly attributes?: Attributes | undefined
   readonly gesture: number
 }
 
-/** What goes back to other circles. */
+/** The entry that restores circles replaced by an opening. */
 export interface Opening {
   readonly kind: 'opening'
   readonly scene: Scene
-  /** The ids that the circles had, in ascending order. */
+  /** The former ids of the circles, in ascending order. */
   readonly ids: Int32Array
-  /** The numbers of circles by their ids: those of attributes and areas in older entries, too. */
+  /** The numbers of circles by their ids. Attributes, areas and older entries refer to these numbers. */
   readonly numbering: Numbering
 }
 
-/** Which number a circle has. It keeps its number when it comes back by undo, with another id. */
+/** Assigns numbers to circles. A circle that undo restores keeps its number but gets a new id. */
 export interface Numbering {
-  /** Where it is not `shift` more than the id. */
+  /** Exceptions, where the number is not `shift` more than the id. */
   readonly numbers: ReadonlyMap<number, number>
   readonly shift: number
-  /** All numbers are below. */
+  /** All numbers are below this one. */
   readonly end: number
 }
 
-/** What was done, and what was undone; the newest last. */
+/** The entries that undo and redo apply, newest last. */
 export interface History {
   readonly done: readonly (Edits | Opening)[]
   readonly undone: readonly (Edits | Opening)[]
@@ -58,7 +58,7 @@ export interface History {
 
 export const EMPTY_HISTORY: History = { done: [], undone: [] }
 
-/** Adds what goes back to before an edit. Edits of one gesture, a drag for instance, become one entry. */
+/** Records the entry that reverts an edit. Edits of one gesture, such as a drag, share an entry. */
 export function record(
   { done }: History,
   steps: readonly Step[],
@@ -70,7 +70,7 @@ export function record(
     const entry: Edits = { kind: 'edits', steps: PackedSteps.of(steps), gesture, domain, attributes }
     return { done: [...done, entry], undone: [] }
   }
-  // What the gesture has replaced or brought goes back to where it was at first.
+  // Circles that the gesture has already changed or inserted keep their first recorded state.
   const known = last.steps.known()
   const more = steps.filter((step) => step.kind !== 'replace' || !known.has(step.id))
   const entry = {
@@ -82,7 +82,7 @@ export function record(
   return { done: [...done.slice(0, -1), entry], undone: [] }
 }
 
-/** The history where circles have other ids than they had. What lies behind an opening is about other circles. */
+/** Translates the history to new ids of circles. Entries before an opening refer to other circles and stay. */
 export function renamed({ done, undone }: History, idOf: (id: number) => number): History {
   const rename = (entries: History['done']): History['done'] => {
     const from = entries.findLastIndex(({ kind }) => kind === 'opening') + 1
@@ -92,14 +92,14 @@ export function renamed({ done, undone }: History, idOf: (id: number) => number)
   return { done: rename(done), undone: rename(undone) }
 }
 
-/** The memory that a history may take: 46 moves of 100,000 circles. */
+/** Memory limit of a history in bytes: 46 moves of 100,000 circles. */
 export const MOST_BYTES = 2 ** 27
-/** What an entry takes beside its numbers. */
+/** Overhead of an entry, in bytes. */
 const ENTRY_BYTES = 200
 
 /**
- * A history that takes no more than so many bytes. What goes is farthest from the circles as they are: the oldest of what was
- * done, or of what was undone. The last step of each side stays.
+ * Limits the memory of a history by removing the entries farthest from the present, on both sides. The nearest entry of
+ * each side stays.
  */
 export function limited({ done, undone }: History, most: number): History {
   let bytes = [...done, ...undone].reduce((sum, entry) => sum + bytesOf(entry), 0)
@@ -112,7 +112,7 @@ export function limited({ done, undone }: History, most: number): History {
 }
 
 function bytesOf(entry: Edits | Opening): number {
-  // Of other attributes, one column is another one, and its texts are mostly the same.
+  // Changed attributes usually differ in one column, and share most texts with the current ones.
   if (entry.kind === 'edits') {
     return ENTRY_BYTES + entry.steps.bytes + 8 * (entry.attributes?.columns[0]?.values.length ?? 0)
   }
@@ -122,8 +122,8 @@ function bytesOf(entry: Edits | Opening): number {
 }
 
 /**
- * The ids of circles once they are opened: the k-th one gets k. Those of circles that are not there any more, but may come
- * back, get ids that no circle has: below zero, each another one.
+ * Maps former ids to ids after the circles are opened again: the k-th circle gets k. Removed circles that undo may
+ * restore get negative ids, which no circle has.
  */
 export function idsOnceOpened(ids: Int32Array, nextAbsent: () => number): (id: number) => number {
   const absent = new Map<number, number>()
@@ -136,7 +136,7 @@ export function idsOnceOpened(ids: Int32Array, nextAbsent: () => number): (id: n
   }
 }
 
-/** Where a number is among ascending ones. */
+/** The index of a number in an ascending list. */
 function placeOf(ids: Int32Array, id: number): number | undefined {
   let [from, to] = [0, ids.length]
   while (from < to) {

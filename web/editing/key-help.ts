@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** The name of keys, and what they do. */
+/** The names of keys, and their action. */
 export type KeyRow = readonly [keys: string, action: string]
 
-/** The keys of a figure (`keyboard.ts`) in one language. */
+/** The keyboard shortcuts of a figure (`keyboard.ts`) in one language. */
 export interface KeyHelp {
   readonly select: Readonly<Record<'one' | 'next' | 'neighbor' | 'all' | 'zoom', KeyRow>>
   readonly edit: Readonly<Record<'add' | 'move' | 'resize' | 'remove' | 'duplicate' | 'undo' | 'snap', KeyRow>>
   readonly look: Readonly<Record<'pan' | 'zoom' | 'fit', KeyRow>>
-  /** Introduces `look` where the same keys edit a selection. */
+  /** Introduces `look`, the keys of a figure without a selection. */
   readonly withoutSelection: string
 }
 
@@ -37,7 +37,7 @@ export const ENGLISH_KEYS: KeyHelp = {
   withoutSelection: 'Without a selection:',
 }
 
-/** All keys as text for screen readers. `more`: keys that only the page has. */
+/** Lists all keyboard shortcuts as text for screen readers. `more` holds additional shortcuts of the page. */
 export function spokenKeys(help: KeyHelp, isReadonly: boolean, more: readonly KeyRow[] = []): string {
   const { select, edit, look, withoutSelection } = help
   const sentences = (rows: readonly KeyRow[]) => rows.map(([keys, action]) => `${keys}: ${action}.`)

@@ -7,11 +7,11 @@ import type { EditorActions } from './editor-actions.ts'
 import type { State } from './state.ts'
 import type { Store } from './store.ts'
 
-/** The step of one arrow key, in pixels; Shift makes it bigger, Alt finer. */
+/** Step of an arrow key in pixels. Shift enlarges it, Alt reduces it. */
 const STEP = 4
 const BIGGER = 10
 const FINER = 1 / 10
-/** What one step scales several circles by. */
+/** Factor minus 1 of one scaling step for several circles. */
 const SCALE_STEP = 0.04
 const PAN_STEP = 48
 
@@ -23,25 +23,27 @@ export const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowDown: [0, -1],
 }
 
-/** What keys do that is not about circles. */
+/** Keyboard shortcuts that do not concern circles. */
 export interface KeyActions {
-  /** Moves the focus to the numbers of the selected circle. */
+  /** Moves the focus to the number fields of the selected circle. */
   editNumbers?(): void
   showHelp?(): void
-  /** Reports whether a key was one of drawing a region. `step`: of arrow keys, in units. */
+  /**
+   * Handles keys while a region is drawn, and returns whether it used the key. `step` is that of arrow keys, in units.
+   */
   drawKey?(key: string, step: number): boolean
-  /** Begins to draw one. */
+  /** Begins to draw a region. */
   drawRegion?(): void
 }
 
 export interface KeyboardOptions {
-  /** Where some keys are heard, wherever the focus is in it. */
+  /** Receives the shortcuts that work wherever the focus is. */
   readonly around: Document | HTMLElement
-  /** Aborting it ends that. */
+  /** Aborting the signal removes all listeners. */
   readonly signal: AbortSignal
 }
 
-/** Keys on the figure; some of them anywhere in `around` but in a field. */
+/** Listens to keys on the figure, and to some shortcuts anywhere in `around` except in fields. */
 export function listenToKeyboard(
   figure: HTMLElement,
   view: View,
@@ -51,7 +53,7 @@ export function listenToKeyboard(
   { editNumbers, showHelp, drawKey, drawRegion }: KeyActions,
   { around, signal }: KeyboardOptions,
 ): void {
-  // A key that is held down is one gesture.
+  // A held key is one gesture.
   let gesture = 0
 
   const onFigureKey = (event: KeyboardEvent): boolean => {
@@ -109,7 +111,7 @@ export function listenToKeyboard(
     }
   }
 
-  /** What keys with Ctrl or Cmd do, on the figure or elsewhere. */
+  /** Shortcuts with Ctrl or Cmd, on the figure and elsewhere. */
   const commandOf = (event: KeyboardEvent): (() => void) | undefined => {
     const arrow = event.target === figure ? ARROWS[event.key] : undefined
     if (arrow !== undefined) return () => actions.selectNeighbor(arrow)
@@ -127,7 +129,7 @@ export function listenToKeyboard(
     }
   }
 
-  /** What keys do wherever the focus is, on a button of the toolbar too. */
+  /** Shortcuts that work wherever the focus is, also on a toolbar button. */
   const actionOf = (event: KeyboardEvent): (() => void) | undefined => {
     switch (event.key.toLowerCase()) {
       case '?':
@@ -153,8 +155,8 @@ export function listenToKeyboard(
   }
 
   /**
-   * What is clicked may not be selected yet, or what is undone not be there again: then it is not known whether the key is
-   * used, and the browser does not get it.
+   * Defers a shortcut until pending hit tests and undos are done. As its effect is not known yet, the browser's default
+   * action is suppressed.
    */
   const afterwards = (event: KeyboardEvent, act: () => boolean) => {
     const pending = pointer.pending ?? actions.pending
@@ -181,10 +183,10 @@ export function listenToKeyboard(
       return true
     })
   }
-  // TypeScript does not know that either of the two has these.
+  // TypeScript finds no common signature of the two.
   ;(around as HTMLElement).addEventListener('keydown', onKeyAround, { signal })
   if ('body' in around) return
-  // A page around a figure may have keys of its own, as slides do.
+  // The surrounding page may use the same keys, as slides do.
   around.addEventListener(
     'keydown',
     (event) => {

@@ -3,15 +3,18 @@ import { at } from '../lib/base/diagram-data.ts'
 import type { Step } from '../view/circle-table.ts'
 
 const KINDS = ['insert', 'remove', 'replace'] as const
-/** In place of the former id of a circle that had none. */
+/** Marks a step without a former id. */
 const NO_ID = -(2 ** 31)
 
-/** The steps that undo an edit, as numbers: as objects, those of a hundred thousand circles would take 35 MB. */
+/**
+ * The steps that undo an edit, packed into arrays of numbers. As objects, the steps of 100,000 circles would take 35
+ * MB.
+ */
 export class PackedSteps {
   readonly #kinds: Uint8Array
-  /** Of an insertion the former id. */
+  /** The former ids, for insertions. */
   readonly #ids: Int32Array
-  /** x, y and r of each; of a removal zeros. */
+  /** x, y and r of each step, zeros for removals. */
   readonly #numbers: Float64Array
 
   private constructor(kinds: Uint8Array, ids: Int32Array, numbers: Float64Array) {
@@ -40,12 +43,12 @@ export class PackedSteps {
     return this.#kinds.byteLength + this.#ids.byteLength + this.#numbers.byteLength
   }
 
-  /** The ids of circles that are there before the steps are done. */
+  /** The ids of circles that exist before the steps run. */
   known(): Set<number> {
     return new Set(this.#ids.filter((_, k) => this.#kinds[k] !== 0))
   }
 
-  /** The steps as they were given. */
+  /** Returns the steps as objects. */
   unpacked(): Step[] {
     return Array.from(this.#kinds, (kind, k): Step => {
       const id = at(this.#ids, k)
@@ -56,7 +59,7 @@ export class PackedSteps {
     })
   }
 
-  /** These steps after some others. */
+  /** Prepends other steps. */
   after(steps: readonly Step[]): PackedSteps {
     if (steps.length === 0) return this
     const first = PackedSteps.of(steps)
@@ -71,7 +74,7 @@ export class PackedSteps {
     return new PackedSteps(kinds, ids, numbers)
   }
 
-  /** The steps where circles have other ids. */
+  /** Translates the steps to other ids of circles. */
   renamed(idOf: (id: number) => number): PackedSteps {
     return new PackedSteps(
       this.#kinds,

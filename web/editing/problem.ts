@@ -2,13 +2,15 @@
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import { ENGLISH_REFUSALS, type Refusals, type Telling } from '../view/refusal.ts'
 
-/** How another language than English tells errors. */
+/** Localized messages of errors. */
 export interface ProblemWords extends Refusals {
-  /** An error of the library, whose message is English. */
+  /** Localizes an error of the library. */
   coded(error: CircleVoronoiError): string
 }
 
-/** What is wrong, as a reader is told; English by default. `hasCircles`: there are circles, which stay as they were. */
+/**
+ * The message of an error for users, in English by default. `hasCircles` means that circles are still shown, unchanged.
+ */
 export function problemOf(error: Error, hasCircles: boolean, words?: ProblemWords): string {
   const isOfLibrary = error instanceof CircleVoronoiError
   const text = words === undefined ? error.message : told(error, words)

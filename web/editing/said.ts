@@ -5,21 +5,21 @@ import type { State } from './state.ts'
 import type { Store } from './store.ts'
 import type { EditingWords } from './words.ts'
 
-/** So long nothing may change before it is said, in milliseconds: of a drag, the end. */
+/** Delay without further changes before an announcement, in milliseconds. Drags are announced at their end. */
 const REST = 250
 
-/** Says what was done, and which circle is selected, to who does not see it: each once. */
+/** Announces edits and the selection to screen readers, each once. */
 export function mountSaid(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
-  /** The action that is not announced yet, and the circle that it left selected. */
+  /** The pending announcement, and the circle that the action selected. */
   let done: { readonly text: string; readonly id: number | undefined } | undefined
 
   const say = (text: string) => {
     clearTimeout(timer)
     timer = setTimeout(() => {
       done = undefined
-      // The same text once more is heard only if it comes anew.
+      // Screen readers announce a repeated text only if the node is new.
       said.replaceChildren(text)
     }, REST)
   }
@@ -27,7 +27,8 @@ export function mountSaid(store: Store<State>, said: HTMLElement, words: () => E
     const { selected, described } = state
     if (state.said !== before.said) {
       done = { text: state.said.text, id: selected }
-      // A circle that it selected is described a moment later: both are announced together.
+      // The description of a newly selected circle arrives a moment later. Waiting for it allows one announcement for
+      // both.
       const isKnown = selected === undefined || described?.id === selected
       if (isKnown) say(done.text)
       else clearTimeout(timer)

@@ -8,8 +8,8 @@ import type { Domain } from '../view/domain.ts'
 import type { Scene } from './history.ts'
 
 /**
- * What a link says of circles that were opened as `scene` and are now those of a table: whichever is shorter. `mostNamed`: of
- * how many circles it may say the name alone.
+ * The circles of a link: either edits of the scene that was opened, or the table's current circles, whichever is
+ * shorter. Data sets with more than `mostNamed` circles are stored by name.
  */
 export function circlesOfLink(
   scene: Scene,
@@ -23,13 +23,13 @@ export function circlesOfLink(
   return edits.length < circles.length / 3 ? { dataSet, edits } : { circles: table.circles() }
 }
 
-/** What a link says of the region: nothing of the one that its data set has. */
+/** The region of a link; left out if it is the data set's. */
 export function regionOfLink({ dataSet, isEdited, domain }: Scene, { region }: Domain): Pick<LinkState, 'region'> {
   const own = dataSet === '' || isEdited ? undefined : domain?.region
   return region === own ? {} : { region: region ?? null }
 }
 
-/** Edits that make the circles of a table of these, which had the ids from 0 on. */
+/** The edits that turn the given circles, with ids from 0 on, into those of a table. */
 export function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
   const edits: Edit[] = []
   const count = circles.length / 3
@@ -44,7 +44,7 @@ export function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
   return edits
 }
 
-/** What is looked at, whatever the size of the window. */
+/** The viewport of a link, independent of the size of the window. */
 export function viewOfLink({ x, y, scale }: Camera, { width, height }: Size): LinkView {
   return { x, y, span: Math.min(width, height) / scale }
 }
@@ -53,11 +53,11 @@ export function cameraOf({ x, y, span }: LinkView, { width, height }: Size): Cam
   return { x, y, scale: Math.min(width, height) / span }
 }
 
-/** How far one may zoom out from the whole picture, and in. */
+/** Range of zoom, relative to the whole picture. */
 export const SMALLEST_ZOOM = 0.05
 export const LARGEST_ZOOM = 1e7
 
-/** The camera of a view that somebody else has made up, if it is one of what lies in a box; else that of the whole box. */
+/** The camera of a link's viewport if the viewport meets a box, else of the whole box. */
 export function cameraLooking(view: LinkView | undefined, box: Box, size: Size, padding: Padding): Camera {
   const whole = fitted(box, size, padding)
   if (view === undefined) return whole

@@ -9,51 +9,51 @@ import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
 import type { Outcome } from './editing.ts'
 import { EMPTY_HISTORY, type History } from './history.ts'
 
-/** What the panels show. It is never changed, only replaced; the circles themselves are in a `CircleTable`. */
+/** The state that panels show. It is replaced, never modified. The circles are kept separately, in a `CircleTable`. */
 export interface State {
   readonly dataSet: string
-  /** Of the circles as they are; `undefined`: none yet. */
+  /** The last result; `undefined` before the first opening. */
   readonly edited: Edited | undefined
   readonly history: History
   readonly domain: Domain
-  /** What else is known of circles, by their numbers. */
+  /** The attributes of circles, by their numbers. */
   readonly attributes: Attributes
-  /** One sentence about what was refused, or empty. */
+  /** The current problem in one sentence, or an empty text. */
   readonly problem: string
-  /** What can be done about a problem, as long as it is that one. */
+  /** The remedy for the current problem. */
   readonly remedy: Remedy | undefined
-  /** Those that are selected, the newest last. */
+  /** The ids of selected circles, the newest last. */
   readonly selection: readonly number[]
-  /** The one that is, if there is only one. */
+  /** The selected circle's id, if exactly one is selected. */
   readonly selected: number | undefined
-  /** The selected circle as it is. */
+  /** The selected circle's current values. */
   readonly circle: Circle | undefined
-  /** What is known of it, a moment later. */
+  /** The description of the selected circle, which arrives later. */
   readonly described: Described | undefined
   readonly hovered: number | undefined
-  /** What is drawn. */
+  /** The visible layers. */
   readonly layers: Layers
-  /** What of it depends on all circles, once it is known. */
+  /** Results for layers that depend on all circles, once computed. */
   readonly found: Found | undefined
-  /** The step of the method that is shown; `undefined`: it is not played. */
+  /** The step of playback; `undefined` if no method is played. */
   readonly step: number | undefined
-  /** Which method that is; `undefined`: as usual. */
+  /** The method of playback; `undefined` for the usual one. */
   readonly method: string | undefined
   readonly tool: Tool
-  /** Whether dragged circles snap without a key. */
+  /** Whether dragged circles snap without a modifier key. */
   readonly isSnapping: boolean
-  /** What is said to screen-reader users; another object each time. */
+  /** The last announcement for screen readers. A new object announces again. */
   readonly said: { readonly text: string }
 }
 
-/** A way out of a problem. */
+/** An action that solves a problem. */
 export interface Remedy {
   readonly problem: string
   readonly label: string
   act(): void
 }
 
-/** What a press on the figure does. */
+/** The action of a press on the figure. */
 export type Tool = 'select' | 'pan' | 'add' | 'draw'
 
 export const INITIAL_STATE: State = {
@@ -78,7 +78,7 @@ export const INITIAL_STATE: State = {
   said: { text: '' },
 }
 
-/** The state once circles were opened or edited: those that were selected may be gone, and other circles have other ids. */
+/** The state after circles were opened or edited. Removed circles leave the selection; an opening clears it. */
 export function stateAfter(state: State, outcome: Outcome, circles: CircleTable): State {
   const { edited, history, domain, attributes, isOpened } = outcome
   const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
@@ -86,7 +86,7 @@ export function stateAfter(state: State, outcome: Outcome, circles: CircleTable)
   return isOpened ? { ...next, described: undefined, hovered: undefined } : next
 }
 
-/** The state with this selection of circles, as they are. */
+/** The state with a selection of circles at their current values. */
 export function withSelection(state: State, selection: readonly number[], circles: CircleTable): State {
   const selected = selection.length === 1 ? selection[0] : undefined
   const circle = selected === undefined ? undefined : circles.get(selected)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { nextFrame } from '../view/next-frame.ts'
 
-/** Holds a value and tells whoever subscribed once per frame in which it was replaced. */
+/** Holds a value, and notifies its subscribers once per frame if it was replaced. */
 export interface Store<Value> {
   get(): Value
   update(change: (value: Value) => Value): void
-  /** Returns what ends that. */
+  /** Subscribes a listener, and returns a function that unsubscribes it. */
   subscribe(listener: (value: Value) => void): () => void
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** What is read out while circles are edited. */
+/** The texts read out while circles are edited. */
 export interface EditingWords {
   added(id: number): string
   addedMany(count: number): string
@@ -9,7 +9,7 @@ export interface EditingWords {
   deletedMany(count: number): string
   moved(count: number): string
   selected(count: number): string
-  /** A circle and what is known of its cell. */
+  /** Describes a circle and its cell. */
   circle(id: number, description: string): string
   numbers(id: number, x: string, y: string, r: string): string
   hidden(hider: number): string

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The script of a course package: the frame of one link, which reports to the learning management system. The element has a
-// script of its own beside it.
+// The script of a course package. It shows one link in a frame and reports to the learning management system. The
+// element's script is loaded separately.
 import { decodeLink } from '../lib/link.ts'
 import { Frame } from './frame.ts'
 import { findApi, ScormSession } from './scorm.ts'

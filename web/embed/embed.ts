@@ -5,13 +5,13 @@ import '../element/index.ts'
 import { isRecord } from '../lib/base/check.ts'
 import { Frame } from './frame.ts'
 
-/** Makes the circles of families. */
+/** Generates families of circles. */
 const files = new FilesClient()
 const { parent } = window
 const isFramed = parent !== window
 const frame = new Frame(document.querySelector('main') as HTMLElement, {
   load: (dataSet) => loadLinked(dataSet, (recipe) => files.call('make', recipe)),
-  // A teacher may put the frame into any page, and it has nothing that this page has not given it.
+  // Any page may embed the frame. The messages contain nothing that the page has not sent.
   tell: (message) => isFramed && parent.postMessage(message, '*'),
 })
 

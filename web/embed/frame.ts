@@ -46,7 +46,7 @@ export class Frame {
   /** The number of states that are being shown. */
   #showing = 0
 
-  /** `main`: the element `main` of embed.html. */
+  /** `main` is the element `main` of embed.html. */
   constructor(main: HTMLElement, options: FrameOptions) {
     this.#main = main
     this.#options = options
@@ -143,7 +143,7 @@ export class Frame {
     return { region: domain?.region, ...state, circles }
   }
 
-  /** Tells of the figure as it is once everything is computed: once for all changes until then. */
+  /** Reports the state of the figure once everything is computed. Changes until then are reported together. */
   async #tellSoon(): Promise<void> {
     // The circles of one state and the check of another do not belong together.
     if (this.#isWaiting || this.#showing > 0) return
@@ -156,7 +156,7 @@ export class Frame {
 
   #resized(): void {
     if (this.#isFitted) {
-      // The figure hears of its size a moment later.
+      // The figure learns its new size a moment later.
       setTimeout(() => {
         this.#figure.view = undefined
       })
@@ -209,7 +209,7 @@ export class Frame {
     this.#part('texts').classList.toggle('visually-hidden', title === '' && question === '' && !this.#isAsked)
     const open = this.#part('open')
     open.textContent = words.open
-    // Whoever has to answer here does not leave for another page.
+    // A reader who has to answer here does not leave for another page.
     open.hidden = this.#isAsked
     if (this.#figure.readonly !== readonly) this.#figure.readonly = readonly
     if (this.#figure.alt !== alt) this.#figure.alt = alt
@@ -223,7 +223,7 @@ export class Frame {
     met.hidden = !this.#isAsked
     met.dataset.met = String(isMet)
     const text = isMet ? this.#words.met : this.#words.unmet
-    // It is read out whenever it is set.
+    // Assigning the text announces it again.
     if (met.textContent !== text) met.textContent = text
   }
 

@@ -13,12 +13,12 @@ export interface ScormApi {
   LMSFinish(empty: ''): string
 }
 
-/** Frames may be in one another. */
+/** Limits the search for the interface, as frames may be nested in a cycle. */
 const MOST_PARENTS = 500
-/** `cmi.suspend_data` has so many characters. */
+/** The maximum length of `cmi.suspend_data`, in characters. */
 const MOST_SUSPENDED = 4096
 
-/** The interface of the system: of a window around this one, or of the window that has opened it. */
+/** Finds the system's interface in the enclosing windows or the opener. */
 export function findApi(start: Window): ScormApi | undefined {
   return apiAround(start) ?? (start.opener === null ? undefined : apiAround(start.opener as Window))
 }
@@ -34,7 +34,7 @@ function apiAround(start: Window): ScormApi | undefined {
   return undefined
 }
 
-/** A window of another origin tells nothing. */
+/** A window of another origin throws. */
 function apiOf(window: Window): ScormApi | undefined {
   try {
     return (window as Window & { API?: ScormApi }).API ?? undefined
@@ -51,7 +51,7 @@ export class ScormSession {
   #isFinished = false
   #suspended = ''
 
-  /** Begins. `hasCheck`: whether there is something to pass; without it, the lesson is completed by opening it. */
+  /** Starts the session. `hasCheck` means that the reader can pass; otherwise opening the lesson completes it. */
   constructor(api: ScormApi, hasCheck: boolean) {
     this.#api = api
     this.#hasCheck = hasCheck
@@ -68,7 +68,7 @@ export class ScormSession {
     return this.#suspended
   }
 
-  /** Reports a change. Whoever has passed stays so. */
+  /** Reports a change. A lesson stays passed. */
   async tell({ state, met }: FrameMessage): Promise<void> {
     if (state === undefined || this.#isFinished) return
     if (met === true && !this.#isPassed) {
@@ -83,7 +83,7 @@ export class ScormSession {
     if (link.length <= MOST_SUSPENDED) this.#suspended = link
   }
 
-  /** Reports the time and the circles, and ends. */
+  /** Reports the time and the circles, and ends the session. */
   finish(): void {
     if (this.#isFinished) return
     this.#isFinished = true
@@ -99,7 +99,7 @@ export class ScormSession {
   }
 }
 
-/** Milliseconds as HHHH:MM:SS.SS. */
+/** Formats milliseconds as HHHH:MM:SS.SS. */
 export function durationOf(milliseconds: number): string {
   const hundredths = Math.round(milliseconds / 10)
   const pad = (value: number, digits = 2) => String(Math.floor(value)).padStart(digits, '0')

@@ -29,7 +29,7 @@ const FAILURE = 1
 
 class UsageError extends Error {}
 
-/** Runs the command, and returns the exit status. `program`: the path of this program. */
+/** Runs the command and returns the exit status. `program` is the path of this program. */
 export async function picture(args: readonly string[], program: string): Promise<number> {
   try {
     await draw(args, program)
@@ -65,7 +65,7 @@ async function draw(args: readonly string[], program: string): Promise<void> {
     process.stdout.write(svg)
     return
   }
-  // A file is replaced once the new one is whole.
+  // Written to a temporary file first, so that an existing file is replaced only by a complete one.
   const made = `${output}.part${format}`
   try {
     if (format === '.svg') writeFileSync(made, svg)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PNG and PDF by a program of the system: rsvg-convert (librsvg), or a browser of the Chromium family.
+// Converts SVG to PNG and PDF with an installed program: rsvg-convert (librsvg) or a Chromium browser.
 import { spawnSync } from 'node:child_process'
 import { copyFileSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -10,7 +10,7 @@ export interface Converted {
   readonly svg: string
   readonly width: number
   readonly height: number
-  /** Pixels of a PNG for each pixel of the SVG. */
+  /** Pixels of the PNG per pixel of the SVG. */
   readonly scale: number
 }
 
@@ -20,13 +20,13 @@ const BROWSERS = [
   'C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe',
   'C:\\Program Files (x86)\\Microsoft\\Edge\\Application\\msedge.exe',
 ]
-/** Points of a PDF in a pixel of CSS are 3/4. */
+/** Time limit of a converter. */
 const SECONDS = 60
 
 export const NO_CONVERTER =
   'PNG and PDF need rsvg-convert (apt install librsvg2-bin, brew install librsvg) or Chromium; or set CHROMIUM_PATH to a browser.'
 
-/** Writes a PNG or a PDF. Returns false if no converter is there; throws what the converter says. */
+/** Writes a PNG or a PDF. Returns false if no converter is installed; throws the converter's message. */
 export function convert(picture: Converted, format: 'png' | 'pdf', file: string): boolean {
   const folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
   try {
@@ -59,7 +59,7 @@ function byBrowser(picture: Converted, format: 'png' | 'pdf', made: string, fold
           `--window-size=${Math.ceil(width)},${Math.ceil(height)}`,
           `--force-device-scale-factor=${scale}`,
         ]
-  // Its sandbox is for pages of others; in containers it often cannot start.
+  // The sandbox protects from pages of others, which are not loaded here. In containers it often cannot start.
   const always = [
     '--headless',
     '--no-sandbox',
@@ -73,7 +73,7 @@ function byBrowser(picture: Converted, format: 'png' | 'pdf', made: string, fold
   )
 }
 
-/** Returns false if there is no such program. */
+/** Returns false if the program is not installed. */
 function run(program: string, args: readonly string[], input = ''): boolean {
   const { error, status, stderr } = spawnSync(program, args, { input, timeout: SECONDS * 1000, encoding: 'utf8' })
   if (error !== undefined && 'code' in error && error.code === 'ENOENT') return false

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture is made of: a link, or a file that has a link or circles.
+// Reads the source of a picture: a link, or a file that holds a link or circles.
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { parseNamed } from '../app/csv.ts'
@@ -16,8 +16,7 @@ const STANDARD_INPUT = '-'
 const PROGRAM_OUTPUT = 2 ** 28
 
 /**
- * The state that a link or a file says.
- *
+ * Reads the state of a link or a file.
  * @param program the path of this program, which generates families of circles
  * @throws Error
  */
@@ -75,7 +74,7 @@ function generated(program: string, family: string, count: number, seed: number)
   return execFileSync(process.execPath, args, { encoding: 'utf8', maxBuffer: PROGRAM_OUTPUT })
 }
 
-/** The data sets of the playground are beside it. */
+/** The playground serves its data sets next to its page. */
 async function fetched(dataSet: string, file: string, address: string): Promise<string> {
   if (!/^https?:/.test(address)) {
     refuse(`The link names the data set "${dataSet}" of the playground: pass its whole address, https://.../#v1...`)

@@ -33,7 +33,7 @@ export interface PictureOptions extends LoadOptions {
   readonly scheme?: Scheme | undefined
 }
 
-/** Around circles that are all in a picture, in pixels: as in an element without buttons. */
+/** Margin around the circles if all are visible, in pixels, the same as in an element without buttons. */
 const ROOM = { top: 16, right: 16, bottom: 16, left: 16 }
 const LONGEST_SIDE = 100_000
 
@@ -92,7 +92,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   }
 }
 
-/** The state, with circles. All other fields are checked as those of a link are. */
+/** Checks all fields of a state as a link's fields are checked. */
 async function checked(state: LinkInput | string): Promise<LinkState & { circles: Float64Array }> {
   if (typeof state !== 'string' && !isRecord(state)) {
     refuseArgument(`renderSVG takes a state or a link, not ${shown(state)}.`)
@@ -112,7 +112,7 @@ async function checked(state: LinkInput | string): Promise<LinkState & { circles
   return { ...said, circles }
 }
 
-/** What is drawn above the circles after a step; `undefined`: it is the last one, which is the diagram. */
+/** The overlay after a step; `undefined` at the last step, which shows the diagram. */
 function playedAt(
   { library, picture }: PaintedScene,
   step: number,

@@ -8,7 +8,7 @@ import { PaintedScene } from '../view/painter/painted-scene.ts'
 import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Fitted } from '../view/protocol.ts'
 
-/** What the thread of a page does with the circles of a view, here and now. */
+/** A backend that computes the diagram of a view in the calling thread, in place of a page's worker. */
 export class SceneComputer implements Computer {
   readonly scene: PaintedScene
   circles = new CircleTable(new Float64Array())

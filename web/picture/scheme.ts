@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** The colors of a drawing: on light or on dark paper. */
+/** The colors of a drawing, for light or dark paper. */
 export type Scheme = 'light' | 'dark'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colors of the style sheets where there is no browser: what `getComputedStyle` says of them, in a light or a dark scheme.
+// Evaluates the style sheets without a browser, as `getComputedStyle` would, in a light or a dark scheme.
 import playerSheet from '../player/player.css?inline'
 import { type Colors, PLAYER_COLORS } from '../player/scene.ts'
 import { STYLE_PROPERTIES, type Style, styleOf } from '../view/style.ts'
@@ -12,7 +12,7 @@ export function themeStyle(scheme: Scheme): Style {
   return styleOf(mapped(STYLE_PROPERTIES, (property) => read(`var(--${property})`)))
 }
 
-/** The colors of what is played. */
+/** The colors of the player's overlay. */
 export function playerColors(scheme: Scheme): Colors {
   return mapped(PLAYER_COLORS, colorReader(playerSheet, '.cv-player', scheme))
 }
@@ -38,7 +38,7 @@ function colorReader(sheet: string, selector: string, scheme: Scheme): (value: s
   return computed
 }
 
-/** The two arguments of a call, which may be calls. */
+/** Splits the two arguments of a call. Arguments may contain calls. */
 function argumentsIn(text: string): string[] {
   let depth = 0
   for (let k = 0; k < text.length; k++) {
@@ -71,7 +71,7 @@ function channelsOf(color: string): [red: number, green: number, blue: number, a
   return [Number(red), Number(green), Number(blue), color.includes('%') ? share / 100 : percent === '100' ? 1 : share]
 }
 
-/** With as few digits as give the same byte (CSS Color 4, section 15.2). */
+/** Uses the fewest digits that give the same byte (CSS Color 4, section 15.2). */
 function alphaOf(byte: number): number {
   const short = Math.round((100 * byte) / 255) / 100
   return Math.round(255 * short) === byte ? short : Math.round((1000 * byte) / 255) / 1000

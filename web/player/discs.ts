@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which discs wait, and what a disc is tested against.
+// The discs that wait in the queue, and the circles that a disc is tested against.
 import type { Circle, Vertex } from '../lib/index.ts'
 import type { Trace, TraceState } from '../lib/wasm/trace.ts'
 import { kindAt, type Step } from './steps.ts'
@@ -13,7 +13,7 @@ export interface WaitingDisc {
 
 const ANTIPODAL = ['antipodalDiscAccepted', 'antipodalDiscUsed', 'antipodalDiscNotEmpty']
 
-/** The first discs of the list, antipodal ones included: these are in the order in which they will be taken. */
+/** The first discs of the queue, antipodal ones included, in the order in which the method will take them. */
 export function waitingDiscs(trace: Trace, state: TraceState, after: number, most: number): readonly WaitingDisc[] {
   const waiting: WaitingDisc[] = []
   const add = (event: number) => {
@@ -30,11 +30,11 @@ export function waitingDiscs(trace: Trace, state: TraceState, after: number, mos
     add(k)
     found += 1
   }
-  // Of equal radii three-touch discs come first, as they stand in the queue.
+  // Discs of equal radius keep the order in which they entered the queue.
   return waiting.sort((a, b) => a.r - b.r).slice(0, most)
 }
 
-/** How many discs wait in all. */
+/** The number of discs in the queue. */
 export function waitingCount(trace: Trace, state: TraceState, after: number): number {
   let count = state.queue.length
   for (let k = after; k < trace.length && kindAt(trace, k) !== 'roundBegun'; k++) {
@@ -43,7 +43,7 @@ export function waitingCount(trace: Trace, state: TraceState, after: number): nu
   return count
 }
 
-/** A directed edge as seen from the center of one of its circles: an angle in turns, and whether it starts there. */
+/** One end of a directed edge as seen from a circle's center: the angle in turns, and whether the edge starts there. */
 export interface RingMark {
   readonly angle: number
   readonly isOut: boolean
@@ -51,7 +51,7 @@ export interface RingMark {
   readonly event: number
 }
 
-/** An arc, counter-clockwise, in turns from 0 to 1 on; `to` may be beyond 1. */
+/** A counter-clockwise arc, in turns. It starts between 0 and 1; `to` may exceed 1. */
 export interface RingArc {
   readonly from: number
   readonly to: number
@@ -59,7 +59,7 @@ export interface RingArc {
 
 export interface Ring {
   readonly marks: readonly RingMark[]
-  /** Where no disc has touched the circle for the diagram yet. */
+  /** The arcs that no disc of the diagram has touched yet. */
   readonly unused: readonly RingArc[]
 }
 
@@ -69,7 +69,7 @@ export function turnTo(circle: Circle, x: number, y: number): number {
   return turn < 0 ? turn + 1 : turn
 }
 
-/** What lies around a circle, counter-clockwise. */
+/** The directed edges and unused arcs around a circle, counter-clockwise. */
 export function ringOf(trace: Trace, state: TraceState, id: number, circle: Circle): Ring {
   const marks: RingMark[] = []
   for (const event of state.directedEdges) {
@@ -78,7 +78,7 @@ export function ringOf(trace: Trace, state: TraceState, id: number, circle: Circ
     if ((a !== id && b !== id) || disc === undefined) continue
     marks.push({ angle: turnTo(circle, disc.x, disc.y), isOut: a === id, other: a === id ? b : a, event })
   }
-  // Where both directed edges of one disc are, the one that ends comes last: the unused arc begins there.
+  // If both ends lie at one disc, the incoming end comes last because the unused arc begins there.
   marks.sort((s, t) => s.angle - t.angle || Number(t.isOut) - Number(s.isOut))
   const unused: RingArc[] = []
   for (const [k, mark] of marks.entries()) {
@@ -89,7 +89,10 @@ export function ringOf(trace: Trace, state: TraceState, id: number, circle: Circ
   return { marks, unused }
 }
 
-/** The circles that an antipodal disc is tested against: those at the next directed edges on both sides of its foot points. */
+/**
+ * The circles that an antipodal disc is tested against: the circles at the nearest directed edges beside its foot
+ * points.
+ */
 export function testedCircles(
   trace: Trace,
   state: TraceState,
@@ -111,7 +114,7 @@ export function testedCircles(
   return [...tested].sort((a, b) => a - b)
 }
 
-/** The circles that the disc of a step is tested against. `state`: that after the step. */
+/** The circles that the disc of a step is tested against. `state` is the state after the step. */
 export function testedAt(
   trace: Trace,
   { line, event, end }: Step,

@@ -20,38 +20,38 @@ import type { View } from '../view/view.ts'
 import { Stepping } from './stepping.ts'
 import type { PlayerWords } from './words.ts'
 
-/** Where a figure is. */
+/** The elements that a figure consists of. */
 export interface Places {
-  /** What shows circles, takes the focus and hears keys. */
+  /** Shows the circles, takes the focus and receives keys. */
   readonly figure: HTMLElement
-  /** Where some keys are heard, wherever the focus is in it: the figure and its buttons, or the page. */
+  /** Receives keyboard shortcuts that work wherever the focus is: the figure with its buttons, or the page. */
   readonly around: Document | HTMLElement
-  /** Where the method is told of while it is played. */
+  /** Shows the player's controls and explanations during playback. */
   readonly player: HTMLElement
-  /** What is read out. */
+  /** The live region for screen readers. */
   readonly said: HTMLElement
 }
 
-/** What is told of a figure, and how it gets on with what is around it. */
+/** The services that a figure needs from its surroundings, and how it behaves inside a page. */
 export interface FigureOptions<Actions extends EditorActions> {
   readonly load?: FigureLoadOptions
-  /** Whether the page around it scrolls, by the wheel and by a finger. */
+  /** Whether the wheel and a finger scroll the page instead of moving the figure's viewport. */
   readonly scrolls?: boolean
-  /** What keys do beside. */
+  /** Additional keyboard shortcuts. */
   readonly keys?: KeyActions
-  /** What a user can do with its circles. */
+  /** Returns the edits and camera moves that users can trigger. */
   actions(store: Store<State>, editing: Editing, view: View): Actions
   onoutcome(outcome: Outcome): void
-  /** What was refused, or failed. */
+  /** Called when an edit is refused or an operation fails. */
   onproblem?(error: Error): void
-  /** What is played. `method`: that of a link. */
+  /** Returns the options of the trace to play. `method` comes from a link. */
   played(method: string | undefined): TraceOptions
   onstep?(step: number, steps: number): void
-  /** What it says in another language than English. */
+  /** Returns translated texts, if the figure is not in English. */
   words?(): { readonly refusals: ProblemWords; readonly player: PlayerWords } | undefined
 }
 
-/** A view with circles that are edited by pointer and keys, and whose method can be played. */
+/** A view of circles that can be edited by pointer and keyboard, and whose method can be played. */
 export class Figure<Actions extends EditorActions = EditorActions> {
   readonly view: View
   readonly store: Store<State>
@@ -62,14 +62,14 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   readonly #figure: HTMLElement
   readonly #keys = new AbortController()
   #refused: Error | undefined
-  /** The opening that was asked last. */
+  /** The most recent opening. */
   #opening: Promise<unknown> | undefined
 
   constructor({ figure, around, player, said }: Places, options: FigureOptions<Actions>) {
     const { load, scrolls = false, keys = {}, onoutcome, onproblem, played, onstep, words } = options
     const view = mount(figure, load)
     const { store, editing } = editView(view, onoutcome, (error) => {
-      // What was asked of a figure that goes is not missed.
+      // A disposed figure reports no errors.
       if (this.#keys.signal.aborted) return
       const problem = problemOf(error, editing.scene !== undefined, words?.()?.refusals)
       store.update((state) => ({ ...state, problem }))
@@ -101,9 +101,8 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   }
 
   /**
-   * Other circles, and what is said of how they are looked at.
-   *
-   * @throws Error that says why they could not be opened; then all stays as it was
+   * Opens other circles together with their viewport and style.
+   * @throws Error that says why they could not be opened; the figure stays unchanged
    */
   async open(opened: Opened): Promise<void> {
     this.#refused = undefined
@@ -114,9 +113,8 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   }
 
   /**
-   * Changes what is said of the circles that there are, or of those that are being opened, and leaves the rest.
-   *
-   * @throws Error that says why edits were refused; then all stays as it was
+   * Changes only the given parts of the state, also while circles are being opened.
+   * @throws Error that says why edits were refused; the figure stays unchanged
    */
   async change({
     edits = [],
@@ -148,35 +146,34 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   }
 
   /**
-   * Cuts cells to another region, or gives them other areas.
-   *
-   * @throws Error that says why that was refused; then all stays as it was
+   * Clips cells to another region, or fits them to other areas.
+   * @throws Error that says why the domain was refused; the figure stays unchanged
    */
   async setDomain(domain: Domain): Promise<void> {
     this.#refused = undefined
     if ((await this.actions.setDomain(domain)) === undefined && this.#refused !== undefined) throw this.#refused
   }
 
-  /** Whether an error was told of as a problem. */
+  /** Whether an error has been reported through `onproblem`. */
   isTold(error: Error): boolean {
     return error === this.#refused
   }
 
-  /** Has undo and redo go on with what was done to the circles that were opened last, when another figure showed them. */
+  /** Continues the undo history of another figure that showed the same circles. */
   takeUp(past: Past): void {
     const history = this.editing.takeUp(past)
     this.store.update((state) => ({ ...state, history }))
   }
 
-  /** The step of the method that is shown, if it is played. */
+  /** The step shown during playback. */
   get step(): number | undefined {
     return this.store.get().step
   }
 
-  /** Ends once there is nothing left to be painted. */
+  /** Resolves once everything has been painted. */
   whenPainted(): Promise<void> {
     return new Promise((resolve) => {
-      // In a hidden tab nothing is painted until it is shown.
+      // A hidden tab paints nothing until it is shown.
       const isPainted = () =>
         !this.view.isShown ||
         this.view.size.width === 0 ||
@@ -189,7 +186,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
         resolve()
       }
       const observer = new MutationObserver(look)
-      // What was set may not have begun.
+      // A change that was just made may not have started painting yet.
       nextFrame(() => {
         observer.observe(this.#figure, { attributeFilter: ['aria-busy'] })
         document.addEventListener('visibilitychange', look)
@@ -198,7 +195,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     })
   }
 
-  /** Whether a button or a finger is down on it. */
+  /** Whether a mouse button or a finger is pressed on the figure. */
   get isPressed(): boolean {
     return this.#listening.isPressed
   }

@@ -7,10 +7,13 @@ const ROUND_BEGUN = TRACE_KINDS.indexOf('roundBegun')
 const PLACED = TRACE_KINDS.indexOf('directedEdgePlaced')
 const FINISHED = TRACE_KINDS.indexOf('segmentFinished')
 
-/** The segments that a trace finishes, each found once: from the disc that placed its directed edge to the one that ended it. */
+/**
+ * Finds the segments that a trace finishes. Each runs from the disc that placed its directed edge to the disc that
+ * ended it.
+ */
 export class FinishedArcs {
   readonly #trace: Trace
-  /** Of each event that finishes a segment the one that placed its directed edge. */
+  /** Maps an event that finishes a segment to the event that placed its directed edge. */
   readonly #placing: Int32Array
   readonly #arcs = new Map<number, readonly number[]>()
 
@@ -26,7 +29,7 @@ export class FinishedArcs {
     }
   }
 
-  /** Segments, in pieces: x, y of one end, x, y of the other. */
+  /** Returns segments as polylines: x and y of one end, then x and y of the other, for each piece. */
   of(events: Int32Array, circleOf: (id: number) => Circle | undefined): Float64Array {
     const pieces: number[] = []
     for (const k of events) {
@@ -53,7 +56,7 @@ export class FinishedArcs {
 
 const PIECES = 12
 
-/** A bisector from one disc to another, as seen from the larger circle, within half a turn. */
+/** The bisector between two discs, as seen from the larger circle, within half a turn. */
 export function arcOf(a: Circle, b: Circle, from: Vertex, to: Vertex): number[] {
   const [large, small] = a.r >= b.r ? [a, b] : [b, a]
   const [dx, dy, s] = [small.x - large.x, small.y - large.y, small.r - large.r]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Calls a function again and again, so many times a second, until it returns false or is stopped. */
+/** Calls a function repeatedly at a given rate until it returns false or playback is stopped. */
 export class Playback {
   readonly #step: () => boolean
   #speed = 1
@@ -10,7 +10,7 @@ export class Playback {
     this.#step = step
   }
 
-  /** Calls in a second. */
+  /** Calls per second. */
   get speed(): number {
     return this.#speed
   }
@@ -20,7 +20,7 @@ export class Playback {
     if (this.#timer !== undefined) this.start()
   }
 
-  /** Begins to wait for the next call, also where it is waited for already. */
+  /** Waits for the next call; restarts the wait if one is running. */
   start(): void {
     this.stop()
     this.#timer = setTimeout(() => {

@@ -20,46 +20,49 @@ import { drawTimeline } from './timeline.ts'
 import { ENGLISH_PLAYER, type Goal, type PlayerWords } from './words.ts'
 
 export interface PlayerOptions {
-  /** Shows the circles that are played; their diagram is hidden until the end, and what happens is drawn above. */
+  /** The view that shows the circles. Its diagram is hidden until the last step; the player draws an overlay on it. */
   readonly view: View
-  /** What is played: the touching disc method, flips (`method: 'auto'`), or `edits`. */
+  /** The trace to play: the touching disc method, flips (`method: 'auto'`), or `edits`. */
   readonly options: TraceOptions
-  /** Where to begin. */
+  /** The step to begin with. */
   readonly step?: number | undefined
-  /** Called with each step that is shown, and how many there are. */
+  /** Called with each step shown and the number of steps. */
   onstep(step: number, steps: number): void
-  /** What it says, asked for whenever it is drawn. Default: English. */
+  /** Returns the player's texts, at each redraw. Default: English. */
   readonly words?: (() => PlayerWords | undefined) | undefined
 }
 
 export interface Player {
-  /** Resolves once there is something to play; rejects if the circles or the options are refused. Another one after edits. */
+  /**
+   * Resolves once there is a trace to play; rejects if the circles or the options are refused. Edits replace the
+   * promise.
+   */
   readonly ready: Promise<void>
   readonly step: number
-  /** How many there are; 0: none yet. */
+  /** The number of steps; 0 while no trace is loaded. */
   readonly steps: number
-  /** From the beginning, if it is at the end. */
+  /** Starts playback, from the beginning if the last step is shown. */
   play(): void
   pause(): void
-  /** Shows a step, or the nearest one that there is. */
+  /** Shows a step, clamped to the existing ones. */
   stepTo(step: number): void
-  /** Draws it in other words, or after a change that nothing else tells of. */
+  /** Redraws the player after a change that it cannot observe, such as another language. */
   redraw(): void
-  /** Shows the diagram again. */
+  /** Removes the player and shows the diagram again. */
   dispose(): void
 }
 
-/** Steps in a second. */
+/** Steps per second. */
 const SPEEDS = [0.5, 1, 3, 10, 30]
 const MOST_WAITING = 6
-/** So much is seen around the current line, in pixels. */
+/** Space kept visible around the current line, in pixels. */
 const REVEALED = 24
-/** Nothing is edited for so long, in milliseconds, before it is played anew. */
+/** Delay after the last edit before the trace is loaded again, in milliseconds. */
 const REST = 150
 
 let sheet: CSSStyleSheet | undefined
 
-/** Plays a method step by step: controls and what they tell in `container`, the picture in the view. */
+/** Mounts the player: controls and explanations in `container`, the overlay in the view. */
 export function mountPlayer(container: HTMLElement, options: PlayerOptions): Player {
   return new MethodPlayer(container, options)
 }
@@ -73,10 +76,10 @@ class MethodPlayer implements Player {
   readonly #watching = new AbortController()
   readonly #unlisten: readonly (() => void)[]
   readonly #resized: ResizeObserver
-  /** `undefined`: to be read. */
+  /** Read from the style sheet on first use. */
   #colors: Colors | undefined
   #run = 0
-  /** The step to be shown once there is a trace; `undefined`: there is one, of the circles as they are. */
+  /** The step to show once the trace is loaded; `undefined` if the trace matches the circles. */
   #wanted: number | Line | undefined
   ready: Promise<void>
 
@@ -102,7 +105,7 @@ class MethodPlayer implements Player {
     this.#onstep = onstep
     this.#wordsNow = words ?? (() => undefined)
     container.classList.add('cv-player')
-    // Its time runs from left to right.
+    // The timeline runs from left to right in every language.
     container.dir = 'ltr'
     adopt(container.getRootNode() as Document | ShadowRoot)
     this.#unlisten = [
@@ -155,7 +158,7 @@ class MethodPlayer implements Player {
     if (next === this.#step) return
     this.#showsResult(next === last)
     this.#step = next
-    // An answer is told of beside what then happens.
+    // The feedback on an answer stays while the next step is shown.
     if (this.#answer !== undefined && next !== this.#answer.step + 1) this.#answer = undefined
     this.#draw()
     this.#onstep(next, this.#steps.length)
@@ -178,7 +181,7 @@ class MethodPlayer implements Player {
     this.#root.classList.remove('cv-player')
   }
 
-  /** With circles as they are now, at the same stage: what lies between two stages is not the same any more. */
+  /** Plays the changed circles from the same stage. Steps within a stage have no counterpart after an edit. */
   #playAnew(): void {
     const current = this.#steps[this.#step]
     const isStage = current !== undefined && sortOf(current) === 'stage'
@@ -187,13 +190,13 @@ class MethodPlayer implements Player {
     this.ready = this.#load(step, REST)
   }
 
-  /** Loads what is to be played, once nothing else has been asked for a while. What is told of the old circles stays until then. */
+  /** Loads the trace once `rest` milliseconds pass without another request. The old explanation stays until then. */
   #load(step: number | Line, rest: number): Promise<void> {
     this.#run += 1
     this.#wanted = step
     this.#view.above = []
     const loaded = this.#loaded(this.#run, rest)
-    // Whoever does not wait for it reads why.
+    // Callers that need the reason await `ready`; other callers must not cause an unhandled rejection.
     loaded.catch(() => {})
     return loaded
   }
@@ -233,13 +236,13 @@ class MethodPlayer implements Player {
     this.#onstep(this.#step, this.#steps.length)
   }
 
-  /** The nearest step of a number, or the first one of a line. */
+  /** Resolves a number to the nearest step, a line to its first step. */
   #stepOf(wanted: number | Line): number {
     const step = typeof wanted === 'number' ? wanted : this.#steps.findIndex(({ line }) => line === wanted)
     return Math.min(Math.max(Math.round(step) || 0, 0), this.#steps.length - 1)
   }
 
-  /** The diagram itself is shown at the end only, or where there is nothing to be played. */
+  /** Shows the diagram at the last step only, or if there is no trace. */
   #showsResult(isShown: boolean): void {
     this.#view.hasDiagram = isShown
   }
@@ -249,7 +252,7 @@ class MethodPlayer implements Player {
     this.#playback.start()
   }
 
-  /** Plays the next step. Returns whether to go on. */
+  /** Shows the next step during playback. Returns whether to continue. */
   #next(): boolean {
     const isAsked = this.#question() !== undefined
     if (!isAsked) this.stepTo(this.#step + 1)
@@ -258,7 +261,7 @@ class MethodPlayer implements Player {
     return this.#isPlaying
   }
 
-  /** What the reader is asked now. */
+  /** The quiz question before the next step. */
   #question(): Question | undefined {
     const { trace, steps, step } = this.#now()
     if (!this.#asks || trace === undefined) return undefined
@@ -276,7 +279,7 @@ class MethodPlayer implements Player {
       asked: this.#score.asked + 1,
     }
     this.stepTo(this.#step + 1)
-    // The button that had the focus is gone.
+    // The button that had the focus has been removed.
     this.#root.querySelector<HTMLElement>('[data-forth]')?.focus()
   }
 
@@ -302,7 +305,7 @@ class MethodPlayer implements Player {
   #key(event: KeyboardEvent): void {
     const target = event.target as HTMLElement
     if (event.altKey || event.ctrlKey || event.metaKey) return
-    // Buttons and lists have keys of their own.
+    // Buttons and lists handle these keys themselves.
     const isOwn =
       event.key === ' ' ? target.closest('button, select, summary') !== null : target.closest('select') !== null
     if (isOwn) {
@@ -321,13 +324,13 @@ class MethodPlayer implements Player {
     }
     const move = moves[event.key]
     if (move === undefined) return
-    // A page around it may have keys of its own, as slides do.
+    // The surrounding page may use the same keys, as slides do.
     event.preventDefault()
     event.stopPropagation()
     move()
   }
 
-  /** A step that the reader asks for. */
+  /** Shows a step at the reader's request, which ends playback. */
   #user(step: number): void {
     if (this.#isPlaying) this.pause()
     this.stepTo(step)
@@ -353,7 +356,7 @@ class MethodPlayer implements Player {
     this.#root.lang = this.#words.lang
     const focused = this.#root.querySelector(':focus')
     this.#drawParts()
-    // The focus of a button that is disabled or gone would fall to the body.
+    // Focus would fall to the body when its button is disabled or removed.
     const isLost = focused !== null && (!focused.isConnected || focused.matches(':disabled'))
     if (isLost) this.#root.querySelector('input')?.focus()
   }
@@ -375,12 +378,12 @@ class MethodPlayer implements Player {
     render(this.#page(trace, current, state, tested, circleOf), this.#root)
     this.#drawTimeline()
     this.#reveal()
-    // Of circles that are no longer so, nothing is drawn.
+    // The overlay is empty while the trace belongs to older circles.
     const isNothing = step === steps.length - 1 || this.#wanted !== undefined
     this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
-  /** Scrolls the current line into what is seen of the player, where it has less room than it needs. */
+  /** Scrolls the current line into the visible part of the player. */
   #reveal(): void {
     const root = this.#root
     const line = root.querySelector('[aria-current]')
@@ -535,7 +538,7 @@ class MethodPlayer implements Player {
     </details>`
   }
 
-  /** The ring of the selected circle, or of the first that the step is about, unrolled. */
+  /** The unrolled ring of directed edges of the selected circle, or of the first circle of the step. */
   #ringPart(
     trace: Trace,
     current: Step,
@@ -563,7 +566,7 @@ class MethodPlayer implements Player {
         : [[from, to]],
     ) as [number, number][]
     const disc = event?.circles.includes(id) === true ? event.disc : undefined
-    // What starts points away from the circle, what ends points to it.
+    // An outgoing edge points away from the circle, an incoming edge toward it.
     const mark = ({ angle, isOut, other }: RingMark) => svg`<svg x=${x(angle)} overflow="visible">
       <path class="mark" d=${isOut ? 'M-3 50V24m-4 6l4-6 4 6' : 'M3 24V50m-4-6l4 6 4-6'} />
       <text y=${isOut ? 18 : 68} text-anchor="middle">${other}</text>
@@ -581,7 +584,7 @@ class MethodPlayer implements Player {
   }
 }
 
-/** A page without inline styles takes it, a shadow root too. */
+/** Adopted style sheets work under a strict Content-Security-Policy and in shadow roots. */
 function adopt(root: Document | ShadowRoot): void {
   if (sheet === undefined) {
     sheet = new CSSStyleSheet()

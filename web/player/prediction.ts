@@ -4,7 +4,7 @@ import { flipOf } from './sentences.ts'
 import { kindAt, type Step } from './steps.ts'
 import { ENGLISH_PLAYER, type PlayerWords } from './words.ts'
 
-/** What happens next? One answer is right. */
+/** A quiz question about the next step, with one right answer. */
 export interface Question {
   readonly text: string
   readonly answers: readonly string[]
@@ -60,7 +60,7 @@ function deletedAfter(trace: Trace, branch: number): number {
 
 type Corner = TraceEvent['circles'][number] | '∞'
 
-/** The right edge and two others of the same four circles, in an order that says nothing. */
+/** Offers the right edge and two others of the same four circles, in an order that gives no hint. */
 function questionOfFlip(from: readonly Corner[], to: readonly Corner[], seed: number, words: PlayerWords): Question {
   const [a, b] = from as readonly [Corner, Corner]
   const [c, d] = to as readonly [Corner, Corner]

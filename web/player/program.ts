@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done, line by line, as a reader follows it.
+// The algorithms as lines of pseudocode, highlighted during playback.
 
 import type { Line, PlayerWords } from './words.ts'
 
 export type { Line } from './words.ts'
 
-/** Lines under a title; a number says how far one is set in. */
+/** Titled lines of pseudocode; the numbers are indentation levels. */
 export interface Algorithm {
   readonly title: keyof PlayerWords['titles']
   readonly lines: readonly (readonly [line: Line, depth: number])[]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn above the circles after a step: what is past light, what is current strong.
+// The overlay after a step: finished parts are faint, current parts are strong.
 import type { Circle, Vertex } from '../lib/index.ts'
 import type { Trace, TraceState } from '../lib/wasm/trace.ts'
 import { boundingBox } from '../view/camera.ts'
@@ -7,7 +7,7 @@ import type { AboveLayer } from '../view/layers.ts'
 import { FinishedArcs } from './finished-arcs.ts'
 import { kindAt, type Step } from './steps.ts'
 
-/** The colors of what is drawn, as a canvas knows them. */
+/** The overlay's colors as CSS color values. */
 export interface Colors {
   readonly past: string
   readonly sample: string
@@ -18,7 +18,7 @@ export interface Colors {
   readonly ink: string
 }
 
-/** Where the style sheet of the player has them. */
+/** The custom properties of the player's style sheet that hold the colors. */
 export const PLAYER_COLORS: Colors = {
   past: 'var(--player-past)',
   sample: 'var(--player-sample)',
@@ -29,14 +29,14 @@ export const PLAYER_COLORS: Colors = {
   ink: 'var(--player-ink)',
 }
 
-/** So many circles have their numbers; of more, those that a step is about. */
+/** With more circles than this, only the circles of the current step show their numbers. */
 const MOST_NUMBERED = 60
-/** How large the head of an arrow is at most, as a part of the extent of all circles. */
+/** Largest size of an arrow head, relative to the extent of all circles. */
 const LARGEST_HEAD = 0.02
 
 type CircleOf = (id: number) => Circle | undefined
 
-/** The circles as they are after `end` events: those given, then those of edits. `ids`: theirs, if not 0, 1, and so on. */
+/** The circles after `end` events: the given circles, then the edited ones. `ids` defaults to 0, 1, and so on. */
 export function circlesAt(trace: Trace, given: Float64Array, state: TraceState, ids?: Int32Array): Map<number, Circle> {
   const circles = new Map<number, Circle>()
   for (let k = 0; 3 * k < given.length; k++) {
@@ -52,7 +52,7 @@ export function circlesAt(trace: Trace, given: Float64Array, state: TraceState, 
   return circles
 }
 
-/** `tested`: the circles that a disc is tested against. */
+/** `tested` are the circles that the current disc is tested against. */
 export function sceneOf(
   trace: Trace,
   step: Step,
@@ -190,7 +190,7 @@ function addDisc(
   }
 }
 
-/** The triangulation: its edges, and the vertices of the diagram. */
+/** Adds the triangulation's edges and the diagram's vertices. */
 function addFaces(trace: Trace, step: Step, state: TraceState, circleOf: CircleOf, colors: Colors, add: Add): void {
   const seen = new Set<string>()
   const segments: number[] = []
@@ -219,7 +219,7 @@ function addFaces(trace: Trace, step: Step, state: TraceState, circleOf: CircleO
   add('fresh', colors.good, { segments: Float64Array.from(fresh), width: 3 })
 }
 
-/** Whether an edge of a triangle that comes was none of those that go. */
+/** Whether an edge of a new triangle belonged to none of the removed triangles. */
 function isNew(trace: Trace, step: Step, a: number, b: number): boolean {
   if (step.line !== 'flip' && step.line !== 'editFlip') return false
   for (let k = step.event; k < step.end; k++) {
@@ -252,7 +252,7 @@ function pointsOf(trace: Trace, events: Int32Array): Float64Array {
   )
 }
 
-/** From each center to the samples of its circle that come next. */
+/** Rays from each center to the samples that are taken next. */
 function raysOf(trace: Trace, from: number, circleOf: CircleOf): Float64Array {
   const rays: number[] = []
   for (let k = from; k < trace.length && kindAt(trace, k) === 'sampleTaken'; k++) {
@@ -263,7 +263,7 @@ function raysOf(trace: Trace, from: number, circleOf: CircleOf): Float64Array {
   return Float64Array.from(rays)
 }
 
-/** Across the gaps of pairs, from rim to rim. */
+/** Connects the rims of each pair across the gap between them. */
 function gapsOf(trace: Trace, events: Int32Array, circleOf: CircleOf): Float64Array {
   const gaps: number[] = []
   for (const k of events) {
@@ -278,7 +278,7 @@ function gapsOf(trace: Trace, events: Int32Array, circleOf: CircleOf): Float64Ar
   return Float64Array.from(gaps)
 }
 
-/** Where a disc touches a circle. */
+/** The point where a disc touches a circle. */
 function footOf(disc: Vertex, circle: Circle): readonly [number, number] {
   const [dx, dy] = [disc.x - circle.x, disc.y - circle.y]
   const length = Math.hypot(dx, dy)
@@ -304,10 +304,13 @@ function extentOf(circles: ReadonlyMap<number, Circle>): number {
   return Math.max(maxX - minX, maxY - minY)
 }
 
-/** As a part of the arrow's length. */
+/** Relative to the arrow's length. */
 const HEAD = 0.3
 
-/** Directed edges as arrows between the feet of their discs of R_min, a little to the right, where their segments are. */
+/**
+ * Draws directed edges as arrows between the foot points of their R_min discs, offset to the right, the side of their
+ * segments.
+ */
 function arrowsOf(trace: Trace, events: Int32Array, circleOf: CircleOf, largest: number): Float64Array {
   const arrows: number[] = []
   for (const k of events) {
@@ -335,10 +338,10 @@ function finishedSegments(trace: Trace, state: TraceState, step: Step, circleOf:
   return segmentsOfFinished(trace, before, circleOf)
 }
 
-/** Of traces that are played: they are looked at step by step. */
+/** Caches the arcs of the traces that are being played. */
 const arcsOf = new WeakMap<Trace, FinishedArcs>()
 
-/** The arcs of bisectors from discs of R_min to those of R_max, in pieces. */
+/** The bisector arcs from R_min discs to R_max discs, as polylines. */
 function segmentsOfFinished(trace: Trace, events: Int32Array, circleOf: CircleOf): Float64Array {
   const arcs = arcsOf.get(trace) ?? new FinishedArcs(trace)
   arcsOf.set(trace, arcs)

@@ -4,7 +4,7 @@ import { short } from '../view/short.ts'
 import { kindAt, type Step } from './steps.ts'
 import { ENGLISH_PLAYER, type PlayerWords } from './words.ts'
 
-/** A number as a reader wants it: three digits that count. */
+/** Formats a number with three significant digits. */
 export function numberOf(value: number): string {
   const size = Math.abs(value)
   if (size >= 1e6 || (size > 0 && size < 1e-3)) return value.toExponential(2)
@@ -20,7 +20,7 @@ const isTriangle = ({ circles }: TraceEvent) => circles.length === 3
 type Two = [number, number]
 type Three = [number, number, number]
 
-/** What happens in a step, in one plain sentence. `tested`: what a disc is tested against, where that is known. */
+/** Describes a step in one sentence. `tested` are the circles that a disc is tested against, if known. */
 export function sentenceOf(
   trace: Trace,
   step: Step,
@@ -33,7 +33,7 @@ export function sentenceOf(
     for (let k = step.event; k < step.end; k++) if (kindAt(trace, k) === kind) events.push(trace.event(k))
     return events
   }
-  // Those lines that are not about an event do not look at it.
+  // Steps without an event never read this variable.
   const event = (step.event < trace.length ? trace.event(step.event) : undefined) as TraceEvent
   switch (step.line) {
     case 'begin':
@@ -130,7 +130,7 @@ function changeText(removed: readonly TraceEvent[], made: readonly TraceEvent[],
   return words.triangles(removed.length, made.length)
 }
 
-/** The edge that goes and the one that comes, where two triangles take the place of two; infinity is `∞`. */
+/** The removed and the added edge of a flip; `∞` is infinity. */
 export function flipOf(
   removed: readonly TraceEvent[],
   made: readonly TraceEvent[],

@@ -8,30 +8,30 @@ import type { Player } from './player.ts'
 import type { PlayerWords } from './words.ts'
 
 export interface SteppingOptions {
-  /** Where the player is shown. */
+  /** The element that shows the player. */
   readonly container: HTMLElement
   readonly view: View
   readonly store: Store<State>
   readonly actions: EditorActions
-  /** What is played, asked for whenever it begins. `method`: that of the state. */
+  /** Returns the trace options whenever playback begins. `method` is the state's. */
   options(method: string | undefined): TraceOptions
-  /** Called with each step that is shown, and how many there are. */
+  /** Called with each step shown and the number of steps. */
   readonly onstep?: ((step: number, steps: number) => void) | undefined
-  /** What the player says, asked for whenever it is drawn. Default: English. */
+  /** Returns the player's texts, at each redraw. Default: English. */
   readonly words?: (() => PlayerWords | undefined) | undefined
-  /** Called where nothing can be played, with the reason. */
+  /** Called with the reason if there is nothing to play. */
   readonly onproblem?: ((error: Error) => void) | undefined
 }
 
-/** Has the player there as long as the state names a step; until then, nothing of it is loaded. */
+/** Loads the player when the state names a step, and removes it when the state names none. */
 export class Stepping {
   readonly #options: SteppingOptions
   #isDisposed = false
   #player: Player | undefined
   #loading: Promise<void> | undefined
-  /** Which player is loaded: others are no longer wanted. */
+  /** Identifies the current player, so that a player that loads too late is dropped. */
   #turn = 0
-  /** The step that the player and the state agree on. */
+  /** The last step on which player and state agreed. */
   #known: number | undefined
   #method: string | undefined
   #isPlaying = false
@@ -45,7 +45,7 @@ export class Stepping {
     return this.#player?.steps ?? 0
   }
 
-  /** Settled once what the state names is shown, or it is known that it cannot be. */
+  /** Resolves once the state's step is shown or has turned out to be impossible. */
   async whenReady(): Promise<void> {
     this.#followState()
     await this.#loading
@@ -55,7 +55,7 @@ export class Stepping {
     }
   }
 
-  /** From the step that is shown on, or from the beginning. */
+  /** Starts playback at the current step, or at the beginning. */
   play(): void {
     this.#isPlaying = true
     if (this.#known === undefined) this.#options.actions.showStep(0)
@@ -67,7 +67,7 @@ export class Stepping {
     this.#player?.pause()
   }
 
-  /** From the beginning, if anything is played: other options may be given now. */
+  /** Restarts from the beginning if a trace is playing, because the options may have changed. */
   restart(): void {
     if (this.#known === undefined) return
     this.#follow(undefined)
@@ -75,7 +75,7 @@ export class Stepping {
     this.#follow(0)
   }
 
-  /** Has it said in other words. */
+  /** Redraws the player with other texts. */
   redraw(): void {
     this.#player?.redraw()
   }
@@ -87,7 +87,7 @@ export class Stepping {
 
   #followState(): void {
     const { step, method, edited } = this.#options.store.get()
-    // Before there are circles, there is nothing to be played.
+    // Without circles there is nothing to play.
     if (edited === undefined || this.#isDisposed) return
     if (method !== this.#method) this.#follow(undefined)
     this.#method = method
@@ -116,7 +116,7 @@ export class Stepping {
     const { container, view, actions, options, onstep, words, onproblem = () => {} } = this.#options
     try {
       const { mountPlayer } = await import('./player.ts')
-      // Meanwhile it may not be wanted any more.
+      // The state may have dropped the step while the player loaded.
       if (turn !== this.#turn) return
       const player = mountPlayer(container, {
         view,
@@ -124,7 +124,7 @@ export class Stepping {
         step: this.#known,
         words,
         onstep: (step, steps) => {
-          // The state may already name another step, or none.
+          // The state may name another step by now, or none.
           const wanted = this.#options.store.get().step
           if (wanted !== this.#known && wanted !== step) return this.#followState()
           this.#known = step

@@ -2,16 +2,16 @@
 import { TRACE_KINDS, type Trace, type TraceKind } from '../lib/wasm/trace.ts'
 import type { Line, Program } from './program.ts'
 
-/** One thing that happens, which may be several events. */
+/** One step of playback; it may cover several events. */
 export interface Step {
-  /** How many events have happened after it. */
+  /** The number of events that have happened after the step. */
   readonly end: number
-  /** The first of those that it is about: which has not happened yet, if it only comes. */
+  /** The first event that the step is about. It lies ahead if the step announces it. */
   readonly event: number
   readonly line: Line
 }
 
-/** What can be looked for: kinds of steps, as a reader thinks of them. */
+/** The kinds of steps that a reader can search for. */
 export const SORTS = ['stage', 'disc', 'edge', 'vertex', 'rejected', 'circle'] as const
 export type Sort = (typeof SORTS)[number]
 
@@ -51,7 +51,7 @@ export function sortOf(step: Step): Sort | undefined {
   return SORT_OF[step.line]
 }
 
-/** Events that are one step where they follow one another. */
+/** Event kinds that merge into one step when they follow each other. */
 const RUNS: Readonly<Partial<Record<TraceKind, readonly TraceKind[]>>> = {
   centersJoined: ['centersJoined'],
   sampleTaken: ['sampleTaken'],
@@ -86,7 +86,7 @@ export function programOf(trace: Trace): Program {
   return has(['centersJoined', 'faceMade']) ? 'flips' : 'touching'
 }
 
-/** All steps, the first one before anything happens, the last one after all of it. */
+/** Returns all steps. The first precedes all events; the last follows them. */
 export function stepsOf(trace: Trace): readonly Step[] {
   const program = programOf(trace)
   const steps: Step[] = []
@@ -96,7 +96,7 @@ export function stepsOf(trace: Trace): readonly Step[] {
     while (end < trace.length && kinds.includes(kindAt(trace, end) as TraceKind)) end++
     return end
   }
-  /** Whether the faces that come are those that a round begins with. */
+  /** Whether the next new faces are the initial faces of a round. */
   let isBeginning = true
   let afterBranch = false
   for (let k = 0; k < trace.length; ) {
@@ -155,7 +155,7 @@ function lineOfRun(kind: TraceKind, program: Program, afterBranch: boolean): Lin
   }
 }
 
-/** The next step, or the last one before, of which something holds; `undefined` if there is none. */
+/** The next step after `k`, or the last one before it, that satisfies a predicate; `undefined` if there is none. */
 export function nextStep(
   steps: readonly Step[],
   from: number,
@@ -168,7 +168,7 @@ export function nextStep(
   return undefined
 }
 
-/** Whether a step is about a circle; not those that are about all. */
+/** Whether a step is about a circle in particular. Steps about all circles do not count. */
 export function concerns(trace: Trace, steps: readonly Step[], k: number, circle: number): boolean {
   const step = steps[k] as Step
   if (sortOf(step) === 'stage' || step.event >= trace.length) return false

@@ -2,7 +2,7 @@
 import type { Colors } from './scene.ts'
 import { type Sort, type Step, sortOf } from './steps.ts'
 
-/** The rows of marks, from the top: what each sort is drawn in, and how high it reaches. */
+/** The rows of marks from top to bottom: the color of each kind, and its vertical range. */
 const ROWS: readonly (readonly [sort: Sort, color: keyof Colors, top: number, bottom: number])[] = [
   ['stage', 'past', 0, 1],
   ['circle', 'current', 0, 0.3],
@@ -12,9 +12,9 @@ const ROWS: readonly (readonly [sort: Sort, color: keyof Colors, top: number, bo
   ['vertex', 'edge', 0.04, 0.36],
 ]
 
-/** Those of steps that are shown, as wide as they are. */
+/** The columns of the timelines on screen, by width. */
 const known = new WeakMap<readonly Step[], readonly ReadonlyMap<Sort, number>[]>()
-/** How weak a mark is where there are fewest steps of its sort. */
+/** Opacity of a mark where its kind is rarest. */
 const WEAKEST = 0.15
 
 function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyMap<Sort, number>[] {
@@ -25,7 +25,7 @@ function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyM
   return columns
 }
 
-/** For each column of pixels how many of its steps are of each sort. */
+/** Counts the steps of each kind in every column of pixels. */
 export function columnsOf(steps: readonly Step[], width: number): readonly ReadonlyMap<Sort, number>[] {
   const columns = Array.from({ length: width }, () => new Map<Sort, number>())
   const last = Math.max(steps.length - 1, 1)
@@ -37,7 +37,7 @@ export function columnsOf(steps: readonly Step[], width: number): readonly Reado
   return columns
 }
 
-/** Draws marks by sort, the breakpoints, and where the reader is. */
+/** Draws the marks of each kind, the breakpoints, and the current position. */
 export function drawTimeline(
   canvas: HTMLCanvasElement,
   steps: readonly Step[],
@@ -59,7 +59,7 @@ export function drawTimeline(
     for (const [x, counts] of columns.entries()) {
       const count = counts.get(sort)
       if (count === undefined) continue
-      // Where a column stands for many steps, how many there are shows.
+      // A column that stands for many steps shows their number by opacity.
       context.globalAlpha = most === 1 ? 1 : WEAKEST + ((1 - WEAKEST) * count) / most
       context.fillRect(x, top * height, thick, (bottom - top) * height)
     }

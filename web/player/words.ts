@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Sort } from './steps.ts'
 
-/** Where to go from step to step. */
+/** The targets of "go to next": a kind of step, the selected circle, or a breakpoint. */
 export type Goal = Sort | 'selected' | 'breakpoint'
 
-/** What the player says. */
+/** The player's texts. */
 export interface PlayerWords {
-  /** Their language, as an attribute `lang` has it. */
+  /** The language of the texts, as a value of the attribute `lang`. */
   readonly lang: string
   readonly goals: Readonly<Record<Goal, string>>
   readonly running: string
   readonly notRun: string
-  /** Why it could not be; an error's own message is English. */
+  /** Localizes the reason why nothing can be played. The messages of errors are English. */
   told?(error: Error): string
   readonly stepLabel: string
   stepOf(step: number, last: number): string
@@ -38,7 +38,7 @@ export interface PlayerWords {
   ring(id: number, marks: readonly { readonly isOut: boolean; readonly other: number }[]): string
   readonly ringNote: string
 
-  /** Titles and lines of the algorithms. */
+  /** The titles and lines of the algorithms. */
   readonly titles: Readonly<Record<'prepare' | 'loop' | 'antipodal' | 'threeTouch' | 'end' | 'flips' | 'edit', string>>
   readonly lines: Readonly<Record<Line, string>>
 
@@ -129,7 +129,7 @@ const LINES = {
   editDone: 'the judge checks what changed: it is the diagram again',
 } as const
 
-/** A line of a program by its name. */
+/** The name of a line of pseudocode. */
 export type Line = keyof typeof LINES
 
 export const ENGLISH_PLAYER: PlayerWords = {

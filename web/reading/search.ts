@@ -5,31 +5,31 @@ import type { SearchOptions } from 'minisearch'
 /** A section of a page, as scripts/texts/texts.mjs writes it. */
 export interface Section {
   readonly title: string
-  /** Empty: the text that a page begins with. */
+  /** The section's heading; empty for text before the first heading. */
   readonly heading: string
-  /** From the site's folder. */
+  /** Relative to the site's folder. */
   readonly address: string
-  /** Its text, or the beginning of it. */
+  /** The beginning of its text. */
   readonly shown: string
 }
 
-/** What is shown of a section: its words around the first one that was found, in parts that are marked or not. */
+/** An excerpt around the first match, in parts that are highlighted or not. */
 export type Snippet = readonly { readonly text: string; readonly isMarked: boolean }[]
 
 const MOST = 10
-/** Of one page. */
+/** Results of one page, at most. */
 const MOST_OF_PAGE = 3
-/** Of a snippet, in characters. */
+/** Characters of a snippet before the match. */
 const BEFORE = 40
 const LENGTH = 150
-/** Names of the reference stand behind pages that explain. */
+/** Weight of the reference, so that its names rank below pages that explain. */
 const REFERENCE = 0.3
 
 const OPTIONS: SearchOptions = {
   combineWith: 'AND',
   prefix: (term) => term.length > 2,
   fuzzy: (term) => (term.length > 4 ? 0.2 : false),
-  // A word as it was written counts more than one that begins so or is spelled so.
+  // An exact word counts more than a prefix or a similar spelling.
   weights: { prefix: 0.35, fuzzy: 0.1 },
   boost: { title: 4, heading: 4 },
   boostDocument: (_, term, stored) => {
@@ -46,7 +46,7 @@ export interface Found extends Section {
   readonly snippet: Snippet
 }
 
-/** The sections that have all words of a text, or else some of them; the best first. */
+/** Returns the sections that contain all words of a query, or else some of them; best first. */
 export function find(search: MiniSearch<Section>, words: string): readonly Found[] {
   const all = search.search(words, OPTIONS)
   const results = all.length > 0 ? all : search.search(words, { ...OPTIONS, combineWith: 'OR' })
@@ -86,7 +86,7 @@ export function snippetOf(text: string, terms: readonly string[]): Snippet {
   return parts
 }
 
-/** A search over all pages, in the page itself: what it needs is loaded when somebody begins to search. */
+/** Adds a search over all pages, which runs in the browser. Its index is loaded on first use. */
 export function offerSearch(page: Document): void {
   const form = page.querySelector('form.search') as HTMLFormElement
   const field = form.elements.namedItem('q') as HTMLInputElement
@@ -123,7 +123,7 @@ export function offerSearch(page: Document): void {
     if (!box.contains(target as Node)) list.hidden = true
   })
 
-  // Somebody may have been faster than this script.
+  // The user may have typed before this script ran.
   if (field.value !== '') void show()
 
   async function show() {
@@ -152,7 +152,7 @@ export function offerSearch(page: Document): void {
 
   function linkTo({ title, heading, address, snippet }: Found) {
     const link = Object.assign(page.createElement('a'), { href: `../${address}` })
-    // A place on this page is only scrolled to.
+    // A link to this page only scrolls.
     link.addEventListener('click', () => {
       list.hidden = true
     })

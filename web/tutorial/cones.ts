@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each circle as a cone that is seen from above or from the side: what can be seen from above is the Voronoi diagram.
+// Draws each circle as a cone that the reader can turn. Seen from above, the cones show the Voronoi diagram.
 import { type Pose, paintCones } from './drawn/paint-cones.ts'
 
-/** How far a pointer turns the cones, in degrees a pixel. */
+/** Rotation of the cones, in degrees per pixel of a drag. */
 const TURN = 0.4
 const TILT = 0.3
-/** Pixels of the picture for one of CSS, at most; one and a half at least, so that lines are smooth. */
+/** Device pixels per CSS pixel, at most. At least 1.5 are painted, so that lines are smooth. */
 const FINEST = 2
 
 export function turnCones(page: Document): void {

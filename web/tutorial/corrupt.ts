@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A diagram that the reader makes wrong, and what the judge says of it.
+// Lets the reader corrupt a diagram, and shows the verdict of the judge.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
 import type { DataLayer } from '../view/layers.ts'
 import { CORRUPTIONS } from './corruptions.ts'
 import { numberCircles } from './numbers.ts'
 
-/** What of a diagram can be changed: a circle of a vertex. */
+/** The part of a diagram that can be corrupted: one circle of a vertex. */
 interface Place {
-  /** Of `vertexCircles`. */
+  /** An index into `vertexCircles`. */
   readonly index: number
   readonly name: string
 }
 
-/** Of what is marked in the picture; it is seen on light paper and on dark. */
+/** Color of the marked vertex, visible on light and on dark paper. */
 const MARK = '#d2491b'
 const RIGHT = 'This is the right diagram. Choose a change.'
 const OWN = 'You changed a vertex.'
@@ -63,7 +63,7 @@ class CorruptFigure {
     void this.#begin()
   }
 
-  /** The right diagram of the circles that are shown, or a wrong one. */
+  /** Shows the correct diagram of the current circles, or a corrupted one. */
   async #begin(choice = ''): Promise<void> {
     this.#choice.value = choice
     try {
@@ -136,7 +136,7 @@ class CorruptFigure {
     return row
   }
 
-  /** Shows in the picture which vertex is meant, and which circles it is said to touch. */
+  /** Marks the chosen vertex and the circles that it claims to touch. */
   #mark(vertex: number | undefined): void {
     const { vertices, vertexCircles, circles } = this.#diagram as Diagram
     const data: DataLayer[] = []

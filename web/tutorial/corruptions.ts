@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wrong diagrams of the circles of a figure, one for each thing that the judge checks.
+// Corruptions of a figure's diagram, one for each check of the judge.
 import { type CircleVoronoi, Diagram, type Float64s } from '../lib/index.ts'
 
-/** A kind of wrong diagram. */
+/** One kind of corruption. */
 export interface Corruption {
   readonly name: string
-  /** Which check notices it, and why. */
+  /** Names the check that detects the corruption, and the reason. */
   readonly about: string
-  /** Makes the right diagram of some circles wrong; `undefined`: these circles leave nothing to be changed so. */
+  /** Corrupts the right diagram of some circles; `undefined` if these circles leave nothing to corrupt. */
   make(right: Diagram, library: CircleVoronoi): Diagram | undefined
 }
 
-/** How far a vertex is moved, as a part of its disc. */
+/** Distance by which a vertex moves, relative to the radius of its disc. */
 const NUDGE = 0.1
-/** So many other places and sizes of a circle are tried to find another structure, within a part of the distance of the first two. */
+/**
+ * The number of attempts at moving or resizing a circle until the structure changes, within a fraction of the distance
+ * between the first two circles.
+ */
 const MOST_TRIED = 3000
 const REACH = 2
 
 const changed = (right: Diagram, change: Partial<Diagram>) => new Diagram({ ...dataOf(right), ...change })
 
-/** The structure of another diagram is claimed of these circles. The judge has to name this flaw. */
+/** Claims the structure of another diagram for these circles. The judge has to find exactly this flaw. */
 const structureWith =
   (flaw: string): Corruption['make'] =>
   (right, library) => {
@@ -31,7 +34,7 @@ const structureWith =
       const claimed = changed(other, { circles })
       return library.certify(claimed).flaw === flaw ? claimed : undefined
     }
-    // The same places for the same circles, in no order.
+    // A fixed seed, so that the same circles always give the same corruption.
     let seed = 1
     const random = () => {
       seed = (seed * 1_103_515_245 + 12_345) % 2_147_483_648
@@ -97,7 +100,7 @@ export const CORRUPTIONS: readonly Corruption[] = [
       const visible = Array.from({ length: count }, (_, i) => i).filter((i) => right.cells.exists(i))
       const [largest, left] = [visible[0], visible.at(-1)]
       if (largest === undefined || left === undefined || visible.length < 4) return undefined
-      // Inside another one it has no cell.
+      // A circle inside another one has no cell.
       const without = Float64Array.from(circles)
       without.set([circles[3 * largest] as number, circles[3 * largest + 1] as number], 3 * left)
       without[3 * left + 2] = (circles[3 * largest + 2] as number) / 2
@@ -118,7 +121,7 @@ export const CORRUPTIONS: readonly Corruption[] = [
   },
 ]
 
-/** Plain data, of which another diagram can be made. */
+/** Copies a diagram into plain data from which a modified diagram can be made. */
 function dataOf(diagram: Diagram) {
   const { metric, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = diagram
   const { weights, certificate, stats } = diagram

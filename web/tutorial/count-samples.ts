@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CircleVoronoi, Float64s } from '../lib/index.ts'
 
-/** How many samples circles get. */
+/** The numbers of samples on circles. */
 export interface SampleCounts {
-  /** On the largest circle. */
+  /** The number on the largest circle. */
   readonly largest: number
-  /** The fewest and the most on another one. */
+  /** The least and the greatest number on the other circles. */
   readonly others: readonly [fewest: number, most: number]
   readonly average: number
 }
 
-/** Counts the samples that the method takes: dynamically, `samples` in each angle. */
+/** Counts the samples that dynamic sampling takes, with `samples` in each angle. */
 export function countSamples(library: CircleVoronoi, circles: Float64s, samples: number): SampleCounts {
   const trace = library.trace(circles, { samples })
   const counts = new Array<number>(circles.length / 3).fill(0)

@@ -3,7 +3,7 @@ import type { CircleVoronoiElement } from '../element/index.ts'
 import { loadCircleVoronoi } from '../lib/index.ts'
 import { countSamples, sentenceOf } from './count-samples.ts'
 
-/** Has figures say how many samples their circles get, as they are and by what their sliders say. */
+/** Writes below each figure how many samples its circles get, and updates the counts when its slider moves. */
 export async function sayCounts(page: ParentNode): Promise<void> {
   const library = await loadCircleVoronoi()
   for (const output of page.querySelectorAll<HTMLOutputElement>('output.counts')) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brings the figures to life that the tutorial draws itself: circles and points are dragged or moved by keys, a slider or a
-// player says what is shown.
+// Makes the tutorial's own figures interactive: readers drag circles and points or move them by keys, and a slider or a
+// player selects the state.
 import { type Circle, type CircleVoronoi, loadCircleVoronoi, type Point } from '../lib/index.ts'
 import { encodeLink } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { Regions } from '../lib/wasm/regions.ts'
 import { HEIGHT, heightOf, KINDS, type KindName, type Scene, WIDTH } from './drawn/kinds.ts'
 
-/** What a chapter says of a figure, as scripts/texts/blocks.mjs writes it. */
+/** The description of a figure in a chapter, as scripts/texts/blocks.mjs writes it. */
 export interface DrawnSpec {
   readonly kind: KindName
   readonly circles: readonly (readonly [number, number, number])[]
@@ -17,11 +17,11 @@ export interface DrawnSpec {
   readonly region?: RegionShape
 }
 
-/** Of keys, as a part of the width that is seen. */
+/** Distance of one key press, relative to the visible width. */
 const STEP = 1 / 80
-/** Milliseconds for the way from one event to the next. */
+/** Milliseconds from one event to the next during playback. */
 const PACE = 1400
-/** How large what is grabbed is at least, in pixels of the screen. */
+/** Smallest size of a drag target, in CSS pixels. */
 const GRAB = 22
 const SVG = 'http://www.w3.org/2000/svg'
 const KEYS: Readonly<Record<string, readonly [number, number]>> = {
@@ -92,7 +92,7 @@ class Drawn {
     this.#listen(figure)
     this.#draw()
     picture.replaceChildren(this.#svg)
-    // Words stay as large as those around the picture.
+    // Text keeps the size of the surrounding text when the picture scales.
     new ResizeObserver(() => this.#fit()).observe(this.#svg)
   }
 
@@ -104,7 +104,7 @@ class Drawn {
       handle.setAttribute('tabindex', '0')
       handle.setAttribute('role', 'button')
       handle.setAttribute('aria-label', `${name}: drag it, or press arrow keys`)
-      // Chromium scrolls the page in spite of `touch-action` where it is that of a shape.
+      // Chromium scrolls the page although the shape has `touch-action: none`.
       handle.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false })
       handle.addEventListener('pointerdown', (event) => {
         handle.setPointerCapture(event.pointerId)
@@ -163,7 +163,7 @@ class Drawn {
     })
   }
 
-  /** A place that a reader chose. */
+  /** Shows the state at a slider value. */
   #show(value: number): void {
     this.#pause()
     this.#value = Math.min(Math.max(value, 0), Number(this.#slider.max))
@@ -231,7 +231,7 @@ class Drawn {
     }
   }
 
-  /** Of the picture, for one pixel of the screen. */
+  /** The length of one CSS pixel, in units of the picture. */
   get #unit(): number {
     const { width } = this.#svg.getBoundingClientRect()
     return width === 0 ? 1 : WIDTH / width
@@ -253,7 +253,7 @@ class Drawn {
     }
   }
 
-  /** What is dragged stays in sight. */
+  /** Clamps a dragged point to the picture. */
   #within({ x, y }: Point): Point {
     const { view } = this.#scene
     const [halfX, halfY] = [view[2] / 2, (view[2] / 2) * (HEIGHT / WIDTH)]
@@ -264,7 +264,7 @@ class Drawn {
   }
 }
 
-/** Stays at each event for half of its time. */
+/** Easing that rests at each event for half of the time. */
 function resting(value: number): number {
   const part = value - Math.floor(value)
   return Math.floor(value) + Math.max(0, 2 * part - 1)

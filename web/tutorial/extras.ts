@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What some figures show besides the layers of the element: shrunken rims, and the steps between two centers.
+// Extra layers of some figures: shrunken rims, and paths between two centers.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, type Float64s, loadCircleVoronoi } from '../lib/index.ts'
 import type { DataLayer } from '../view/layers.ts'
 
-/** Of the rims on which samples lie, and of steps; they are seen on light paper and on dark. */
+/** Color of sampled rims and of paths, visible on light and on dark paper. */
 const RIM = '#8a6f5c'
 const STEPS = '#c2185b'
 
-/** The circles less the smallest radius, x, y and r each. */
+/** Returns the circles with their radii reduced by the smallest radius, x, y and r each. */
 export function shrunkenRims(circles: Float64s): Float64Array {
   const least = circles.reduce((smallest, value, k) => (k % 3 === 2 ? Math.min(smallest, value) : smallest), Infinity)
   return Float64Array.from(circles, (value, k) => (k % 3 === 2 ? value - least : value))
 }
 
-/** The circles on a shortest way from one to another, each step between circles whose centers are neighbors. */
+/** The circles on a shortest path from one circle to another in the Delaunay graph of centers. */
 export function stepsBetween(library: CircleVoronoi, circles: Float64s, from: number, to: number): readonly number[] {
   const centers = library.compute(Float64Array.from(circles, (value, k) => (k % 3 === 2 ? 0 : value)))
   const away = (i: number) =>
@@ -24,7 +24,7 @@ export function stepsBetween(library: CircleVoronoi, circles: Float64s, from: nu
     )
   const before = new Map<number, number>([[from, from]])
   for (const circle of before.keys()) {
-    // Of all shortest ways one that hardly bends.
+    // Among all shortest paths, prefers one that hardly bends.
     const nexts = [...centers.neighbors(circle)].sort((one, other) => away(one) - away(other))
     for (const next of nexts) if (!before.has(next)) before.set(next, circle)
   }
@@ -34,7 +34,7 @@ export function stepsBetween(library: CircleVoronoi, circles: Float64s, from: nu
   return way
 }
 
-/** What a figure of these circles shows besides. `steps`: from which circle to which. */
+/** The extra layers of a figure with these circles. `steps` names the circles at the ends of the path. */
 export function extrasOf(
   circles: Float64s,
   { hasRims, steps }: { readonly hasRims: boolean; readonly steps: readonly number[] | undefined },
@@ -57,7 +57,7 @@ export function extrasOf(
   return layers
 }
 
-/** Lines side by side: layers of data have thin ones. */
+/** Draws a thick line as several parallel ones, because layers of data have thin lines. */
 function strong([x0 = 0, y0 = 0]: readonly number[], [x1 = 0, y1 = 0]: readonly number[], aside: number): number[] {
   const length = Math.hypot(x1 - x0, y1 - y0)
   return [-1, -0.5, 0, 0.5, 1].flatMap((k) => {

@@ -2,11 +2,11 @@
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { encodeLink } from '../lib/link.ts'
 
-/** The links of figures lead to what they show now, not to what they showed at first. */
+/** Keeps the links of figures up to date, so that they open the figure as the reader left it. */
 export function linkFigures(page: ParentNode): void {
   for (const link of page.querySelectorAll<HTMLAnchorElement>('a.open')) {
     const figure = link.closest('figure')?.querySelector<CircleVoronoiElement>('circle-voronoi')
-    // Others see to their own links.
+    // Other elements update their own links.
     if (figure === null || figure === undefined) continue
     const [address] = link.href.split('#') as [string]
     const follow = async () => {
@@ -15,7 +15,7 @@ export function linkFigures(page: ParentNode): void {
       link.href = `${address}#${await encodeLink({ ...state, ...played })}`
     }
     figure.addEventListener('circleschange', follow)
-    // The picture may have been moved, or show other things.
+    // The figure may have changed since the last time; readers need the link when they point at it.
     for (const name of ['pointerenter', 'focus']) link.addEventListener(name, follow)
   }
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of circles, written above the picture of an element.
+// Writes the numbers of circles above the picture of an element.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { toScreen } from '../view/camera.ts'
 import { lookAt } from './printed-picture.ts'
 
 const SVG = 'http://www.w3.org/2000/svg'
-/** After which a figure may be looked at from elsewhere. */
+/** The events after which a figure's viewport may have changed. */
 const MOVES = ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick', 'circleschange'] as const
 
 export function numberCircles(figure: CircleVoronoiElement): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The types of what cpp/wasm/printed_bindings.cpp exports.
+// The types of the exports of cpp/wasm/printed_bindings.cpp.
 
 interface PrintedModule {
   printed(

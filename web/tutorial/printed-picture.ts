@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws what the rules find as printed, as SVG.
+// Draws the result of the paper's rules as printed, as SVG.
 import { cameraOf } from '../editing/scene-link.ts'
 import { type Box, clipCurve, type EdgeCurve, SvgPath, traceArc } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
@@ -8,9 +8,9 @@ import type { Arrow, Comparison } from './printed-rules.ts'
 
 export { compare, loadPrintedRules, sentenceOf } from './printed-rules.ts'
 
-/** Around circles that are all seen, in pixels, as a figure without buttons has it. */
+/** Margin around all circles in pixels, the same as in a figure without buttons. */
 const ROOM = 16
-/** Of arrows, in pixels. */
+/** Length of arrow heads, in pixels. */
 const HEAD = 8
 
 /** The camera of a figure that shows a view, or all circles. */
@@ -19,7 +19,7 @@ export function lookAt(circles: Float64Array, view: LinkView | undefined, size: 
   return fitted(boundingBox(circles), size, { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM })
 }
 
-/** What a camera sees: the attribute `viewBox`, and what is in the SVG. */
+/** Returns the attribute `viewBox` and the contents of the SVG for a camera. */
 export function pictureOf(circles: Float64Array, comparison: Comparison, camera: Camera, { width, height }: Size) {
   const [reachX, reachY] = [width / 2 / camera.scale, height / 2 / camera.scale]
   const box = { minX: camera.x - reachX, minY: camera.y - reachY, maxX: camera.x + reachX, maxY: camera.y + reachY }
@@ -51,7 +51,7 @@ function discs(circles: Float64Array): string {
   return `${path}`
 }
 
-/** As exactly as can be seen. */
+/** Flattens curves to line segments as exactly as the eye can tell. */
 function lines(curves: readonly EdgeCurve[], box: Box, { scale }: Camera): string {
   const path = new SvgPath()
   for (const arc of curves.flatMap((curve) => clipCurve(curve, { bounds: box }))) {

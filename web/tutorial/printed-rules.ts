@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the paper's rules find as they are printed, and how that differs from the diagram.
+// Runs the paper's rules as printed, and compares their result with the diagram.
 import {
   bisector,
   type DiagramData,
@@ -14,35 +14,38 @@ import { compileWasm, instantiate, unwrap, type WasmSource } from '../lib/wasm/w
 import createModule from './generated/printed.js'
 
 /**
- * A rule that is as the paper prints it, by the name that cpp/printed/printed_algorithm.h has for it; the others are as they
- * have to be.
+ * The rules that can be set to the paper's version, by their names in cpp/printed/printed_algorithm.h. All other rules
+ * are the corrected ones.
  */
 export const RULES = ['side', 'third', 'crossing', 'inside'] as const
 export type Rule = (typeof RULES)[number]
 
-/** More take too long while one is dragged: the rules look at all pairs. */
+/** The rules test all pairs, so more circles would be too slow during a drag. */
 export const MOST_CIRCLES = 40
 
-/** As the module has it. */
+/** The module's result. */
 export interface Printed {
-  /** Of each segment the circles on its right and on its left. */
+  /** The circles on the right and on the left of each segment. */
   readonly segmentCircles: Int32s
   /** x, y and r of the discs at its ends. */
   readonly segmentDiscs: Float64s
-  /** Of each directed edge that is left over the circle where it begins and the one where it ends. */
+  /** The circles at the start and the end of each directed edge that is left over. */
   readonly leftoverCircles: Int32s
-  /** x, y and r of its disc. */
+  /** x, y and r of the disc of each such edge. */
   readonly leftoverDiscs: Float64s
-  /** The way from the center of either circle to its footpoint, of any length: x and y each. */
+  /** The direction from the center of either circle to its foot point, of any length: x and y each. */
   readonly leftoverFeet: Float64s
 }
 
 export interface PrintedRules {
-  /** `asPrinted`: which rules are. */
+  /** Runs the method with the rules in `asPrinted` set to the paper's version. */
   run(circles: Float64Array, asPrinted: readonly Rule[]): Printed
 }
 
-/** @throws CircleVoronoiError `notLoaded` */
+/**
+ * Loads the module.
+ * @throws CircleVoronoiError `notLoaded`
+ */
 export async function loadPrintedRules(wasm?: WasmSource): Promise<PrintedRules> {
   const module = await instantiate(
     createModule,
@@ -51,36 +54,36 @@ export async function loadPrintedRules(wasm?: WasmSource): Promise<PrintedRules>
   return { run: (circles, asPrinted) => unwrap(module.printed(circles, asPrinted)) }
 }
 
-/** An arrow from a rim to another one. */
+/** An arrow from one rim to another. */
 export interface Arrow {
   readonly from: Point
   readonly to: Point
-  /** Whether its border has no end. */
+  /** Whether the border is unbounded, so that a left-over directed edge is right. */
   readonly isRight: boolean
 }
 
-/** What the printed rules find, beside the diagram. */
+/** The result of the printed rules compared with the diagram. */
 export interface Comparison {
-  /** Parts of borders that they find. */
+  /** The parts of borders that the rules find. */
   readonly found: readonly EdgeCurve[]
-  /** What they take for parts of borders. */
+  /** The curves that the rules wrongly take for parts of borders. */
   readonly wrong: readonly EdgeCurve[]
-  /** Borders that they do not find, or not all of. */
+  /** The borders that the rules miss, or find only in part. */
   readonly missing: readonly EdgeCurve[]
   /** The directed edges that are left over. */
   readonly leftover: readonly Arrow[]
-  /** How many borders there are. */
+  /** The number of borders. */
   readonly borders: number
 }
 
-/** A part of a bisector, by the circles on its sides. */
+/** A part of a bisector, with the circles on its sides. */
 interface Part {
   readonly left: number
   readonly right: number
   readonly curve: EdgeCurve
 }
 
-/** Ends that can hardly be told from each other: parameters are right up to rounding. */
+/** Tolerance for comparing ends of parts. Curve parameters are exact up to rounding. */
 const NEAR = 1e-6
 
 export function compare(diagram: DiagramData, printed: Printed): Comparison {
@@ -97,7 +100,7 @@ export function compare(diagram: DiagramData, printed: Printed): Comparison {
   const found = [...segments, ...leftover.map(({ part }) => part)].filter(isRight)
   return {
     found: found.map(({ curve }) => curve),
-    // One that is left over is drawn as an arrow alone.
+    // A directed edge that is left over is drawn as an arrow, not as a curve.
     wrong: segments.filter((part) => !isRight(part)).map(({ curve }) => curve),
     missing: borders.filter((border) => !isCovered(border, found)).map(({ curve }) => curve),
     leftover: leftover.map(({ part, arrow }) => ({ ...arrow, isRight: isRight(part) })),
@@ -105,7 +108,7 @@ export function compare(diagram: DiagramData, printed: Printed): Comparison {
   }
 }
 
-/** What is said of it. */
+/** Describes a comparison in one sentence. */
 export function sentenceOf({ wrong, missing, leftover, borders }: Comparison): string {
   const lost = leftover.filter(({ isRight }) => !isRight).length
   if (wrong.length + missing.length + lost === 0) return 'As printed: the same diagram here.'
@@ -139,13 +142,13 @@ function leftoverOf(circles: Float64Array, { leftoverCircles, leftoverDiscs, lef
   })
 }
 
-/** What lies on the right of a directed edge from one circle to another, from one disc to another, or without an end. */
+/** The part of a bisector on the right of a directed edge, between two discs or without an end. */
 function partOf(circles: Float64Array, pairs: Int32s, k: number, start: Point, end: Point | undefined): Part {
   const [right, left] = [pairs[2 * k] as number, pairs[2 * k + 1] as number]
   const curve = bisector(circles, left, right)
   const from = parameterAt(curve, start.x, start.y)
   const to = end === undefined ? Number.POSITIVE_INFINITY : parameterAt(curve, end.x, end.y)
-  // A wrong one may lead backwards.
+  // A wrong part may run backwards.
   return from <= to
     ? { left, right, curve: { bisector: curve, from, to, start, end } }
     : { left, right, curve: { bisector: curve, from: to, to: from, start: end, end: start } }
@@ -155,7 +158,7 @@ function pointOf(discs: Float64Array, k: number): Point {
   return { x: discs[3 * k] as number, y: discs[3 * k + 1] as number }
 }
 
-/** From where to where of a border a part is; `undefined`: it is no part of it. */
+/** The range of parameters of a border that a part covers; `undefined` if the part lies on another curve. */
 function within(part: Part, border: Part): [from: number, to: number] | undefined {
   const { from, to } = part.curve
   const isTurned = part.left === border.right && part.right === border.left

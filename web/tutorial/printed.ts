@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Beside a figure, what the paper's rules as printed find of its circles as they are.
+// Shows beside a figure the result of the paper's rules as printed, for the figure's current circles.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, loadCircleVoronoi } from '../lib/index.ts'
 import { lookAt, pictureOf } from './printed-picture.ts'
@@ -13,9 +13,9 @@ import {
   sentenceOf,
 } from './printed-rules.ts'
 
-/** Nothing of it, as long as it is not known. */
+/** The empty comparison, before the first result. */
 const NOTHING: Comparison = { found: [], wrong: [], missing: [], leftover: [], borders: 0 }
-/** After which a figure may be looked at from elsewhere. */
+/** The events after which a figure's viewport may have changed. */
 const MOVES = ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick'] as const
 
 interface Tools {
@@ -26,7 +26,7 @@ interface Tools {
 export function followPrinted(page: Document): void {
   let tools: Promise<Tools> | undefined
   const load = () => {
-    // What could not be fetched may be so later.
+    // A failed download is tried again next time.
     tools ??= loadTools().catch((error) => {
       tools = undefined
       throw error
@@ -68,7 +68,7 @@ async function follow(around: HTMLElement, load: () => Promise<Tools>): Promise<
       }
       const size = { width: figure.clientWidth, height: figure.clientHeight }
       const { view } = figure.getState()
-      // Far out of sight the figure has no size, and so no view.
+      // A figure far out of sight has no size, so it has no viewport.
       if (view?.span === 0) return
       const { viewBox, content } = pictureOf(circles, comparison, lookAt(circles, view, size), size)
       svg.setAttribute('viewBox', viewBox)

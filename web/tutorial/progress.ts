@@ -2,7 +2,7 @@
 
 const KEY = 'circle-voronoi tutorial'
 
-/** Chapters count as read once their end has been seen; the contents mark them. A browser that keeps nothing marks none. */
+/** Marks chapters as read once their end has been seen. Without storage no chapter is marked. */
 export function markRead(page: Document): void {
   const read = new Set(kept())
   for (const link of page.querySelectorAll<HTMLAnchorElement>('nav.pages ol a, ol.gallery a')) {

@@ -4,7 +4,7 @@ const RIGHT = 'Right.'
 const WRONG = 'Not quite. Think again, or look at the hint.'
 const NOTHING = 'Choose an answer first.'
 
-/** Questions with answers to choose from: says whether the one that was chosen is right, and why, once it is. */
+/** Gives feedback on the answers of multiple-choice questions. */
 export function askQuestions(page: ParentNode): void {
   for (const form of page.querySelectorAll<HTMLFormElement>('form.question')) {
     const output = form.querySelector('output') as HTMLOutputElement

@@ -2,7 +2,7 @@
 import type { CircleVoronoiElement } from '../element/index.ts'
 import type { Layers } from '../view/layers.ts'
 
-/** The radius at a place of a slider, and what it would be where the slider changes nothing. */
+/** The formulas of the sliders: the new radius at a value, and the value that leaves radii unchanged. */
 const SCALES = {
   scale: {
     at: (r: number, value: number) => r * value,
@@ -14,13 +14,13 @@ const SCALES = {
   },
 }
 
-/** What becomes of the layers at a place of a slider. */
+/** The layers at a value of a slider. */
 const LAYERS: Record<string, (value: number) => Partial<Layers>> = {
   dynamic: (sampleCount) => ({ candidates: 'dynamic', sampleCount }),
   uniform: (sampleCount) => ({ candidates: 'uniform', sampleCount }),
 }
 
-/** Sliders beside figures; what a reader drags meanwhile stays as it is. */
+/** Connects sliders to their figures. Circles that the reader has dragged keep their places. */
 export function slideFigures(page: Document): void {
   for (const slider of page.querySelectorAll<HTMLInputElement>('input[data-changes]')) {
     const figure = page.querySelector(`#${slider.dataset.figure} circle-voronoi`) as CircleVoronoiElement
@@ -40,19 +40,19 @@ export function slideFigures(page: Document): void {
   }
 }
 
-/** Has a slider change all radii: what to do when it comes to a place, from `start`. */
+/** Returns a function that changes all radii of `start` to a value of the slider. */
 export function radiiOf(
   figure: Pick<CircleVoronoiElement, 'circles' | 'updateComplete'>,
   changes: keyof typeof SCALES,
   start: number,
 ): (value: number) => Promise<void> {
   const { at, back } = SCALES[changes]
-  /** Where the slider changes nothing. */
+  /** The circles at the value at which the slider changes nothing. */
   let base = new Float64Array()
   let before = start
   let underWay = 0
   return async (value) => {
-    // A figure that does not have its circles yet tells of older ones, from another place of the slider.
+    // A figure that is still computing reports the circles of an older slider value.
     if (underWay === 0) {
       const circles = figure.circles
       base = circles.map((number, k) =>
@@ -68,8 +68,8 @@ export function radiiOf(
 }
 
 /**
- * The radius that a circle had: that of the one with its center, for places in the list change when others go; where it was
- * moved and none came or went, that of the one at its place.
+ * The original radius of a circle. Circles are matched by their centers, because indices shift when circles are
+ * removed. A circle that was moved is matched by its index if the number of circles is unchanged.
  */
 function radiusIn(base: Float64Array, circles: Float64Array, first: number): number | undefined {
   const isSame = (k: number) => base[k] === circles[first] && base[k + 1] === circles[first + 1]

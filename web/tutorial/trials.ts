@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CircleVoronoiElement } from '../element/index.ts'
 
-/** Figures in which something is to be reached: says so once it is, and takes it back if it no longer is. */
+/** Checks the goals of exercises, and shows or hides the message of success. */
 export function followTrials(page: ParentNode): void {
   for (const section of page.querySelectorAll<HTMLElement>('.try')) {
     const output = section.querySelector('figcaption output') as HTMLOutputElement

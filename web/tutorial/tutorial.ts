@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a chapter does beyond being read: its figures live, its questions answer, its search finds, and it knows what was read.
+// Starts the interactive parts of a chapter: figures, questions, search, and the record of read chapters.
 import { workOffline } from '../app/offline.ts'
 import '../element/index.ts'
 import { offerSearch } from '../reading/search.ts'
@@ -21,7 +21,7 @@ if (document.querySelector('[data-corrupt]') !== null) {
 }
 if (document.querySelector('output.counts') !== null) {
   const { sayCounts } = await import('./counts.ts')
-  // Figures that are far away are not ready for long.
+  // Prepares the counts early, because distant figures become ready late.
   void sayCounts(document)
 }
 if (document.querySelector('figure.printed') !== null) {
@@ -34,7 +34,7 @@ if (document.querySelector('[data-rims], [data-steps]') !== null) {
 }
 if (document.querySelector('[data-drawn]') !== null) {
   const { bringToLife } = await import('./drawn.ts')
-  // Like other figures they wait for the WebAssembly.
+  // These figures need the WebAssembly too.
   void bringToLife(document)
 }
 if (document.querySelector('[data-cones]') !== null) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the figures about given areas share: sites with weights in a box, the areas of their cells, and the function that is
-// greatest where the areas are those asked for.
+// Shared code of the figures about prescribed areas: weighted sites in a box, the areas of their cells, and the concave
+// function whose maximum has the prescribed areas.
 import type { Circle, CircleVoronoi, Diagram } from '../../lib/index.ts'
 import { colorsOf, type Pen } from './scene.ts'
 
@@ -11,10 +11,10 @@ export interface Frame {
   readonly maxY: number
 }
 
-/** Points of a box in each direction at which the function is summed. */
+/** Sample points of the box in each direction for the sum that approximates an integral. */
 const FINENESS = 40
 
-/** What a picture shows of the plane, less a margin. */
+/** The part of the plane that a picture shows, without its margin. */
 export function frameIn(pen: Pen): Frame {
   const margin = pen.units(10)
   const [minX, minY, maxX, maxY] = pen.bounds
@@ -25,7 +25,7 @@ export function areaOf({ minX, minY, maxX, maxY }: Frame): number {
   return (maxX - minX) * (maxY - minY)
 }
 
-/** The diagram of sites with weights: circles whose radii are the weights, less the least one. */
+/** The diagram of weighted sites: circles whose radii are the weights minus the smallest weight. */
 export function weighted(sites: readonly Circle[], weights: readonly number[], library: CircleVoronoi): Diagram {
   const least = Math.min(...weights)
   return library.compute(Float64Array.from(sites.flatMap(({ x, y }, i) => [x, y, (weights[i] as number) - least])))
@@ -36,10 +36,7 @@ export function areasIn(frame: Frame, diagram: Diagram): readonly number[] {
   return [...diagram.cellAreas({ bounds: boundsOf(frame) })]
 }
 
-/**
- * How fast area passes from one cell to another as a weight grows: row i has that of cell i, for the weight of each site. By
- * differences of areas.
- */
+/** The derivatives of all areas by all weights, by finite differences. Row i belongs to the area of cell i. */
 export function stiffnessIn(
   frame: Frame,
   sites: readonly Circle[],
@@ -64,8 +61,8 @@ export function stiffnessIn(
 }
 
 /**
- * The function of the weights that is greatest where the cells have the areas asked for, in units of the box's area: the mean
- * of the least distance minus weight, and the sum of weights times shares.
+ * The function of the weights that is greatest where the cells have their prescribed areas, in units of the box's area:
+ * the mean of the least distance minus weight, plus the sum of weights times shares.
  */
 export function heightOver(
   { minX, minY, maxX, maxY }: Frame,
@@ -89,7 +86,7 @@ export function heightOver(
   }
 }
 
-/** The cells in a box, and their sites; with discs for the weights, where few of these overlap. */
+/** Draws the cells in a box with their sites, and the weights as discs where few of these overlap. */
 export function drawWeighted(
   pen: Pen,
   frame: Frame,
@@ -109,12 +106,12 @@ export function drawWeighted(
   for (const [i, site] of sites.entries()) pen.dot(`site c${colors[i]}`, site, 5)
 }
 
-/** Whether a cell has its share of the area, as far as one can see. */
+/** Whether a cell's share of the area looks right. */
 export function isNear(share: number, goal: number): boolean {
   return Math.abs(share - goal) < 0.015
 }
 
-/** The number of each site, and below it what its cell has of the area. */
+/** Writes the number of each site and its cell's share of the area. */
 export function writeShares(
   pen: Pen,
   sites: readonly Circle[],

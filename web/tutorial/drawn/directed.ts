@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a directed edge is: an arrow from a circle to another one, with the border growing on its right.
+// Explains directed edges: arrows from one circle to another, with the border growing on their right.
 import type { Circle } from '../../lib/index.ts'
 import { arcBetween, frontOf } from './growing.ts'
 import { colorsOf, coordinatesOf, drawDiscs, footOf, type Kind, Pen, said } from './scene.ts'
@@ -44,7 +44,7 @@ export const directedEdges: Kind = {
   },
 }
 
-/** Of the smallest disc between the first two circles. */
+/** Radius of the smallest disc between the first two circles. */
 function radiusBetween([a, b]: readonly Circle[]): number {
   if (a === undefined || b === undefined) return 0
   return (Math.hypot(a.x - b.x, a.y - b.y) - a.r - b.r) / 2

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tile of a larger plane: the cells that are right whatever lies outside it. The slider says how large a circle out there may be.
+// A tile of a larger plane, with the cells that are final whatever lies outside the tile. The slider sets the largest
+// radius of the circles outside.
 import { coordinatesOf, drawDiscs, type Kind, Pen } from './scene.ts'
 
 const LARGEST = 3
@@ -9,7 +10,7 @@ export const finalCells: Kind = {
 
   draw(scene, value, library) {
     const pen = new Pen(scene)
-    // The tile is what the frame of the picture shows of the plane, less a margin.
+    // The tile is the visible part of the plane without a margin.
     const margin = pen.units(36)
     const [left, bottom, right, top] = pen.bounds
     const box = { minX: left + margin, minY: bottom + margin, maxX: right - margin, maxY: top - margin }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The growing phase of the touching disc method: discs in the order of their radii, what begins, ends and is thrown away, and why.
+// The growing phase of the touching disc method: discs in the order of their radii, with the edges that begin and end,
+// the discs that are rejected, and the reasons.
 
 import type { Circle, CircleVoronoi, Point, Vertex } from '../../lib/index.ts'
 import type { Trace } from '../../lib/wasm/trace.ts'
@@ -7,12 +8,12 @@ import { ringOf } from '../../player/discs.ts'
 import { FinishedArcs } from '../../player/finished-arcs.ts'
 import { colorsOf, coordinatesOf, drawDiscs, footOf, type Kind, list, Pen, type Scene, said } from './scene.ts'
 
-/** What happens with a disc once its turn comes. */
+/** The outcome of a disc when its turn comes. */
 export type What = 'start' | 'begin' | 'notEmpty' | 'used' | 'stale' | 'vertex' | 'end'
 
 export interface Moment {
   readonly what: What
-  /** Its first event, and the first one after it. */
+  /** The disc's first event, and the first event after it. */
   readonly event: number
   readonly end: number
   /** The radius that the discs have reached. */
@@ -26,7 +27,7 @@ const WHAT: Readonly<Record<string, What>> = {
   threeTouchDiscStale: 'stale',
   branchDisc: 'vertex',
 }
-/** What follows from these. */
+/** The events that a disc causes. */
 const EFFECTS = ['directedEdgePlaced', 'threeTouchDiscFormed', 'segmentFinished', 'directedEdgeDeleted']
 
 interface Grown {
@@ -35,10 +36,10 @@ interface Grown {
   readonly arcs: FinishedArcs
 }
 
-/** The last ones that were traced: a slider asks for the same circles again and again. */
+/** The last result. A slider requests the same circles again and again. */
 let kept: { readonly key: string; readonly grown: Grown } | undefined
 
-/** The growing phase alone: every pair of circles is a candidate, so that no samples are needed. */
+/** Runs the growing phase alone. Every pair of circles is a candidate, so no samples are needed. */
 export function grow(circles: readonly Circle[], library: CircleVoronoi): Grown {
   const key = JSON.stringify(circles)
   if (kept?.key === key) return kept.grown
@@ -73,7 +74,7 @@ export const growing: Kind = {
   draw(scene, value, library) {
     const { circles } = scene
     const { trace, moments, arcs } = grow(circles, library)
-    // Between two moments the discs grow.
+    // Discs grow between two moments.
     const k = Math.min(Math.floor(value), moments.length - 1)
     const moment = moments[k] as Moment
     const next = moments[k + 1] ?? moment
@@ -140,7 +141,10 @@ function drawMoment(
   }
 }
 
-/** Of the circles that an antipodal disc touches those on whose rims the border of others has passed there. */
+/**
+ * Of the circles that an antipodal disc touches, returns those whose rim the border of other circles has already passed
+ * at the foot point.
+ */
 function passedAt(trace: Trace, event: number, circles: readonly Circle[]): readonly number[] {
   const { disc, circles: ids } = trace.event(event)
   const before = trace.at(event)
@@ -158,7 +162,7 @@ function circlesIn(ids: readonly number[]): string {
   return `${ids.length === 1 ? 'circle' : 'circles'} ${list(ids)}`
 }
 
-/** What happens, in words. */
+/** Describes a moment in words. */
 export function tellMoment(trace: Trace, { what, event, end, r }: Moment, circles: readonly Circle[]): string {
   if (what === 'start') return 'The discs wait in a list, the smallest first. Nothing has grown yet.'
   if (what === 'end') {
@@ -200,7 +204,7 @@ export function tellMoment(trace: Trace, { what, event, end, r }: Moment, circle
   }
 }
 
-/** The center of the disc of radius r that touches a and b, to the right of the arrow from a to b. */
+/** The center of the disc of radius r that touches a and b, on the right of the arrow from a to b. */
 export function frontOf(a: Circle, b: Circle, r: number): Vertex | undefined {
   const [dx, dy] = [b.x - a.x, b.y - a.y]
   const d = Math.hypot(dx, dy)
@@ -214,12 +218,12 @@ export function frontOf(a: Circle, b: Circle, r: number): Vertex | undefined {
 
 const PIECES = 24
 
-/** The border of a and b between two discs that touch both, in pieces, by radius. */
+/** The border of a and b between two discs that touch both, as a polyline sampled by radius. */
 export function arcBetween(a: Circle, b: Circle, from: Vertex, to: Vertex): number[] {
   const pieces: number[] = []
   let last: Point = from
   for (let k = 1; k <= PIECES; k++) {
-    // Evenly along the border: near its beginning the radius hardly grows.
+    // Squaring the parameter spaces points evenly along the border, because the radius hardly grows near its beginning.
     const next = k === PIECES ? to : (frontOf(a, b, from.r + (to.r - from.r) * (k / PIECES) ** 2) ?? last)
     pieces.push(last.x, last.y, next.x, next.y)
     last = next

@@ -11,7 +11,7 @@ import { twoWeights } from './two-weights.ts'
 import { walk } from './walk.ts'
 import { weightPlane } from './weight-plane.ts'
 
-/** The figures that the tutorial draws itself, by their names in chapters. */
+/** The figures that the tutorial draws itself, by the names that chapters use. */
 export const KINDS: Readonly<Record<KindName, Kind>> = {
   nearest: nearestCircle,
   directed: directedEdges,

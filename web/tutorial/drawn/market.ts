@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Market areas inside a border: the cells of towns, clipped to a country. The slider says how much a large town is ahead.
+// Market areas within a border: the cells of towns, clipped to a country. The slider sets the advantage of large towns.
 import type { Region } from '../../lib/regions/region.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import { percent } from './areas.ts'

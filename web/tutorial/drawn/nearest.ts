@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A point and its distance to each circle; the slider colors more and more points, and at its end all of them.
+// A point and its distance to each circle. The slider colors more and more points of the plane by their nearest circle.
 import {
   colorsOf,
   coordinatesOf,
@@ -47,7 +47,7 @@ export const nearestCircle: Kind = {
   },
 }
 
-/** The points k = 1, 2, … of the van der Corput sequence: wherever it ends, they are spread evenly. */
+/** Point k of the van der Corput sequence. Every prefix of the sequence is evenly spread. */
 function radicalInverse(k: number, base: number): number {
   let [rest, part, sum] = [k, 1, 0]
   while (rest > 0) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Newton's steps to cells of equal areas, as the library takes them, and below the picture the error after each step.
+// The library's Newton steps toward cells of equal areas, with a plot of the error after each step.
 import type { Circle } from '../../lib/index.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import { areaOf, areasIn, drawWeighted, type Frame, frameIn, weighted } from './areas.ts'
 import { HEIGHT, type Kind, Pen, WIDTH } from './scene.ts'
 
 const PLOT = { left: 104, right: WIDTH - 24, top: HEIGHT + 34, bottom: HEIGHT + 184 }
-/** Powers of ten of the error that the plot shows. */
+/** Range of the plotted errors, as powers of ten. */
 const [HIGHEST, LOWEST] = [1, -12]
 
 export interface Step {
@@ -29,7 +29,7 @@ export const newton: Kind = {
     const { steps, problem } = stepsOf(circles, frame, regions)
     const k = Math.min(Math.floor(value), steps.length - 1)
     const [step, next] = [steps[k] as Step, steps[k + 1] ?? (steps[k] as Step)]
-    // Between two steps weights change evenly.
+    // Weights change linearly between two steps.
     const weights = step.weights.map((weight, i) => weight + (value - k) * ((next.weights[i] as number) - weight))
     const diagram = weighted(circles, weights, library)
     drawWeighted(pen, frame, diagram, circles, { hasDiscs: false })
@@ -49,10 +49,10 @@ export const newton: Kind = {
   },
 }
 
-/** The last ones that were asked for: a slider asks for the same sites again and again. */
+/** The last result. A slider requests the same sites again and again. */
 let kept: { readonly key: string; readonly steps: readonly Step[]; readonly problem: string | undefined } | undefined
 
-/** The steps of the library, the start first. */
+/** The steps of the library, beginning with the start. */
 export function stepsOf(circles: readonly Circle[], frame: Frame, regions: Regions | undefined) {
   if (regions === undefined) throw new Error('This figure needs regions.')
   const key = JSON.stringify([circles, frame])
@@ -89,7 +89,7 @@ export function stepsOf(circles: readonly Circle[], frame: Frame, regions: Regio
   return kept
 }
 
-/** Bars from the lowest error that is shown, one for each step. */
+/** Draws one bar per step, up from the lowest error shown. */
 function plot(pen: Pen, steps: readonly Step[], now: number): void {
   const y = (error: number) => {
     const power = Math.log10(Math.max(error, 10 ** LOWEST))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of cones, pixel by pixel: a cone for each circle, with its tip above the center, as high as the radius, and
-// falling by 1 with each step away. Its height over a point is minus the distance from there to the rim.
+// Paints cones pixel by pixel. Each circle has a cone with its tip above the center at the height of the radius and a
+// slope of 1. The height of a cone over a point is minus the distance from the point to the rim.
 
-/** How one looks: from the side at 0 degrees, from above at 90; and how far the plane is turned. */
+/** The viewing direction (0 degrees: from the side, 90: from above), and the rotation of the plane. */
 export interface Pose {
   readonly tilt: number
   readonly turn: number
@@ -17,17 +17,18 @@ const COLORS = [
   [107, 102, 184],
   [217, 104, 60],
 ] as const
-/** From where light comes: to the left, from the front, from above. */
+/** The direction of the light: from the left, the front and above. */
 const LIGHT = [-0.45, -0.35, 0.82] as const
-/** How dark lines are: between cones, and around circles. */
+/** Darkness of the lines between cones and around circles. */
 const LINE = 0.35
-/** Samples on the way from front to back, for each row of pixels. */
+/** Samples per row of pixels along each ray from front to back. */
 const FINENESS = 1.6
 const DEGREE = Math.PI / 180
 
 /**
+ * Returns the image; pixels behind the cones stay transparent.
  * @param view x and y of the middle, and the width
- * @returns red, green, blue and alpha of each pixel; nothing behind the cones
+ * @returns red, green, blue and alpha of each pixel
  */
 export function paintCones(
   circles: readonly (readonly number[])[],
@@ -48,16 +49,16 @@ export function paintCones(
   }))
   const [reach, depth] = [span / 2, (span / 2) * (height / width)]
   const steps = Math.ceil(height * FINENESS)
-  /** Which cone, and whether inside its circle, was seen in the column before. */
+  /** The cone seen in the previous column of pixels, and whether inside its circle. */
   const beside = new Int32Array(steps)
-  // The mean height comes to the middle of the picture.
+  // Shifts the mean height to the middle of the picture.
   const lift = cos * (depth * 0.35)
 
   for (let column = 0; column < width; column++) {
     const u = (column + 0.5) / scale - reach
     let top = height
     let before = -1
-    /** Whether a line has been crossed since the last pixel. */
+    /** Whether the ray has crossed a line since the last pixel. */
     let isLine = false
     for (let step = 0; step < steps && top > 0; step++) {
       const v = -depth + (2 * depth * (step + 0.5)) / steps
@@ -78,7 +79,7 @@ export function paintCones(
       if (row >= top) continue
       const cone = cones[nearest] as (typeof cones)[number]
       const d = Math.hypot(u - cone.u, v - cone.v) || 1
-      // The surface falls by 1 outwards: its normal leans outwards by 45 degrees.
+      // The surface has slope 1, so its normal leans outward by 45 degrees.
       const bright =
         ((u - cone.u) / d) * LIGHT[0] * Math.SQRT1_2 +
         ((v - cone.v) / d) * LIGHT[1] * Math.SQRT1_2 +

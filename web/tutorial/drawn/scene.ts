@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the figures that the tutorial draws itself have in common: circles in a frame, as SVG.
+// Shared code of the figures that the tutorial draws itself: circles in a frame, as SVG.
 import { escaped } from '../../lib/drawing/escaped.ts'
 import type { Circle, CircleVoronoi, Diagram, Float64s, Point } from '../../lib/index.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 
-/** What a figure shows, in the units of its circles. */
+/** The contents of a figure, in the units of its circles. */
 export interface Scene {
   readonly circles: readonly Circle[]
-  /** A point that can be dragged. */
+  /** A draggable point. */
   readonly point: Point | undefined
   /** x and y of the middle, and the width. */
   readonly view: readonly [x: number, y: number, width: number]
-  /** What cells are clipped to. */
+  /** The region that cells are clipped to. */
   readonly region?: RegionShape | undefined
 }
 
 export interface Drawing {
-  /** SVG between the tags. */
+  /** The markup between the tags of the SVG. */
   readonly content: string
-  /** What is said of it. */
+  /** The caption below the figure. */
   readonly told: string
 }
 
-/** A kind of figure: one slider, and what is drawn at a place of it. */
+/** A kind of figure: a slider and the picture at each of its values. */
 export interface Kind {
-  /** Of the picture; `HEIGHT` without it. */
+  /** Height of the picture. Default: `HEIGHT`. */
   readonly height?: number
-  /** Whether it needs regions. */
+  /** Whether the figure needs the module of regions. */
   readonly hasRegions?: boolean
-  /** The places of the slider: from 0, in steps of 1 if the places are events. */
+  /** The range of the slider. It starts at 0 and has steps of 1 if its values are events. */
   range(
     scene: Scene,
     library: CircleVoronoi,
@@ -41,7 +41,7 @@ export interface Kind {
 export const WIDTH = 640
 export const HEIGHT = 400
 
-/** Writes parts of a scene. Lines are in the plane, which is y-up; words are on the picture. */
+/** Collects the SVG of a scene. Lines use coordinates of the plane (y-up), text uses coordinates of the picture. */
 export class Pen {
   readonly #scale: number
   readonly #middle: Point
@@ -58,7 +58,7 @@ export class Pen {
     this.bounds = [x - halfX, y - halfY, x + halfX, y + halfY]
   }
 
-  /** A length on the picture, in units of the plane. */
+  /** Converts pixels of the picture to units of the plane. */
   units(pixels: number): number {
     return pixels / this.#scale
   }
@@ -87,7 +87,7 @@ export class Pen {
     return this.path(names, d)
   }
 
-  /** An arrow, a little to the right of the straight way. */
+  /** An arrow, offset to the right of the straight line. */
   arrow(names: string, from: Point, to: Point, aside = 0): this {
     const [dx, dy] = [to.x - from.x, to.y - from.y]
     const length = Math.hypot(dx, dy)
@@ -122,7 +122,7 @@ export class Pen {
     return this
   }
 
-  /** What is drawn on the picture itself, in its own units. */
+  /** Adds SVG in units of the picture. */
   raw(svg: string): this {
     this.#words.push(svg)
     return this
@@ -136,7 +136,7 @@ export class Pen {
   }
 }
 
-/** The cells in the colors of their circles, and the edges between them. */
+/** Draws the cells in the colors of their circles, and the edges. */
 export function drawCells(pen: Pen, diagram: Diagram, colors = colorsOf(diagram)): void {
   const options = { bounds: [...pen.bounds] as [number, number, number, number] }
   for (let i = 0; i < diagram.circles.length / 3; i++) pen.path(`cell c${colors[i]}`, diagram.cellPath(i, options))
@@ -156,7 +156,7 @@ export function drawDiscs(pen: Pen, circles: readonly Circle[], colors: readonly
   }
 }
 
-/** A color for each circle, such that neighbors differ where six colors are enough for a greedy choice. */
+/** A greedy coloring with six colors; neighbors differ unless the greedy choice runs out of colors. */
 export function colorsOf(diagram: Diagram): readonly number[] {
   const count = diagram.circles.length / 3
   if (count <= 6) return Array.from({ length: count }, (_, i) => i)
@@ -173,7 +173,7 @@ export function coordinatesOf(circles: readonly Circle[]): Float64s {
   return Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
 }
 
-/** The distance from a point to the rim of a circle, less than 0 inside. */
+/** The distance from a point to a rim, negative inside the circle. */
 export function distance({ x, y, r }: Circle, point: Point): number {
   return Math.hypot(point.x - x, point.y - y) - r
 }
@@ -191,12 +191,12 @@ export function footOf({ x, y, r }: Circle, point: Point): Point {
   return length === 0 ? { x: x + r, y } : { x: x + (dx / length) * r, y: y + (dy / length) * r }
 }
 
-/** A number as a reader wants it. */
+/** Formats a number for readers. */
 export function said(value: number): string {
   return `${Number(value.toFixed(2))}`.replace('-', '−')
 }
 
-/** 0, 1 and 2. */
+/** Joins items as in "0, 1 and 2". */
 export function list(items: readonly (number | string)[]): string {
   return items.length < 2 ? items.join('') : `${items.slice(0, -1).join(', ')} and ${items.at(-1)}`
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sites in a box, joined by springs across their borders: the stronger a spring, the faster area passes as weights change.
+// Sites in a box, joined by springs across their borders. A stronger spring means that area passes faster when weights
+// change.
 import type { Point } from '../../lib/index.ts'
 import { areaOf, areasIn, drawWeighted, frameIn, percent, stiffnessIn, weighted } from './areas.ts'
 import { type Kind, Pen, said } from './scene.ts'
 
-/** Less than this is no border. */
+/** Borders whose spring is weaker than this are left out. */
 const SOFTEST = 1e-6
-/** Pixels from one turn of a spring to the next, and from its middle to each side. */
+/** Pixels between two turns of a spring, and the amplitude of its turns. */
 const TURN = 9
 const WIDE = 6
 
@@ -42,7 +43,7 @@ export const springs: Kind = {
   },
 }
 
-/** Before the first site hides another one. */
+/** The largest weight at which the first site hides no other. */
 function heaviestOf([first, ...others]: readonly Point[]): number {
   return first === undefined ? 1 : 0.9 * Math.min(...others.map(({ x, y }) => Math.hypot(x - first.x, y - first.y)))
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two sites in a box, and below them the function of the weight of the second one that is greatest where the areas are right.
+// Two sites in a box, with a plot of the concave function of the second weight. Its maximum has the prescribed areas.
 import { areaOf, areasIn, drawWeighted, frameIn, heightOver, percent, weighted, writeShares } from './areas.ts'
 import { HEIGHT, type Kind, Pen, said, WIDTH } from './scene.ts'
 
-/** What the cells should have of the area. */
+/** The prescribed shares of the area. */
 export const TWO_SHARES = [0.35, 0.65] as const
 const SAMPLES = 120
 const PLOT = { left: 24, right: WIDTH - 24, top: HEIGHT + 34, bottom: HEIGHT + 184 }
-/** Of the slope that is drawn, in pixels to each side. */
+/** Half the length of the drawn tangent, in pixels. */
 const SLOPE = 70
 
 export const twoWeights: Kind = {
@@ -56,7 +56,7 @@ export const twoWeights: Kind = {
   },
 }
 
-/** Beyond this weight one of the cells is hidden. */
+/** The weight beyond which one of the cells is hidden. */
 function reachOf([a, b]: readonly { readonly x: number; readonly y: number }[]): number {
   return a === undefined || b === undefined ? 1 : 1.15 * Math.max(Math.hypot(a.x - b.x, a.y - b.y), 1)
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A walk from the center of a circle to a point, and below it the distance to the nearest circle on the way.
+// A walk from the center of a circle to a point, with a plot of the distance to the nearest circle.
 import {
   colorsOf,
   coordinatesOf,
@@ -15,7 +15,7 @@ import {
 } from './scene.ts'
 
 const STEPS = 160
-/** Where the plot is on the picture. */
+/** The plot's place on the picture. */
 const PLOT = { left: 56, right: WIDTH - 24, top: HEIGHT + 30, bottom: HEIGHT + 190 }
 const WALK_HEIGHT = HEIGHT + 220
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Three sites in a box, and beside them a map: a point of it is a pair of weights, and its height is the function that is greatest
-// where the areas are right. The slider draws contour lines of that height.
+// Three sites in a box, beside a map of pairs of weights. The map's height is the concave function whose maximum has
+// the prescribed areas; the slider draws its contour lines.
 import type { Circle } from '../../lib/index.ts'
 import {
   areaOf,
@@ -15,10 +15,10 @@ import {
 } from './areas.ts'
 import { type Kind, list, Pen, type Scene } from './scene.ts'
 
-/** What the cells should have of the area. */
+/** The prescribed shares of the area. */
 export const THREE_SHARES = [0.2, 0.3, 0.5] as const
 const MOST_LINES = 8
-/** Squares of the map in each direction. */
+/** Grid cells of the map in each direction. */
 const SQUARES = 28
 
 export const weightPlane: Kind = {
@@ -65,7 +65,7 @@ export function panelsOf(pen: Pen): { readonly box: Frame; readonly map: Frame }
   }
 }
 
-/** Of the three sites: that of the first one is 0. */
+/** The weights of the three sites. The first one is 0. */
 export function weightsOf({ point }: Scene, { minX, minY, maxX, maxY }: Frame): readonly number[] {
   const middle = { x: (minX + maxX) / 2, y: (minY + maxY) / 2 }
   const x = Math.min(Math.max(point?.x ?? middle.x, minX), maxX)
@@ -73,7 +73,7 @@ export function weightsOf({ point }: Scene, { minX, minY, maxX, maxY }: Frame): 
   return [0, x - middle.x, y - middle.y]
 }
 
-/** The heights over a map, for the circles for which they were asked last: a point that is dragged changes none. */
+/** The last height map. Dragging a point does not change the map, so that it is reused. */
 let kept: { readonly key: string; readonly heights: readonly (readonly number[])[] } | undefined
 
 function heightsOf(circles: readonly Circle[], map: Frame, box: Frame): readonly (readonly number[])[] {
@@ -89,7 +89,7 @@ function heightsOf(circles: readonly Circle[], map: Frame, box: Frame): readonly
   return heights
 }
 
-/** Lines of equal height below the top, by marching squares. */
+/** Contour lines below the maximum, by marching squares. */
 function contoursOf({ circles }: Scene, map: Frame, box: Frame, count: number): string {
   const heights = heightsOf(circles, map, box)
   const all = heights.flat()
