@@ -3,42 +3,44 @@ import { type Camera, type Size, toPlane } from './camera.ts'
 import type { Painted } from './painter.ts'
 import { type Grid, type PixelBox, TILE, type Wish } from './protocol.ts'
 
-/** Around what is seen, so many device pixels are painted, too: room to pan before there is more. */
+/** Margin painted around the viewport, in device pixels, so that panning has pixels ready. */
 const ROOM = TILE
-/** What was painted is shown up to so many times as large or small until it is painted sharp. */
+/** Largest zoom factor at which old pixels are shown until sharp ones are painted, in either direction. */
 export const MOST_ENLARGED = 256
 
-/** A part of a grid, as far as it is painted. */
+/** A buffer of a part of a grid, with the area that has been painted. */
 interface Sheet {
   readonly canvas: OffscreenCanvas
   readonly context: OffscreenCanvasRenderingContext2D
   readonly grid: Grid
   readonly box: PixelBox
-  /** The wish for it. */
+  /** The number of the request that fills the buffer. */
   readonly wish: number
   isWhole: boolean
 }
 
-/** The picture without what is hovered or selected: painted elsewhere, shown moved and scaled until the next one is there. */
+/**
+ * The picture without hover and selection. A thread paints it; it is shown moved and scaled until the next one arrives.
+ */
 export class BasePicture {
   #sheet: Sheet | undefined
-  /** Shown where the sheet has nothing yet. */
+  /** The previous buffer, shown where the current one is still empty. */
   #before: Sheet | undefined
   #lastGrid = 0
   #lastWish = 0
 
-  /** Whether there is nothing left to be painted. */
+  /** Whether everything requested has been painted. */
   get isWhole(): boolean {
     return this.#sheet?.isWhole === true
   }
 
-  /** Whether a camera needs no pixels of another grid. */
+  /** Whether the painted pixels fit a camera exactly. */
   isSharp({ scale }: Camera, pixelRatio: number): boolean {
     const grid = this.#sheet?.grid
     return grid !== undefined && grid.scale === scale * pixelRatio && grid.pixelRatio === pixelRatio
   }
 
-  /** Has the sheet hold what a camera sees, and returns what has to be painted for it, if anything. */
+  /** Makes the buffer cover a camera's viewport. Returns the request for missing pixels, if any. */
   see(camera: Camera, size: Size, pixelRatio: number): Wish | undefined {
     if (!this.isSharp(camera, pixelRatio)) {
       if (this.#sheet?.isWhole === true) this.#before = this.#sheet
@@ -52,7 +54,7 @@ export class BasePicture {
     return holds(box, seen) ? undefined : this.#turnTo(grid, seen)
   }
 
-  /** The wish for what there is to be painted once more; shown until then is what there is. */
+  /** Requests all pixels again, for example after an edit. The old pixels stay visible until then. */
   again(camera: Camera, size: Size): Wish | undefined {
     const sheet = this.#sheet
     if (sheet === undefined) return undefined
@@ -73,7 +75,7 @@ export class BasePicture {
       sheet.isWhole = true
       this.#before = undefined
     }
-    // It shows circles as they were.
+    // The previous buffer shows the circles before the edit.
     if (rest.kind === 'edited' && this.#before !== undefined) {
       const { context, grid: old, box } = this.#before
       for (const { minX, minY, maxX, maxY } of rest.boxes) {
@@ -84,13 +86,13 @@ export class BasePicture {
     }
   }
 
-  /** Forgets everything: other circles, or another style. */
+  /** Drops all pixels, because of other circles or another style. */
   clear(): void {
     this.#sheet = undefined
     this.#before = undefined
   }
 
-  /** Draws what there is on a context whose pixels are device pixels. */
+  /** Draws the painted pixels on a context in device pixels. */
   draw(context: CanvasRenderingContext2D, camera: Camera, size: Size, pixelRatio: number): void {
     const { width, height } = context.canvas
     context.clearRect(0, 0, width, height)
@@ -98,7 +100,7 @@ export class BasePicture {
       if (sheet === undefined || (sheet === this.#before && this.#sheet?.isWhole === true)) continue
       const { grid, box, canvas } = sheet
       const zoom = (camera.scale * pixelRatio) / grid.scale
-      // Browsers take minutes for what is far larger or smaller, and nothing could be told in it.
+      // Browsers take minutes for extreme scales, at which nothing could be recognized anyway.
       if (zoom > MOST_ENLARGED || zoom < 1 / MOST_ENLARGED) continue
       const corner = toPlane(camera, size, { x: 0, y: 0 })
       let left = (grid.x - corner.x) * camera.scale * pixelRatio + box.left * zoom

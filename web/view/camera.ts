@@ -2,7 +2,7 @@
 import { at } from '../lib/base/diagram-data.ts'
 import type { Box, Point } from '../lib/index.ts'
 
-/** The part of the plane that is shown: the point in the middle of the canvas, and pixels per unit. */
+/** The visible part of the plane: the point in the middle of the canvas, and CSS pixels per unit. */
 export interface Camera {
   readonly x: number
   readonly y: number
@@ -15,7 +15,7 @@ export interface Size {
   readonly height: number
 }
 
-/** Pixels to keep free at each side of the canvas. */
+/** Free space at each side of the canvas, in pixels. */
 export interface Padding {
   readonly top: number
   readonly right: number
@@ -23,7 +23,8 @@ export interface Padding {
   readonly left: number
 }
 
-// Mathematics is y-up and the screen is y-down: these two functions, and the sink in painter/frame-sink.ts, are where that flips.
+// The plane is y-up and the screen is y-down. Only these two functions and the sink in painter/frame-sink.ts flip the
+// axis.
 export function toScreen({ x, y, scale }: Camera, { width, height }: Size, point: Point): Point {
   return { x: width / 2 + (point.x - x) * scale, y: height / 2 - (point.y - y) * scale }
 }
@@ -36,14 +37,14 @@ export function panned(camera: Camera, dx: number, dy: number): Camera {
   return { ...camera, x: camera.x - dx / camera.scale, y: camera.y + dy / camera.scale }
 }
 
-/** Magnified by `factor` with the plane's point under the pixel `anchor` staying there. */
+/** Zooms by `factor` about the pixel `anchor`, whose point of the plane stays in place. */
 export function zoomed(camera: Camera, size: Size, anchor: Point, factor: number): Camera {
   const fixed = toPlane(camera, size, anchor)
   const scale = camera.scale * factor
   return { x: fixed.x + (camera.x - fixed.x) / factor, y: fixed.y + (camera.y - fixed.y) / factor, scale }
 }
 
-/** The camera that shows the whole box in the middle of what the padding leaves. */
+/** The camera that shows a whole box in the middle of the space that the padding leaves. */
 export function fitted(box: Box, { width, height }: Size, padding: Padding): Camera {
   const innerWidth = Math.max(width - padding.left - padding.right, 1)
   const innerHeight = Math.max(height - padding.top - padding.bottom, 1)
@@ -57,7 +58,7 @@ export function fitted(box: Box, { width, height }: Size, padding: Padding): Cam
   }
 }
 
-/** The smallest box around all circles; around the origin if there are none. */
+/** The bounding box of all circles; a point at the origin if there are none. */
 export function boundingBox(circles: Float64Array): Box {
   let minX = Number.POSITIVE_INFINITY
   let minY = Number.POSITIVE_INFINITY

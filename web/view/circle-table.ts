@@ -3,7 +3,7 @@ import { at } from '../lib/base/diagram-data.ts'
 import type { Box, Change, Circle, Edit, Float64s, Point } from '../lib/index.ts'
 import { boundingBox } from './camera.ts'
 
-/** What of a change a table follows. */
+/** The part of an editor's change that a table applies. */
 export type CircleChange = Pick<Change, 'inserted' | 'removed' | 'replaced' | 'circles'>
 
 export const NO_CHANGE: CircleChange = {
@@ -13,15 +13,15 @@ export const NO_CHANGE: CircleChange = {
   circles: new Float64Array(),
 }
 
-/** An edit that brings back a circle which had another id. */
+/** An edit that may restore a removed circle, with the circle's former id. */
 export type Step = Edit & { readonly formerId?: number }
 
-/** Of so many circles the core is computed. */
+/** Number of circles from which the core is estimated. */
 const CORE_SAMPLE = 1000
 
-/** The circles of a `DiagramEditor`, by the ids that it gives them. */
+/** The circles of a `DiagramEditor`, by the editor's ids. */
 export class CircleTable {
-  /** The number of the scene that the ids belong to. An edit carries it, and is void for any other scene. */
+  /** Identifies the opening that the ids belong to. Edits carry this number and are ignored after another opening. */
   readonly opening: number
   #numbers: Float64s
   #isThere: Uint8Array
@@ -30,7 +30,7 @@ export class CircleTable {
   #box: Box | undefined
   #core: Box | undefined
 
-  /** Circle i, x, y and r of `circles`, has id i. They are not copied. */
+  /** Circle i of `circles` (x, y and r each) gets id i. The array is not copied. */
   constructor(circles: Float64s, opening = 0) {
     this.opening = opening
     this.#numbers = circles
@@ -39,17 +39,17 @@ export class CircleTable {
     this.#isThere = new Uint8Array(this.#size).fill(1)
   }
 
-  /** How many ids there have been: all are below. */
+  /** The number of ids ever assigned. All ids are below it. */
   get size(): number {
     return this.#size
   }
 
-  /** How many circles there are. */
+  /** The number of circles. */
   get count(): number {
     return this.#count
   }
 
-  /** How many circles have a lower id. */
+  /** The number of circles with a lower id. */
   countBelow(id: number): number {
     let count = 0
     for (let k = 0; k < Math.min(id, this.#size); k++) count += this.#isThere[k] as number
@@ -61,13 +61,13 @@ export class CircleTable {
     return { x: at(this.#numbers, 3 * id), y: at(this.#numbers, 3 * id + 1), r: at(this.#numbers, 3 * id + 2) }
   }
 
-  /** The first circle with an id from `id` on, in steps of 1 or -1; `undefined` if there is none. */
+  /** The next existing id, starting at `id`, in steps of 1 or -1; `undefined` if there is none. */
   next(id: number, step: 1 | -1): number | undefined {
     for (let k = id; k >= 0 && k < this.#size; k += step) if (this.#isThere[k] === 1) return k
     return undefined
   }
 
-  /** Follows a change of the editor. Returns the edits that undo it. */
+  /** Applies a change of the editor. Returns the edits that undo it. */
   follow({ inserted, removed, replaced, circles }: CircleChange): Step[] {
     this.#box = undefined
     this.#core = undefined
@@ -93,14 +93,14 @@ export class CircleTable {
     return back.reverse()
   }
 
-  /** How another editor gets the same circles by the same ids: what it opens, and the edits after that. */
+  /** Returns circles to open and edits to apply, with which another editor gets the same circles under the same ids. */
   restoring(): { readonly circles: Float64s; readonly edits: readonly Edit[] } {
     const edits: Edit[] = []
     for (let id = 0; id < this.#size; id++) if (this.#isThere[id] !== 1) edits.push({ kind: 'remove', id })
     return { circles: this.#numbers.slice(0, 3 * this.#size), edits }
   }
 
-  /** x, y and r of all circles, in the order of their ids. */
+  /** x, y and r of all circles, by ascending id. */
   circles(): Float64s {
     if (this.#count === this.#size) return this.#numbers.slice(0, 3 * this.#size)
     const circles = new Float64Array(3 * this.#count)
@@ -130,7 +130,7 @@ export class CircleTable {
     return ids
   }
 
-  /** Whether there is a circle at a point, or so near. */
+  /** Whether a point is inside a circle or within a distance of one. */
   hasAt({ x, y }: Point, within: number): boolean {
     for (let id = 0; id < this.#size; id++) {
       const [dx, dy] = [at(this.#numbers, 3 * id) - x, at(this.#numbers, 3 * id + 1) - y]
@@ -139,13 +139,15 @@ export class CircleTable {
     return false
   }
 
-  /** The smallest box around all circles, known until the next edit. */
+  /** The bounding box of all circles, cached until the next edit. */
   box(): Box {
     this.#box ??= boundingBox(this.circles())
     return this.#box
   }
 
-  /** A box that a few outliers do not widen: around the middle nine tenths of the centers, by x and by y. */
+  /**
+   * A bounding box that a few outliers do not widen: around the middle nine tenths of the centers in each direction.
+   */
   core(): Box {
     this.#core ??= coreOf(this.circles())
     return this.#core

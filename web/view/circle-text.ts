@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Circles as text, read as `readCircles` of `circle-voronoi/files` reads them (table-text.ts says why).
+// Reads circles from text with the same results as `readCircles` of `circle-voronoi/files` (table-text.ts gives the
+// reason).
 import { isRecord } from '../lib/base/check.ts'
 import { COORDINATE_LIMIT } from '../lib/base/coordinate-limits.ts'
 import type { Float64s } from '../lib/index.ts'
@@ -21,10 +22,10 @@ const NAMES = [
 ] as const
 const RADIUS = 2
 
-/** Rows of a table, wherever it comes from. */
+/** A row of a table from any source. */
 export interface TextRow {
   readonly fields: readonly TableField[]
-  /** The line, or the number of the row, from 1. */
+  /** The number of the line or row, from 1. */
   readonly line: number
 }
 
@@ -41,7 +42,7 @@ export function circlesOfText(text: string): Float64s {
   return circlesOfJson(given)
 }
 
-/** The circles of JSON that was parsed. @throws TextProblem */
+/** Reads circles from parsed JSON. @throws TextProblem */
 export function circlesOfJson(given: unknown): Float64s {
   if (Array.isArray(given)) return numbersOf(given, circleOfItem)
   if (!isRecord(given) || given.type !== 'FeatureCollection' || !Array.isArray(given.features)) {
@@ -74,7 +75,7 @@ function circleOfFeature(feature: unknown): readonly unknown[] | undefined {
   return [point[0], point[1], isRecord(feature.properties) ? namedValue(feature.properties, RADIUS) : undefined]
 }
 
-/** The member of an object that means x, y or r: the first one in the list of names that has a number. */
+/** The member of an object for x, y or r: the first name of the list with a numeric value. */
 function namedValue(object: Readonly<Record<string, unknown>>, k: number): unknown {
   const keys = Object.keys(object)
   const named = (NAMES[k] as readonly string[]).flatMap((name) => keys.filter((key) => key.toLowerCase() === name))
@@ -94,7 +95,7 @@ function circlesOfTable(text: string): Float64s {
     try {
       ;[first] = recordsOf(text, separator)
     } catch (error) {
-      // Quotation marks mean something else with another separator.
+      // Another separator may give quotation marks another meaning, so that reading can still succeed.
       failed ??= error
       continue
     }
@@ -107,7 +108,7 @@ function circlesOfTable(text: string): Float64s {
   throw line === undefined ? failed : new TextProblem('not three numbers', { line })
 }
 
-/** The circles of rows, the first of which may name the columns. @throws TextProblem */
+/** Reads circles from rows. The first row may be a header. @throws TextProblem */
 export function circlesOfRows(rows: readonly TextRow[], separator: Separator): Float64s {
   const header = rows[0] === undefined ? undefined : columnsOf(rows[0])
   const columns = header ?? [0, 1, 2]
@@ -123,7 +124,10 @@ export function circlesOfRows(rows: readonly TextRow[], separator: Separator): F
   return Float64Array.from(circles.flat())
 }
 
-/** The columns that a header names; `undefined` if it does not name all three. @throws TextProblem if two mean one */
+/**
+ * The columns that a header names; `undefined` if a coordinate is missing. @throws TextProblem if two columns name the
+ * same one
+ */
 function columnsOf({ fields, line }: TextRow): readonly number[] | undefined {
   const names = fields.map(({ text }) => text.toLowerCase())
   const found = NAMES.map((known) =>
@@ -136,6 +140,6 @@ function columnsOf({ fields, line }: TextRow): readonly number[] | undefined {
 
 function isThreeNumbers(fields: readonly TableField[], separator: Separator): boolean {
   const given = filled(fields)
-  // Each of them alone: whether their decimal marks are one is said of the row.
+  // Tests each field alone, because the row's error reports fields with different decimal marks.
   return given.length === 3 && given.every((field) => new NumberReader(separator).read(field) !== undefined)
 }

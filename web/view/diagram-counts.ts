@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** How many circles, hidden circles, vertices and edges a diagram has. */
+/** The numbers of circles, hidden circles, vertices and edges of a diagram. */
 export interface DiagramCounts {
   readonly circles: number
   readonly hidden: number

@@ -4,25 +4,27 @@ import type { Box, Lattice } from '../lib/index.ts'
 import { type RegionShape, ringArraysOf } from '../lib/regions/region-shape.ts'
 
 /**
- * The areas that cells have: shares of the region, numbers above 0 for the circles in order, or `equal` for all the same.
- *
+ * The areas of cells: shares of the region as numbers above 0, in the order of the circles, or `equal`.
  * @category Element
  */
 export type Areas = 'equal' | readonly number[]
 
-/** What cells are cut to, and what areas they have there. */
+/** The clipping region of cells, their areas, and periods. */
 export interface Domain {
-  /** `undefined`: the cells are not cut. */
+  /** The clipping region. `undefined`: cells are not clipped. */
   readonly region: RegionShape | undefined
-  /** The periods with which the circles repeat. `undefined`: they do not. */
+  /** The periods with which the circles repeat. `undefined`: circles do not repeat. */
   readonly lattice?: Lattice | undefined
-  /** Of circles by their numbers. `undefined`: circles have radii of their own. */
+  /** The areas, by circle number. `undefined`: circles keep their own radii. */
   readonly areas: Areas | undefined
 }
 
 export const NO_DOMAIN: Domain = { region: undefined, areas: undefined }
 
-/** The box around circles and the region or the periods. Where areas are given, that of the region: radii are weights. */
+/**
+ * The bounding box of circles and region or periods. With areas, it is the box of the region, because radii are
+ * weights.
+ */
 export function boxOf(circles: Box, { region, areas, lattice }: Domain): Box {
   if (lattice !== undefined) return boxOfPeriods(lattice)
   if (region === undefined) return circles
@@ -50,7 +52,7 @@ function boxOfPeriods({ a, b }: Lattice): Box {
     Math.max(...(x as number[])),
     Math.max(...(y as number[])),
   ]
-  // A part of the images is seen.
+  // Shows part of the neighboring images.
   const margin = 0.1 * Math.max(maxX - minX, maxY - minY)
   return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
 }
@@ -70,7 +72,7 @@ function regionBox(region: RegionShape): Box {
   return box
 }
 
-/** The rings of a region: one in another is a hole of it. */
+/** The rings of a region. A ring inside another one is a hole. */
 export function ringsOf(region: RegionShape | undefined): [x: number, y: number][][] {
   if (region === undefined) return []
   const { points, ringOffsets } = ringArraysOf(region)

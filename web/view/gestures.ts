@@ -3,65 +3,68 @@ import type { Box, Circle, Point } from '../lib/index.ts'
 import { panned, toPlane } from './camera.ts'
 import type { View } from './view.ts'
 
-/** What snaps moves at most so far, in pixels. */
+/** Distance at which snapping acts, in pixels. */
 const SNAP_DISTANCE = 8
 
-/** A circle and its number. */
+/** A circle with its id. */
 export interface Held {
   readonly id: number
   readonly circle: Circle
 }
 
-/** A corner is about to be somewhere, or is there, or it was the last one. */
+/** The phases of drawing a polygon: a corner moves, is placed, or closes the polygon. */
 export type Drawn = 'move' | 'place' | 'close'
 
-/** What the gestures of a view do to its circles. */
+/** The effects of gestures on the circles of a view. */
 export interface Hands {
-  /** What a press does: `add`: it becomes a circle. */
+  /** The effect of a press. `add` adds a circle. */
   readonly tool: 'select' | 'pan' | 'add' | 'draw'
-  /** What the tool `draw` does at a point; what lies `within` so many units is the same point. */
+  /** Draws with the tool `draw` at a point. Points `within` a distance in units count as the same. */
   draw?(how: Drawn, point: Point, within: number): void
-  /** Whether dragged circles snap without a key. */
+  /** Whether dragged circles snap without a modifier key. */
   readonly snaps: boolean
-  /** A circle as it is now; `undefined`: there is none, or it is not to be changed. */
+  /** A circle's current values; `undefined` if the circle is gone or must not be changed. */
   circle(id: number): Circle | undefined
-  /** Those that are selected. */
+  /** The selected circles. */
   held(): readonly Held[]
   isSelected(id: number): boolean
   select(ids: readonly number[]): void
-  /** Selects a circle beside the others, or no longer. */
+  /** Adds a circle to the selection, or removes it. */
   toggle(id: number): void
-  /** Selects the circles in a box beside the others. */
+  /** Adds the circles in a box to the selection. */
   selectWithin(box: Box): void
   hover(id: number | undefined): void
-  /** A number for what belongs to one gesture: one step of undo. */
+  /** Returns a number that groups edits into one undo step. */
   beginGesture(): number
   set(circles: readonly Held[], gesture: number): void
-  /** A circle moved at most so far, in units, to where it touches others or to a grid; `sizes`: made larger or smaller. */
+  /**
+   * Snaps a circle to other circles or a grid within a distance in units. `sizes` changes the radius instead of the
+   * center.
+   */
   snapped(circle: Circle, within: number, sizes: boolean): Circle
   /** Adds circles and returns their ids; none if they were refused. */
   add(circles: readonly Circle[], gesture: number): Promise<readonly number[]>
-  /** A circle that leaves some room to the nearest other one; `undefined`: none can be added. */
+  /** A circle at a point that leaves some room to its nearest neighbor; `undefined` if none fits. */
   fitted(center: Point): Promise<Circle | undefined>
-  /** Adds that circle. */
+  /** Adds the circle that `fitted` returns. */
   addFitting(center: Point): Promise<void>
-  /** Takes back what a gesture did. */
+  /** Reverts the edits of a gesture. */
   cancel(gesture: number): void
-  /** `factor`: how much larger everything is to be; `anchor`: the pixel that stays where it is. */
+  /** Zooms by `factor` about the pixel `anchor`. */
   zoom(factor: number, anchor: Point): void
 }
 
-/** What a pressed pointer does until it is released. Points are in pixels. */
+/** The effects of a pressed pointer until its release. Points are in pixels. */
 export interface Gesture {
   move(to: Point, snaps: boolean): void
-  /** Released without having moved. */
+  /** Called on release if the pointer did not move. */
   click?(): void
-  /** Released after it has moved. */
+  /** Called on release after a move. */
   end?(): unknown
   cancel?(): void
 }
 
-/** The gestures, each begun at a pixel. */
+/** Creates gestures that begin at a given pixel. */
 export function gesturesOf(view: View, hands: Hands) {
   const planeAt = (point: Point) => toPlane(view.camera, view.size, point)
   const within = () => SNAP_DISTANCE / view.camera.scale
@@ -77,7 +80,7 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** The selected circles keep their places under the pointer; `id`: the one that is grabbed, and snaps. */
+  /** Drags the selected circles. Circle `id` is the one under the pointer, which snaps. */
   const moveCircles = (from: Point, id: number): Gesture => {
     const gesture = hands.beginGesture()
     const held = hands.held()
@@ -96,13 +99,13 @@ export function gesturesOf(view: View, hands: Hands) {
         }))
         hands.set(moved, gesture)
       },
-      // Of several, one.
+      // A click without a drag selects only this circle.
       click: () => hands.select([id]),
       cancel: () => hands.cancel(gesture),
     }
   }
 
-  /** The rim keeps its distance to the pointer. */
+  /** Drags the rim, at a constant distance from the pointer. */
   const resizeCircle = (from: Point, id: number, { x, y, r }: Circle): Gesture => {
     const gesture = hands.beginGesture()
     const distanceTo = (point: Point) => {
@@ -120,11 +123,11 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** The selected circles grow with the distance of the pointer from their middle. */
+  /** Scales the selected circles by the pointer's distance from their center. */
   const scaleCircles = (from: Point, middle: Point): Gesture => {
     const held = hands.held()
     const [only, ...others] = held
-    // One that is a point has no size to be scaled.
+    // A single point has no size to scale, so its radius is dragged instead.
     if (only !== undefined && others.length === 0) return resizeCircle(from, only.id, only.circle)
     const gesture = hands.beginGesture()
     const distanceTo = (point: Point) => {
@@ -149,7 +152,7 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** Press where the center is to be, drag to the rim. */
+  /** The press sets the center, the drag sets the radius. */
   const addCircle = (from: Point): Gesture => {
     const gesture = hands.beginGesture()
     const { x, y } = planeAt(from)
@@ -180,7 +183,7 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** The corner is where it is released. */
+  /** The release places the corner. */
   const drawCorner = (from: Point): Gesture => {
     let last = from
     const draw = (how: Drawn) => hands.draw?.(how, planeAt(last), within())
@@ -195,7 +198,7 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** Held where nothing is: what a circle would take that is there is shown, and once it is released, it is. */
+  /** A long press on empty space previews the cell of a new circle. The release adds the circle. */
   const holdCircle = (from: Point): Gesture => {
     let last = planeAt(from)
     let isOver = false
@@ -228,7 +231,7 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** What lies between two corners is selected. */
+  /** Selects the circles between two corners. */
   const band = (from: Point, click: () => void): Gesture => {
     let last = from
     const clear = () => {
@@ -262,7 +265,7 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** Two fingers: what lies between them stays there. */
+  /** Two fingers keep the points of the plane between them. */
   const pinch = (pressed: ReadonlyMap<number, Point>): Gesture => {
     const spread = () => {
       const [one, other] = [...pressed.values()] as [Point, Point]

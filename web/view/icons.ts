@@ -36,7 +36,7 @@ export const SELECT = 'm5 3 11 6-5 1.5L8.5 16Z'
 export const TABLE = 'M3 4.5h14v11H3zM3 8.5h14M3 12h14M8 4.5v11'
 export const UNDO = 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8'
 
-// These are filled.
+// The following icons are filled.
 export const BACK = 'M6 4v12M15 4l-7 6 7 6z'
 export const DOT = 'M5.5 10a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0'
 export const FORTH = 'M14 4v12M5 4l7 6-7 6z'

@@ -5,24 +5,24 @@ import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
 /**
- * What the color of a circle and its cell says. `different`: no two neighbors have one color. `gap`: how near the nearest other
- * circle is. `auto`: `different` for up to `MOST_MAPPED` circles, `radius` for more.
+ * The quantity that colors circles and cells. `different`: neighbors differ in color. `gap`: the distance to the
+ * nearest other circle. `auto`: `different` for up to `MOST_MAPPED` circles, `radius` for more.
  */
 export const CELL_COLORS = ['auto', 'none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
-/** One of `CELL_COLORS`: what the color of a circle and its cell says. */
+/** One of `CELL_COLORS`: the quantity that colors circles and cells. */
 export type CellColors = (typeof CELL_COLORS)[number]
 
-/** Neighbors are told apart by their colors among so many circles. */
+/** The largest number of circles for which `auto` gives neighbors different colors. */
 export const MOST_MAPPED = 2000
 
-/** What the touching disc method makes on its way, for so many circles at most. */
+/** The layers of the touching disc method, limited by the number of circles. */
 export const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
 export type MethodLayer = (typeof METHOD_LAYERS)[number]
 export const MOST_TRACED = 5000
-/** All pairs are many. */
+/** Limit for `all-pairs`, whose number of candidates is quadratic. */
 export const MOST_PAIRED = 1000
 
-/** How many samples the candidates of the touching disc method take by default, and at most here. */
+/** The least, the default and the largest number of samples for each kind of candidates. */
 export const SAMPLES: Readonly<
   Record<Candidates, { readonly least: number; readonly usual: number; readonly most: number }>
 > = {
@@ -34,9 +34,9 @@ export const SAMPLES: Readonly<
 /** Values by which cells are colored. */
 export interface CellValues {
   readonly name: string
-  /** The value of each circle by its id: a number, or the index of a category. NaN: the cell has no color. */
+  /** The value of each circle by its id: a number, or the index of a category. A cell with NaN has no color. */
   readonly values: Float64Array
-  /** The categories, the most frequent first: each of the first ones has a color of its own. `undefined`: numbers. */
+  /** The categories, the most frequent first. The first ones have a color each. `undefined`: the values are numbers. */
   readonly categories?: readonly string[] | undefined
 }
 
@@ -53,16 +53,16 @@ export interface DataLayer {
   readonly discs?: Float64Array
 }
 
-/** What a client has drawn above the picture. */
+/** A layer that a client draws above the picture. */
 export interface AboveLayer extends DataLayer {
-  /** Of lines, in pixels. */
+  /** Width of lines, in pixels. */
   readonly width?: number
-  /** Of points: their radius, in pixels. */
+  /** Radius of dots, in pixels. */
   readonly dot?: number
-  /** Numbers that stand at the points, in place of dots. */
+  /** Numbers written at the points in place of dots. */
   readonly numbers?: Int32Array
   readonly dash?: readonly number[]
-  /** How strongly discs are filled, from 0, not at all, to 1. */
+  /** Opacity of the fill of discs, from 0 to 1. */
   readonly fill?: number
 }
 
@@ -145,45 +145,48 @@ export const DEFAULT_LAYERS: Layers = Object.freeze({
   data: Object.freeze([]),
 })
 
-/** The method is played step by step for so many circles at most. */
+/** The largest number of circles whose method can be played step by step. */
 export const MOST_PLAYED = 1000
 
-/** The circles, and nothing that gives their diagram away. */
+/** Hides everything that reveals the diagram, for exercises. */
 export function withoutDiagram({ circles, hidden, data }: Layers): Layers {
   return { ...DEFAULT_LAYERS, circles, hidden, data, cells: 'none', edges: false, vertices: false }
 }
 
-/** What is drawn of circles that repeat: nothing that belongs to the whole plane. */
+/** Hides the layers that are meaningless for repeating circles. */
 export function repeatingLayers(layers: Layers): Layers {
   const { hull, delaunay, ordinary, power, largestDisc, path, missedEdges } = DEFAULT_LAYERS
   const method = Object.fromEntries(METHOD_LAYERS.map((name) => [name, false]))
   return { ...layers, ...method, hull, delaunay, ordinary, power, largestDisc, path, missedEdges }
 }
 
-/** Whether something of the touching disc method is drawn. */
+/** Whether a layer of the touching disc method is visible. */
 export function isMethodShown(layers: Layers): boolean {
   return layers.missedEdges || METHOD_LAYERS.some((name) => layers[name])
 }
 
-/** Whether the layers show something of the method, of so many circles. */
+/** Whether a layer of the method is visible for this number of circles. */
 export function isTraced(layers: Layers, circles: number): boolean {
   return circles <= (layers.candidates === 'all-pairs' ? MOST_PAIRED : MOST_TRACED) && isMethodShown(layers)
 }
 
-/** Whether the layers show something that depends on all circles. */
+/** Whether a visible layer depends on all circles. */
 export function isAnythingFound(layers: Layers): boolean {
   const { hull, largestDisc, path } = layers
   return hull || largestDisc || path !== undefined || isMethodShown(layers)
 }
 
-/** What a cell is measured by. */
+/** A quantity of a cell that can be measured. */
 export type Measure = Exclude<CellColors, 'auto' | 'none' | 'different'>
 
 export function isMeasure(colors: CellColors): colors is Measure {
   return colors !== 'auto' && colors !== 'none' && colors !== 'different'
 }
 
-/** What of layers differs from the default, to be kept; not what clients have added. Of values, it is the name. */
+/**
+ * The settings that differ from the default, for storage. Layers of clients are left out, and values are stored by
+ * name.
+ */
 export function keptLayers(layers: Layers): Readonly<Record<string, LayerValue>> {
   const known = DEFAULT_LAYERS as unknown as Record<string, unknown>
   const { column } = layers
@@ -191,7 +194,7 @@ export function keptLayers(layers: Layers): Readonly<Record<string, LayerValue>>
   return { ...Object.fromEntries(kept), ...(column && { column: column.name }) }
 }
 
-/** The layers that were kept: what is unknown or makes no sense is as by default. */
+/** Restores stored settings. Unknown and invalid ones become the default. */
 export function layersFrom(kept: unknown): Layers {
   if (!isRecord(kept)) return DEFAULT_LAYERS
   const given = kept as Readonly<Record<string, unknown>>
@@ -214,9 +217,8 @@ export function layersFrom(kept: unknown): Layers {
 }
 
 /**
- * The layers with these settings; what is not named, `undefined` or `null` is as by default.
- *
- * @throws Refusal of a name that no layer has, or a value that a layer cannot have
+ * Checks layers of a client. Missing, `undefined` and `null` settings become the default.
+ * @throws Refusal if a name or a value is invalid
  */
 export function checkedLayers(given: unknown): Layers {
   if (!isRecord(given)) {
@@ -225,12 +227,12 @@ export function checkedLayers(given: unknown): Layers {
   const set = Object.entries(given).filter(([, value]) => value !== undefined && value !== null)
   const layers = { ...DEFAULT_LAYERS, ...Object.fromEntries(set) } as Layers
   checkLayers(layers)
-  // Copies, so that nobody changes them afterwards, and nothing else that could not be sent to a thread.
+  // Copies the data, so that later changes have no effect and only plain data is sent to the thread.
   const { column, data } = layers
   return { ...layers, path: layersFrom(layers).path, column: column && plainColumn(column), data: data.map(plainData) }
 }
 
-/** @throws Refusal of a name that no layer has, or a value that would end the thread that draws */
+/** @throws Refusal if a name is unknown, or a value would crash the painting thread */
 export function checkLayers(layers: Layers): void {
   const known = layersFrom(layers)
   const refuseValue = (name: keyof Layers, allowed: (words: Refusals) => string) =>
@@ -270,7 +272,7 @@ function isData(layer: unknown): layer is DataLayer {
   return typeof id === 'string' && typeof color === 'string' && [points, segments, discs].every(isNumbersOrNone)
 }
 
-/** Integers of any size would end the thread that draws. */
+/** BigInts would crash the painting thread. */
 function isNumbersOrNone(list: unknown): boolean {
   if (list === undefined) return true
   const isList = Array.isArray(list) || (ArrayBuffer.isView(list) && !(list instanceof DataView))

@@ -16,15 +16,15 @@ export interface FigureLoadOptions extends LoadOptions {
   readonly comparisonWasm?: WasmSource | Promise<WasmSource> | undefined
 }
 
-/** The modules that few figures need, as a page can send them to a thread. */
+/** The modules that few figures need, in a form that can be posted to a thread. */
 export interface OtherModules {
   readonly regionsWasm?: Exclude<WasmSource, URL | Response> | undefined
   readonly comparisonWasm?: Exclude<WasmSource, URL | Response> | undefined
 }
 
 /**
- * What a thread is told of the modules that it loads itself once it needs them. A thread may have no address from which it could find
- * files: Turbopack makes it of a blob.
+ * Prepares the modules that a thread loads on demand. A thread cannot resolve their addresses itself, because Turbopack
+ * starts it from a blob.
  */
 export async function otherModules(options: FigureLoadOptions): Promise<OtherModules> {
   const { regionsWasm, comparisonWasm } = options
@@ -40,7 +40,7 @@ export async function otherModules(options: FigureLoadOptions): Promise<OtherMod
 
 async function sendable(source: WasmSource | Promise<WasmSource> | undefined): Promise<OtherModules['regionsWasm']> {
   const given = await source
-  // A thread has another address than its page.
+  // Resolves relative to the page, because a thread has another base address.
   if (typeof given === 'string') return new URL(given, globalThis.document?.baseURI).href
   if (given instanceof URL) return given.href
   return given instanceof Response ? given.arrayBuffer() : given

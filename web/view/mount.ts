@@ -4,12 +4,12 @@ import type { FigureLoadOptions } from './load.ts'
 import { Painter } from './painter.ts'
 import { View } from './view.ts'
 
-/** All views of a page share a thread, as long as there is one. */
+/** The thread shared by all views of a page. */
 let shared: { painter: Painter; views: number } | undefined
 
 /**
- * Shows circles and their diagram in an element, which keeps its own size. Many may be on one page: nothing is shared but the
- * thread that computes and paints, and nothing outside of the element is touched or listened to but the color scheme.
+ * Shows circles and their diagram in an element, which keeps its size. A page can have many views. They share only the
+ * computing and painting thread, and outside their elements they listen only to the color scheme.
  */
 export function mount(container: HTMLElement, load: FigureLoadOptions = {}): View {
   shared ??= { painter: new Painter(load), views: 0 }

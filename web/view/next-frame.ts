@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** A tab that is shown draws far sooner than in so many milliseconds. */
+/** Upper limit for the wait, in milliseconds. A visible tab draws far sooner. */
 const LATEST = 1000
 
-/** Calls a function with the next frame; where a tab is hidden, which draws none, soon. */
+/** Calls a function at the next frame, or after a short timeout if the tab is hidden and draws no frames. */
 export function nextFrame(act: () => void): void {
   let isDone = false
   const once = () => {

@@ -14,45 +14,45 @@ import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
 import type { Band, Chosen } from './view.ts'
 
-/** Widths of outlines around what stands out, in pixels, and of the paper beside them, which keeps them apart from any color. */
+/** Widths of highlight outlines and of the light border beside them, which separates them from any color, in pixels. */
 const OUTLINE = 2.5
 const NEIGHBOR_OUTLINE = 1.5
 const HALO = 2
-/** Of a circle that is not there yet. */
+/** Opacity of a previewed circle. */
 const TRIAL_OPACITY = 0.3
 const FOUND_OPACITY = 0.18
 const FOUND_LINE = 1.75
 const PATH_LINE = 2.5
 const TOUCHING_POINT = 3
-/** Of an end of the path that can be dragged, in pixels. */
+/** Radius of the draggable ends of a path, in pixels. */
 export const HANDLE_RADIUS = 8
 const HANDLE_SIDE = 8
-/** The radius of a corner that is drawn, in pixels. */
+/** Radius of a polygon's corner, in pixels. */
 const CORNER = 4
-/** The handle of selected circles lies so far outside the corner of their box, in pixels. */
+/** Distance of the resize handle from the corner of the selection's box, in pixels. */
 const HANDLE_DISTANCE = 7
-/** Browsers fill and stroke long paths in more than linear time. */
+/** Long paths take more than linear time in browsers. */
 const CHOSEN_PER_PATH = 3 * 500
 
 const NUMBER_SIZE = 12
-/** What an area takes that is written, in pixels. */
+/** Space of a written area, in pixels. */
 const AREA_ROOM = { width: 60, height: 14 }
 const NONE = new Float64Array()
 
-/** Where the handle of selected circles is, in pixels. */
+/** The position of the selection's resize handle, in pixels. */
 export function handleOf({ maxX, minY }: Box, toPixel: (point: Point) => Point): Point {
   const { x, y } = toPixel({ x: maxX, y: minY })
   return { x: x + HANDLE_DISTANCE, y: y + HANDLE_DISTANCE }
 }
 
-/** What a pointer or a selection has stand out. */
+/** The highlights of the pointer and the selection. */
 export interface StandingOut {
   readonly marks: Marks
   readonly touching: Touching | undefined
   readonly trial: Trial | undefined
   readonly chosen: Chosen | undefined
   readonly band: Band | undefined
-  /** The corners of a polygon that is being drawn. */
+  /** The corners of the polygon being drawn. */
   readonly sketch: Float64Array | undefined
 }
 
@@ -65,15 +65,15 @@ export const NOTHING_STANDS_OUT: StandingOut = {
   sketch: undefined,
 }
 
-/** What is drawn above the picture, anew whenever it moves. */
+/** The contents of the overlay, which is redrawn after each move. */
 export interface Above extends StandingOut {
-  /** What a client adds, from the lowest up. */
+  /** The layers of clients, bottom first. */
   readonly above: readonly AboveLayer[]
   readonly found: Found | undefined
   readonly layers: Layers
 }
 
-/** Whether nothing is drawn above the picture. */
+/** Whether the overlay is empty. */
 export function isNothingAbove({ marks, found, touching, trial, layers, chosen, band, sketch, above }: Above): boolean {
   const { hull, largestDisc, path } = found ?? {}
   const drawn = [
@@ -92,7 +92,7 @@ export function isNothingAbove({ marks, found, touching, trial, layers, chosen, 
   return above.length === 0 && drawn.every((what) => what === undefined)
 }
 
-/** Draws on what has the frame's pixels. `pixelRatio`: device pixels per CSS pixel. */
+/** Draws the overlay in a frame's pixels. `pixelRatio` is in device pixels per CSS pixel. */
 export function drawOverlay(
   drawing: Drawing,
   frame: Frame,
@@ -121,7 +121,7 @@ export function drawOverlay(
   }
   const dot = ({ x, y }: Point, radius: number) => discOf(x, y, 0, radius)
 
-  /** Colors stay what they are: what stands out has an outline. */
+  /** Highlights are outlines, so that colors keep their meaning. */
   const outline = (path: PathSink, color: string, width: number, dash: readonly number[] = []) => {
     stroke(path, style.paper, width + 2 * HALO)
     stroke(path, color, width, dash)
@@ -184,7 +184,7 @@ export function drawOverlay(
     fill(dots, color)
   }
 
-  /** Where circles overlap, the disc has a negative radius, and they reach over its rim. */
+  /** Where circles overlap, the disc has a negative radius and its contacts reach over its rim. */
   function drawTouching({ disc, points }: Touching): void {
     const path = discOf(disc.x, disc.y, disc.r)
     fill(path, style.touching, FOUND_OPACITY)
@@ -193,7 +193,7 @@ export function drawOverlay(
     for (const point of points) fill(dot(point, TOUCHING_POINT), style.touching)
   }
 
-  /** Of one circle, which is drawn already, only the handle. */
+  /** A single selected circle is highlighted already and needs only its handle. */
   function drawChosen({ circles, box }: Chosen): void {
     if (circles.length > 3) {
       let path = drawing.path()
@@ -249,7 +249,7 @@ export function drawOverlay(
     return path
   }
 
-  /** At the circles from which it takes most stands how much. */
+  /** Writes the taken area at the circles that lose most. */
   function drawTrial(trial: Trial): void {
     const {
       circle: { x, y, r },
@@ -262,7 +262,7 @@ export function drawOverlay(
     fill(rim, style.accent, TRIAL_OPACITY)
     outline(cell, style.accent, OUTLINE, [6, 4])
     outline(rim, style.accent, OUTLINE, hiddenBy === undefined ? [] : [4, 4])
-    // What the panel tells of anyway is left out where there is no room.
+    // Areas without room are left out; the panel lists them.
     const written: Point[] = []
     for (const taken of namedOf(trial)) {
       const place = { x: to.x(taken.x), y: to.y(taken.y) }
@@ -288,7 +288,7 @@ function hullPath(path: PathSink, frame: Frame, to: FrameSink, arcs: Float64Arra
   for (let k = 0; k < arcs.length; k += 7) {
     const [x, y, radius] = [at(arcs, k), at(arcs, k + 1), at(arcs, k + 2)]
     const [from, turn] = [at(arcs, k + 3), at(arcs, k + 4)]
-    // The canvas has y downwards: a turn to the left is one to the right there, from the end back to the start.
+    // Canvas coordinates are y-down, so the arc runs backwards from its end to its start.
     if (radius > 0) addArc(path, frame, to.x(x), to.y(y), radius * frame.scale, -(from + turn), turn)
     const endX = x + radius * Math.cos(from + turn)
     const endY = y + radius * Math.sin(from + turn)

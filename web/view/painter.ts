@@ -24,41 +24,41 @@ import { Failure, type Refusals, Superseded } from './refusal.ts'
 import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
-/** What came of circles that were opened, or of edits. */
+/** The result of opening circles or of an edit. */
 export interface Edited {
   readonly counts: DiagramCounts
-  /** The ids of the circles that came, in the order of the edits. */
+  /** The ids of inserted circles, in the order of the edits. */
   readonly inserted: Int32Array
-  /** The edits that undo it. */
+  /** The edits that undo the change. */
   readonly back: readonly Step[]
-  /** How near areas are to those that were asked for; `undefined`: none were. */
+  /** The accuracy of fitted areas; `undefined` if no areas were prescribed. */
   readonly fitted?: Fitted | undefined
-  /** How long it took. */
+  /** The computing time. */
   readonly seconds: number
 }
 
-/** What a view is told of its picture. */
+/** The events of a view's picture. */
 export interface PictureEvents {
   painted(painted: Painted): void
   marked(marks: Marks): void
-  /** Nothing else is known of them, but their outlines are those of what is looked at now. */
+  /** The highlighted cells have new outlines for the current viewport; everything else is unchanged. */
   outlined(marks: Marks): void
-  /** `undefined`: what was found is that of other circles, and something else will be. */
+  /** `undefined`: the results belong to former circles, and new ones will follow. */
   found(found: Found | undefined): void
-  /** The thread has failed, and another one goes on without what may have been the cause. */
+  /** The thread has failed and a new one continues. The possible cause of the failure is dropped. */
   failed(failure: Failure, lost: Lost): void
 }
 
-/** What a new thread is not told again. */
+/** The settings that a new thread does not receive. */
 export interface Lost {
-  /** Which circles stand out. */
+  /** Whether circles were highlighted. */
   readonly marks: boolean
   readonly layers: boolean
 }
 
 export type Painted = Extract<FromPainter, { kind: 'painted' | 'edited' }>
 
-/** What was asked to change circles, until it is answered. */
+/** An unanswered request to change circles. */
 interface Waiting {
   readonly message: Extract<ToPainter, { kind: 'open' | 'edit' }>
   resolve(edited: Edited): void
@@ -68,32 +68,31 @@ interface Waiting {
 interface Scene {
   readonly events: PictureEvents
   readonly waiting: Map<number, Waiting>
-  /** What another thread has to know to go on where this one fails. */
+  /** The state from which a new thread continues after a failure. */
   circles: CircleTable
-  /** Without `fit`: circles have the radii that were fitted. */
+  /** `fit` is left out, because the circles already have their fitted radii. */
   domain: DomainChange
   look: ToPainter | undefined
-  /** The last one that was answered, and those that are not yet. */
+  /** The last answered request for highlights, and the unanswered ones. */
   mark: ToPainter | undefined
   unansweredMarks: ToPainter[]
   layers: ToPainter | undefined
 }
 
 /**
- * The thread that has the diagrams of all views of a page, and paints them. What fails because of it, and not because of what
- * was asked, is an `Error` that is no `CircleVoronoiError`: nothing has changed then, and another thread takes its place. If
- * this one never worked, that is when something is opened or edited again.
- *
- * A new thread is told the circles, the layers and what is looked at, but not what the failed one was doing: that would end it,
- * too. If it fails nevertheless before it has done anything, the next one is told the circles and what is looked at alone, and
- * there is none after that.
+ * The thread that computes and paints the diagrams of all views of a page. A failure of the thread itself, as opposed
+ * to a refused request, is an `Error` that is not a `CircleVoronoiError`. Nothing has changed then, and a new thread
+ * takes over: at once, or at the next opening or edit if the failed thread never worked.
+ * A new thread receives the circles, the layers and the viewport, but not the work during which the former one failed,
+ * because the work may fail again. If the new thread fails before it has done anything, its successor receives only the
+ * circles and the viewport. If that one fails too, there is no other.
  */
 export class Painter {
   readonly #options: FigureLoadOptions
   readonly #scenes = new Map<number, Scene>()
   readonly #questions = new RemoteCalls<Questions>()
   #worker: Worker | undefined
-  /** Whether the thread has done something that was asked. */
+  /** Whether the thread has completed any request. */
   #hasWorked = false
   #beginning: Beginning = 'new'
   #isDisposed = false
@@ -104,7 +103,7 @@ export class Painter {
     this.#start()
   }
 
-  /** A scene for another view. */
+  /** Adds a scene for another view. */
   add(events: PictureEvents): PainterScene {
     this.#lastScene += 1
     const number = this.#lastScene
@@ -125,7 +124,7 @@ export class Painter {
       circles: () => scene.circles,
       post: (message) => {
         if (isClosed()) return
-        // What cannot be sent is not known later, either.
+        // An unserializable message throws here. Storing it first would make every later attempt fail.
         this.#worker?.postMessage(message)
         if (message.kind === 'look') scene.look = message
         if (message.kind === 'mark') scene.unansweredMarks.push(message)
@@ -162,13 +161,13 @@ export class Painter {
           worker.postMessage({ kind: 'ask', scene: number, ...call } satisfies ToPainter)
         const { circles } = scene
         const answer = await this.#questions.call(name, args, post, scene)
-        // An answer about other circles than the asker knows would be wrong.
+        // Drops an answer about circles that have been replaced since the question.
         return ABOUT_KNOWN.has(name) && scene.circles !== circles ? undefined : answer
       },
     })
   }
 
-  /** Ends the thread, and with it all views. */
+  /** Terminates the thread, and with it all views. */
   dispose(): void {
     this.#isDisposed = true
     this.#stop(isDisposedOf)
@@ -240,7 +239,7 @@ export class Painter {
     const { region = scene.domain.region, lattice = scene.domain.lattice, areSites = scene.domain.areSites } = asked
     scene.domain = { region, lattice, areSites }
     if (message.kind === 'opened' && waiting.message.kind === 'open') {
-      // What stood out was one of the circles before.
+      // The highlighted ids belonged to former circles.
       scene.mark = undefined
       scene.circles = new CircleTable(message.circles ?? waiting.message.circles.slice(), waiting.message.opening)
     }
@@ -254,7 +253,7 @@ export class Painter {
     const next = this.#hasWorked ? 'restored' : this.#beginning === 'restored' ? 'bare' : undefined
     const isFirst = !this.#hasWorked && this.#beginning === 'new'
     this.#stop(reason)
-    // Who has asked for something hears of it.
+    // The callers of the rejected requests report the failure.
     if (isFirst) return
     const lost = [...this.#scenes].map(
       ([number, scene]) => [scene, forgetCause(number, scene, during, next !== 'restored')] as const,
@@ -270,7 +269,7 @@ export class Painter {
     for (const scene of this.#scenes.values()) this.#leave(scene, reason)
   }
 
-  /** There will be no answers for a scene. */
+  /** Rejects all requests of a scene that will not be answered. */
   #leave(scene: Scene, reason: Reason): void {
     this.#questions.leave(scene)
     const failure = new Failure((words) => words.notComputed(reason(words)))
@@ -279,12 +278,12 @@ export class Painter {
   }
 }
 
-/** What may have ended a thread that was doing something, or did not even begin, is forgotten. Returns what that is. */
+/** Drops the settings that may have crashed a thread, during its work or at its start. Returns which ones. */
 function forgetCause(number: number, scene: Scene, during: InProgress | undefined, isBare: boolean): Lost {
   const isOfScene = during?.scene === number
   const isUnanswered = scene.unansweredMarks.length > 0
   scene.unansweredMarks = []
-  // What stands out is described with each look and each edit, too.
+  // Highlights are computed with each viewport and each edit, so any of these may have failed because of them.
   const marks = isBare || isUnanswered || (isOfScene && ['look', 'edit'].includes(during.kind))
   const layers = isBare || (isOfScene && ['layers', 'paint', 'find'].includes(during.kind))
   if (marks) scene.mark = undefined
@@ -292,25 +291,25 @@ function forgetCause(number: number, scene: Scene, during: InProgress | undefine
   return { marks, layers }
 }
 
-/** What a thread was told as it began: nothing, all that another one knew, or the circles and what is looked at alone. */
+/** The state that a thread starts with: none, everything that its predecessor had, or only circles and viewport. */
 type Beginning = 'new' | 'restored' | 'bare'
 
-/** Why the thread does nothing more. */
+/** The reason why a thread stopped. */
 type Reason = (words: Refusals) => string
 
 const isDisposedOf: Reason = (words) => words.disposed
 
-/** The questions about circles that the asker knows by their ids or places. */
+/** Questions that refer to circles by id or position. */
 const ABOUT_KNOWN: ReadonlySet<keyof Questions> = new Set(['hit', 'touch', 'try', 'tell', 'tabulate'])
 
-/** The revision of what a new thread is told of old circles. */
+/** The revision of the circles that a new thread starts with. */
 const RESTORED = 0
 
-/** How a scene talks to the thread. */
+/** A scene's connection to the thread. */
 interface Line {
   circles(): CircleTable
   post(message: ToPainter): void
-  /** Posts it, too. */
+  /** Posts an edit and resolves with its result. */
   edited(message: Waiting['message']): Promise<Edited>
   cancel(): boolean
   ask<Name extends keyof Questions>(name: Name, args: Parameters<Questions[Name]>): Promise<Answer<Name>>
@@ -318,7 +317,7 @@ interface Line {
 
 export type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
 
-/** The circles of one view, in the painter's thread. */
+/** The client side of one view's circles in the painting thread. */
 export class PainterScene {
   readonly #scene: number
   readonly #line: Line
@@ -330,9 +329,8 @@ export class PainterScene {
   }
 
   /**
-   * Other circles; circle i gets id i.
-   *
-   * @throws CircleVoronoiError as `compute`; then all stays as it was
+   * Replaces the circles; circle i gets id i.
+   * @throws CircleVoronoiError as `compute`; the scene stays unchanged
    */
   open(circles: Float64Array, change: DomainChange = {}): Promise<Edited> {
     const revision = this.#nextRevision()
@@ -340,10 +338,9 @@ export class PainterScene {
   }
 
   /**
-   * Edits the circles that are there now.
-   *
-   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded, if other circles are there once
-   *   it is the turn of the edits. Then all stays as it was
+   * Edits the current circles.
+   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
+   * opened before the edits run. The scene stays unchanged
    */
   edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
     const revision = this.#nextRevision()
@@ -356,7 +353,7 @@ export class PainterScene {
     return this.#revision
   }
 
-  /** Ends the thread that computes circles which are being opened; another one goes on. False: none are. */
+  /** Cancels an opening by replacing the thread that computes it. Returns false if no opening is running. */
   cancel(): boolean {
     return this.#line.cancel()
   }
@@ -365,36 +362,36 @@ export class PainterScene {
     this.#line.post({ kind: 'look', scene: this.#scene, ...wish, style })
   }
 
-  /** The circles as they are after all edits that are done; another table for other circles. */
+  /** The circles after all finished edits. An opening creates a new table. */
   get circles(): CircleTable {
     return this.#line.circles()
   }
 
   /**
-   * `undefined`: there is no answer, as the thread has failed, or as other circles have come that it was not about.
-   *
-   * @throws CircleVoronoiError that says why it cannot be answered
+   * Asks the thread a question. Resolves to `undefined` if the thread failed or the question's circles have been
+   * replaced.
+   * @throws CircleVoronoiError that says why there is no answer
    */
   ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
     return this.#line.ask(name, args)
   }
 
-  /** What is drawn; the next `look` has it painted. */
+  /** Sets the layers. The next `look` paints them. */
   setLayers(layers: Layers): void {
     this.#line.post({ kind: 'layers', scene: this.#scene, layers, isPainted: true })
   }
 
-  /** Likewise, where only what depends on all circles is another. */
+  /** Sets layers that change only results for all circles, so that nothing is repainted. */
   findAgain(layers: Layers): void {
     this.#line.post({ kind: 'layers', scene: this.#scene, layers, isPainted: false })
   }
 
-  /** Which circles stand out. */
+  /** Highlights circles. */
   mark(selected: number | undefined, hovered: number | undefined): void {
     this.#line.post({ kind: 'mark', scene: this.#scene, selected, hovered })
   }
 
-  /** Ends what is asked of it, and all that is asked later. */
+  /** Closes the scene. Pending and later requests are rejected. */
   close(): void {
     this.#line.post({ kind: 'close', scene: this.#scene })
   }

@@ -3,14 +3,13 @@ import { refuseArgument, shown } from '../lib/base/check.ts'
 import type { Camera, Size } from './camera.ts'
 import type { Frame } from './painter/frame.ts'
 
-/** Browsers draw no larger pictures: pixels of a side, and all of them. */
+/** Limits of browsers: pixels per side, and in total. */
 const LONGEST_SIDE = 16_384
 const MOST_PIXELS = 2 ** 27
 
 /**
- * What a camera sees, in a picture of `scale` pixels for each CSS pixel.
- *
- * @throws CircleVoronoiError `badArgument`, if no browser could draw it
+ * The frame of a camera in a picture of `scale` pixels per CSS pixel.
+ * @throws CircleVoronoiError `badArgument` if the picture is too large for browsers
  */
 export function pictureFrame(camera: Camera, { width, height }: Size, scale: number): Frame {
   if (typeof scale !== 'number' || !(scale > 0)) {

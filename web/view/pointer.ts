@@ -6,41 +6,42 @@ import { pointOf } from './on-screen.ts'
 import type { Hit } from './protocol.ts'
 import type { View } from './view.ts'
 
-/** How near to a rim or a dot counts as on it, in pixels. */
+/** Distance that counts as on a rim or a dot, in pixels. */
 const MOUSE_SLACK = 5
 const TOUCH_SLACK = 12
-/** How near to an edge the pointer or a finger shows its disc. */
+/** Distance from an edge at which the pointer or a finger shows its disc, in pixels. */
 const DISC_SLACK = 14
 const TOUCH_DISC_SLACK = 24
-/** A finger drags circles of this radius in pixels at once; on smaller ones it may be meant to pan. */
+/** Radius in pixels from which a finger drags circles at once. On smaller circles it may be meant to pan. */
 const LARGE_FOR_FINGERS = 22
-/** A pointer that moves less than this was a click. */
+/** A shorter movement counts as a click, in pixels. */
 const CLICK_DISTANCE = 4
-/** A press that rests so long where nothing is tries a circle, in milliseconds. */
+/** Duration of a long press, in milliseconds. A long press on empty space previews a circle. */
 const HOLD = 400
-/** Of `MouseEvent.button`. */
+/** A value of `MouseEvent.button`. */
 const MAIN = 0
 const MIDDLE = 1
 
-/** What listens to a pointer. */
+/** The pointer listeners of a view. */
 export interface Listening {
-  /** Ends once all that the pointer has done is done; `undefined` if it is, as what it pressed is known. */
+  /** Settles once all gestures so far are done; `undefined` if none is waiting for a hit test. */
   readonly pending: Promise<unknown> | undefined
   /** Whether a button or a finger is down. */
   readonly isPressed: boolean
   stop(): void
 }
 
-/** How a view gets on with the page around it. */
+/** The interplay of a view with the scrolling page around it. */
 export interface PointerOptions {
   /**
-   * That page scrolls: by the wheel, unless the view was pressed before or Ctrl is held, and by one finger, unless there is
-   * what can be dragged `within` so many units of that point of the plane. The element's `touch-action` has to let it.
+   * Lets the page scroll: by the wheel, unless the view was pressed before or Ctrl is held, and by one finger, unless
+   * something draggable lies `within` a distance in units of the point. The element's `touch-action` must allow
+   * scrolling.
    */
   isGrabbed?(point: Point, within: number): boolean
 }
 
-/** Pointer, wheel and double click on the element of a view. */
+/** Listens to pointer, wheel and double click on a view's element. */
 export function listenToPointer(
   element: HTMLElement,
   view: View,
@@ -53,17 +54,17 @@ export function listenToPointer(
   let start: Point = { x: 0, y: 0 }
   let holding: ReturnType<typeof setTimeout> | undefined
   const letsPageScroll = isGrabbed !== undefined
-  /** Whether the wheel is the view's. */
+  /** Whether the view uses the wheel. */
   let isActive = !letsPageScroll
-  /** Whether the pointer is above the element, without a press. */
+  /** Whether the pointer is above the element without a press. */
   let isHovering = false
-  /** Whether the first finger drags something; if not, the page scrolls. */
+  /** Whether the first finger drags something; otherwise the page scrolls. */
   let isFingerHeld = false
-  /** The same of the touch events, which come after those of pointers. */
+  /** Whether touch events are suppressed. They arrive after the pointer events. */
   let isTouchKept = false
   /** The event that ended the last press. */
   let released: Event | undefined
-  /** What was pressed and is not known yet. */
+  /** The hit test that the current press waits for. */
   let pending: Promise<unknown> | undefined
 
   const gestures = gesturesOf(view, hands)
@@ -80,13 +81,13 @@ export function listenToPointer(
     pending = all
   }
 
-  /** Acts on what is seen once all that was done before is seen, as a pan is that waits for what it began on. */
+  /** Runs an action after all earlier gestures, such as a pan that still waits for its hit test. */
   const afterPending = async <Result>(act: () => Promise<Result>): Promise<Result> => {
     await pending
     return act()
   }
 
-  /** What is under the pointer is known a moment later: until then what it does is kept. */
+  /** The hit test takes a moment. Events are buffered until its result is known. */
   const whenKnown = (begun: Promise<Gesture>): Gesture => {
     let known: Gesture | undefined
     let last: Parameters<Gesture['move']> | undefined
@@ -119,16 +120,16 @@ export function listenToPointer(
     const { id, part } = hit
     const isSelected = hands.isSelected(id)
     const isLarge = circle !== undefined && circle.r * view.camera.scale >= LARGE_FOR_FINGERS
-    // A finger that is to pan may well begin on a circle.
+    // A finger may pan even if it starts on a circle.
     const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll && !isLarge)
-    // One that is not for this hand, or is gone, can still be selected.
+    // A circle that is too small for a finger, or is gone, can still be selected.
     if (isPan || circle === undefined) return gestures.pan(point, () => hands.select([id]))
     if (!isSelected) hands.select([id])
     const isOne = hands.held().length === 1
     return part === 'rim' && isOne ? gestures.resizeCircle(point, id, circle) : gestures.moveCircles(point, id)
   }
 
-  /** Whether a finger is there to drag something, and not to scroll the page. */
+  /** Whether a finger drags something instead of scrolling the page. */
   const isHeld = (point: Point): boolean =>
     isGrabbed === undefined ||
     hands.tool === 'add' ||
@@ -154,7 +155,7 @@ export function listenToPointer(
     return whenKnown(afterPending(() => gestureAt(point, event)))
   }
 
-  /** Whether a press that rests is one on nothing: no circle, no handle. */
+  /** Whether a long press is on empty space, without a circle or handle. */
   const isEmpty = async (point: Point, { pointerType }: PointerEvent): Promise<boolean> => {
     if (hands.tool === 'add') return true
     const slack = pointerType === 'touch' ? TOUCH_SLACK : 0
@@ -166,7 +167,7 @@ export function listenToPointer(
   }
 
   const hold = async (point: Point, event: PointerEvent, begun: Gesture) => {
-    // What was pressed may be something else by now.
+    // The press may have ended or become another gesture.
     const isOver = () => hasMoved || gesture !== begun
     if (isOver() || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event)) || isOver()) return
     begun.cancel?.()
@@ -175,7 +176,7 @@ export function listenToPointer(
     hasMoved = true
   }
 
-  /** The disc that a finger shows, which rests and is then moved, follows it. */
+  /** A resting finger shows a disc; when it moves, the disc follows. */
   const showDisc = (from: Point): Gesture => {
     const show = (point: Point) => view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
     show(from)
@@ -204,7 +205,7 @@ export function listenToPointer(
     options: AddEventListenerOptions = {},
   ) => element.addEventListener(name, listener, { ...options, signal: listeners.signal })
 
-  /** A page may have gestures of its own, as slides and carousels do: it does not hear of those that are the view's. */
+  /** Stops the view's own gestures from reaching a page with gestures of its own, such as slides and carousels. */
   const keepHere = (event: MouseEvent) => {
     const isTouch = 'pointerType' in event && event.pointerType === 'touch'
     const isPressed = pressed.size > 0 || released === event
@@ -215,7 +216,7 @@ export function listenToPointer(
   on('pointerdown', (event) => {
     isActive = true
     if (![MAIN, MIDDLE].includes(event.button) || pressed.size === 2) return
-    // The middle button would begin to scroll.
+    // The middle button would start autoscrolling.
     if (event.button === MIDDLE) event.preventDefault()
     element.setPointerCapture(event.pointerId)
     const point = pointOf(event)
@@ -229,11 +230,11 @@ export function listenToPointer(
     start = point
     isFingerHeld = event.pointerType === 'touch' && isHeld(point)
     hasMoved = false
-    // A finger cannot hover: a tap shows what a pointer shows that is moved there, until the next one.
+    // Fingers cannot hover, so a tap shows the disc that a hovering pointer would, until the next tap.
     if (event.pointerType === 'touch') view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
     const begun = begin(point, event)
     gesture = begun
-    // Browsers tell of moves with the next frame: where that is late, what is dragged does not rest.
+    // Moves arrive once a frame; wait one before assuming that the pointer rests.
     holding = setTimeout(() => requestAnimationFrame(() => hold(point, event, begun)), HOLD)
     if (['cell', 'pan'].includes(element.dataset.cursor ?? '')) element.dataset.cursor = 'panning'
   })
@@ -251,7 +252,7 @@ export function listenToPointer(
       isHovering = true
       view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
       hitAt(point, event.pointerType).then((hit) => {
-        // It may come after the pointer has left.
+        // The result may arrive after the pointer has left.
         if (pressed.size > 0 || !isHovering) return
         hands.hover(hit?.id)
         if (hands.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
@@ -271,13 +272,13 @@ export function listenToPointer(
     else gesture?.click?.()
     end(pointOf(event))
   })
-  // Also where another element or the system takes the pointer away.
+  // Also called if another element or the system captures the pointer.
   const lose = ({ pointerId }: PointerEvent) => {
     if (pressed.delete(pointerId)) cancel()
   }
   on('pointercancel', lose)
   on('lostpointercapture', lose)
-  // A finger that rests would open the menu of the browser.
+  // A long press would open the browser's menu.
   on('contextmenu', (event) => {
     if (pressed.size > 0) event.preventDefault()
   })
@@ -285,7 +286,7 @@ export function listenToPointer(
     isActive = !letsPageScroll
     isHovering = false
     hands.hover(undefined)
-    // Each finger leaves as it is lifted.
+    // Fingers leave the element whenever they are lifted.
     if (pointerType !== 'touch') view.touch(undefined, 0)
   })
   on('keydown', (event) => {
@@ -306,7 +307,7 @@ export function listenToPointer(
   }
   on('dblclick', (event) => wait(afterPending(() => addAt(pointOf(event)))))
 
-  // The page scrolls unless this is prevented as the finger comes down, which was told of as a pointer before.
+  // Scrolling must be prevented at touchstart, which follows the pointer event.
   const keepTouch = (event: TouchEvent) => {
     isTouchKept = event.touches.length > 1 || (pressed.size > 0 && isFingerHeld)
     if (isTouchKept && event.cancelable) event.preventDefault()

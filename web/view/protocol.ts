@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes between a view and the painter's thread. A scene is one view's circles; a thread has many.
+// The messages between views and the painting thread. A scene holds the circles of one view; a thread has many scenes.
 import type { PostedError } from '../lib/base/errors.ts'
 import type {
   Box,
@@ -26,12 +26,12 @@ import type { RemoteCall, RemoteReply } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
 /**
- * A fixed grid of device pixels on the plane: pixel (column, row) has its corner at the anchor + (column, -row) / scale. While
- * a view pans, its grid stays; with another scale or style it has another.
+ * A grid of device pixels fixed to the plane: pixel (column, row) has its corner at the anchor + (column, -row) /
+ * scale. Panning keeps the grid; another scale or style needs a new one.
  */
 export interface Grid {
   readonly id: number
-  /** The plane's point of the corner that is (0, 0). */
+  /** The point of the plane at the corner (0, 0). */
   readonly x: number
   readonly y: number
   /** Device pixels per unit. */
@@ -40,7 +40,7 @@ export interface Grid {
   readonly pixelRatio: number
 }
 
-/** Pixels of a grid: from (left, top) on, rows downwards. */
+/** A box of pixels of a grid: starts at (left, top), rows downward. */
 export interface PixelBox {
   readonly left: number
   readonly top: number
@@ -48,71 +48,75 @@ export interface PixelBox {
   readonly height: number
 }
 
-/** Pixels are painted in squares of this size: small enough for an edit not to wait long between two. */
+/**
+ * Size of the squares in which pixels are painted, small enough that an edit does not wait long for the current one.
+ */
 export const TILE = 256
 
-/** What is to be seen from now on: the pixels of `seen`, and around them, once there is time, `wanted`. */
+/** A paint request: the visible pixels `seen` first, then their surroundings `wanted`. */
 export interface Wish {
-  /** Which wish it is. */
+  /** The number of the request. */
   readonly wish: number
   readonly grid: Grid
   readonly seen: PixelBox
   readonly wanted: PixelBox
 }
 
-/** What becomes other than circles where they are opened or edited. */
+/** The settings that change together with an opening or an edit. */
 export interface DomainChange {
-  /** What the cells are cut to from now on; `null`: nothing. `undefined`: as before. */
+  /** The new clipping region; `null` removes it, `undefined` keeps it. */
   readonly region?: RegionShape | null | undefined
-  /** The periods with which circles repeat from now on; `null`: they do not. `undefined`: as before. */
+  /** The new periods; `null` removes them, `undefined` keeps them. */
   readonly lattice?: Lattice | null | undefined
-  /** The circles get the radii with which each cell has its share of the region. */
+  /** Fits radii so that each cell has its share of the region. */
   readonly fit?: Shares | undefined
-  /** Whether circles are shown as points from now on, because their radii are only weights. */
+  /** Whether circles are drawn as points, because their radii are only weights. */
   readonly areSites?: boolean | undefined
 }
 
-/** Shares of a region, as numbers above 0; `undefined`: all have the same. */
+/** Shares of a region, as numbers above 0; `undefined` makes all equal. */
 export interface Shares {
-  /** Those of circles that are there, by their ids. Who is not named gets the mean of the others. */
+  /** The shares of existing circles, by id. All others get the mean. */
   readonly known: ReadonlyMap<number, number> | undefined
-  /** Those of circles that an edit inserts, in their order. */
+  /** The shares of inserted circles, in their order. */
   readonly inserted: readonly number[]
 }
 
-/** What a view asks of its circles in the painter's thread. `undefined`: there is nothing, or it could not be drawn. */
+/**
+ * The questions about a view's circles. `undefined` means that there is no answer, or that a drawing was impossible.
+ */
 export interface Questions {
-  /** The circle at a point of the plane; `slack`: how near counts as on it, in units. */
+  /** The circle at a point of the plane. `slack` is the tolerance, in units. */
   hit(x: number, y: number, slack: number): Hit | undefined
-  /** The disc around the vertex or the point of an edge next to a point of the plane, no farther than `slack`. */
+  /** The disc at the nearest vertex or point of an edge, within `slack`. */
   touch(x: number, y: number, slack: number): Touching | undefined
-  /** What a circle would take. */
+  /** The area that a new circle would take. */
   try(circle: Circle): Trial | undefined
-  /** What a frame shows without what stands out, once all of it is known. */
+  /** A frame as SVG without highlights, once all results are known. */
   svg(frame: Frame, style: Style): DrawnSvg | undefined
-  /** The same in pixels. */
+  /** A frame as a bitmap without highlights. */
   image(frame: Frame, pixelRatio: number, style: Style): ImageBitmap | undefined
-  /** What the colors of the layers mean. `undefined`: no measure. */
+  /** The meaning of the colors; `undefined` if they show no measure. */
   legend(): Legend | undefined
-  /** How cells are distributed: a moment later, where there are many. */
+  /** The distribution of cells, computed in steps. */
   measure(): Distribution
-  /** What circles and their cells measure: of these ids at once, of all a moment later. */
+  /** Measures of circles and cells: for given ids at once, for all in steps. */
   tabulate(columns: readonly Column[], ids: Int32Array | undefined): Tabulated
-  /** What is so of the diagram and of the cells of some circles. */
+  /** Counts of the diagram, and descriptions of some cells. */
   tell(ids: readonly number[]): Facts
-  /** All computed once more from nothing, to see how. */
+  /** Recomputes everything from scratch for statistics. */
   compute(options: Options): Computed
-  /** What a method does with the circles, event by event. */
+  /** The events of a method. */
   trace(options: TraceOptions): Traced
 }
 
-/** What a thread was doing when it failed. `find`: what depends on all circles. */
+/** The work during which a thread failed. `find` computes global results. */
 export interface InProgress {
   readonly scene: number
   readonly kind: ToPainter['kind'] | 'paint' | 'find'
 }
 
-/** The elements of an SVG, and what is drawn above them that depends on all circles. */
+/** The elements of an SVG, and the global results to draw above them. */
 export interface DrawnSvg {
   readonly elements: string
   readonly found: Found
@@ -120,32 +124,32 @@ export interface DrawnSvg {
 
 export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm; readonly others: OtherModules }
-  /** A scene without circles. What is for none that is there is not heard. */
+  /** Adds a scene without circles. Messages for closed scenes are ignored. */
   | { readonly kind: 'add'; readonly scene: number }
-  /** Other circles; circle i gets id i. */
+  /** Replaces the circles; circle i gets id i. */
   | ({
       readonly kind: 'open'
       readonly scene: number
       readonly revision: number
-      /** The number of these circles. Their edits carry it. */
+      /** Identifies the circles. Their edits carry the same number. */
       readonly opening: number
       readonly circles: Float64Array
     } & DomainChange)
-  /** All or none. */
+  /** Applies all edits or none. */
   | ({
       readonly kind: 'edit'
       readonly scene: number
       readonly revision: number
-      /** The number of the circles that the edits are for. If other circles are there, nothing is edited. */
+      /** Identifies the circles that the edits are for. Edits for other circles are ignored. */
       readonly opening: number
       readonly edits: readonly Edit[]
     } & DomainChange)
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
-  /** What is asked by its name, and what is given with it. */
+  /** A question by name, with its arguments. */
   | ({ readonly kind: 'ask'; readonly scene: number } & RemoteCall<keyof Questions>)
-  /** What is drawn; `isPainted`: not only what is found (`Found`) is another. */
+  /** Sets the layers. `isPainted`: they change the painting, not only the global results (`Found`). */
   | { readonly kind: 'layers'; readonly scene: number; readonly layers: Layers; readonly isPainted: boolean }
-  /** Which circles stand out; what is known of them comes now and with each edit. */
+  /** Sets the highlighted circles. Their descriptions follow now and after each edit. */
   | {
       readonly kind: 'mark'
       readonly scene: number
@@ -154,7 +158,7 @@ export type ToPainter =
     }
   | { readonly kind: 'close'; readonly scene: number }
 
-/** What is drawn is that of a revision: one that is all of it. */
+/** Pixels of one revision. A patch never mixes revisions. */
 export interface Patch {
   readonly box: PixelBox
   readonly image: ImageBitmap
@@ -167,7 +171,7 @@ export type FromPainter =
       readonly revision: number
       readonly counts: DiagramCounts
       readonly seconds: number
-      /** Those with radii that were fitted. */
+      /** The circles with fitted radii. */
       readonly circles?: Float64s | undefined
       readonly fitted?: Fitted | undefined
       readonly change?: undefined
@@ -179,65 +183,65 @@ export type FromPainter =
       readonly counts: DiagramCounts
       readonly grid: number
       readonly patches: readonly Patch[]
-      /** Around all that looks different. */
+      /** Boxes around the visible difference. */
       readonly boxes: readonly Box[]
       readonly change: CircleChange
       readonly marks: Marks
-      /** `undefined`: not yet. */
+      /** `undefined`: not computed yet. */
       readonly found: Found | undefined
       readonly fitted?: Fitted | undefined
       readonly seconds: number
     }
   | { readonly kind: 'refused'; readonly scene: number; readonly revision: number; readonly error: PostedError }
-  /** The edits were for circles that are no longer there. */
+  /** The edits were for circles that have been replaced. */
   | { readonly kind: 'superseded'; readonly scene: number; readonly revision: number }
   | {
       readonly kind: 'painted'
       readonly scene: number
       readonly grid: number
       readonly patches: readonly Patch[]
-      /** The wish that is painted. */
+      /** The number of the paint request. */
       readonly wish: number
-      /** Whether all of that is painted now. */
+      /** Whether the request is complete. */
       readonly isWhole: boolean
     }
   | ({ readonly kind: 'answer' } & RemoteReply)
   | { readonly kind: 'found'; readonly scene: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
-  /** The same, with outlines for what is looked at now. */
+  /** The same highlights with outlines for the current viewport. */
   | { readonly kind: 'outlined'; readonly scene: number; readonly marks: Marks }
-  /** The thread cannot go on. `during`: what it was doing, if that was for one scene. */
+  /** The thread has failed. `during` is the work of a single scene that caused it, if known. */
   | { readonly kind: 'failed'; readonly message: string; readonly during?: InProgress | undefined }
 
-/** How near areas are to what was asked for. */
+/** The accuracy of fitted areas. */
 export interface Fitted {
-  /** The largest error, relative to the area. */
+  /** The largest relative error of an area. */
   readonly error: number
   readonly steps: number
 }
 
-/** What is so of a circle and its cell. */
+/** The description of a circle and its cell. */
 export interface CellFacts extends Circle {
-  /** Whether another circle contains it: then it has no cell. */
+  /** Whether another circle contains the circle, so that it has no cell. */
   readonly hidden: boolean
   readonly bounded: boolean
-  /** How many edges its cell has. */
+  /** The number of edges of the cell. */
   readonly edges: number
-  /** Whose cells these are shared with: the ids, each once. */
+  /** The ids of the neighbors, each once. */
   readonly neighbors: readonly number[]
-  /** That inside the region, if there is one. Infinite, if the cell is not bounded. */
+  /** The area of the cell inside the region, if there is one; infinite for an unbounded cell. */
   readonly area: number
-  /** Likewise. */
+  /** The perimeter of the cell inside the region, if there is one; infinite for an unbounded cell. */
   readonly perimeter: number
 }
 
-/** What is so of a diagram. */
+/** The description of a diagram. */
 export interface Facts extends DiagramCounts {
-  /** Those that were asked for; there is none of circles that are not there. */
+  /** The requested cells. Missing circles have no entry. */
   readonly cells: ReadonlyMap<number, CellFacts>
 }
 
-/** The circle under the pointer, and which part of it: its rim, its disc, or only its cell. */
+/** The circle under the pointer, and the part that was hit: its rim, its disc, or only its cell. */
 export interface Hit {
   readonly id: number
   readonly part: 'rim' | 'disc' | 'cell'
@@ -249,50 +253,53 @@ export interface Described {
   readonly hiddenBy: number | undefined
   readonly isBounded: boolean
   readonly neighbors: Int32Array
-  /** The outline of the cell within the box that is looked at (`replay`). */
+  /** The outline of the cell within the viewport (`replay`). */
   readonly outline: Float64Array
-  /** Those of the neighbors. */
+  /** The outlines of the neighbors' cells. */
   readonly neighborhood: Float64Array
 }
 
-/** A disc that touches circles, and where: in a diagram it meets no other. */
+/** A disc that touches circles, and the contact points. It meets no other circle of the diagram. */
 export interface Touching {
   readonly disc: Vertex
   readonly points: readonly Point[]
 }
 
-/** What a circle would take that is not there yet. */
+/** The effect of a circle that has not been inserted. */
 export interface Trial {
   readonly circle: Circle
-  /** The circle that would hide it; `undefined`: it has a cell. */
+  /** The circle that would hide the new one; `undefined` if it has a cell. */
   readonly hiddenBy: number | undefined
-  /** That of its cell (`replay`). */
+  /** The outline of the new cell (`replay`). */
   readonly outline: Float64Array
   readonly area: number
-  /** From whom, the most first. */
+  /** The circles that lose area, the greatest loss first. */
   readonly taken: readonly Taken[]
 }
 
-/** What a circle would take from another one, whose center is x, y. */
+/** The area that a new circle would take from another one, whose center is x, y. */
 export interface Taken extends Point {
   readonly id: number
-  /** Infinite where a part has no end, NaN where that is not known. */
+  /** Infinite for an unbounded part, NaN if unknown. */
   readonly area: number
 }
 
-/** What the layers show that depends on all circles. */
+/** The results for layers that depend on all circles. */
 export interface Found {
-  /** For each arc of the hull its circle's x, y and radius, the angle where it begins, its turn, and the start of the next one. */
+  /**
+   * The arcs of the hull, with six numbers each: the circle's x, y and radius, the start angle, the turn, and the start
+   * of the next arc.
+   */
   readonly hull: Float64Array | undefined
-  /** With the ids of the circles it touches. */
+  /** The largest empty disc, with the ids of the circles that it touches. */
   readonly largestDisc: (Touching & { readonly circles: readonly number[] }) | undefined
-  /** How near the clearest path comes to a circle, and the path (`replay`). */
+  /** The clearance of the path and its outline (`replay`). */
   readonly path: { readonly clearance: number; readonly outline: Float64Array } | undefined
-  /** What the touching disc method finds of the diagram. */
+  /** The touching disc method's result compared with the diagram. */
   readonly method: MethodFound | undefined
 }
 
-/** How many there are, how many of them are found, and how many others that are none. */
+/** The number of parts, of those found, and of wrong ones. */
 export interface Counted {
   readonly all: number
   readonly found: number
@@ -302,57 +309,57 @@ export interface Counted {
 export interface MethodFound {
   readonly vertices: Counted
   readonly edges: Counted
-  /** Of all circles; 0: all pairs are looked at. */
+  /** The total number of samples; 0 if all pairs are candidates. */
   readonly samples: number
 }
 
-/** How many cells there are of each kind. */
+/** The numbers of cells by class. */
 export interface Distribution {
-  /** Of each number of neighbors. */
+  /** Indexed by the number of neighbors. */
   readonly degrees: Int32Array
-  /** Of those that do not go to infinity, in classes of one width from 0 on; what is larger is in the last one. */
+  /** The bounded cells in equal classes of area from 0. The last class includes all larger areas. */
   readonly areas: Int32Array
-  /** The width of a class, 0 if there is no cell. */
+  /** The width of a class; 0 without cells. */
   readonly areaStep: number
   readonly medianArea: number
   readonly certificate: Certificate
 }
 
-/** What the ramp of colors means. */
+/** The meaning of the color ramp. */
 export interface Legend {
-  /** `column`: values that a client gives, which have a name (`CellValues`). */
+  /** `column` stands for a client's values, which have a name (`CellValues`). */
   readonly measure: Measure | 'column'
   readonly name?: string | undefined
-  /** The categories that have a color each, in the order of the colors, and whether there are others, which have none. */
+  /** The categories with a color each, in the order of the colors, and whether further categories have none. */
   readonly categories?: readonly string[] | undefined
   readonly hasOthers?: boolean | undefined
-  /** What its beginning, its quarters and its end stand for. */
+  /** The values at the beginning, the quarters and the end of the ramp. */
   readonly knots: readonly number[]
-  /** Whether there may be smaller and larger values than those of its ends, which have their colors. */
+  /** Whether values may lie beyond the ends of the ramp. They get the colors of the ends. */
   readonly isClipped: boolean
 }
 
-/** What a cell measures: its area, how many neighbors it has, and how far the circle is from the nearest other one. */
+/** A measure of a cell: its area, its number of neighbors, or the distance to the nearest other circle. */
 export type Column = 'area' | 'degree' | 'gap'
 
-/** Numbers of circles: of a hidden one NaN, of an area without end infinity. */
+/** Values by circle: NaN for a hidden circle, infinity for an unbounded area. */
 export interface Tabulated {
   readonly ids: Int32Array
-  /** For each column that was asked for those of the circles. */
+  /** The values of each requested column. */
   readonly columns: readonly Float64Array[]
 }
 
-/** How a diagram was computed, and what came of it; or why it could not be. */
+/** The statistics of a computation, or the reason why it failed. */
 export type Computed = { readonly stats: Stats; readonly certificate: Certificate } | { readonly problem: string }
 
-/** What a method did with circles. */
+/** The trace of a method. */
 export interface Traced {
-  /** The circles before, x, y, r each, by increasing ids, and these. */
+  /** The circles before the method, x, y and r each, by ascending id, and these ids. */
   readonly circles: Float64Array
   readonly ids: Int32Array
-  /** What came of it: circle i has the i-th of the ids. */
+  /** The resulting diagram. Its circle i has the i-th id. */
   readonly diagram: DiagramData
-  /** Circles are named by their ids. */
+  /** The events name circles by id. */
   readonly events: TraceArrays
 }
 

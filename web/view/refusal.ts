@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError, type ErrorCode } from '../lib/base/errors.ts'
 
-/** What is wrong, in the sentences of a language. */
+/** Error messages in one language. */
 export interface Refusals {
-  /** `got`: as `shownValue` writes it. */
+  /** `got` is formatted by `shownValue`. */
   must(what: string, allowed: string, got: string): string
   readonly layers: string
   readonly object: string
@@ -17,17 +17,17 @@ export interface Refusals {
   readonly data: string
   readonly cellValues: string
   noLayer(word: string, names: readonly string[]): string
-  /** `reason`: of the failure, which may be in English. */
+  /** `reason` is the message of the failure, possibly in English. */
   notComputed(reason: string): string
   readonly notDrawn: string
-  /** What draws has failed, and another one goes on. `reason`: of the failure, which may be in English. */
+  /** Drawing failed, and a new thread continues. `reason` is the message of the failure, possibly in English. */
   drawingFailed(reason: string): string
-  /** It has failed again and again. */
+  /** Drawing has failed repeatedly. */
   drawingEnded(reason: string): string
   readonly nothingChanged: string
   readonly areasWithoutRegion: string
   readonly latticeWithRegion: string
-  /** `areas` numbers are given for `circles` circles. */
+  /** The number of areas differs from the number of circles. */
   areasForCircles(areas: number, circles: number): string
   tooManyForAreas(most: number): string
   notRegion(reason: string): string
@@ -36,7 +36,7 @@ export interface Refusals {
   readonly noThread: string
 }
 
-/** The words of English lists: `a, b or c`. */
+/** Joins names as an English list: `a, b or c`. */
 export function listed(names: readonly string[], last: string): string {
   return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} ${last} ${names.at(-1)}`
 }
@@ -70,12 +70,12 @@ export const ENGLISH_REFUSALS: Refusals = {
   noThread: 'its file cannot be loaded',
 }
 
-/** An error that can be told in any language. */
+/** An error with a message in any language. */
 export interface Telling<Words> extends Error {
   say(words: Words): string
 }
 
-/** What was asked for cannot be done. Its message is English; `say` tells it in another language. */
+/** A request that cannot be fulfilled. Its message is English; `say` localizes it. */
 export class Refusal<Words = Refusals> extends CircleVoronoiError implements Telling<Words> {
   readonly say: (words: Words) => string
 
@@ -85,7 +85,7 @@ export class Refusal<Words = Refusals> extends CircleVoronoiError implements Tel
   }
 }
 
-/** The computer failed, whatever was asked. */
+/** A failure of the thread that does not depend on the request. */
 export class Failure extends Error implements Telling<Refusals> {
   readonly say: (words: Refusals) => string
 
@@ -95,20 +95,20 @@ export class Failure extends Error implements Telling<Refusals> {
   }
 }
 
-/** Edits were for circles that other circles have replaced meanwhile. Nothing has changed, and nothing is wrong. */
+/** Reports that an edit's circles have been replaced before it ran. The edit had no effect. */
 export class Superseded extends Error {
   constructor() {
     super('These edits are for circles that are no longer there.')
   }
 }
 
-/** A value as it can stand in a sentence of any language. */
+/** Formats a value for a sentence in any language. */
 export function shownValue(value: unknown): string {
   const text = jsonOf(value) ?? typeof value
   return text.length > 40 ? `${text.slice(0, 40)}…` : text
 }
 
-/** JSON of any value: with integers of any size, and for an object that has no JSON, the name of its type. */
+/** JSON of any value. BigInts are written as numbers; an object without JSON gets the name of its type. */
 function jsonOf(value: unknown): string | undefined {
   try {
     return JSON.stringify(value, (_, part) => (typeof part === 'bigint' ? `${part}n` : part))

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regions as people have them: GeoJSON, a list of rings in JSON, or well-known text.
+// Reads regions in the common formats: GeoJSON, a JSON list of rings, or well-known text.
 import { isRecord } from '../lib/base/check.ts'
 import { reasonOf } from '../lib/base/errors.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
-// Of a text without white space around it: looking for some before the end at each parenthesis would take long.
+// Matches trimmed text. Allowing white space before the end at each parenthesis would make matching slow.
 const WKT = /^(?:SRID=\d+;\s*)?(MULTI)?POLYGON\s*(?:ZM?\s*|M\s*)?(\(.*\))$/is
 const NUMBERS = /[^(),]+/g
 
-/** Whether a text has a region in it, and is not the address of one. */
+/** Whether a text contains a region and is not an address. */
 export function isRegionText(text: string): boolean {
   return /^\s*[[{]/.test(text) || /^\s*(SRID=\d+;\s*)?(MULTI)?POLYGON\b/i.test(text)
 }
 
 /**
- * The region of a text. Whether its rings cross is not checked.
- *
+ * Reads a region. Crossing rings are not detected here.
  * @throws CircleVoronoiError `badInput` or `badOption`
  */
 export function readRegion(text: string): RegionShape {
   return /^\s*[[{]/.test(text) ? regionOfJson(fromJson(text)) : plainRegion(fromWkt(text))
 }
 
-/** The same of JSON that was parsed. */
+/** Reads a region from parsed JSON. */
 export function regionOfJson(given: unknown): RegionShape {
   return plainRegion(polygonsIn(given as RegionShape))
 }
@@ -36,7 +35,7 @@ function fromJson(text: string): RegionShape {
   }
 }
 
-/** Of a collection its polygons: files have points and lines beside them. */
+/** The polygons of a collection; its points and lines are ignored. */
 function polygonsIn(shape: RegionShape): RegionShape {
   if (!isRecord(shape) || shape.type !== 'FeatureCollection' || !Array.isArray(shape.features)) return shape
   const features = shape.features.filter((feature) => {

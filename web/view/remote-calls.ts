@@ -8,7 +8,7 @@ export interface RemoteCall<Name = PropertyKey> {
   readonly args: readonly unknown[]
 }
 
-/** What comes back: a value, or an error. */
+/** The reply to a call: a value, or an error. */
 export interface RemoteReply {
   readonly request: number
   readonly value?: unknown
@@ -18,14 +18,13 @@ export interface RemoteReply {
 /** The functions of a thread, as `Calls` declares them. */
 type Functions<Calls> = { readonly [Name in keyof Calls]: (...args: never[]) => unknown }
 
-/** The calls of functions in a thread that wait for a reply. */
+/** The pending calls of functions in a thread. */
 export class RemoteCalls<Calls extends Functions<Calls>> {
   readonly #waiting = new Map<number, { resolve(value: never): void; reject(error: Error): void; owner: unknown }>()
   #last = 0
 
   /**
-   * Calls a function. `post` sends the call to the thread. `owner`: for whom, as `leave` has it.
-   *
+   * Calls a function. `post` sends the call to the thread. `owner` identifies calls for `leave`.
    * @throws CircleVoronoiError that the thread replied with, and whatever `post` throws
    */
   call<Name extends keyof Calls>(
@@ -48,7 +47,7 @@ export class RemoteCalls<Calls extends Functions<Calls>> {
     else waiting?.reject(receivedError(error))
   }
 
-  /** Ends the calls of an owner, because no reply will come: with an error, or with `undefined` as the value. */
+  /** Settles an owner's calls that will get no reply: rejects them with an error, or resolves them to `undefined`. */
   leave(owner?: unknown, error?: PostedError): void {
     const requests = [...this.#waiting].filter(([, waiting]) => waiting.owner === owner)
     for (const [request] of requests) this.receive({ request, error })

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Smaller circles are drawn as dots of this radius, in pixels. */
+/** Circles with a smaller radius are drawn as dots of this radius, in pixels. */
 export const DOT_RADIUS = 1.5
-/** How many colors a page may set of the ramp by which measures are shown. */
+/** Number of colors of the ramp for measures that a page can set. */
 export const TINTS = 6
-/** How many shades the ramp has between them. */
+/** Number of shades of the ramp, interpolated between those colors. */
 export const SHADES = 61
-/** Every map takes at most so many colors that are chosen greedily, the cells with fewest neighbors last. */
+/** Number of colors that greedy coloring in smallest-last order needs for any map. */
 export const MAP_COLORS = 6
 
 const COLORS = [
@@ -34,26 +34,26 @@ const COLORS = [
   'region',
 ] as const
 
-/** The colors of the drawing: CSS colors. */
+/** The colors of a drawing, as CSS colors. */
 export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
   /** `SHADES` colors for measures, from the smallest to the largest. */
   readonly ramp: readonly string[]
-  /** For neighbors to differ. */
+  /** The colors that distinguish neighbors. */
   readonly map: readonly string[]
-  /** A cell has the tint of its circle, so much weaker. */
+  /** Opacity of a cell's tint relative to its circle's color. */
   readonly cellOpacity: number
 }
 
 const NAMES = [...COLORS, 'cellOpacity', ...numbered('tint', TINTS), ...numbered('map', MAP_COLORS)]
 
-/** The custom property of each color of a style, without what stands before it. */
+/** The custom property of each color, without its prefix. */
 export const STYLE_PROPERTIES: Readonly<Record<string, string>> = Object.fromEntries(
   NAMES.map((name) => [name, name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)]),
 )
 
 /**
- * The style that the custom properties of an element say: for `edge` that of `--circle-voronoi-edge`, which a page may set,
- * or else that of the theme.
+ * Reads the style from an element's custom properties. A page may set `--circle-voronoi-edge`; the default for `edge`
+ * comes from the theme.
  */
 export function readStyle(element: Element): Style {
   const given = Object.entries(STYLE_PROPERTIES).map(([name, property]) => [
@@ -63,7 +63,7 @@ export function readStyle(element: Element): Style {
   return styleOf(computedColors(element, Object.fromEntries(given)))
 }
 
-/** The style of computed colors, by their names. */
+/** Builds a style from computed colors by name. */
 export function styleOf(colors: Readonly<Record<string, string>>): Style {
   const color = (name: string) => colors[name] as string
   return {
@@ -75,8 +75,8 @@ export function styleOf(colors: Readonly<Record<string, string>>): Style {
 }
 
 /**
- * Colors of CSS as numbers, as they are inside an element: neither a worker nor a canvas knows custom properties, the scheme or
- * the system's colors.
+ * Resolves CSS colors to numbers in the context of an element. Workers and canvases know neither custom properties nor
+ * the color scheme nor system colors.
  */
 export function computedColors<Name extends string>(
   element: Element,
@@ -86,11 +86,11 @@ export function computedColors<Name extends string>(
   const probes = document.createElement('span')
   for (const name of names) {
     const { style } = probes.appendChild(document.createElement('span'))
-    // The system's colors are named where they are to be: data keeps its own.
+    // Forced colors must not replace the colors of data; system colors are used by name where wanted.
     style.setProperty('forced-color-adjust', 'none')
     style.color = colors[name]
   }
-  // All at once: the browser finds the styles anew when the first of them is read.
+  // Appends all probes at once, because each first read recomputes styles.
   element.append(probes)
   const computed = names.map((name, k) => [name, getComputedStyle(probes.children[k] as Element).color])
   probes.remove()
@@ -101,7 +101,7 @@ function numbered(name: string, count: number): string[] {
   return Array.from({ length: count }, (_, k) => `${name}-${k}`)
 }
 
-/** A ramp of `SHADES` colors that goes evenly through some colors. */
+/** Interpolates a ramp of `SHADES` colors through some colors. */
 export function rampThrough(stops: readonly string[]): string[] {
   const last = stops.length - 1
   return Array.from({ length: SHADES }, (_, k) => {
@@ -111,7 +111,7 @@ export function rampThrough(stops: readonly string[]): string[] {
   })
 }
 
-/** Where a page has set a color that is not written as red, green and blue, the nearer one of two. */
+/** Falls back to the nearer color if a page's color is not in red, green and blue. */
 function mixed(one: string, other: string, share: number): string {
   const [from, to] = [channelsOf(one), channelsOf(other)]
   if (from === undefined || to === undefined) return share < 0.5 ? one : other
@@ -122,18 +122,18 @@ function channelsOf(color: string): readonly number[] | undefined {
   return /^rgb\((\d+), (\d+), (\d+)\)$/.exec(color)?.slice(1).map(Number)
 }
 
-/** Whether a computed color can be seen. */
+/** Whether a computed color is visible. */
 export function isSeen(color: string): boolean {
   return opacityOf(color) > 0
 }
 
-/** Whether what is drawn is light on dark. */
+/** Whether the drawing is light on dark. */
 export function isDark({ paper }: Style): boolean {
   const [red = 255, green = 255, blue = 255] = /^rgba?\((\d+), (\d+), (\d+)/.exec(paper)?.slice(1).map(Number) ?? []
   return red + green + blue < 1.5 * 255
 }
 
-/** Of a computed color, which says it only if it is not 1. */
+/** The opacity of a computed color, which names it only if it is not 1. */
 function opacityOf(color: string): number {
   return Number(/^rgba\(.*, ([\d.e-]+)\)$/.exec(color)?.[1] ?? 1)
 }

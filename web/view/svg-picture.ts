@@ -6,7 +6,7 @@ import { SvgDrawing, svgOf } from './painter/svg-drawing.ts'
 import type { DrawnSvg } from './protocol.ts'
 import type { Style } from './style.ts'
 
-/** The text of an SVG with all that a frame shows: in a page, and in Node. `above`: what is played. */
+/** The SVG of a frame, for browsers and Node. `above` is the player's overlay. */
 export function svgPicture(
   frame: Frame,
   { elements, found }: DrawnSvg,

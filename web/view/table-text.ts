@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables as text (CSV), read as `cpp/src/io/csv_table` and `cpp/src/io/csv` read them. The module for files is larger than
-// everything else in an element together; tests/files/readings.json has the cases that both must read alike.
+// Reads tables as text (CSV) with the same results as `cpp/src/io/csv_table` and `cpp/src/io/csv`. The files module is
+// larger than the rest of an element, so it is not used here. tests/files/readings.json has the cases on which both
+// must agree.
 
-/** A field without the white space around it and without quotation marks. */
+/** A field without surrounding white space and quotation marks. */
 export interface TableField {
   readonly text: string
   readonly isQuoted: boolean
@@ -14,11 +15,11 @@ export interface TableRecord {
   readonly fields: readonly TableField[]
 }
 
-/** What is wrong with a text, and where. */
+/** An error in a text, with its position. */
 export class TextProblem extends Error {
-  /** The line, from 1; `undefined` if it is not about one. */
+  /** The line, from 1; `undefined` if the error has none. */
   readonly line: number | undefined
-  /** The index of the circle; `undefined` if it is not about one. */
+  /** The index of the circle; `undefined` if the error has none. */
   readonly circle: number | undefined
 
   constructor(message: string, { line, circle }: { line?: number | undefined; circle?: number | undefined } = {}) {
@@ -28,7 +29,10 @@ export class TextProblem extends Error {
   }
 }
 
-/** In the order in which they are tried: a comma may be a decimal mark, and spaces stand beside separators. */
+/**
+ * The separators in the order in which they are tried. A comma may be a decimal mark, and spaces may surround other
+ * separators.
+ */
 export const SEPARATORS = [';', '\t', ',', ' '] as const
 export type Separator = (typeof SEPARATORS)[number] | '|'
 
@@ -36,10 +40,9 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
 const DECIMAL_COMMA = /^([^.,]*),(\d[^.,]*)$/
 
 /**
- * The records of a table: lines that are not blank, hold more than separators, and do not begin with `#`. A line end in
- * quotation marks belongs to a field. A space as the separator stands for any number of spaces and tabs.
- *
- * @throws TextProblem if quotation marks are amiss
+ * The records of a table. Blank lines, lines of separators and comments (`#`) are skipped. Quoted fields may contain
+ * line ends. A space as the separator stands for any number of spaces and tabs.
+ * @throws TextProblem if quotation marks do not match
  */
 export function* recordsOf(text: string, separator: Separator): Generator<TableRecord> {
   let at = text.startsWith('\uFEFF') ? 1 : 0
@@ -93,7 +96,7 @@ export function* recordsOf(text: string, separator: Separator): Generator<TableR
         if (!hasMore) break
         if (separator !== ' ') at += 1
       }
-      // An empty field follows the last separator.
+      // A line that ends with a separator has an empty last field.
       if (hasMore && separator !== ' ') fields.push({ text: '', isQuoted: false })
     }
     if (text[at] === '\r' && text[at + 1] === '\n') at += 1
@@ -103,7 +106,7 @@ export function* recordsOf(text: string, separator: Separator): Generator<TableR
   }
 }
 
-/** Reads numbers with a decimal point, or a decimal comma where commas separate no fields, but not with both. */
+/** Reads numbers with a decimal point, or a decimal comma unless commas separate fields. Mixing both is an error. */
 export class NumberReader {
   readonly #mayBeComma: boolean
   #mark = ''
@@ -112,13 +115,13 @@ export class NumberReader {
     this.#mayBeComma = separator === ';' || separator === '\t' || separator === '|'
   }
 
-  /** `undefined`: the field is no finite number, or has another decimal mark than the numbers before it. */
+  /** `undefined`: the field is not a finite number, or its decimal mark differs from earlier ones. */
   read({ text, isQuoted }: TableField): number | undefined {
     const isComma = (this.#mayBeComma || isQuoted) && DECIMAL_COMMA.test(text)
     const digits = isComma ? text.replace(',', '.') : text
     if (!NUMBER.test(digits)) return undefined
     const value = Number(digits)
-    // Beyond the range of a double, on either side.
+    // Rejects overflow and underflow.
     if (!Number.isFinite(value) || (value === 0 && /[1-9]/.test(digits.replace(/e.*/i, '')))) return undefined
     const mark = isComma ? ',' : digits.includes('.') ? '.' : ''
     if (mark !== '' && this.#mark !== '' && mark !== this.#mark) return undefined
@@ -127,7 +130,7 @@ export class NumberReader {
   }
 }
 
-/** Fields without the empty ones at the end. */
+/** Removes empty fields at the end. */
 export function filled(fields: readonly TableField[]): readonly TableField[] {
   let count = fields.length
   while (count > 0 && fields[count - 1]?.text === '') count -= 1

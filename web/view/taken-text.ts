@@ -2,7 +2,7 @@
 import type { Taken, Trial } from './protocol.ts'
 import { short } from './short.ts'
 
-/** So many circles are named from which most is taken. */
+/** Number of circles named in a text, the greatest losses first. */
 const MOST_NAMED = 8
 
 export function namedOf({ taken }: Trial): readonly Taken[] {

@@ -23,57 +23,57 @@ import { Failure, Superseded } from './refusal.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 import { svgPicture } from './svg-picture.ts'
 
-/** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
+/** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const REST = 80
 
-/** Transforms that enlarge by less leave the picture as it is; of larger ones it gets so many times as many pixels. */
+/** Transforms below this scale leave the resolution as it is; larger ones increase it. */
 const LEAST_ENLARGED = 1.05
 const MOST_SHARPENED = 4
 
 const notDrawn = () => new Failure((words) => words.notDrawn)
 
-/** What listeners are told. */
+/** The events of a view. */
 export interface ViewEvents {
-  /** What is known of the circles that stand out, whenever that has changed. */
+  /** The highlighted circles and their descriptions have changed. */
   readonly marked: Marks
-  /** What the layers show that depends on all circles, once it is known; `undefined`: it is no longer. */
+  /** The global results are known, or no longer valid (`undefined`). */
   readonly found: Found | undefined
-  /** Others are shown, or an end of the path was dragged. */
+  /** The layers have changed, or an end of the path was dragged. */
   readonly layers: Layers
   /** Whether anything of the diagram is drawn. */
   readonly diagram: boolean
   readonly camera: Camera
-  /** Colors may be others. */
+  /** The style may have changed. */
   readonly style: undefined
-  /** What the circle would take that is tried; `undefined`: none is. */
+  /** The effect of a previewed circle; `undefined` without a preview. */
   readonly tried: Trial | undefined
-  /** Circles were set, or edited. */
+  /** Circles were set or edited. */
   readonly changed: Edited
-  /** They could not be, and why: a `CircleVoronoiError`, or another one if the computer failed. */
+  /** A change was refused, with a `CircleVoronoiError`, or another error if the thread failed. */
   readonly refused: Error
-  /** Drawing has failed and goes on. `marks`: which circles stand out is not known any more. */
+  /** Drawing failed, and a new thread continues. `marks`: the highlights were dropped. */
   readonly failed: { readonly error: Error; readonly marks: boolean }
 }
 
-/** Circles that are selected: x, y, r each, and the box around them. */
+/** The selected circles, x, y and r each, and their bounding box. */
 export interface Chosen {
   readonly circles: Float64Array
   readonly box: Box
 }
 
-/** A part of the plane, and the size that it is drawn in. */
+/** A part of the plane, and the size in which to export it. */
 export interface Shot {
   readonly camera: Camera
   readonly size: Size
 }
 
-/** The corners of what is selected with a rubber band, in pixels. */
+/** The corners of a rubber band, in pixels. */
 export interface Band {
   readonly from: Point
   readonly to: Point
 }
 
-/** Circles and their diagram in an element of a page, moved and zoomed by a camera. */
+/** Shows circles and their diagram in an element of a page, seen by a camera. */
 export class View {
   readonly #container: HTMLElement
   readonly #base: HTMLCanvasElement
@@ -88,12 +88,12 @@ export class View {
   #rest: ReturnType<typeof setTimeout> | undefined
   #marks: Marks = { selected: undefined, hovered: undefined }
   #layers = DEFAULT_LAYERS
-  /** The scale of what is looked at, and of what the outlines of marked cells are for. */
+  /** The scale of the last paint request, and the scale of the highlighted outlines. */
   #lookedAt = 1
   #outlinedAt = 1
   #found: Found | undefined
   #touching: Touching | undefined
-  /** Where the pointer was when a disc was last asked for; what comes for another place is late. */
+  /** The position of the last request for a disc. Answers for older positions are ignored. */
   #touchedAt: Point | undefined
   #trial: Trial | undefined
   #lastTrial = 0
@@ -103,7 +103,7 @@ export class View {
   #above: readonly AboveLayer[] = []
   #baseChanged = false
   #overlayChanged = false
-  /** Whether there is nothing on the overlay: then it need not be cleared. */
+  /** Whether the overlay is empty and needs no clearing. */
   #isOverlayEmpty = true
   #isShown = true
   #scale = 1
@@ -124,7 +124,7 @@ export class View {
   readonly #ondispose: () => void
   readonly #watching = new AbortController()
 
-  /** `ondispose`: called when the view is disposed of. */
+  /** `ondispose` is called when the view is disposed of. */
   constructor(container: HTMLElement, painter: Painter, ondispose = () => {}) {
     this.#ondispose = ondispose
     container.classList.add('circle-voronoi')
@@ -135,7 +135,7 @@ export class View {
     this.#scene = painter.add({
       painted: (painted) => {
         this.#picture.put(painted)
-        // It was that of the circles before.
+        // The disc belonged to the former circles.
         if (painted.kind === 'edited') this.#touching = undefined
         this.#baseChanged = true
         this.#schedule()
@@ -161,9 +161,8 @@ export class View {
   }
 
   /**
-   * Other circles; circle i gets id i.
-   *
-   * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; then all stays as it was
+   * Replaces the circles; circle i gets id i.
+   * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; the view stays unchanged
    */
   setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited> {
     this.#picture.clear()
@@ -173,32 +172,31 @@ export class View {
       return edited
     })
     this.#see()
-    // What is there stays until there is more, but it is no longer all.
+    // The old pixels stay until new ones arrive, but the picture is incomplete.
     this.#schedule()
     return this.#told(opened)
   }
 
-  /** Ends the computation of circles that were set and are not there yet. False: there are none. */
+  /** Cancels the computation of new circles. Returns false if none is running. */
   cancel(): boolean {
     return this.#scene.cancel()
   }
 
   /**
-   * All or none of the edits, for the circles that are there now.
-   *
-   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded, if other circles come first. Then
-   *   all stays as it was
+   * Applies all edits or none to the current circles.
+   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
+   * opened first. The view stays unchanged
    */
   apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited> {
     return this.#told(this.#scene.edit(edits, change))
   }
 
-  /** The circles as they are after all edits that are done; another table for other circles. */
+  /** The circles after all finished edits. An opening creates a new table. */
   get circles(): CircleTable {
     return this.#scene.circles
   }
 
-  /** Has a function called with each event of a kind, and returns what ends that. */
+  /** Subscribes to an event, and returns a function that unsubscribes. */
   on<Name extends keyof ViewEvents>(name: Name, listener: (event: ViewEvents[Name]) => void): () => void {
     this.#listeners[name].add(listener)
     return () => this.#listeners[name].delete(listener)
@@ -227,21 +225,20 @@ export class View {
   }
 
   /**
-   * Asks the thread something about the circles. `undefined`: there is no answer, as the thread has failed, or as other circles
-   * have come that it was not about.
-   *
-   * @throws CircleVoronoiError that says why it cannot be answered
+   * Asks the thread a question. Resolves to `undefined` if the thread failed or the question's circles have been
+   * replaced.
+   * @throws CircleVoronoiError that says why there is no answer
    */
   ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
     return this.#scene.ask(name, ...args)
   }
 
-  /** What is drawn, unless only circles are (`hasDiagram`). */
+  /** The layers. They are not drawn if only circles are shown (`hasDiagram`). */
   get layers(): Layers {
     return this.#layers
   }
 
-  /** Whether anything of the diagram is drawn, or circles alone. */
+  /** Whether anything of the diagram is drawn besides circles. */
   get hasDiagram(): boolean {
     return this.#hasDiagram
   }
@@ -262,10 +259,9 @@ export class View {
   }
 
   /**
-   * Draws something else, or something more; layers that are not named stay.
-   *
-   * @throws CircleVoronoiError `badArgument`, if there is nothing that could be drawn of one, and what the browser throws of
-   *   something that it cannot send to a thread; then all stays as it was
+   * Changes some layers; the others stay.
+   * @throws CircleVoronoiError `badArgument` if a layer is invalid, and the browser's error if it cannot be sent to a
+   * thread. The layers stay unchanged
    */
   setLayers(change: Partial<Layers>): void {
     const layers = { ...this.#layers, ...change }
@@ -282,7 +278,7 @@ export class View {
     this.#overlayChanges()
   }
 
-  /** Shows the disc of the vertex or the point of an edge next to a point of the plane, if that layer is on. */
+  /** Shows the disc at the nearest vertex or point of an edge, if that layer is visible. */
   async touch(point: Point | undefined, slack: number): Promise<void> {
     this.#touchedAt = point
     const touching =
@@ -294,7 +290,7 @@ export class View {
     this.#overlayChanges()
   }
 
-  /** Shows what a circle would take that is not there, or no longer. */
+  /** Previews a new circle; `undefined` ends the preview. */
   async tryCircle(circle: Circle | undefined): Promise<void> {
     this.#lastTrial += 1
     const turn = this.#lastTrial
@@ -325,7 +321,7 @@ export class View {
     this.#tell('layers', this.#layers)
   }
 
-  /** What is seen, or another part, as the text of an SVG: without what is selected. */
+  /** Returns the visible part, or another one, as SVG text without selection. */
   async toSVG({ camera, size }: Shot = this): Promise<string> {
     const frame = { ...camera, ...size }
     const drawn = await this.#scene.ask('svg', frame, this.#style)
@@ -334,9 +330,8 @@ export class View {
   }
 
   /**
-   * The same as a PNG of `scale` pixels for each CSS pixel.
-   *
-   * @throws CircleVoronoiError `badArgument`, if no browser could draw it
+   * Returns the visible part, or another one, as a PNG of `scale` pixels per CSS pixel.
+   * @throws CircleVoronoiError `badArgument` if the picture is too large for browsers
    */
   async toPNG(scale = devicePixelRatio, { camera, size }: Shot = this): Promise<Blob> {
     const frame = pictureFrame(camera, size, scale)
@@ -350,26 +345,26 @@ export class View {
     return canvas.convertToBlob({ type: 'image/png' })
   }
 
-  /** What is seen as a film that goes on, without what stands out. */
+  /** Returns a video stream of the picture without highlights. */
   stream(): MediaStream {
     return this.#base.captureStream()
   }
 
-  /** Has one circle stand out, or none. */
+  /** Highlights one circle as selected, or none. */
   select(id: number | undefined): void {
     this.mark(id, undefined)
   }
 
-  /** Which circles stand out. */
+  /** Highlights the selected and the hovered circle. */
   mark(selected: number | undefined, hovered: number | undefined): void {
     this.#scene.mark(selected, hovered)
   }
 
-  /** Which circles are selected, as they are: they can be scaled by a handle, and of several each stands out. */
+  /** Shows the current selection with a resize handle. Several selected circles are highlighted each. */
   choose(circles: readonly Circle[]): void {
     const flat = Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
     const [first, ...others] = circles
-    // The handle of a point is beside it: its box is not the one that is fitted.
+    // A single point gets its own box for the handle, not the padded box of fitting.
     const box = first !== undefined && others.length === 0 ? boxOfCircle(first) : boundingBox(flat)
     this.#chosen = first && { circles: flat, box }
     this.#overlayChanges()
@@ -380,19 +375,19 @@ export class View {
     this.#overlayChanges()
   }
 
-  /** The corners of a polygon that is being drawn, x and y of each; the last one still moves. */
+  /** The corners of the polygon being drawn, x and y each. The last corner follows the pointer. */
   set sketch(sketch: Float64Array | undefined) {
     this.#sketch = sketch
     this.#overlayChanges()
   }
 
-  /** What else is drawn above the picture, from the lowest up: shown with the next frame, as nothing is painted anew. */
+  /** Additional layers above the picture, bottom first. They appear at the next frame without repainting. */
   set above(layers: readonly AboveLayer[]) {
     this.#above = layers
     this.#overlayChanges()
   }
 
-  /** What is scaled about, if the handle of the selected circles is at a pixel. */
+  /** The center of scaling, if the selection's handle is at a pixel. */
   handleAt(point: Point, slack: number): Point | undefined {
     if (this.#chosen === undefined) return undefined
     const { box } = this.#chosen
@@ -401,7 +396,7 @@ export class View {
     return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 }
   }
 
-  /** Whether it has pixels: one that nobody sees needs none. */
+  /** Whether the view has a visible size. */
   get isShown(): boolean {
     return this.#isShown
   }
@@ -413,7 +408,7 @@ export class View {
     this.#resize()
   }
 
-  /** Reads the style of the container again, after it has changed. */
+  /** Reads the container's style again after a change. */
   restyle(): void {
     this.#style = this.#readStyle()
     this.#picture.clear()
@@ -424,12 +419,12 @@ export class View {
 
   #readStyle(): Style {
     const style = readStyle(this.#container)
-    // For paper, which is light.
+    // Print styles use this attribute, because paper is light.
     this.#container.toggleAttribute('data-dark', isDark(style))
     return style
   }
 
-  /** Ends all that was asked; nothing is told of that, nor anything else. */
+  /** Ends all requests silently. */
   dispose(): void {
     for (const listeners of Object.values(this.#listeners)) listeners.clear()
     this.#observer.disconnect()
@@ -442,23 +437,26 @@ export class View {
     this.#overlay.remove()
   }
 
-  /** Paper has a size and a resolution of its own, and does not wait for a picture: it shows the screen's, scaled (theme.css). */
+  /**
+   * Prints the screen's picture scaled (theme.css), because printing does not wait for a picture in the paper's size
+   * and resolution.
+   */
   #sizeChanges(): void {
     if (!matchMedia('print').matches) this.#resize()
   }
 
-  /** Pixels of the screen for each CSS pixel of the container. */
+  /** Device pixels per CSS pixel of the container. */
   get #pixelRatio(): number {
     return devicePixelRatio * this.#scale
   }
 
-  /** How much a transform or a zoom around the container enlarges it. Pictures that are made smaller stay as they are. */
+  /** The scale of transforms and zoom around the container. Reductions keep the resolution. */
   #scaleOnScreen(): number {
     const scale = scaleOnScreen(this.#container)
     return scale > LEAST_ENLARGED ? Math.min(scale, MOST_SHARPENED) : 1
   }
 
-  /** Nothing tells of a transform: it is looked at whenever something is drawn, and where the window is another. */
+  /** Transforms cause no event, so the scale is checked at each drawing and when the window changes. */
   #checkScale(): void {
     if (matchMedia('print').matches) return
     const ratio = this.#scaleOnScreen() / this.#scale
@@ -506,7 +504,7 @@ export class View {
     this.#overlayChanged = false
   }
 
-  /** What stands out on the screen. On paper, nothing does. */
+  /** The highlights on screen. Paper shows none. */
   get #standingOut(): StandingOut {
     if (matchMedia('print').matches) return NOTHING_STANDS_OUT
     return {
@@ -537,14 +535,14 @@ export class View {
   }
 
   #aboveOf(standingOut: StandingOut): Above {
-    // Outlines of cells are cut to what was looked at. Seen far larger, they are too coarse.
+    // Outlines of cells were clipped to the old viewport, and are too coarse after zooming in.
     const enlarged = this.#camera.scale / this.#outlinedAt
     const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
     const marks = hasOutlines ? standingOut.marks : withoutCells(standingOut.marks)
     return { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
   }
 
-  /** Another thread draws from now on, without what may have been the cause. */
+  /** Continues with a new thread, without the possible cause of the failure. */
   #drawingFailed(error: Error, { marks, layers }: Lost): void {
     if (marks) this.#marks = { selected: undefined, hovered: undefined }
     if (layers) this.setLayers(DEFAULT_LAYERS)
@@ -567,7 +565,7 @@ export class View {
     for (const listener of this.#listeners[name]) listener(event)
   }
 
-  /** Tells what comes of edits as events, too. */
+  /** Reports the result of an edit as an event, too. */
   #told(edited: Promise<Edited>): Promise<Edited> {
     edited.then(
       (outcome) => this.#tell('changed', outcome),
@@ -578,10 +576,10 @@ export class View {
     return edited
   }
 
-  /** The scheme, the system's colors, style sheets and the pixels of the screen may be others later. */
+  /** Follows changes of the color scheme, system colors, style sheets and the screen's resolution. */
   #watchSurroundings(): void {
     const { signal } = this.#watching
-    // WebKit runs the modules of a page before its style sheets are there.
+    // WebKit may run modules before style sheets are loaded.
     const restyleBy = ({ target }: Event) => {
       if (target instanceof HTMLLinkElement && target.relList.contains('stylesheet')) this.restyle()
     }
@@ -589,9 +587,9 @@ export class View {
     for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
       matchMedia(query).addEventListener('change', () => this.restyle(), { signal })
     }
-    // Paper gets what is drawn by then.
+    // Printing shows the pixels painted so far.
     matchMedia('print').addEventListener('change', () => this.#drawOverlay(), { signal })
-    // Others that hear of the same may set a transform.
+    // Other listeners of the same event may set a transform first.
     const check = () => requestAnimationFrame(() => this.#checkScale())
     for (const name of ['resize', 'transitionend']) addEventListener(name, check, { signal })
     const watchPixels = () => {

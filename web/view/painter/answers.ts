@@ -13,7 +13,7 @@ import { touchingAround, touchingNear } from './touching.ts'
 import { traced } from './traced.ts'
 import { trialOf } from './trial.ts'
 
-/** What takes long is answered in steps. */
+/** Long answers are computed in steps. */
 export type Steps<Value> = () => Generator<void, Value>
 /** A function for each question. */
 type Answers = {
@@ -37,7 +37,7 @@ export const answers = {
     return id < 0 ? undefined : movedBy(touchingAround(diagram, diagram.indexOf(id), home.x, home.y), back)
   },
   try({ library, picture, nearest, outlineOf }, circle) {
-    // What a circle takes from its own images is not known beforehand.
+    // A circle may take area from its own images, which a preview does not cover.
     if (picture.torus !== undefined) return undefined
     const id = nearest(circle.x, circle.y)
     try {
@@ -82,7 +82,7 @@ function movedBy<Touched extends Touching | undefined>(touching: Touched, { x, y
   }
 }
 
-/** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
+/** Returns `undefined` if the picture exceeds the canvas size or the memory, so that other scenes continue. */
 function drawn<Drawn>(draw: () => Drawn): Drawn | undefined {
   try {
     return draw()

@@ -4,25 +4,25 @@ import { at } from '../../lib/base/diagram-data.ts'
 import type { Box } from '../../lib/index.ts'
 import { boxAt, clearBox, emptyBoxes } from './boxes.ts'
 
-/** So many boxes may have changed before the index of all is made anew. */
+/** Number of changed boxes after which the index is rebuilt. */
 const FEWEST_CHANGES = 2000
 const CHANGED_SHARE = 0.02
 
-/** Boxes by number, and which of them meet a box. They may change: those that did since the last packing are kept apart. */
+/** A spatial index of numbered boxes. Boxes that have changed since the last rebuild are searched linearly. */
 export class BoxIndex {
-  /** Room for more of them than there are; a box that is not there is empty. */
+  /** Grows ahead of the number of boxes. Missing boxes are empty. */
   #boxes: Float64Array
   #packed: Flatbush | undefined
   #isPacked = false
   #numbers = new Uint32Array()
   readonly #changed = new Set<number>()
 
-  /** Takes a list of boxes over (boxes.ts). */
+  /** Takes ownership of a list of boxes (boxes.ts). */
   constructor(boxes = emptyBoxes(0)) {
     this.#boxes = boxes
   }
 
-  /** Changes a box: `make` gets the list that has it, as an empty one, and its place there. */
+  /** Changes a box. `make` gets the list with an empty box, and its index. */
   set(number: number, make: (boxes: Float64Array, k: number) => void): void {
     if (4 * number >= this.#boxes.length) {
       const larger = emptyBoxes(2 * number + 16)
@@ -40,7 +40,7 @@ export class BoxIndex {
     this.#changed.add(number)
   }
 
-  /** An empty one, if there is none. */
+  /** Returns a box, empty if it is missing. */
   get(number: number): Box {
     return 4 * number < this.#boxes.length ? boxAt(this.#boxes, number) : boxAt(emptyBoxes(1), 0)
   }

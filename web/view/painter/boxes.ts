@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes in a list of numbers, four each: minX, minY, maxX, maxY. They are made for a million cells at once: without an object
-// for each.
+// Boxes in a flat list, four numbers each: minX, minY, maxX, maxY. A million cells would need too many objects.
 
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import { inPlane } from '../../lib/curves/bisector.ts'
@@ -14,10 +13,10 @@ export const EMPTY_BOX: Box = {
   maxY: Number.NEGATIVE_INFINITY,
 }
 
-/** Of what is smaller, squares may vanish. */
+/** Squares of smaller numbers may underflow. */
 const SMALLEST_SQUARE = 1e-280
 
-/** So many boxes, all empty. */
+/** A list of empty boxes. */
 export function emptyBoxes(count: number): Float64Array {
   const boxes = new Float64Array(4 * count)
   for (let k = 0; k < count; k++) clearBox(boxes, k)
@@ -31,7 +30,7 @@ export function clearBox(boxes: Float64Array, k: number): void {
   boxes[4 * k + 3] = Number.NEGATIVE_INFINITY
 }
 
-/** Box k, as an object. */
+/** Box k as an object. */
 export function boxAt(boxes: Float64Array, k: number): Box {
   return { minX: at(boxes, 4 * k), minY: at(boxes, 4 * k + 1), maxX: at(boxes, 4 * k + 2), maxY: at(boxes, 4 * k + 3) }
 }
@@ -45,7 +44,7 @@ export function union(a: Box, b: Box): Box {
   }
 }
 
-/** Has box k hold a rectangle by its middle and half of its sides: a circle with its radius for both. */
+/** Extends box k by a rectangle given by its middle and half of its sides. */
 export function addAround(boxes: Float64Array, k: number, x: number, y: number, width: number, height = width): void {
   boxes[4 * k] = Math.min(at(boxes, 4 * k), x - width)
   boxes[4 * k + 1] = Math.min(at(boxes, 4 * k + 1), y - height)
@@ -53,7 +52,7 @@ export function addAround(boxes: Float64Array, k: number, x: number, y: number, 
   boxes[4 * k + 3] = Math.max(at(boxes, 4 * k + 3), y + height)
 }
 
-/** Has box k hold box j of another list. */
+/** Extends box k by box j of another list. */
 export function addBox(boxes: Float64Array, k: number, others: Float64Array, j: number): void {
   boxes[4 * k] = Math.min(at(boxes, 4 * k), at(others, 4 * j))
   boxes[4 * k + 1] = Math.min(at(boxes, 4 * k + 1), at(others, 4 * j + 1))
@@ -62,10 +61,9 @@ export function addBox(boxes: Float64Array, k: number, others: Float64Array, j: 
 }
 
 /**
- * Has box k hold an edge, one that goes to infinity as far as `reach`.
- *
- * Along the line through the two centers an arc goes away from its apex, across it always on: it lies in the rectangle in
- * that direction that its ends and, if it is between them, its apex span.
+ * Extends box k by an edge, up to `reach` if the edge is unbounded.
+ * Along the line through the two centers an arc moves away from its apex; across the line it moves in one direction. It
+ * lies in the rectangle of that orientation that its ends span, together with its apex if the apex is between them.
  */
 export function addEdge(boxes: Float64Array, k: number, diagram: Diagram, edge: number, reach: number): void {
   const { circles, vertices, edges } = diagram
@@ -114,7 +112,7 @@ export function addEdge(boxes: Float64Array, k: number, diagram: Diagram, edge: 
   )
 }
 
-/** The same by the parameters of the curve, wherever its ends are. */
+/** Extends box k by an edge, using the parameters of its curve. */
 function addCurve(boxes: Float64Array, k: number, diagram: Diagram, edge: number, reach: number): void {
   const { bisector, from, to } = curveOf(diagram, edge)
   const { a, b, apex, unit } = bisector
@@ -131,13 +129,13 @@ function addCurve(boxes: Float64Array, k: number, diagram: Diagram, edge: number
   }
 }
 
-/** Has box k hold what of the cell of a circle on the hull lies between edges that go to infinity, as far as `reach`. */
+/** Extends box k by the part of a hull circle's cell that lies between its unbounded edges, up to `reach`. */
 export function addFarPart(boxes: Float64Array, k: number, diagram: Diagram, circle: number, reach: number): void {
   const { circles, cells } = diagram
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)
   const sides = cells.sides(circle)
-  // A circle without sides has the whole plane.
+  // A visible circle whose cell has no sides owns the whole plane.
   if (sides.length === 0 && cells.exists(circle)) addAround(boxes, k, x, y, reach)
   sides.forEach((side, place) => {
     if (cells.targetOf(side) !== NONE) return
@@ -157,14 +155,14 @@ const AXES = [
   { x: 0, y: -1 },
 ] as const
 
-/** Where a side goes that ends at infinity. */
+/** The direction of a side that ends at infinity. */
 function farDirection(diagram: Diagram, side: number): Point {
   const { a, b, along, across } = curveOf(diagram, side >> 1).bisector
   const v = side & 1 ? -b : b
   return { x: v * across.x - Math.abs(a) * along.x, y: v * across.y - Math.abs(a) * along.y }
 }
 
-/** By how much one direction has to turn left to be another, from 0 to 2 pi. */
+/** The counter-clockwise angle from one direction to another, from 0 to 2 pi. */
 function turnBetween(from: Point, to: Point): number {
   const angle = Math.atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y)
   return angle < 0 ? angle + 2 * Math.PI : angle

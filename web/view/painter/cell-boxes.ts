@@ -3,7 +3,7 @@ import { at } from '../../lib/base/diagram-data.ts'
 import type { Diagram } from '../../lib/index.ts'
 import { addAround, addBox, addEdge, addFarPart, clearBox, emptyBoxes } from './boxes.ts'
 
-/** Adds a circle and its cell, as far as `reach`. */
+/** Extends a box by a circle and its cell, up to `reach`. */
 export function addCell(boxes: Float64Array, k: number, diagram: Diagram, i: number, reach: number): void {
   const { circles, cells } = diagram
   addAround(boxes, k, at(circles, 3 * i), at(circles, 3 * i + 1), at(circles, 3 * i + 2))
@@ -11,7 +11,7 @@ export function addCell(boxes: Float64Array, k: number, diagram: Diagram, i: num
   addFarPart(boxes, k, diagram, i, reach)
 }
 
-/** Boxes around all circles and their cells, by the circles' ids: that of each edge is made once, for both of its cells. */
+/** The bounding boxes of circles with their cells, by id. Each edge is measured once for both of its cells. */
 export function cellBoxes(diagram: Diagram, reach: number): Float64Array {
   const { circles, edges } = diagram
   const boxes = emptyBoxes(idCount(diagram))
@@ -29,12 +29,12 @@ export function cellBoxes(diagram: Diagram, reach: number): Float64Array {
   return boxes
 }
 
-/** Adds the center of a circle and those of its neighbors. */
+/** Extends a box by the centers of a circle and its neighbors. */
 export function addStar(boxes: Float64Array, k: number, diagram: Diagram, i: number): void {
   for (const j of [i, ...diagram.neighbors(i)]) addCenter(boxes, k, diagram, j)
 }
 
-/** Boxes around each circle's center and those of its neighbors, by the circles' ids. */
+/** The bounding boxes of the centers of each circle and its neighbors, by id. */
 export function starBoxes(diagram: Diagram): Float64Array {
   const { circles, edges } = diagram
   const boxes = emptyBoxes(idCount(diagram))
@@ -50,7 +50,7 @@ function addCenter(boxes: Float64Array, k: number, { circles }: Diagram, i: numb
   addAround(boxes, k, at(circles, 3 * i), at(circles, 3 * i + 1), 0)
 }
 
-/** Of a diagram that is no snapshot of an editor, indices are the ids. */
+/** A diagram that is not an editor's snapshot uses indices as ids. */
 export function idOf({ numbers }: Diagram, i: number): number {
   return numbers === undefined ? i : at(numbers.circles, i)
 }

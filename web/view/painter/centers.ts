@@ -5,10 +5,10 @@ import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import { idOf } from './cell-boxes.ts'
 import { type Difference, Picture } from './picture.ts'
 
-/** The Voronoi diagram of the circles' centers, which follows that of the circles: an editor of points. */
+/** The Voronoi diagram of the circles' centers, kept up to date by an editor of points. */
 export class Centers {
   readonly picture: Picture
-  /** Of each circle's id that of its center. */
+  /** Maps each circle's id to the id of its center. */
   readonly #ids = new Map<number, number>()
 
   constructor(library: ComputingLibrary, diagram: Diagram) {

@@ -4,7 +4,7 @@ import { fewCircles } from '../../lib/regions/few-circles.ts'
 import type { Region } from '../../lib/regions/region.ts'
 import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 
-/** The region of a scene, and what cells are inside it. */
+/** The region of a scene, and the parts of cells inside it. */
 export class Clip {
   readonly region: Region
   readonly #library: ComputingLibrary
@@ -14,23 +14,23 @@ export class Clip {
     this.region = region
   }
 
-  /** The area of a cell inside. It takes no longer in a large diagram. */
+  /** The area of a cell inside the region, in time independent of the size of the diagram. */
   areaOf(diagram: Diagram, i: number): number {
     return this.#ofEach(diagram, [i], (few, k) => few.cellArea(k, { region: this.region }))[0] ?? 0
   }
 
-  /** The perimeter of a cell inside. */
+  /** The perimeter of a cell inside the region. */
   perimeterOf(diagram: Diagram, i: number): number {
     return this.#ofEach(diagram, [i], (few, k) => few.cellPerimeter(k, { region: this.region }))[0] ?? 0
   }
 
-  /** Draws the cells of circles inside. */
+  /** Draws the cells of circles inside the region. */
   drawCells(context: PathSink, diagram: Diagram, circles: readonly number[], tolerance: number): void {
     const { region } = this
     this.#ofEach(diagram, circles, (few, k) => few.cellPath(k, { context, region, tolerance }))
   }
 
-  /** Calls `use` for each cell that there is, with a diagram of few circles in which the cell is the same. */
+  /** Calls `use` for each existing cell, with a small diagram in which the cell is the same. */
   #ofEach<Value>(diagram: Diagram, circles: readonly number[], use: (few: Diagram, k: number) => Value): Value[] {
     const { circles: some, chosen } = fewCircles(
       diagram,

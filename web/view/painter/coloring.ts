@@ -5,13 +5,12 @@ import { MAP_COLORS } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 
 /**
- * A color for each cell that none of its neighbors has, one of six.
- *
- * The cells and who borders on whom are a planar graph. So is each part of it, and each has a cell with at most five
- * neighbors: taken away one after the other and put back in reverse, each finds a color that none of these five has.
+ * Colors cells with six colors so that neighbors differ.
+ * The adjacency graph of cells is planar, and so is each of its subgraphs; each has a cell with at most five neighbors.
+ * If such cells are removed one by one and colored in reverse order, a color is free for each.
  */
 export class Coloring {
-  /** By the circles' ids. */
+  /** The colors by circle id. */
   #colors: Uint8Array
 
   constructor(diagram: Diagram) {
@@ -23,8 +22,8 @@ export class Coloring {
   }
 
   /**
-   * Follows a change to cells, which are told by their ids, and returns those that have another color. `undefined`: all were
-   * colored anew.
+   * Applies a change of cells, given by their ids. Returns the ids of cells with another color; `undefined` if all were
+   * recolored.
    */
   follow(diagram: Diagram, changed: Iterable<number>): number[] | undefined {
     const recolored: number[] = []
@@ -63,7 +62,7 @@ export class Coloring {
 
 const UNCOLORED = 255
 
-/** A color that is not taken, the first one from `from` on: all are used about as often. */
+/** The first free color from `from` on, so that all colors are used about equally often. */
 function freeColor(taken: number, from: number): number | undefined {
   for (let k = 0; k < MAP_COLORS; k++) {
     const color = (from + k) % MAP_COLORS
@@ -89,7 +88,7 @@ function colored(diagram: Diagram): Uint8Array {
   return byId
 }
 
-/** All circles, each with the fewest neighbors of those that come no earlier. */
+/** The smallest-last order: each circle has the fewest neighbors among itself and all circles before it. */
 function smallestLast(diagram: Diagram): Int32Array {
   const count = diagram.circles.length / 3
   const degrees = new Int32Array(count)
@@ -103,7 +102,7 @@ function smallestLast(diagram: Diagram): Int32Array {
     }
   }
   for (let i = 0; i < count; i++) eachNeighbor(i, () => (degrees[i] as number)++)
-  // A stack for each degree; who has another degree by now, or is out, is passed over.
+  // One stack for each degree. Entries with an outdated degree and removed circles are skipped.
   const stacks: number[][] = []
   const push = (i: number) => {
     const degree = at(degrees, i)

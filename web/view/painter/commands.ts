@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { PathSink } from '../../lib/index.ts'
 
-/** The numbers after a command: moveTo, lineTo, bezierCurveTo, closePath. */
+/** The number of coordinates of each command: moveTo, lineTo, bezierCurveTo, closePath. */
 const LENGTHS = [2, 2, 6, 0] as const
 
-/** What is drawn, as numbers: each command, 0 to 3, and its coordinates. Outlines have no arcs of circles. */
+/**
+ * Encodes a drawing as numbers: each command, 0 to 3, followed by its coordinates. Outlines contain no circular arcs.
+ */
 export function commandsOf(draw: (sink: PathSink) => void): Float64Array {
   const numbers: number[] = []
   draw({
@@ -17,7 +19,7 @@ export function commandsOf(draw: (sink: PathSink) => void): Float64Array {
   return Float64Array.from(numbers)
 }
 
-/** Draws commands. */
+/** Draws encoded commands. */
 export function replay(commands: Float64Array, sink: PathSink): void {
   let k = 0
   while (k < commands.length) {

@@ -2,15 +2,15 @@
 import type { PathSink } from '../../lib/index.ts'
 import type { Frame } from './frame.ts'
 
-/** Beyond this radius, in pixels, single precision shows in the arcs of a canvas. */
+/** Radius in pixels above which the single precision of canvas arcs becomes visible. */
 const LARGEST_ARC = 4096
-/** How many cubic curves the seen part of a large circle takes: each turns by less than 0.1. */
+/** Number of cubic curves for the visible part of a large circle. Each turns by less than 0.1. */
 const PIECES = 8
 const FULL_TURN = 2 * Math.PI
 
 /**
- * Adds a circle to a path: center in pixels from the top left of the frame, which may be far outside. Of a large one only
- * what can be seen in the frame is there, as a curve that goes around outside of it: right to fill, and to stroke.
+ * Adds a circle to a path. The center is in pixels from the frame's top left, and may be far outside. Of a large circle
+ * only the visible part is exact; a curve outside the frame closes it, so that fill and stroke look right.
  */
 export function addDisc(path: PathSink, { width, height }: Frame, x: number, y: number, radius: number): void {
   if (radius <= LARGEST_ARC) {
@@ -22,7 +22,7 @@ export function addDisc(path: PathSink, { width, height }: Frame, x: number, y: 
   const toMiddleY = height / 2 - y
   const distance = Math.hypot(toMiddleX, toMiddleY)
   const seen = Math.hypot(width, height)
-  // The rim nearest to the middle, seen from there.
+  // The point of the rim nearest to the middle of the frame.
   if (distance - radius > seen) return
   if (radius - distance > seen) {
     path.moveTo(-seen, -seen)
@@ -41,7 +41,7 @@ export function addDisc(path: PathSink, { width, height }: Frame, x: number, y: 
   path.closePath()
 }
 
-/** Adds what can be seen of an arc to a path, by growing angles as the canvas has them, clockwise. */
+/** Adds the visible part of an arc to a path. Angles increase clockwise, as on a canvas. */
 export function addArc(
   path: PathSink,
   frame: Frame,
@@ -62,7 +62,7 @@ export function addArc(
   if (Math.abs(Math.hypot(toMiddleX, toMiddleY) - radius) > seen) return
   const half = (2 * seen) / radius
   const middle = Math.atan2(toMiddleY, toMiddleX)
-  // The turn from where the arc begins to the middle of what is seen, also where that comes just before it.
+  // The angle from the arc's start to the middle of the visible part, which may lie just before the start.
   const toMiddle = (((middle - from) % FULL_TURN) + FULL_TURN) % FULL_TURN
   for (const offset of [toMiddle, toMiddle - FULL_TURN]) {
     const first = Math.max(offset - half, 0)
@@ -71,7 +71,7 @@ export function addArc(
   }
 }
 
-/** As cubic curves: single precision is enough for points that are near. */
+/** Nearby points of cubic curves are precise enough in single precision. */
 function traceArc(path: PathSink, x: number, y: number, radius: number, first: number, last: number): void {
   const step = (last - first) / PIECES
   const handle = (4 / 3) * Math.tan(step / 4) * radius

@@ -3,12 +3,12 @@ import type { Distribution } from '../protocol.ts'
 import type { Picture } from './picture.ts'
 
 const CLASSES = 32
-/** Larger areas than this share of them are in the last class. */
+/** Share of the areas below the last class. The last class contains all larger ones. */
 const LARGEST_SHARE = 0.92
-/** So many cells are measured before others may do something. */
+/** Number of cells measured before the generator yields. */
 const CELLS_AT_ONCE = 64
 
-/** How the cells of a picture are distributed: in steps, between which it may change. */
+/** Computes the distribution of cells in steps. The picture may change between steps. */
 export function* distributionOf(picture: Picture): Generator<void, Distribution> {
   const { diagram } = picture
   const measures = picture.areas()
@@ -16,7 +16,7 @@ export function* distributionOf(picture: Picture): Generator<void, Distribution>
     measures.valueOf(i)
     if (i % CELLS_AT_ONCE === 0) yield
   }
-  // What has changed meanwhile is measured once more.
+  // Measures cells again that have changed since.
   const { cells } = diagram
   const degrees: number[] = []
   const areas: number[] = []

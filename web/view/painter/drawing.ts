@@ -2,17 +2,17 @@
 
 import type { PathSink } from '../../lib/index.ts'
 
-/** What pictures are drawn on, in pixels: a canvas, or the text of an SVG. */
+/** The target of a picture, in pixels: a canvas, or the text of an SVG. */
 export interface Drawing {
-  /** A path of this drawing, without anything yet. */
+  /** Creates an empty path. */
   path(): PathSink
-  /** Covers all of it. */
+  /** Fills the whole drawing. */
   cover(color: string): void
   fill(path: PathSink, color: string, opacity?: number): void
   stroke(path: PathSink, color: string, width: number, dash?: readonly number[], opacity?: number): void
-  /** From now on, only what lies inside a path is drawn; `undefined`: everything. */
+  /** Limits all further drawing to the inside of a path; `undefined` removes the limit. */
   clip(path: PathSink | undefined): void
-  /** A word in the middle of a place, `size` high, with a rim of another color so that it is read on anything. */
+  /** Writes centered text of height `size`, with an outline that keeps it readable on any background. */
   write(text: string, x: number, y: number, size: number, color: string, rim: string): void
 }
 

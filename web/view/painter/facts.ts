@@ -7,7 +7,7 @@ import type { CellFacts, Facts } from '../protocol.ts'
 import { cellArea } from './measures.ts'
 import type { Picture } from './picture.ts'
 
-/** What is so of a diagram and of the cells of circles, by their ids. */
+/** Counts of a diagram, and descriptions of some cells by circle id. */
 export function factsOf(
   picture: Pick<Picture, 'diagram' | 'clip'>,
   counts: DiagramCounts,

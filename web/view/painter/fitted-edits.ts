@@ -10,19 +10,18 @@ import type { Shares } from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import { idOf } from './cell-boxes.ts'
 
-/** Nobody sees a smaller error. Where pieces of a region are far apart, rounding of the weights alone makes 1e-8. */
+/** Smaller errors are invisible. If a region has distant parts, rounding of weights alone causes errors of 1e-8. */
 const TOLERANCE = 1e-6
-/** With more, nobody would wait for the end. */
+/** More circles would take too long to fit. */
 const MOST_FITTED = 10_000
 
-/** A region, and what fits areas to it. */
+/** A region, and the function that fits areas to it. */
 export interface Fitting extends Pick<Regions, 'fitAreas'> {
   readonly region: Region
 }
 
 /**
- * The radii with which each circle's cell has its share of a region; `shares`: of each, NaN where it is the mean.
- *
+ * The radii for which each circle's cell has its share of a region. In `shares`, NaN stands for the mean.
  * @throws CircleVoronoiError as `fitAreas`
  */
 export function fitted({ region, fitAreas }: Fitting, circles: Float64Array, shares: readonly number[]): AreaFit {
@@ -34,8 +33,7 @@ export function fitted({ region, fitAreas }: Fitting, circles: Float64Array, sha
 }
 
 /**
- * Edits that do what some edits do, and give all circles the radii with which their cells have their shares.
- *
+ * Extends edits so that all circles get the radii for which their cells have their shares.
  * @throws CircleVoronoiError as `fitAreas`
  */
 export function fittedEdits(
@@ -60,7 +58,7 @@ export function fittedEdits(
       else if (sites.has(edit.id)) sites.set(edit.id, site)
     }
   }
-  // The same sites in the same order, whatever was edited before.
+  // Sorts sites by id, so that results do not depend on the history of edits.
   const ids = [...sites.keys()].sort((one, other) => one - other)
   const all = [...ids.map((id) => sites.get(id) as readonly [number, number, number]), ...added]
   if (all.length === 0) return { edits, fit: undefined }
@@ -81,7 +79,7 @@ export function fittedEdits(
       ...changed,
       ...edits.flatMap((edit): Edit[] => {
         if (edit.kind === 'insert') return [{ kind: 'insert', circle: fittedCircle(k++) }]
-        // Of a circle that is not there, the editor says so.
+        // The editor reports edits of missing circles.
         return edit.kind === 'remove' || !before.has(edit.id) ? [edit] : []
       }),
     ],

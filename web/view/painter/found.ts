@@ -15,7 +15,7 @@ import { commandsOf } from './commands.ts'
 import type { Picture } from './picture.ts'
 import { touching } from './touching.ts'
 
-/** What the layers show that depends on all circles. What goes to infinity goes as far as the picture does. */
+/** Computes the visible layers that depend on all circles. Unbounded parts extend as far as the picture. */
 export function found({ diagram, reach, layers, method }: Picture, tolerance: number): Found {
   const largest = layers.largestDisc && diagram.circles.length > 0 ? largestEmptyDiscCenteredInHull(diagram) : undefined
   return {
@@ -35,7 +35,10 @@ export function found({ diagram, reach, layers, method }: Picture, tolerance: nu
   }
 }
 
-/** For each arc its circle's x, y and radius, the angle where it begins, its turn, and the start of the next arc. */
+/**
+ * The hull's arcs as numbers: for each the circle's x, y and radius, the start angle, the turn, and the start of the
+ * next arc.
+ */
 function hullOf(diagram: Diagram): Float64Array {
   const { arcs } = convexHull(diagram)
   return Float64Array.from(
@@ -65,7 +68,7 @@ function pathOf(diagram: Diagram, from: Point, to: Point, tolerance: number, rea
   return { clearance, outline }
 }
 
-/** Straight away from the center of the nearest circle. */
+/** A distant point in the direction away from the nearest circle's center. */
 function farFrom(diagram: Diagram, { x, y }: Point, reach: number): Point {
   const nearest = circleAt(diagram.circles, diagram.find(x, y))
   const [dx, dy] = [x - nearest.x, y - nearest.y]
@@ -73,13 +76,13 @@ function farFrom(diagram: Diagram, { x, y }: Point, reach: number): Point {
   return distance === 0 ? { x: x + reach, y } : { x: x + (reach * dx) / distance, y: y + (reach * dy) / distance }
 }
 
-/** A part of the path; `comesBack`: from infinity, where the one before leads to. */
+/** A part of the path. `comesBack` means that it returns from infinity, where the previous part ended. */
 interface Stretch {
   readonly arc: BoundedCurve
   readonly comesBack: boolean
 }
 
-/** Edges one after the other, the first from a point on it, the last up to one; to infinity as far as `reach`. */
+/** Traces consecutive edges, from a point on the first to a point on the last. Unbounded edges extend to `reach`. */
 function arcsAlong(
   diagram: Diagram,
   edges: readonly number[],
@@ -113,12 +116,12 @@ function arcsAlong(
   })
 }
 
-/** The vertex from which a path takes its first edge, or `NONE`: infinity. */
+/** The vertex at which a path enters its first edge, or `NONE` for infinity. */
 function firstNode(diagram: Diagram, edges: readonly number[], entry: Point | undefined): number {
   const [first, second] = edges
   if (first === undefined || entry === undefined) return NONE
   const [start, end] = endsOf(diagram, first)
-  // It leaves by the end that the next edge has, too, or else to infinity.
+  // The path leaves through the vertex shared with the next edge, or else to infinity.
   const leaves = second === undefined ? end === NONE : endsOf(diagram, second).includes(end)
   return leaves ? start : end
 }

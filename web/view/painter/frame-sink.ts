@@ -2,17 +2,17 @@
 import type { PathSink } from '../../lib/index.ts'
 import type { Frame } from './frame.ts'
 
-/** Browsers take minutes to draw a curve that reaches farther than this, in pixels. */
+/** Browsers take minutes for curves with larger coordinates, in pixels. */
 const FARTHEST = 2 ** 17
-/** Wider than any stroke, in pixels. */
+/** Larger than the width of any stroke, in pixels. */
 const MARGIN = 256
-/** Enough to halve any finite number until it is near. */
+/** Enough halvings to bring any finite number near the frame. */
 const MOST_HALVES = 1200
 
 /**
- * Takes a path in the plane and draws it in the pixels of a frame. What a canvas is given has single precision: numbers
- * are seen from the middle of the frame, in doubles, before it gets them. The plane is y-up, the frame y-down. Parts far
- * from the frame are cut off. The frame shows the same pixels, filled or stroked.
+ * Transforms a path from the plane to pixels of a frame. Canvases have single precision, so coordinates are first made
+ * relative to the middle of the frame in doubles. The plane is y-up, the frame y-down. Distant parts are cut off
+ * without changing the visible pixels of fills and strokes.
  */
 export class FrameSink implements PathSink {
   readonly path: PathSink
@@ -25,7 +25,7 @@ export class FrameSink implements PathSink {
   #atX = 0
   #atY = 0
 
-  /** `path`: in pixels. */
+  /** `path` is in pixels. */
   constructor(frame: Frame, path: PathSink) {
     this.path = path
     this.#frame = frame
@@ -60,7 +60,7 @@ export class FrameSink implements PathSink {
   }
 
   arc(x: number, y: number, radius: number, startAngle: number, endAngle: number, counterclockwise = false): void {
-    // Upside down angles change their sign, and with it the sense of rotation.
+    // Flipping y changes the sign of angles and the sense of rotation.
     this.path.arc(this.x(x), this.y(y), radius * this.#frame.scale, -startAngle, -endAngle, !counterclockwise)
     this.#atX = this.x(x + radius * Math.cos(endAngle))
     this.#atY = this.y(y + radius * Math.sin(endAngle))
@@ -82,8 +82,8 @@ export class FrameSink implements PathSink {
   }
 
   /**
-   * Draws a cubic curve. It is halved until each part is near the frame, or beyond one of its sides. A part beyond a side
-   * becomes a line whose ends are moved near: they stay beyond the same side.
+   * Draws a cubic curve, halved until each part is near the frame or beyond one of its sides. A part beyond a side
+   * becomes a line between clamped ends, which stay beyond the same side.
    */
   #curve(
     x0: number,
@@ -115,17 +115,17 @@ export class FrameSink implements PathSink {
   }
 }
 
-/** Whether no coordinate is too far for browsers. */
+/** Whether all coordinates are small enough for browsers. */
 function isNear(a: number, b: number, c: number, d: number): boolean {
   return Math.abs(a) <= FARTHEST && Math.abs(b) <= FARTHEST && Math.abs(c) <= FARTHEST && Math.abs(d) <= FARTHEST
 }
 
-/** Whether all coordinates are beyond the same side of a frame that has them from 0 to `size`. */
+/** Whether all coordinates lie on the same side of the interval from 0 to `size`. */
 function isBeyond(a: number, b: number, c: number, d: number, size: number): boolean {
   return Math.max(a, b, c, d) < -MARGIN || Math.min(a, b, c, d) > size + MARGIN
 }
 
-/** The nearest coordinate that is not too far for browsers. */
+/** Clamps a coordinate to the range that browsers handle. */
 function nearest(value: number): number {
   return Math.min(Math.max(value, -FARTHEST), FARTHEST)
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { ConvexPolygon } from '../../lib/regions/convex-polygon.ts'
 
-/** A rectangle of the plane and the pixels it is drawn on. */
+/** A rectangle of the plane with the pixels that it is drawn on. */
 export interface Frame {
-  /** The plane's point in its middle. */
+  /** The point of the plane in the middle of the frame. */
   readonly x: number
   readonly y: number
   /** Device pixels per unit. */
@@ -13,18 +13,18 @@ export interface Frame {
   readonly height: number
 }
 
-/** What lies so far outside, in device pixels, is not drawn; the outlines of cells run along that border. */
+/** Drawing is cut off this far outside the frame, in device pixels. Clipped cells have outlines along this border. */
 const MARGIN = 4
 
-/** How far a drawn curve may be from the true one, in device pixels. */
+/** Tolerance for curves, in device pixels. */
 const TOLERANCE = 0.05
 
-/** The same in the units of the plane. */
+/** The tolerance in units of the plane. */
 export function toleranceOf({ scale }: Pick<Frame, 'scale'>): number {
   return TOLERANCE / scale
 }
 
-/** The part of the plane that a frame shows, with a margin in which the ends of strokes are. */
+/** The visible part of the plane, with a margin that hides the ends of strokes. */
 export function regionOf({ x, y, scale, width, height }: Frame): ConvexPolygon {
   const halfWidth = (width / 2 + MARGIN) / scale
   const halfHeight = (height / 2 + MARGIN) / scale

@@ -3,12 +3,12 @@ import type { Box } from '../../lib/index.ts'
 import { type Grid, type PixelBox, TILE } from '../protocol.ts'
 import type { Frame } from './frame.ts'
 
-/** The plane seen in a part of a grid. */
+/** The frame of a box of pixels of a grid. */
 export function frameOf({ x, y, scale }: Grid, { left, top, width, height }: PixelBox): Frame {
   return { x: x + (left + width / 2) / scale, y: y - (top + height / 2) / scale, scale, width, height }
 }
 
-/** The pixels of a box in the plane, and `margin` more on each side. */
+/** The pixels that cover a box of the plane, with a margin on each side. */
 export function pixelsOf({ x, y, scale }: Grid, { minX, minY, maxX, maxY }: Box, margin: number): PixelBox {
   const left = Math.floor((minX - x) * scale - margin)
   const top = Math.floor((y - maxY) * scale - margin)
@@ -20,7 +20,7 @@ export function pixelsOf({ x, y, scale }: Grid, { minX, minY, maxX, maxY }: Box,
   }
 }
 
-/** What two boxes have in common, if anything. */
+/** The intersection of two boxes, if they meet. */
 export function intersection(a: PixelBox, b: PixelBox): PixelBox | undefined {
   const left = Math.max(a.left, b.left)
   const top = Math.max(a.top, b.top)
@@ -29,7 +29,7 @@ export function intersection(a: PixelBox, b: PixelBox): PixelBox | undefined {
   return width > 0 && height > 0 ? { left, top, width, height } : undefined
 }
 
-/** Boxes that cover all of some boxes, no pixel twice: those that overlap become the one around both. */
+/** Merges overlapping boxes until no two overlap. */
 export function apart(boxes: readonly PixelBox[]): PixelBox[] {
   const covered: PixelBox[] = []
   for (let box of boxes) {
@@ -38,7 +38,7 @@ export function apart(boxes: readonly PixelBox[]): PixelBox[] {
       if (intersection(box, other) === undefined) continue
       covered.splice(k, 1)
       box = around(box, other)
-      // It may meet those before, now.
+      // The enlarged box may now overlap earlier ones.
       k = -1
     }
     covered.push(box)
@@ -53,7 +53,7 @@ function around(a: PixelBox, b: PixelBox): PixelBox {
   return { left, top, width, height }
 }
 
-/** The squares of the grid that a box meets. */
+/** The tiles of the grid that a box meets. */
 export function tilesOf({ left, top, width, height }: PixelBox): PixelBox[] {
   const tiles: PixelBox[] = []
   for (let y = Math.floor(top / TILE); y * TILE < top + height; y++) {

@@ -11,33 +11,33 @@ import { MAP_COLORS, SHADES } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 import type { Clip } from './clip.ts'
 
-/** Where so many areas inside a region are missing, all are found at once. */
+/** Number of missing areas from which all areas inside a region are computed together. */
 const MOST_ALONE = 32
-/** So many cells say which are the small ones. */
+/** Size of the sample that determines quantiles. */
 const MOST_SAMPLES = 2000
-/** What the beginning, the quarters and the end of the ramp stand for: a few outliers do not take most of it. */
+/** Quantiles at the beginning, the quarters and the end of the color ramp. Outliers share the end colors. */
 const SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
-/** Numbers of neighbors that differ in color. */
+/** Numbers of neighbors with a color each. */
 const DEGREES = [4, 5, 6, 7, 8]
 
 /**
- * The shades of circles by a measure. The ramp goes evenly from one quartile to the next, so that it is used whatever the
- * distribution; equal measures have one shade.
+ * Maps a measure to shades. The ramp is linear between quantiles, so that all shades are used for any distribution.
+ * Equal values have equal shades.
  */
 export class Measures {
   readonly measure: Measure | 'column'
-  /** The values, if a client gives them. */
+  /** The values of a client, if any. */
   readonly #column: CellValues | undefined
   readonly #diagram: Diagram
   readonly #clip: Clip | undefined
-  /** How many areas inside a region are not known, at most. */
+  /** Upper limit for the number of unknown areas inside a region. */
   #missing: number
   #knots: readonly number[] | undefined
   #isClipped = true
-  /** What takes long to find, by the circles' ids. */
+  /** Caches expensive values by circle id. */
   #known = new Float64Array()
 
-  /** `clip`: what of a cell has an area. `column`: the values of the measure of that name. */
+  /** `clip` limits the measured part of a cell. `column` gives the values of the measure `column`. */
   constructor(measure: Measure | 'column', diagram: Diagram, clip?: Clip, column?: CellValues) {
     this.measure = measure
     this.#column = column
@@ -46,7 +46,7 @@ export class Measures {
     this.#missing = clip === undefined ? 0 : diagram.circles.length / 3
   }
 
-  /** What the shades mean. They stay the same while circles are edited. */
+  /** The meaning of the shades. It stays fixed while circles are edited. */
   get legend(): Legend {
     const { name, categories } = this.#column ?? {}
     const knots = categories === undefined ? this.#knotsNow : []
@@ -56,7 +56,7 @@ export class Measures {
     }
   }
 
-  /** From 0 to `SHADES` - 1, or the color of a category. Of an area without end, which is not the largest, `NONE`. */
+  /** A shade from 0 to `SHADES` - 1, or the color of a category. An infinite area has `NONE`. */
   shadeOf(i: number): number {
     const value = this.valueOf(i)
     if (Number.isNaN(value) || value === Number.POSITIVE_INFINITY) return NONE
@@ -69,7 +69,7 @@ export class Measures {
     return this.#knots
   }
 
-  /** Of a circle by its index. */
+  /** The value of the circle with an index. */
   valueOf(i: number): number {
     const diagram = this.#diagram
     if (this.#column !== undefined) return this.#column.values[idOf(diagram, i)] ?? Number.NaN
@@ -102,7 +102,7 @@ export class Measures {
     }
   }
 
-  /** Circles by their ids whose cells have changed. */
+  /** Drops cached values of circles whose cells have changed, by id. */
   forget(ids: Iterable<number>): void {
     for (const id of ids) {
       this.#missing += 1
@@ -110,12 +110,12 @@ export class Measures {
     }
   }
 
-  /** Of so many circles one says which are the small ones. */
+  /** The sample takes one circle in each step. */
   get #step(): number {
     return Math.max(Math.ceil(this.#diagram.circles.length / 3 / MOST_SAMPLES), 1)
   }
 
-  /** Of cells that there are and that have an end. */
+  /** The quantiles over existing, bounded cells. */
   #quantiles(): number[] {
     const { circles, cells } = this.#diagram
     const step = this.#step
@@ -130,7 +130,10 @@ export class Measures {
   }
 }
 
-/** Where a value lies among ascending ones, from 0 to 1: evenly between two, in the middle of those that it equals. */
+/**
+ * The position of a value among ascending knots, from 0 to 1: linear between two knots, and in the middle of equal
+ * knots.
+ */
 export function placeAmong(knots: readonly number[], value: number): number {
   const last = knots.length - 1
   const below = knots.filter((knot) => knot < value).length
@@ -142,7 +145,7 @@ export function placeAmong(knots: readonly number[], value: number): number {
   return (below - 1 + (value - low) / (high - low)) / last
 }
 
-/** The area of a cell; infinite, if it goes to infinity; 0 if there is none. */
+/** The area of a cell: infinite if it is unbounded, 0 if it does not exist. */
 export function cellArea({ cells }: Diagram, i: number): number {
   if (!cells.exists(i)) return 0
   if (!cells.isBounded(i)) return Number.POSITIVE_INFINITY
@@ -155,7 +158,7 @@ export function cellArea({ cells }: Diagram, i: number): number {
   return outlineArea([pieces])
 }
 
-/** The distance from a circle to the nearest other one, a neighbor: negative if they overlap. */
+/** The distance to the nearest other circle, which is a neighbor; negative if they overlap. */
 function gap(diagram: Diagram, i: number): number {
   const { circles } = diagram
   let least = Number.POSITIVE_INFINITY

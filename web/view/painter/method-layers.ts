@@ -6,7 +6,7 @@ import { type Layers, type MethodLayer, SAMPLES } from '../layers.ts'
 import type { MethodFound } from '../protocol.ts'
 import { methodOutcome } from './method-outcome.ts'
 
-/** What a layer of the method shows: lists as of `DataLayer`. */
+/** The data of a layer of the method, as in `DataLayer`. */
 export interface MethodData {
   readonly name: MethodLayer
   readonly points?: Float64Array
@@ -14,7 +14,7 @@ export interface MethodData {
   readonly discs?: Float64Array
 }
 
-/** What the touching disc method makes of the circles of a diagram. */
+/** The intermediate results of the touching disc method, and the edges that it misses. */
 export interface MethodResult {
   readonly data: readonly MethodData[]
   readonly found: MethodFound

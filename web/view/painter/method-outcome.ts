@@ -5,20 +5,20 @@ import { mergeVertices } from '../../lib/queries/merged.ts'
 import type { Counted } from '../protocol.ts'
 import { leastFirst } from './ring.ts'
 
-/** What a method finds of a diagram. */
+/** The result of a method compared with the diagram. */
 export interface MethodOutcome {
   readonly vertices: Counted
   readonly edges: Counted
-  /** The edges of the diagram that it misses, by index. */
+  /** The indices of the missed edges. */
   readonly missed: readonly number[]
 }
 
-/** How near to a vertex another one is the same, as a part of its radius and of the diagram's extent. */
+/** Tolerance for equal vertices, relative to their radius and to the diagram's extent. */
 const SAME_PLACE = 1e-9
 
 /**
- * What another diagram of the same circles, right or wrong, has of a certified one. Vertices at one place count as one, as more
- * than three circles may touch its disc in any order.
+ * Compares another diagram of the same circles, right or wrong, with a certified one. Vertices at the same place count
+ * as one, because a disc that more than three circles touch can be split in several ways.
  */
 export function methodOutcome(right: Diagram, other: Diagram): MethodOutcome {
   const { mergedVertex, edges, vertices } = mergeVertices(right)
@@ -58,7 +58,7 @@ export function methodOutcome(right: Diagram, other: Diagram): MethodOutcome {
   }
 }
 
-/** Of each vertex of the other diagram the merged vertex at its place, or a number of its own beyond them. */
+/** Maps each vertex of the other diagram to the merged vertex at its place, or to a new number. */
 function placesIn(right: Diagram, other: Diagram, mergedVertex: Int32Array): number[] {
   const known = new Map<string, number>()
   const rest = new Set<number>()
@@ -71,7 +71,7 @@ function placesIn(right: Diagram, other: Diagram, mergedVertex: Int32Array): num
     if (same !== undefined) rest.delete(same)
     return same === undefined ? NONE : at(mergedVertex, same)
   })
-  // Those left over may be the same disc, touched by others of its circles.
+  // Unmatched vertices may be at the place of a vertex of other circles.
   const extent = extentOf(right.circles)
   const own = mergedVertex.length
   return places.map((place, v) => {
@@ -86,12 +86,12 @@ function placesIn(right: Diagram, other: Diagram, mergedVertex: Int32Array): num
   })
 }
 
-/** Three circles in this order round touch one disc from outside at most. */
+/** A triple of circles in a given cyclic order has at most one disc that touches them from outside. */
 function circlesOf({ vertexCircles }: Diagram, v: number): string {
   return leastFirst([0, 1, 2].map((k) => at(vertexCircles, 3 * v + k))).join()
 }
 
-/** The same from either side. */
+/** An edge's key, the same from both sides. */
 function keyOf(left: number, right: number, start: number, end: number): string {
   return left < right ? `${left},${right},${start},${end}` : `${right},${left},${end},${start}`
 }

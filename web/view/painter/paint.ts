@@ -12,12 +12,12 @@ import { type Layer, Painting } from './painting.ts'
 import { addBorder, addInside, addOutside, partShown } from './region-path.ts'
 import type { Border } from './torus.ts'
 
-/** How much of the paper lies on what is outside of a region. */
+/** Opacity of the paper color that covers the outside of a region. */
 const VEIL = 0.6
-/** The width of its border, in pixels. */
+/** Width of the region's border, in pixels. */
 const BORDER = 1.75
 
-/** From below to above. */
+/** The layers, bottom first. */
 const LAYERS: readonly Layer[] = [
   cells,
   discs,
@@ -34,21 +34,21 @@ const LAYERS: readonly Layer[] = [
   data,
 ]
 
-/** Draws all that a frame shows: every pixel of it, paper and all. */
+/** Paints a whole frame, including the paper. */
 export function paint(painting: Painting): void {
   const { drawing, frame, style, picture, pixelRatio } = painting
   drawing.cover(style.paper)
   const border: Border | undefined = picture.clip?.region ?? picture.torus?.border
   const part = border && partShown(frame, border)
-  // Images are not cut at the border of their box.
+  // Images are drawn across the border of their box.
   const region = picture.clip?.region
-  // Clips to long paths take long, and most squares of a picture have no border.
+  // Clipping to long paths is slow, and most tiles contain no border.
   const inside = region && part === 'border' ? pathOf(drawing, (path) => addInside(path, frame, region)) : undefined
   const copies = copiesOf(painting)
   for (const layer of LAYERS) {
     if (!layer.isOn(painting.layers) || (layer.isClipped === true && region && part === 'outside')) continue
     drawing.clip(layer.isClipped === true ? inside : undefined)
-    // Data of clients do not repeat.
+    // Layers of clients do not repeat.
     for (const copy of layer === data ? [painting] : copies) layer.draw(copy)
   }
   drawing.clip(undefined)
@@ -62,7 +62,7 @@ export function paint(painting: Painting): void {
   drawing.stroke(line, style.region, BORDER * pixelRatio)
 }
 
-/** The painting itself, or one of each copy of the circles, if they repeat. */
+/** The painting itself, or one for each copy of repeating circles. */
 function copiesOf(painting: Painting): readonly Painting[] {
   const { drawing, frame, pixelRatio, picture, style, limits } = painting
   if (picture.torus === undefined) return [painting]

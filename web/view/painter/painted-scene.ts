@@ -38,61 +38,60 @@ import { leastFirst } from './ring.ts'
 import { SvgDrawing } from './svg-drawing.ts'
 import { RepeatedDiagram, Torus } from './torus.ts'
 
-/** What is looked at. */
+/** The viewport and style of a paint request. */
 interface Look extends Wish {
   readonly style: Style
 }
 
-/** Around what an edit changed, strokes reach so far, in CSS pixels. */
+/** Strokes extend this far beyond an edited box, in CSS pixels. */
 const STROKE = 4
 
-/** What is found in so many seconds is found with each edit. */
+/** Queries faster than this (seconds) run with each edit; slower ones wait for a pause. */
 const QUICK = 0.005
-/** A power diagram that takes so many follows each edit. */
+/** Limit in seconds for a power diagram to be recomputed with each edit. */
 const QUICK_POWER = 0.01
-/** Of a circle with more neighbors, its own cell stands out alone. */
+/** With more neighbors than this, only the circle's own cell is highlighted. */
 const MOST_NEIGHBORS = 500
 
-/** The circles with radii that were fitted, and how near their areas are, if that was asked for. */
+/** The circles with fitted radii, and the accuracy of their areas if areas were prescribed. */
 interface Opened {
   readonly circles: Float64s | undefined
   readonly fitted: Fitted | undefined
 }
 
-/** The circles of one view, and what of their picture the view has been given. */
+/** The diagram of one view and the tiles already sent to it. */
 export class PaintedScene {
   readonly library: ComputingLibrary
-  /** The number of the circles. Edits that carry another one are void. */
+  /** Identifies the current circles. Edits for other circles are ignored. */
   opening = 0
-  /** The diagram, and how it is drawn. */
+  /** The diagram and how it is drawn. */
   picture: Picture
-  /** The layers that were asked for. */
+  /** The requested layers. */
   #layers: Layers = DEFAULT_LAYERS
-  /** How long it took last to find what depends on all circles. */
+  /** Duration of the last computation of global results. */
   #findingSeconds = 0
-  /** Whether what depends on all circles has been found as it is now. */
+  /** Whether the global results are up to date. */
   #isFound = false
-  /** Once it is there, and how long the last power diagram took. */
+  /** The comparison module once loaded, and the duration of the last power diagram. */
   #comparison: Comparison | undefined
   #powerSeconds = 0
   #look: Look | undefined
-  /** Those of the grid that the view has, and those still to be painted, the next one last. */
+  /** The tiles that the view has, and the tiles to paint, the next one last. */
   readonly #painted = new Set<string>()
   #waiting: PixelBox[] = []
   #hint = -1
   #selected: number | undefined
   #hovered: number | undefined
 
-  /** Without circles. */
+  /** A scene starts without circles. */
   constructor(library: ComputingLibrary) {
     this.library = library
     this.picture = new Picture(library.edit([]))
   }
 
   /**
-   * Other circles from the start. `regions`: there if a region or a fit is asked for.
-   *
-   * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; then all stays as it was
+   * Replaces the circles. `regions` is required for a region or a fit.
+   * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; the scene stays unchanged
    */
   open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): Opened {
     const clip = this.#clipOf(change, regions)
@@ -108,7 +107,7 @@ export class PaintedScene {
     this.picture = picture
     this.#findingSeconds = 0
     this.#hint = -1
-    // Ids of the circles before.
+    // The selected ids belonged to the former circles.
     this.#selected = undefined
     this.#hovered = undefined
     this.setLayers(layers)
@@ -118,13 +117,13 @@ export class PaintedScene {
     }
   }
 
-  /** What cells are cut to once a change is done. */
+  /** The clipping region after a change. */
   #clipOf({ region }: DomainChange, regions: Regions | undefined): Clip | undefined {
     if (region === undefined) return this.picture.clip
     return region === null ? undefined : new Clip(this.library, (regions as Regions).region(region))
   }
 
-  /** The box in which circles repeat once a change is done. */
+  /** The box of repeating circles after a change. */
   #torusOf({ lattice }: DomainChange, clip: Clip | undefined): Torus | undefined {
     const torus =
       lattice === undefined ? this.picture.torus : lattice === null ? undefined : new Torus(this.library, lattice)
@@ -133,7 +132,7 @@ export class PaintedScene {
     return torus
   }
 
-  /** @throws Refusal, if there is no region */
+  /** @throws Refusal if there is no region */
   #fitting(clip: Clip | undefined, regions: Regions | undefined): Fitting {
     if (clip === undefined) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasWithoutRegion)
     return { region: clip.region, fitAreas: (regions as Regions).fitAreas }
@@ -144,7 +143,7 @@ export class PaintedScene {
     this.picture.editor.dispose()
   }
 
-  /** Draws these from now on. */
+  /** Sets the visible layers. */
   setLayers(asked: Layers, isPainted = true): void {
     const picture = this.picture
     this.#layers = asked
@@ -164,12 +163,12 @@ export class PaintedScene {
     if (isPainted) this.#restart()
   }
 
-  /** Whether the power diagram is to be shown and is not there. */
+  /** Whether the power diagram is visible but not computed. */
   get isPowerMissing(): boolean {
     return this.picture.layers.power && this.picture.power === undefined
   }
 
-  /** The power diagram of the circles as they are. */
+  /** Computes the power diagram of the current circles. */
   addPower(comparison: Comparison): void {
     this.#comparison = comparison
     this.#isFound = false
@@ -183,42 +182,42 @@ export class PaintedScene {
     this.#powerSeconds = (performance.now() - start) / 1000
   }
 
-  /** The power diagram follows each edit, if it is there quickly: whether it does. */
+  /** Updates the power diagram after an edit if that is fast. Returns whether it was. */
   #followPower(): boolean {
     if (!this.isPowerMissing || this.#comparison === undefined || this.#powerSeconds > QUICK_POWER) return false
     this.#computePower(this.#comparison)
     return true
   }
 
-  /** Whether the layers show something of the method that is not there. */
+  /** Whether a layer of the method is visible but not computed. */
   get isMethodMissing(): boolean {
     const { diagram, method } = this.picture
     return method === undefined && isTraced(this.picture.layers, diagram.circles.length / 3)
   }
 
-  /** What the touching disc method makes of the circles as they are. */
+  /** Runs the touching disc method on the current circles. */
   addMethod(): void {
     this.#isFound = false
     this.picture.setMethod(methodResult(this.library, this.picture.diagram, this.picture.layers))
     this.#restart()
   }
 
-  /** Whether the layers show what depends on all circles and has not been found. */
+  /** Whether visible layers need global results that are missing. */
   get isAnythingToFind(): boolean {
     return !this.#isFound && isAnythingFound(this.picture.layers)
   }
 
-  /** Whether that has a path, which is as fine as what is looked at. */
+  /** Whether the results include a path, whose outline depends on the scale. */
   get isPathFound(): boolean {
     return this.picture.layers.path !== undefined
   }
 
-  /** Whether to find that takes no longer than an edit may. */
+  /** Whether global results are fast enough to be computed with each edit. */
   get isFoundQuickly(): boolean {
     return this.#findingSeconds < QUICK
   }
 
-  /** What depends on all circles. */
+  /** Computes the global results. */
   find(): Found {
     const start = performance.now()
     const scale = this.#look?.grid.scale
@@ -229,12 +228,12 @@ export class PaintedScene {
     return result
   }
 
-  /** What a frame shows, on a drawing. */
+  /** Draws a frame. */
   draw(drawing: Drawing, frame: Frame, pixelRatio: number, style: Style): void {
     paint(new Painting(drawing, frame, pixelRatio, this.picture, style))
   }
 
-  /** What a frame shows, as SVG. What is found is as fine as the frame needs. */
+  /** Draws a frame as SVG, with global results at the frame's precision. */
   svg(frame: Frame, style: Style): DrawnSvg {
     const drawing = new SvgDrawing()
     this.draw(drawing, frame, 1, style)
@@ -259,9 +258,8 @@ export class PaintedScene {
   }
 
   /**
-   * Edits, and paints anew what of the picture the view has looks different now. `regions`: as `open` has them.
-   *
-   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; then all stays as it was
+   * Edits the circles, and repaints the affected tiles. `regions` is as in `open`.
+   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; the scene stays unchanged
    */
   edit(
     asked: readonly Edit[],
@@ -287,7 +285,7 @@ export class PaintedScene {
     this.picture.clip = clip
     const { boxes, isEverywhere } = isRepeatedOtherwise ? this.#repeatIn(torus) : this.picture.apply(change)
     this.picture.areSites = areSites
-    // All that is seen goes together, so that no part of a motion comes late.
+    // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
     const patches = isElsewhere ? [] : this.#repaint(isAtOnce ? undefined : boxes)
     if ((isEverywhere && !isAtOnce) || isElsewhere) this.#restart()
@@ -302,7 +300,7 @@ export class PaintedScene {
     }
   }
 
-  /** The same circles, repeated in another box, or not repeated. */
+  /** Changes the box in which the circles repeat. */
   #repeatIn(torus: Torus | undefined): Difference {
     const { editor, clip, centers } = this.picture
     centers?.dispose()
@@ -311,7 +309,7 @@ export class PaintedScene {
     return { boxes: [], isEverywhere: true }
   }
 
-  /** Looks at something from now on, and says whether that is another box, or of another scale. */
+  /** Sets the viewport. Returns whether it covers another box or has another scale. */
   look({ wish, grid, seen, wanted }: Wish, style: Style): { isElsewhere: boolean; isOtherScale: boolean } {
     const before = this.#look
     this.#look = { wish, grid, seen, wanted, style }
@@ -336,7 +334,7 @@ export class PaintedScene {
     return this.#look?.wish ?? -1
   }
 
-  /** Paints what is to be seen next, if there is anything. */
+  /** Paints the next missing tile, if any. */
   paintNext(): Patch | undefined {
     const tile = this.#waiting.pop()
     if (tile === undefined || this.#look === undefined) return undefined
@@ -344,7 +342,7 @@ export class PaintedScene {
     return this.#paint(tile, this.#look)
   }
 
-  /** The circle at a point of the plane. A rim wins over a disc, and of several the nearest rim, the smallest disc. */
+  /** The circle at a point. Rims take precedence over discs; the nearest rim and the smallest disc win. */
   hit(x: number, y: number, slack: number): Hit | undefined {
     const { index, diagram } = this.picture
     const { circles } = diagram
@@ -358,8 +356,8 @@ export class PaintedScene {
       const i = diagram.indexOf(id)
       const r = this.picture.areSites ? 0 : at(circles, 3 * i + 2)
       const distance = Math.hypot(at(circles, 3 * i) - homeX, at(circles, 3 * i + 1) - homeY) - r
-      // A small circle is all disc: it can be resized once it is seen larger.
-      // The rim of an image cannot be dragged: the size is measured from the circle itself.
+      // A small circle has no separate rim; it can be resized at a larger scale. An image has none either, because
+      // sizes are measured from the circle itself.
       const hasRim = r > 3 * slack && homeX === x && homeY === y
       if (hasRim && Math.abs(distance) < rimDistance) {
         rim = id
@@ -376,7 +374,7 @@ export class PaintedScene {
     return id < 0 ? undefined : { id, part: 'cell' }
   }
 
-  /** The id of the circle whose cell a point is in; -1: there is none. */
+  /** The id of the circle whose cell contains a point; -1 if there is none. */
   readonly nearest = (x: number, y: number): number => {
     const { diagram } = this.picture
     if (diagram instanceof RepeatedDiagram) {
@@ -387,7 +385,7 @@ export class PaintedScene {
     return this.#hint
   }
 
-  /** Which circles stand out from now on. */
+  /** Sets the highlighted circles. */
   mark(selected: number | undefined, hovered: number | undefined): Marks {
     this.#selected = selected
     this.#hovered = hovered
@@ -398,7 +396,7 @@ export class PaintedScene {
     return this.#selected !== undefined || this.#hovered !== undefined
   }
 
-  /** What is known of the circles that stand out. */
+  /** The descriptions and outlines of the highlighted circles. */
   marks(): Marks {
     return { selected: this.#describe(this.#selected), hovered: this.#describe(this.#hovered) }
   }
@@ -425,7 +423,7 @@ export class PaintedScene {
     }
   }
 
-  /** The outlines of cells, as fine as what is looked at needs (`replay`). */
+  /** The outlines of cells at the precision of the viewport (`replay`). */
   readonly outlineOf = (circles: readonly number[], diagram: Diagram = this.picture.diagram): Float64Array => {
     if (this.#look === undefined) return new Float64Array()
     const { grid, wanted } = this.#look
@@ -438,7 +436,7 @@ export class PaintedScene {
     })
   }
 
-  /** `undefined`: all that is painted. */
+  /** `undefined` repaints everything. */
   #repaint(boxes: readonly Box[] | undefined): Patch[] {
     const look = this.#look
     if (look === undefined) return []

@@ -12,9 +12,9 @@ import type { DomainChange, FromPainter, InProgress, Patch, ToPainter } from '..
 import { answers, type Steps } from './answers.ts'
 import { PaintedScene } from './painted-scene.ts'
 
-/** How long the thread paints before it listens again, in milliseconds. */
+/** Time slice for painting, in milliseconds, before the thread handles messages. */
 const SLICE = 8
-/** How long nothing is edited before what takes long is done, likewise. */
+/** Pause after the last edit before long computations, in milliseconds. */
 const REST = 120
 
 const port = globalThis as unknown as {
@@ -27,7 +27,7 @@ const library = new Promise<ComputingLibrary>((resolve) => {
   begin = resolve
 })
 const scenes = new Map<number, PaintedScene>()
-/** What is measured in steps; `begin`: anew, as of a scene that was opened anew. */
+/** A measurement in steps. `begin` restarts it, for example after an opening. */
 interface Measuring {
   readonly scene: PaintedScene
   readonly begin: () => Generator<void, FromPainter>
@@ -39,13 +39,13 @@ const comparison = loadedOnce(async () => loadComparison(await library, { wasm: 
 const regions = loadedOnce(() => loadRegions({ wasm: others.regionsWasm }))
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
-/** Lets messages that have arrived be heard before more is painted. */
+/** Yields to messages that have arrived. */
 const pause = new MessageChannel()
 
-/** Answers a view's `Painter`, in the thread that this is called in. */
+/** Answers the `Painter` of a page. Runs in the thread that calls it. */
 export function answerViews(): void {
   pause.port1.onmessage = paintSlice
-  // One after the other, though the first ones wait for the library.
+  // Handles messages in order, although the first ones wait for the library.
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
     if (data.kind === 'start') {
@@ -116,7 +116,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'look': {
       const { isElsewhere, isOtherScale } = scene.look(message, message.style)
       schedule()
-      // What stands out is cut to what is looked at, and as fine as that needs.
+      // Outlines are clipped to the viewport and have its precision.
       if (isElsewhere && scene.isAnythingMarked) {
         post({ kind: 'outlined', scene: message.scene, marks: scene.marks() })
       }
@@ -124,7 +124,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     }
     case 'ask':
-      // A picture has all layers.
+      // A picture contains all layers.
       if (message.name === 'svg' || message.name === 'image') await addMissing(scene)
       reply(scene, message)
       return
@@ -146,7 +146,7 @@ function fail(error: unknown, { scene, kind }: InProgress): void {
   post({ kind: 'failed', message: reasonOf(error), during: { scene, kind } })
 }
 
-/** What clips and fits, loaded once it is needed. */
+/** The module for clipping and fitting, loaded on demand. */
 async function regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
   if ((region ?? undefined) === undefined && fit === undefined) return undefined
   return regions()
@@ -168,7 +168,7 @@ function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, 
   }
 }
 
-/** While an end of the path is dragged, what is quick follows. */
+/** Fast queries follow while an end of the path is dragged. */
 function tellFound(number: number, scene: PaintedScene): void {
   if (scene.isFoundQuickly && !scene.isPowerMissing && !scene.isMethodMissing) {
     post({ kind: 'found', scene: number, found: scene.find() })
@@ -219,7 +219,7 @@ function paintSlice(): void {
       patches.map(({ image }) => image),
     )
   }
-  // One scene may have used the time of all.
+  // Another scene may be waiting after one has used the time slice.
   if ([...scenes.values()].some(({ isWaiting }) => isWaiting)) schedule()
   measure(end)
 }
@@ -229,7 +229,7 @@ function measureInSteps(scene: PaintedScene, begin: Measuring['begin']): void {
   schedule()
 }
 
-/** What is left of a slice is for what is measured; of a scene that was opened anew it is begun anew. */
+/** Uses the rest of a time slice for measurements. Measurements of a reopened scene restart. */
 function measure(end: number): void {
   const first = measuring[0]
   if (first === undefined) return
@@ -242,7 +242,7 @@ function measure(end: number): void {
   if (measuring.length > 0) schedule()
 }
 
-/** What takes long and is not of the picture of circles and edges comes once nothing has been edited for a while. */
+/** Runs long computations once nothing has been edited for a while. */
 function findAtRest(): void {
   clearTimeout(rest)
   rest = setTimeout(findAll, REST)
@@ -265,11 +265,11 @@ async function findIn(number: number, scene: PaintedScene): Promise<void> {
     schedule()
   }
   if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
-  // Meanwhile it may have been closed, or changed.
+  // The scene may have been closed or changed during the wait.
   await addMissing(scene, () => scenes.get(number) === scene)
 }
 
-/** Adds what the layers show of the method and of the power diagram. */
+/** Computes the visible layers of the method and of the power diagram. */
 async function addMissing(scene: PaintedScene, isThere = () => true): Promise<void> {
   if (scene.isMethodMissing) {
     scene.addMethod()
@@ -277,7 +277,7 @@ async function addMissing(scene: PaintedScene, isThere = () => true): Promise<vo
   }
   if (!scene.isPowerMissing) return
   const loaded = await comparison().catch(() => undefined)
-  // What cannot be loaded is not drawn; it may be there the next time.
+  // A module that fails to load leaves its layer empty. The next attempt may succeed.
   if (loaded === undefined || !isThere() || !scene.isPowerMissing) return
   scene.addPower(loaded)
   schedule()

@@ -10,10 +10,10 @@ import { FrameSink } from './frame-sink.ts'
 import type { Picture } from './picture.ts'
 
 const CELL_WIDTH_PER_LINE_WIDTH = 16
-/** As `--edge-width` of the page. */
+/** Equals `--edge-width` of the page. */
 const THICKEST_LINE = 1.5
 
-/** A frame of a picture that is being painted, on a drawing whose pixels are those of the frame. */
+/** A frame being painted on a drawing with the same pixels. */
 export class Painting {
   readonly drawing: Drawing
   readonly frame: Frame
@@ -22,15 +22,15 @@ export class Painting {
   readonly picture: Picture
   readonly layers: Layers
   readonly style: Style
-  /** What is seen, with a margin, and how far cells and edges go. */
+  /** The visible part with a margin, and the distance limit of cells and edges. */
   readonly limits: Limits
-  /** How far curves may be from the true ones. */
+  /** Tolerance of curves. */
   readonly tolerance: number
-  /** The indices of the circles of which something may be seen: in the same order whichever frame it is, for what overlaps. */
+  /** The indices of the circles that may be visible. The order is the same in all frames, so that overlaps agree. */
   readonly circles: readonly number[]
-  /** About how wide cells are, in CSS pixels. */
+  /** The approximate width of cells, in CSS pixels. */
   readonly width: number
-  /** Of edges, in device pixels: thinner than a pixel, they fade, so that as much is ink wherever cells are small. */
+  /** Width of edges in device pixels. Below one pixel edges fade, so that small cells do not darken. */
   readonly lineWidth: number
 
   constructor(drawing: Drawing, frame: Frame, pixelRatio: number, picture: Picture, style: Style) {
@@ -47,14 +47,14 @@ export class Painting {
     this.lineWidth = pixelRatio * Math.min(this.width / CELL_WIDTH_PER_LINE_WIDTH, THICKEST_LINE)
   }
 
-  /** Those of circles and their cells (`colorOf`). */
+  /** The colors of circles and cells (`colorOf`). */
   get palette(): readonly string[] {
     const { colors } = this.picture
     const hasRamp = colors === 'column' ? this.picture.layers.column?.categories === undefined : isMeasure(colors)
     return hasRamp ? this.style.ramp : this.style.map
   }
 
-  /** What is drawn in the plane goes there. */
+  /** A sink that takes coordinates of the plane. */
   sink(): FrameSink {
     return new FrameSink(this.frame, this.drawing.path())
   }
@@ -63,23 +63,25 @@ export class Painting {
     this.drawing.fill(path, color, opacity)
   }
 
-  /** `thickness` in device pixels, `dash` in CSS pixels. */
+  /** `thickness` is in device pixels, `dash` in CSS pixels. */
   stroke(path: PathSink, color: string, thickness: number, dash: readonly number[] = [], opacity = 1): void {
     const dashes = dash.map((length) => length * this.pixelRatio)
     this.drawing.stroke(path, color, thickness, dashes, opacity)
   }
 }
 
-/** One kind of thing that is drawn. */
+/** One layer of a picture. */
 export interface Layer {
   readonly id: string
   isOn(layers: Layers): boolean
   draw(painting: Painting): void
-  /** Whether a region cuts it. */
+  /** Whether the layer is clipped to the region. */
   readonly isClipped?: boolean
 }
 
-/** How much of the way from `least` to `most` a width has gone, from 0 to 1: what is drawn of large cells alone fades in. */
+/**
+ * The position of a width between `least` and `most`, clamped to 0 to 1. Details of large cells fade in by this factor.
+ */
 export function shareOf(width: number, [least, most]: readonly [number, number]): number {
   return Math.min(Math.max((width - least) / (most - least), 0), 1)
 }

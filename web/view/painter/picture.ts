@@ -22,73 +22,73 @@ import { Measures } from './measures.ts'
 import type { MethodResult } from './method-layers.ts'
 import { RepeatedDiagram, type Torus } from './torus.ts'
 
-/** How far, in extents of all circles, edges are taken to go that go to infinity. */
+/** Length at which unbounded edges are cut, relative to the extent of all circles. */
 const HORIZON = 1000
 
 const NO_MOVES: readonly Point[] = [{ x: 0, y: 0 }]
 
-/** A diagram that does not follow, and where its cells are. */
+/** A static diagram that edits do not update, with the index of its cells. */
 export interface Ghost {
   readonly diagram: Diagram
   readonly index: BoxIndex
 }
 
-/** What looks different after an edit. */
+/** The visible difference after an edit. */
 export interface Difference {
   readonly boxes: readonly Box[]
-  /** Whether something does outside of these boxes. */
+  /** Whether the picture may differ outside of the boxes. */
   readonly isEverywhere: boolean
 }
 
-/** A layer of a client, and where its parts are. */
+/** A client's layer with the index of its parts. */
 export interface IndexedData {
   readonly layer: Pick<DataLayer, 'points' | 'segments' | 'discs'>
-  /** A CSS color, or the name of a style's. */
+  /** A CSS color, or the name of a style's color. */
   readonly color: string
   readonly points: BoxIndex | undefined
   readonly segments: BoxIndex | undefined
   readonly discs: BoxIndex | undefined
 }
 
-/** What is drawn: the diagram of an editor, what of it lies where, and what is drawn in which way. */
+/** The contents of a picture: an editor's diagram with spatial indices, and its colors. */
 export class Picture {
   readonly editor: DiagramEditor
-  /** Follows the editor; has images, too, if the circles repeat. */
+  /** The editor's current diagram, extended by images if the circles repeat. */
   diagram: Diagram
-  /** Boxes around circles and their cells, by the circles' ids. */
+  /** The bounding boxes of circles and their cells, by circle id. */
   index: BoxIndex
-  /** The box, if the circles repeat. */
+  /** The box in which the circles repeat, if they do. */
   readonly torus: Torus | undefined
-  /** Follows the editor, and has no images. */
+  /** The editor's current diagram without images. */
   readonly #snapshot: Diagram
-  /** The box around all circles and cells without images. */
+  /** The bounding box of all circles and cells without images. */
   #extent: Box = EMPTY_BOX
-  /** About how far apart the circles are. */
+  /** The approximate distance between neighboring circles. */
   readonly cellWidth: number
-  /** How far edges go that go to infinity. */
+  /** Length at which unbounded edges are cut. */
   readonly reach: number
-  /** The diagram of the centers, if a layer shows something of it. */
+  /** The diagram of the centers, if a visible layer needs it. */
   centers: Centers | undefined
-  /** The power diagram of the circles as they are, likewise. */
+  /** The power diagram of the current circles, if a visible layer needs it. */
   power: Ghost | undefined
   data: readonly IndexedData[] = []
-  /** What the touching disc method makes of the circles as they are, likewise. */
+  /** The touching disc method's results for the current circles, if a visible layer needs them. */
   method: (MethodResult & { readonly layers: readonly (IndexedData & { readonly color: MethodLayer })[] }) | undefined
-  /** What `auto` is: that of the circles as they were opened, so that no edit changes all colors. */
+  /** The meaning of `auto`. It depends on the circles as they were opened, so that no edit changes all colors. */
   readonly #automatic: CellColors
   #layers = DEFAULT_LAYERS
   #clip: Clip | undefined
-  /** Whether circles are shown as points. */
+  /** Whether circles are drawn as points. */
   areSites = false
   #measures: Measures | undefined
   #areas: Measures | undefined
   #gaps: Measures | undefined
   #coloring: Coloring | undefined
-  /** Boxes around circles' centers and those of their neighbors, by ids, once they are asked for. */
+  /** The bounding boxes of circles' centers with those of their neighbors, by id, computed on demand. */
   #stars: BoxIndex | undefined
   #hiddenBy: Map<number, number[]> | undefined
 
-  /** Takes the editor over. */
+  /** Takes ownership of the editor. */
   constructor(editor: DiagramEditor, clip?: Clip, torus?: Torus) {
     this.#clip = clip
     this.editor = editor
@@ -112,17 +112,17 @@ export class Picture {
     return this.#snapshot.circles.length / 3
   }
 
-  /** How far copies of the circles are moved that a box shows. */
+  /** The offsets of the copies that are visible in a box. */
   copiesIn(seen: Box): readonly Point[] {
     return this.torus?.copiesIn(this.#extent, seen) ?? NO_MOVES
   }
 
-  /** The point that stands for a point of the plane. */
+  /** The canonical point among the repeated images of a point. */
   home(x: number, y: number): Point {
     return this.diagram instanceof RepeatedDiagram ? this.diagram.home(x, y) : { x, y }
   }
 
-  /** Whether a side of a cell is drawn, as one of the two sides of an edge. */
+  /** Whether the edge of a side is drawn with this side. Each edge is drawn with one of its two sides. */
   draws(side: number): boolean {
     return this.diagram instanceof RepeatedDiagram ? this.diagram.draws(side) : (side & 1) === 0
   }
@@ -155,7 +155,7 @@ export class Picture {
     this.#layers = layers
   }
 
-  /** What cells are cut to; `undefined`: nothing. */
+  /** The clipping region, if any. */
   get clip(): Clip | undefined {
     return this.#clip
   }
@@ -163,12 +163,12 @@ export class Picture {
   set clip(clip: Clip | undefined) {
     if (clip === this.#clip) return
     this.#clip = clip
-    // Areas are others.
+    // The clip changes the areas.
     this.#areas = undefined
     if (this.#measures?.measure === 'area') this.#measures = this.areas()
   }
 
-  /** Has the power diagram of its circles. */
+  /** Sets the power diagram of the circles. */
   setPower(diagram: Diagram): void {
     this.power = { diagram, index: new BoxIndex(cellBoxes(diagram, this.reach)) }
   }
@@ -177,68 +177,68 @@ export class Picture {
     this.method = { ...result, layers: result.data.map((layer) => indexed(layer, layer.name)) }
   }
 
-  /** What colors say, `auto` being one of the others; `column`: values that a client gives. */
+  /** The quantity that colors show, with `auto` resolved. `column` stands for a client's values. */
   get colors(): CellColors | 'column' {
     if (this.#layers.column !== undefined) return 'column'
     return this.#layers.cells === 'auto' ? this.#automatic : this.#layers.cells
   }
 
-  /** Which color circle `i` and its cell have, of those that the layer of cells shows; `NONE`: a cell has none. */
+  /** The color index of circle `i` and its cell; `NONE` if the cell has no color. */
   colorOf(i: number): number {
     return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.shadeOf(i) ?? 0
   }
 
-  /** Whether discs have colors, and cells the same, but weaker. Otherwise the cells alone have them. */
+  /** Whether discs are colored and cells show a fainter tint. Otherwise only cells are colored. */
   get areDiscsColored(): boolean {
     const { colors } = this
     const { column } = this.#layers
     return column === undefined ? ['radius', 'different', 'none'].includes(colors) : column.categories !== undefined
   }
 
-  /** What the shades mean; `undefined`: colors say nothing. */
+  /** The meaning of the shades; `undefined` if colors show no quantity. */
   get legend(): Legend | undefined {
     return this.#measures?.legend
   }
 
-  /** The areas of cells, each found when it is asked for. */
+  /** The areas of cells, computed on demand. */
   areas(): Measures {
     this.#areas ??= new Measures('area', this.diagram, this.#clip)
     return this.#areas
   }
 
-  /** The area of the cell of a circle by its index. */
+  /** The area of the cell of a circle with an index. */
   areaOf(i: number): number {
     return this.#clip?.areaOf(this.diagram, i) ?? this.areas().valueOf(i)
   }
 
-  /** The distances to the nearest other circle, likewise. */
+  /** The distances to the nearest other circles, computed on demand. */
   gaps(): Measures {
     this.#gaps ??= new Measures('gap', this.diagram)
     return this.#gaps
   }
 
-  /** The indices, in increasing order, of the circles that with their cells may meet a box. */
+  /** The indices, in increasing order, of circles that may meet a box, themselves or with their cells. */
   circlesIn(box: Box): number[] {
     return this.#indicesOf(this.index.search(box))
   }
 
-  /** The same of circles from whose centers segments to their neighbors' centers may meet a box. */
+  /** The indices, in increasing order, of circles whose segments to their neighbors' centers may meet a box. */
   starsIn(box: Box): number[] {
     const { diagram } = this
     this.#stars ??= new BoxIndex(diagram instanceof RepeatedDiagram ? diagram.starBoxes() : starBoxes(diagram))
     return this.#indicesOf(this.#stars.search(box))
   }
 
-  /** The circles that a circle hides, by indices. */
+  /** The indices of the circles that a circle hides. */
   hiddenBy(i: number): readonly number[] {
     this.#hiddenBy ??= hiddenByHider(this.diagram)
     return this.#hiddenBy.get(i) ?? []
   }
 
   /**
-   * Makes the change of an edit its own, and returns boxes around all that looks different now. Where a circle comes, nothing
-   * changes outside its cell; where one goes, nothing outside the cell it had; where one moves, nothing outside both. Only
-   * where something is shown that depends on a whole cell, it is those of the neighbors, too.
+   * Applies an edit, and returns boxes around the visible difference. An inserted circle changes nothing outside its
+   * cell, a removed one nothing outside its former cell, and a moved one nothing outside both. If a layer depends on
+   * whole cells, the neighbors' cells are added.
    */
   apply(change: Change): Difference {
     if (this.torus !== undefined) return this.#repeat(this.torus, change)
@@ -267,7 +267,7 @@ export class Picture {
     }
   }
 
-  /** All is made anew, but for the colors of cells. */
+  /** Rebuilds everything except the colors of cells. */
   #repeat(torus: Torus, change: Change): Difference {
     this.#snapshot.apply(change)
     this.diagram = torus.diagramOf(this.#snapshot)
@@ -295,7 +295,7 @@ export class Picture {
     return all.reduce((box, id) => union(union(box, this.index.get(id)), this.#stars?.get(id) ?? EMPTY_BOX), EMPTY_BOX)
   }
 
-  /** A box around a circle and its cell. */
+  /** Indexes the box of a circle and its cell. */
   #place(id: number): void {
     const i = this.diagram.indexOf(id)
     if (i === NONE) return

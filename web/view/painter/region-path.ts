@@ -7,10 +7,10 @@ import { addPolygon, addRectangle } from './polygon-path.ts'
 import { addSegment } from './segment-path.ts'
 import type { Border } from './torus.ts'
 
-/** So far outside the frame, in pixels, rings are cut off: what is seen stays, and numbers stay small. */
+/** Rings are cut off this far outside the frame, in pixels, to keep coordinates small without a visible effect. */
 const MARGIN = 16
 
-/** What a frame shows of a region: its border, or only its inside, or only its outside. */
+/** The part of a region that a frame shows: its border, or only its inside, or only its outside. */
 export function partShown(frame: Frame, region: Border): 'border' | 'inside' | 'outside' {
   let isBorderSeen = false
   const moveTo = () => {
@@ -21,20 +21,20 @@ export function partShown(frame: Frame, region: Border): 'border' | 'inside' | '
   return region.contains(frame.x, frame.y) ? 'inside' : 'outside'
 }
 
-/** Adds what a frame shows of the inside of a region. */
+/** Adds the visible part of a region's inside. */
 export function addInside(path: PathSink, frame: Frame, region: Border): void {
   const sides = sidesOf(frame)
   for (const ring of ringsOf(frame, region)) addPolygon(path, sides.reduce(cut, ring))
 }
 
-/** Adds what a frame shows of the outside: a rectangle that runs against the outer rings. */
+/** Adds the visible part of a region's outside: a rectangle opposite in orientation to the outer rings. */
 export function addOutside(path: PathSink, frame: Frame, region: Border): void {
   const [right, bottom] = [frame.width + MARGIN, frame.height + MARGIN]
   addRectangle(path, -MARGIN, -MARGIN, right, bottom)
   addInside(path, frame, region)
 }
 
-/** Adds what a frame shows of the border. */
+/** Adds the visible part of a region's border. */
 export function addBorder(path: PathSink, frame: Frame, region: Border): void {
   for (const ring of ringsOf(frame, region)) {
     let [x, y] = [at(ring, ring.length - 2), at(ring, ring.length - 1)]
@@ -55,9 +55,9 @@ function* ringsOf(frame: Frame, { points, ringOffsets }: Border): Generator<Floa
   }
 }
 
-/** Inside is where sign * coordinate is at most most. */
+/** A half-plane: points with sign * coordinate at most `most` are inside. */
 interface Side {
-  /** 0: x, 1: y. */
+  /** 0 for x, 1 for y. */
   readonly axis: 0 | 1
   readonly sign: 1 | -1
   readonly most: number
@@ -72,7 +72,7 @@ function sidesOf({ width, height }: Frame): Side[] {
   ]
 }
 
-/** Cuts a ring at a side, by Sutherland and Hodgman: what lies outside runs along the side. */
+/** Clips a ring to a half-plane (Sutherland and Hodgman). Outside parts are moved onto the line. */
 function cut(ring: Float64Array, { axis, sign, most }: Side): Float64Array {
   const outside = (k: number) => sign * at(ring, k + axis) - most
   let isCut = false
@@ -85,7 +85,7 @@ function cut(ring: Float64Array, { axis, sign, most }: Side): Float64Array {
     if (before > 0 !== now > 0) {
       const share = before / (before - now)
       const point = [0, 1].map((a) => at(ring, last + a) + share * (at(ring, k + a) - at(ring, last + a)))
-      // Exactly there: numbers may be large.
+      // Sets the coordinate exactly, because interpolation between large numbers is inexact.
       point[axis] = sign * most
       kept.push(...point)
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Returns a ring of any length from its least number on, so that it does not depend on where it begins. */
+/** Rotates a ring so that its smallest number comes first, which makes equal rings equal arrays. */
 export function leastFirst(ring: readonly number[]): number[] {
   const start = ring.reduce((least, value, k) => (value < (ring[least] as number) ? k : least), 0)
   return [...ring.slice(start), ...ring.slice(0, start)]

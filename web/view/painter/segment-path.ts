@@ -2,15 +2,15 @@
 import type { PathSink } from '../../lib/index.ts'
 import type { Frame } from './frame.ts'
 
-/** So far outside the frame, in pixels, ends of strokes are not seen. */
+/** Ends of strokes are invisible this far outside the frame, in pixels. */
 const MARGIN = 16
 
-/** Adds what can be seen of a segment in a frame to a path. In pixels, which may be far outside. */
+/** Adds the visible part of a segment to a path. Coordinates are in pixels and may be far outside. */
 export function addSegment(path: PathSink, frame: Frame, x0: number, y0: number, x1: number, y1: number): void {
   const [dx, dy] = [x1 - x0, y1 - y0]
   let from = 0
   let to = 1
-  /** Keeps where offset + t * slope is at least 0. */
+  /** Keeps the parameters t with offset + t * slope at least 0. */
   const keep = (offset: number, slope: number) => {
     const t = -offset / slope
     if (slope > 0) from = Math.max(from, t)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs in the worker of a view's `Painter`.
+// The entry point of the worker of a view's `Painter`.
 import { answerViews } from './painter-thread.ts'
 
 answerViews()

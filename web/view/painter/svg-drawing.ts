@@ -4,7 +4,7 @@ import { SvgPath } from '../../lib/drawing/svg-path.ts'
 import type { PathSink } from '../../lib/index.ts'
 import type { Drawing } from './drawing.ts'
 
-/** Digits after the decimal point of pixels. */
+/** Decimal places of pixel coordinates. */
 const DIGITS = 2
 
 export class SvgDrawing implements Drawing {
@@ -56,20 +56,20 @@ export class SvgDrawing implements Drawing {
     if (text !== '') this.#elements.push(`<path ${look} d="${text}"/>`)
   }
 
-  /** The elements, in their order. */
+  /** The markup of all elements. */
   toString(): string {
     return this.#elements.join('\n')
   }
 }
 
-/** A name that two shapes hardly share, even in pictures that stand in one page. */
+/** An id that depends on the shape, to avoid collisions between pictures in one page. */
 function nameOf(shape: string): string {
   let hash = 0
   for (let k = 0; k < shape.length; k++) hash = (Math.imul(hash, 31) + shape.charCodeAt(k)) >>> 0
   return `region-${hash.toString(36)}-${shape.length}`
 }
 
-/** The text of an SVG with these elements. */
+/** The markup of an SVG with these elements. */
 export function svgOf(width: number, height: number, elements: readonly string[]): string {
   const body = elements.filter((text) => text !== '').join('\n')
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" stroke-linejoin="round" stroke-linecap="round">\n${body}\n</svg>\n`

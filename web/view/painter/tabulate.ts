@@ -3,10 +3,10 @@ import type { Column, Tabulated } from '../protocol.ts'
 import { idOf } from './cell-boxes.ts'
 import type { Picture } from './picture.ts'
 
-/** So many cells are measured before others may do something. */
+/** Number of cells measured before the generator yields. */
 const CELLS_AT_ONCE = 64
 
-/** What the cells of circles measure; ids that no circle has are left out. */
+/** Measures the cells of circles. Missing ids are left out. */
 export function tabulated(picture: Picture, columns: readonly Column[], ids: Int32Array): Tabulated {
   const { diagram } = picture
   const there = ids.filter((id) => diagram.indexOf(id) >= 0)
@@ -16,14 +16,14 @@ export function tabulated(picture: Picture, columns: readonly Column[], ids: Int
   }
 }
 
-/** The same of all circles: in steps, between which they may change. */
+/** Measures the cells of all circles in steps. The circles may change between steps. */
 export function* tabulatedAll(picture: Picture, columns: readonly Column[]): Generator<void, Tabulated> {
   const { diagram } = picture
   for (let i = 0; i < picture.count; i++) {
     for (const column of columns) numberOf(picture, column, idOf(diagram, i))
     if (i % CELLS_AT_ONCE === 0) yield
   }
-  // What has changed meanwhile is measured once more; the rest is known.
+  // Measures only the cells again that have changed since.
   const ids = Int32Array.from({ length: picture.count }, (_, i) => idOf(diagram, i))
   return tabulated(picture, columns, ids)
 }

@@ -76,7 +76,7 @@ export class Torus {
     return Float64Array.of(x - k * this.#a.x - l * this.#b.x, y - k * this.#a.y - l * this.#b.y)
   }
 
-  /** How far copies of what lies in a box are moved to meet another one. */
+  /** The offsets at which copies of the box `own` meet the box `seen`. */
   copiesIn(own: Box, seen: Box): Point[] {
     const moves: Point[] = []
     for (let k = -MOST_PERIODS; k <= MOST_PERIODS; k++) {
@@ -93,7 +93,7 @@ export class Torus {
     return moves
   }
 
-  /** The coordinates of a point in periods. */
+  /** A point's coordinates as multiples of the periods. */
   #placeOf(x: number, y: number): { readonly u: number; readonly v: number } {
     const area = cross(this.#a, this.#b)
     return { u: cross({ x, y }, this.#b) / area, v: cross(this.#a, { x, y }) / area }
@@ -117,7 +117,7 @@ export class RepeatedDiagram extends Diagram {
     return this.#snapshot.indexOf(id)
   }
 
-  /** The point among the given circles that stands for a point of the plane. */
+  /** The point in the box that is equivalent to a point of the plane. */
   home(x: number, y: number): Point {
     const { lattice, shiftOf } = this.periodic
     const image = this.periodic.find(x, y)
@@ -127,7 +127,9 @@ export class RepeatedDiagram extends Diagram {
     return { x: x - k * lattice.a[0] - l * lattice.b[0], y: y - k * lattice.a[1] - l * lattice.b[1] }
   }
 
-  /** Whether a side of a given cell is drawn: of an edge across the box, one of its two twins is. */
+  /**
+   * Whether a side of a given cell is drawn. An edge across the border of the box has two twins, of which one is drawn.
+   */
   draws(side: number): boolean {
     const { circleCount } = this.periodic
     const neighbor = this.cells.neighborOf(side)

@@ -7,7 +7,9 @@ import { curveOf } from '../../lib/curves/curve.ts'
 import type { Diagram, Point, Vertex } from '../../lib/index.ts'
 import type { Touching } from '../protocol.ts'
 
-/** The disc around the vertex, or else the point of an edge, nearest to (x, y), of the cells of some circles. */
+/**
+ * The disc at the vertex nearest to (x, y), or else at the nearest point of an edge, among the cells of some circles.
+ */
 export function touchingNear(
   diagram: Diagram,
   circles: readonly number[],
@@ -43,14 +45,17 @@ export function touchingNear(
   return touching(diagram, { ...place, r }, [at(edges, 4 * edge), at(edges, 4 * edge + 1)])
 }
 
-/** The largest disc around a point that meets no circle: it touches the nearest one. `undefined`: the point is inside that. */
+/**
+ * The largest empty disc around a point, which touches the nearest circle; `undefined` if that circle contains the
+ * point.
+ */
 export function touchingAround(diagram: Diagram, nearest: number, x: number, y: number): Touching | undefined {
   const circle = circleOf(diagram.circles, nearest)
   const r = hypotenuse(x - circle.x, y - circle.y) - circle.r
   return r > 0 ? touching(diagram, { x, y, r }, [nearest]) : undefined
 }
 
-/** A disc and where it touches circles. */
+/** A disc with the points at which it touches circles. */
 export function touching(diagram: Diagram, disc: Vertex, circles: readonly number[]): Touching {
   const points = circles.map((i) => {
     const { x, y, r } = circleOf(diagram.circles, i)

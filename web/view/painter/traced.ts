@@ -9,8 +9,7 @@ import type { Traced } from '../protocol.ts'
 import { wholeNumber } from '../whole-number.ts'
 
 /**
- * What a method does with the circles of an editor's diagram, which are in any order there.
- *
+ * Traces a method on the circles of an editor's diagram, whose indices have no particular order.
  * @throws CircleVoronoiError as `trace`; `tooManyCircles`
  */
 export function traced(library: ComputingLibrary, { circles, numbers }: Diagram, options: TraceOptions): Traced {
@@ -24,7 +23,7 @@ export function traced(library: ComputingLibrary, { circles, numbers }: Diagram,
   const sorted = new Float64Array(3 * count)
   for (const [k, i] of order.entries()) sorted.set(circles.subarray(3 * i, 3 * i + 3), 3 * k)
   const ids = order.map(idOf)
-  // What edits insert comes after all circles that there are.
+  // Inserted circles get indices after all existing ones.
   const next = (ids.at(-1) ?? -1) + 1
   const edits = options.edits && renamed(options.edits, ids, next)
   const { diagram, kinds, discs, vertices, ...trace } = library.trace(sorted, { ...options, edits })
@@ -32,7 +31,7 @@ export function traced(library: ComputingLibrary, { circles, numbers }: Diagram,
   return { circles: sorted, ids, diagram, events: { kinds, discs, vertices, circles: named, numbers: trace.numbers } }
 }
 
-/** Edits of circles with ids, as those of circles at places. */
+/** Translates edits by id into edits by index. */
 function renamed(edits: Iterable<Edit>, ids: Int32Array, next: number): Edit[] {
   let inserted = 0
   return Array.from(edits, (edit) => {

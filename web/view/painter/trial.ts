@@ -8,16 +8,16 @@ import { addCell, idOf } from './cell-boxes.ts'
 import { cellArea } from './measures.ts'
 import type { Picture } from './picture.ts'
 
-/** A diagram with a circle that is tried, and what of it is as with all circles. */
+/** A diagram of a new circle and its surroundings, in which the cells of interest equal those among all circles. */
 interface Local {
   readonly diagram: Diagram
-  /** The index of the circle. */
+  /** The index of the new circle. */
   readonly tried: number
-  /** Which circles of the picture the others are. */
+  /** Maps the other circles to indices of the picture. */
   readonly indices: readonly number[]
 }
 
-/** What a circle would take of the cells of others. The diagram stays as it is. */
+/** Computes the area that a new circle would take from each cell, without changing the diagram. */
 export function trialOf(
   library: ComputingLibrary,
   picture: Picture,
@@ -51,9 +51,9 @@ export function trialOf(
 }
 
 /**
- * Only circles near the one that is tried decide about its cell. If each circle that it takes from has all of its neighbors
- * here, its cell was the one that it has among all: for a cell depends on its neighbors alone. So what is taken here is taken
- * there, and as nothing else is, the cell is the same.
+ * Builds the local diagram. Only circles near the new one affect its cell. If every circle that loses area has all of
+ * its neighbors in the local diagram, its former cell was the same as among all circles, because a cell depends on its
+ * neighbors alone. So the area lost here equals the area lost among all circles, and the new cell is the same, too.
  */
 function localDiagram(library: ComputingLibrary, whole: Diagram, { x, y, r }: Circle, nearest: number): Local {
   const indices: number[] = []
@@ -77,7 +77,7 @@ function localDiagram(library: ComputingLibrary, whole: Diagram, { x, y, r }: Ci
   }
 }
 
-/** Those that lose something to the circle: its neighbors, and those that it hides. */
+/** The circles that lose area: the neighbors of the new circle, and the circles that it hides. */
 function robbed({ diagram, tried }: Local): number[] {
   const { hidden } = diagram
   const ks = new Set<number>(diagram.cells.exists(tried) ? diagram.neighbors(tried) : [])
@@ -85,13 +85,13 @@ function robbed({ diagram, tried }: Local): number[] {
   return [...ks]
 }
 
-/** The area of a cell of another diagram than the picture's, cut as that one. */
+/** The area of a cell of another diagram, clipped as in the picture. */
 function areaIn({ clip }: Picture, diagram: Diagram, k: number): number {
   if (clip === undefined) return cellArea(diagram, k)
   return diagram.cells.exists(k) ? diagram.cellArea(k, { region: clip.region }) : 0
 }
 
-/** Infinity for a part without end; NaN where that is not known. */
+/** Infinite for an unbounded part; NaN if unknown. */
 function takenFrom(picture: Picture, { diagram, tried, indices }: Local, k: number): number {
   const i = indices[k] as number
   const before = picture.areaOf(i)
@@ -99,7 +99,7 @@ function takenFrom(picture: Picture, { diagram, tried, indices }: Local, k: numb
   if (before < Number.POSITIVE_INFINITY) return before - after
   if (after < Number.POSITIVE_INFINITY) return Number.POSITIVE_INFINITY
   if (!diagram.cells.isBounded(tried)) return Number.NaN
-  // Nothing is taken outside of the cell.
+  // The new circle takes area only inside its own cell.
   const bounds = boxOf(diagram, tried, picture.reach)
   return picture.diagram.cellArea(i, { bounds }) - diagram.cellArea(k, { bounds })
 }

@@ -5,12 +5,15 @@ import { drawCell } from '../../../lib/drawing/draw.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
-/** Browsers fill long paths in more than linear time. */
+/** Long paths take more than linear time in browsers. */
 const CELLS_PER_PATH = 64
-/** Colors that discs have, too, are not missed where cells are so wide, in pixels. */
+/**
+ * Range of cell widths in pixels over which tints fade in. Narrower cells need none, because their discs have the same
+ * colors.
+ */
 const TINTED_CELL = [6, 12] as const
 
-/** The colors of cells: those of their circles, but weaker, or else what the cells themselves are measured by. */
+/** Cells in a faint tint of their circles, or in the color of their own measure. */
 export const cells: Layer = {
   id: 'cells',
   isClipped: true,

@@ -7,21 +7,21 @@ import { addDisc } from '../disc-path.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 import { addRectangle } from '../polygon-path.ts'
 
-/** Circles that are too small to be seen become dots where cells are so wide, in pixels, and specks where they are not. */
+/** Cell widths in pixels from which circles too small to see are drawn as dots; in narrower cells they are specks. */
 const CELL_WITH_DOTS = [4, 8] as const
-/** The least side of a speck, in pixels. */
+/** Smallest side of a speck, in pixels. */
 const SPECK = 0.7
-/** Browsers fill long paths in more than linear time. */
+/** Long paths take more than linear time in browsers. */
 const SPECKS_PER_PATH = 256
 const HIDDEN_LINE = 1.25
-/** Circles whose radii are weights are dots of this radius, in pixels, or of this share of the width of a cell. */
+/** Radius of sites whose radii are weights, in pixels, and its limit relative to the width of a cell. */
 const SITE_RADIUS = 3.5
 const SITE_SHARE = 0.12
 const RIM_LINE = 1
-/** Discs let the color of their cells through that was asked for. */
+/** Opacity of discs when the colors of cells show a chosen quantity. */
 const SHADE = 0.28
 
-/** The discs of visible circles, and the dots and specks that small ones are. */
+/** The discs of visible circles. Small ones become dots or specks. */
 export const discs: Layer = {
   id: 'circles',
   isOn: (layers) => layers.circles,
@@ -39,7 +39,7 @@ export const discs: Layer = {
   },
 }
 
-/** Rims, where the style has any, and hidden circles. */
+/** Rims, if the style has them, and hidden circles. */
 export const rims: Layer = {
   id: 'circles',
   isOn: (layers) => layers.circles,
@@ -63,7 +63,7 @@ interface Paths {
   readonly hidden: PathSink
 }
 
-/** Those of a painting are drawn below edges and above them. */
+/** Caches the paths of a painting, because they are drawn both below and above the edges. */
 const known = new WeakMap<Painting, Paths>()
 
 function pathsOf(painting: Painting): Paths {
@@ -100,7 +100,7 @@ function madePaths(painting: Painting): Paths {
   for (const i of circles) {
     const radius = picture.areSites ? site : at(diagram.circles, 3 * i + 2) * frame.scale
     const isHidden = !diagram.cells.exists(i)
-    // A hidden circle too small to be seen is not there.
+    // A hidden circle too small to see is not drawn.
     if (isHidden && radius < smallest) continue
     const x = sink.x(at(diagram.circles, 3 * i))
     const y = sink.y(at(diagram.circles, 3 * i + 1))
@@ -115,7 +115,7 @@ function madePaths(painting: Painting): Paths {
       if (share < 1) addSpeck(color, x, y, Math.max(radius, (SPECK / 2) * pixelRatio))
     }
   }
-  // What overlaps does so in one way, whichever part of the picture is painted.
+  // A fixed order makes overlaps look the same in every tile.
   const byColor = <Path>(paths: Iterable<readonly [number, Path]>) => [...paths].sort(([one], [other]) => one - other)
   return { discs: byColor(discs), dots: byColor(dots), specks: byColor(specks), hidden }
 }

@@ -9,7 +9,7 @@ import { addSegment } from '../segment-path.ts'
 const LINE = 1.25
 const DOT = 2.5
 
-/** What clients have added. */
+/** The layers of clients. */
 export const data: Layer = {
   id: 'data',
   isOn: (layers) => layers.data.length > 0,
@@ -18,7 +18,7 @@ export const data: Layer = {
   },
 }
 
-/** What the touching disc method makes on its way. */
+/** The intermediate results of the touching disc method. */
 export const method: Layer = {
   id: 'method',
   isOn: isMethodShown,

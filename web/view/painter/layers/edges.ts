@@ -8,14 +8,14 @@ import { keptParts } from '../../../lib/regions/cell-limits.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
-/** Browsers stroke long paths in more than linear time. */
+/** Long paths take more than linear time in browsers. */
 const EDGES_PER_PATH = 1000
-/** Edges fade in where cells are so wide, in pixels. */
+/** Range of cell widths in pixels over which edges fade in. */
 const CELL_WITH_EDGES = [1.5, 4] as const
 const GHOST_LINE = 1.1
 const MISSED_LINE = 3
 
-/** The true arcs. */
+/** The edges of the diagram, as exact arcs. */
 export const edges: Layer = {
   id: 'edges',
   isClipped: true,
@@ -53,7 +53,7 @@ export const power: Layer = {
   },
 }
 
-/** Those that the touching disc method misses. */
+/** The edges that the touching disc method misses. */
 export const missedEdges: Layer = {
   id: 'missedEdges',
   isClipped: true,
@@ -82,15 +82,15 @@ function strokeArcs(
   strokeEdges(painting, diagram, circles, add, stroke, (side) => painting.picture.draws(side))
 }
 
-/** A dash and the gap after it, in CSS pixels. */
+/** Length of a dash and of a gap, in CSS pixels. */
 const DASH = 5
 const GAP = 4
-/** Farther along a line, in pixels, rounding would move dashes. */
+/** Distance along a line, in pixels, beyond which rounding would shift dashes. */
 const FAR = 1e9
 
 /**
- * The edges of a diagram of segments and rays. Where their dashes are depends on two circles alone: so they are the same in
- * whichever parts an edge is painted, and they stay where a vertex of the edge moves.
+ * Strokes the dashed edges of a diagram of segments and rays. The phase of the dashes depends on the two circles only,
+ * so that it is the same in all tiles and stays when a vertex of the edge moves.
  */
 function strokeGhost(painting: Painting, diagram: Diagram, circles: readonly number[], color: string): void {
   const { lineWidth, pixelRatio, limits } = painting
@@ -99,7 +99,7 @@ function strokeGhost(painting: Painting, diagram: Diagram, circles: readonly num
     const { x, y, dx, dy } = lineOf(diagram, e)
     const [beginX, beginY] = [sink.x(x), sink.y(y)]
     for (const { curve } of keptParts(diagram, e, { region: limits.region, maxDistance: undefined })) {
-      // y is downwards there.
+      // Pixel coordinates are y-down.
       const along = [curve.start, curve.end].map((end) => (sink.x(end.x) - beginX) * dx - (sink.y(end.y) - beginY) * dy)
       const [from, to] = [Math.min(...along), Math.max(...along)]
       if (!(Math.abs(from) < FAR && Math.abs(to) < FAR)) continue
@@ -115,7 +115,7 @@ function strokeGhost(painting: Painting, diagram: Diagram, circles: readonly num
   strokeEdges(painting, diagram, circles, add, (path) => painting.stroke(path, color, thickness))
 }
 
-/** The line that an edge lies on: a point between the centers, and a direction, the same for either order of the two. */
+/** The line of an edge: a point between the centers, and a direction that does not depend on their order. */
 function lineOf({ circles, edges }: Diagram, e: number): { x: number; y: number; dx: number; dy: number } {
   const [one, other] = [circleOf(circles, at(edges, 4 * e)), circleOf(circles, at(edges, 4 * e + 1))]
   const isAscending = one.x < other.x || (one.x === other.x && one.y < other.y)
@@ -130,7 +130,7 @@ function isLeft(side: number): boolean {
   return (side & 1) === 0
 }
 
-/** Adds each edge around circles once, by default with its left circle, and strokes what was added. */
+/** Adds the edges around circles, each once, and strokes them. By default an edge is added with its left circle. */
 function strokeEdges(
   painting: Painting,
   { cells }: Diagram,

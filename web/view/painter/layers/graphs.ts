@@ -9,14 +9,14 @@ import { addSegment } from '../segment-path.ts'
 
 const SEGMENTS_PER_PATH = 1000
 
-/** A segment for each two circles whose cells share an edge. */
+/** A segment between the centers of each two circles that share an edge. */
 export const dual: Layer = {
   id: 'dual',
   isOn: (layers) => layers.dual,
   draw: (painting) => strokeDual(painting, painting.picture, painting.style.dual),
 }
 
-/** The same of the centers' Voronoi diagram: their Delaunay graph. */
+/** The Delaunay graph of the centers. */
 export const delaunay: Layer = {
   id: 'delaunay',
   isOn: (layers) => layers.delaunay,
@@ -36,7 +36,7 @@ function strokeDual(painting: Painting, picture: Picture, color: string): void {
   const seen = new Set(picture.starsIn(limits.region.box))
   for (const i of seen) {
     for (const side of diagram.cells.sides(i)) {
-      // Each edge once, though its left circle may not be near.
+      // Adds each edge once, also if its left circle is not in view.
       if (side & 1 && seen.has(diagram.cells.neighborOf(side))) continue
       addDualEdge(path, painting, sink, diagram, i, diagram.cells.neighborOf(side))
       count += 1

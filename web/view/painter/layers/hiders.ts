@@ -7,7 +7,10 @@ import { addSegment } from '../segment-path.ts'
 const LINE = 1.25
 const DOT = 2
 
-/** From each hidden circle a line to the rim of one that contains it, straight away from its center: so lines do not meet. */
+/**
+ * A line from each hidden circle to the rim of a circle that contains it, away from the containing center, so that
+ * lines do not cross.
+ */
 export const hiders: Layer = {
   id: 'hidden',
   isOn: (layers) => layers.hidden,
@@ -19,13 +22,13 @@ export const hiders: Layer = {
     const sink = painting.sink()
     const x = (i: number) => sink.x(at(circles, 3 * i))
     const y = (i: number) => sink.y(at(circles, 3 * i + 1))
-    // All of it lies in the disc of the one that hides.
+    // The line lies entirely in the containing disc.
     for (const hider of painting.circles) {
       for (const hidden of picture.hiddenBy(hider)) {
         const [dx, dy] = [x(hidden) - x(hider), y(hidden) - y(hider)]
         const distance = Math.hypot(dx, dy)
         const radius = at(circles, 3 * hider + 2) * frame.scale
-        // Around one center, any direction is as good.
+        // With a common center, any direction will do.
         const [ux, uy] = distance === 0 ? [1, 0] : [dx / distance, dy / distance]
         addSegment(lines, frame, x(hidden), y(hidden), x(hider) + radius * ux, y(hider) + radius * uy)
         addDisc(dots, frame, x(hidden), y(hidden), DOT * pixelRatio)

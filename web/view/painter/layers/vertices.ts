@@ -6,13 +6,15 @@ import type { Diagram, PathSink } from '../../../lib/index.ts'
 import { addDisc } from '../disc-path.ts'
 import { type Layer, shareOf } from '../painting.ts'
 
-/** Vertices fade in where cells are so wide, in pixels. */
+/** Range of cell widths in pixels over which vertices fade in. */
 const CELL_WITH_VERTICES = [50, 80] as const
 const RADIUS = 2
-/** Of one that stands for several. */
+/** Radius of a merged vertex. */
 const MERGED_RADIUS = 3.5
 
-/** The vertices; if they are merged, each with its number of circles: those of more than three stand out. */
+/**
+ * The vertices. Merged vertices show their number of circles, and vertices of more than three circles are highlighted.
+ */
 export const vertices: Layer = {
   id: 'vertices',
   isClipped: true,
@@ -22,7 +24,7 @@ export const vertices: Layer = {
     const { diagram } = picture
     const { nearZero, maxDistance = Number.POSITIVE_INFINITY } = layers
     const opacity = shareOf(width, CELL_WITH_VERTICES)
-    // Merged ones are looked for: they stand out at any size.
+    // Merged vertices are drawn at any size of cells.
     if (opacity === 0 && nearZero === undefined) return
     const plain = painting.drawing.path()
     const merged = painting.drawing.path()
@@ -38,7 +40,7 @@ export const vertices: Layer = {
     for (const i of circles) {
       for (const side of diagram.cells.sides(i)) {
         const v = diagram.cells.originOf(side)
-        // Each vertex once: with the first of its circles.
+        // Draws each vertex once, with the first of its circles.
         if (v === NONE || at(diagram.vertexCircles, 3 * v) !== i) continue
         if (at(diagram.vertices, 3 * v + 2) > maxDistance) continue
         const others = nearZero === undefined ? 0 : mergedWith(diagram, v, nearZero)
@@ -51,7 +53,10 @@ export const vertices: Layer = {
   },
 }
 
-/** How many vertices one stands for beside itself, joined by edges up to a length; -1, if another one stands for it. */
+/**
+ * The number of other vertices merged into a vertex, by edges up to a length; -1 if the vertex is merged into another
+ * one.
+ */
 export function mergedWith(diagram: Diagram, v: number, nearZero: number): number {
   const { vertices, vertexSides, cells } = diagram
   const members = [v]
