@@ -14,6 +14,8 @@ const FOLDERS = [
   'examples/element',
   'examples/fetch_content',
   'examples/find_package',
+  'tests/e2e',
+  'tests/pack',
   'tests/package',
   'web/cli',
   'web/docs',
@@ -23,6 +25,7 @@ const FOLDERS = [
   'web/player',
   'web/reading',
   'web/tutorial',
+  'web/view',
 ]
 
 const COMMENT = /(?:^|\s)(?:\/\/[/!]?<?|#)(?: (.*)|$)|^\s*(?:\/\*\*?|\*(?!\/))(?: (.*)|$)|\s\/\*\* (.*)$/

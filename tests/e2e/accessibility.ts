@@ -4,8 +4,8 @@ import type { Page } from '@playwright/test'
 import { framesOf } from './frames.ts'
 
 /**
- * What of a page, or of its part that a selector names, is not accessible. All is in one document: a second page, which would
- * bring together what frames say, takes as long as the analysis.
+ * Returns the accessibility violations of a page, or of the part that a selector names. Legacy mode analyzes a single
+ * document. The default mode opens a second page to merge the results of frames, which takes as long as the analysis.
  */
 export async function violationsOf(page: Page, part?: string, rules?: string[]) {
   const options = {
@@ -16,10 +16,10 @@ export async function violationsOf(page: Page, part?: string, rules?: string[]) 
   return (await (part === undefined ? axe : axe.include(part)).analyze()).violations
 }
 
-/** What the colors of a page decide. */
+/** The rules that depend on colors. */
 const RULES_OF_COLORS = ['color-contrast', 'link-in-text-block']
 
-/** What of a page is not accessible in light colors or in dark ones. */
+/** Returns the accessibility violations of a page in light and in dark colors. */
 export async function violationsInBoth(page: Page) {
   await page.emulateMedia({ colorScheme: 'light' })
   const inLight = await violationsOf(page)

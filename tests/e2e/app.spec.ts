@@ -20,18 +20,18 @@ test('shows a few circles at the start, and one line that says what it is', asyn
   const line = page.getByText('Every point is colored by its nearest circle. Drag one.')
   await expect(line).toBeVisible()
   for (const name of ['Tutorial', 'Docs', 'Source']) await expect(page.getByRole('link', { name })).toBeVisible()
-  // It is gone with the first touch, and who wants less motion sees none.
+  // The introduction's picture disappears with the first touch, and is static if the user prefers reduced motion.
   await expect(page.locator('#first-picture')).toHaveCount(0)
   await app.painted()
   const picture = await app.canvas.screenshot()
   await framesOf(page, 30)
-  // What its thread was asked for by then is painted.
+  // A round trip to the thread makes sure that it has painted everything requested.
   await threadOf(page).evaluate(() => undefined)
   await app.painted()
   expect(picture.equals(await app.canvas.screenshot())).toBe(true)
   await app.select(START, 0)
   await expect(line).toBeHidden()
-  // The first data set needs no link, and it can be chosen again.
+  // The first data set needs no link, and can be chosen again.
   expect(new URL(page.url()).hash).toBe('')
   await app.choose('Introduction')
   await app.choose('Eight circles')
@@ -86,7 +86,8 @@ test('draws the edges as arcs, not as chords', async ({ app }) => {
     const isShown = [arc, chord].every((point) => app.isShown(app.locate(INTRODUCTION, point)))
     if (isShown && Math.hypot(arc.x - chord.x, arc.y - chord.y) * scale > 6) middles.push(arc, chord)
   }
-  // Edges are dark, though a pixel may see no more than half of one. The middle of a chord is light, unless something else happens to be there.
+  // Edges are dark, though a pixel may show no more than half of one. The middle of a chord is light unless another
+  // layer is drawn there.
   await app.painted()
   const colors = await app.colors(middles.map((point) => app.locate(INTRODUCTION, point)))
   const isDark = colors.map(([red]) => (red as number) < 200)
@@ -156,12 +157,12 @@ test('deletes a circle in the middle of its drag, and no other one changes', asy
   await app.page.mouse.up()
   await expect(app.status).toContainText('13 circles')
   await expect(app.page.getByRole('alert')).toBeHidden()
-  // What was dragged and deleted comes back in two steps, and nothing else was done.
+  // Undo takes two steps, for the drag and for the deletion, so nothing else was recorded.
   const undo = app.page.getByRole('button', { name: 'Undo' })
   await undo.click()
   await expect(app.status).toContainText('14 circles')
   await undo.click()
-  // What was there before the introduction.
+  // Restores the circles from before the introduction.
   await undo.click()
   await expect(app.status).toContainText('678 circles')
   await expect(undo).toBeDisabled()
@@ -177,7 +178,7 @@ test('shows the data set that was chosen last', async ({ app }) => {
   answer()
   await (await answered).finished()
   await got(app.page, 'data/spruces.csv')
-  // What was opened late would be what is undone.
+  // An opening that finished late would be undone here.
   await app.page.getByRole('button', { name: 'Undo' }).click()
   await expect(app.status).toContainText('678 circles')
   await app.page.getByRole('button', { name: 'Redo' }).click()
@@ -224,7 +225,7 @@ test('the card says what hides a circle, and takes numbers but no wrong ones', a
 })
 
 test('what is pressed on the first picture is pressed on the figure, whose pixels count', async ({ page }) => {
-  // The thread that paints does not come: nothing takes the place of the picture.
+  // The painting thread never starts, so nothing may replace the picture.
   const answer = await heldBack('**/start-thread*', page)
   await page.goto('/')
   await expect(page.locator('#first-picture')).toBeVisible()
@@ -299,7 +300,7 @@ test.describe('on a phone', () => {
     const at = app.center(BRONZE, 650)
     await app.page.touchscreen.tap(at.x, at.y)
     await expect(app.inspector).toContainText('Circle 650')
-    // All at one time: what is said of the circles goes by itself.
+    // Measured together, because the caption disappears by itself.
     const ends = await app.page.evaluate(() =>
       [...document.querySelectorAll('.panel')].map((panel) => {
         const { left, right } = panel.getBoundingClientRect()
@@ -322,7 +323,7 @@ test.describe('on a phone', () => {
     await touch('touchStart', 20)
     for (const spread of [30, 45, 60, 80]) await touch('touchMove', spread)
     await touch('touchEnd')
-    // Four times as large, a point that was a few pixels away is still on the circle.
+    // After zooming in four times, a point a few pixels away is still on the circle.
     await app.page.touchscreen.tap(x + 12, y)
     await expect(app.inspector).toContainText('Circle 650')
     const radius = (BRONZE[3 * 650 + 2] as number) * app.camera(BRONZE).scale

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The other columns of a file: shown, sorted, colored by, edited, undone, kept, linked and saved.
+// Columns of a file beyond the circles: shown, sorted, colored by, edited, undone, kept, linked and saved.
 import { readFileSync } from 'node:fs'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { type App, expect, test } from './page.ts'
@@ -44,12 +44,12 @@ test('columns of a table are in the table, the inspector, the colors, the link, 
   ])
   await expect(row(2)).toContainText(['1', '12', '0', '2', '∞', '', '', 'Bern', '1003', 'city', '134000.5'])
 
-  // Sorted by numbers, and those without one are last.
+  // Rows are sorted by number, and rows without a number are last.
   await grid.getByRole('columnheader', { name: 'people' }).click()
   await expect(row(1)).toContainText(['0', '0', '0', '1', '', '', '', 'Aarau'])
   await expect(row(5)).toContainText(['3', '15', '11', '1', '', '', '', '', '06038', '', ''])
 
-  // Edited as text where the column is text, with any key.
+  // A text column is edited as text, starting with any key.
   await row(1).nth(8).click()
   await page.keyboard.type('0042')
   await page.keyboard.press('Enter')
@@ -86,7 +86,7 @@ test('columns of a table are in the table, the inspector, the colors, the link, 
   await app.painted()
   await page.screenshot({ path: testInfo.outputPath('kind-dark.png') })
 
-  // The link, a reload, and undo over another data set.
+  // The column survives a link, a reload, and undo across another data set.
   const linked = async () => (await decodeLink(new URL(page.url()).hash)).attributes?.properties[0]
   await expect.poll(linked).toBe('{"name":"Aarau","fips":"0042","kind":"town","people":1200}')
   await page.reload()

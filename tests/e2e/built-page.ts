@@ -4,7 +4,10 @@ import { fileURLToPath } from 'node:url'
 import { test as base, expect, type Page } from '@playwright/test'
 import { build, type PreviewServer, preview } from 'vite'
 
-/** A test with a page of this folder, built for it. It fails on any error that the page has. `shown`: waits until it is ready. */
+/**
+ * A test with a page of this folder, built for it. The test fails on any error of the page. `shown` waits until the
+ * page is ready.
+ */
 export function testOf(name: string, shown: (page: Page) => Promise<void>) {
   const root = fileURLToPath(new URL(name, import.meta.url))
   const builds = fileURLToPath(new URL('../../build/pages', import.meta.url))
@@ -12,7 +15,7 @@ export function testOf(name: string, shown: (page: Page) => Promise<void>) {
     server: [
       // biome-ignore lint/correctness/noEmptyPattern: Playwright reads from it which fixtures this needs
       async ({}, use) => {
-        // Each worker has one of its own: others may build at the same time.
+        // Each worker has a folder of its own, because others may build at the same time.
         mkdirSync(builds, { recursive: true })
         const outDir = mkdtempSync(`${builds}/${name}-`)
         const options = { root, configFile: false, logLevel: 'error' } as const

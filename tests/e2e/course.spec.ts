@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The course package: unpacked into a page with a stub of the SCORM 1.2 interface, as learning management systems have it.
+// The course package, unpacked into a page with a stub of the SCORM 1.2 interface of learning management systems.
 import { readFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
@@ -10,7 +10,7 @@ import { expect, test } from './page.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 2, 5, 10, 2, 9, 6, 1, 5, 4, 0.5)
 const TYPES: Readonly<Record<string, string>> = { html: 'text/html', js: 'text/javascript', xml: 'text/xml' }
-/** The page of a system, with the package in a frame. It keeps values while it is open. */
+/** The page of a learning management system with the package in a frame. It keeps values while it is open. */
 const SYSTEM = `<!doctype html><html lang="en"><title>Course</title><script>
   const values = { 'cmi.core.lesson_status': 'not attempted' }, calls = []
   const call = (name) => (calls.push(name), 'true')
@@ -91,7 +91,7 @@ test('reports "passed" to the system once the check is met, and goes on where it
   await expect(lesson.getByRole('status')).toHaveText('Solved')
   await expect.poll(() => value('cmi.core.lesson_status')).toBe('passed')
   expect(await value('cmi.core.score.raw')).toBe('100')
-  // Another lesson, and this one again.
+  // Opens another lesson, then this one again.
   const frame = other.locator('iframe')
   await frame.evaluate((element: HTMLIFrameElement) => {
     element.src = 'about:blank'

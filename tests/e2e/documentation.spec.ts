@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the documentation and the contents of the tutorial: where they lead, how they look, and what their search finds.
+// The pages of the documentation and the contents of the tutorial: links, appearance and search.
 import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { expect, type Page, test } from '@playwright/test'
@@ -13,9 +13,9 @@ const pagesOf = (folder: string) =>
   readdirSync(`${SITE}${folder}`)
     .filter((name) => name.endsWith('.html'))
     .map((name) => `${folder}/${name}`)
-/** Beyond that a page scrolls sideways by rounding alone. */
+/** Tolerance for horizontal scrolling caused by rounding, in pixels. */
 const ROUNDING = 1
-/** Of a figure without buttons, in pixels. */
+/** Margin of a figure without buttons, in pixels. */
 const MARGIN = 16
 
 test('the first page sends each reader on within a screen', async ({ page }) => {
@@ -35,7 +35,7 @@ test('the first page sends each reader on within a screen', async ({ page }) => 
     await expect(row).toBeInViewport({ ratio: 1 })
     await expect(row.locator(`a[href="${address}"]`)).toHaveCount(1)
   }
-  // Five lines and a picture.
+  // The first code example has five lines and a picture.
   const code = await main.locator('#in-javascript ~ pre').first().textContent()
   expect(
     code
@@ -65,7 +65,7 @@ test('long pages have a table of contents, and short ones none', async ({ page }
   await expect(page.getByRole('navigation', { name: 'On this page' })).toHaveCount(0)
 })
 
-/** What is wider than its place: code whose lines could be broken, and the page itself. */
+/** Returns code that is clipped although its lines could be broken, and whether the page itself is too wide. */
 function clipped(rounding: number): string[] {
   const wide = [
     ...document.querySelectorAll<HTMLElement>('pre:not(.drawn), p, li, :is(h1, h2, h3):not(.hidden)'),
@@ -165,7 +165,7 @@ test.describe('search', () => {
       const [first] = await search(page, words)
       expect(first, words).not.toContain('/api/')
     }
-    // A name that only the reference has is found all the same.
+    // Names that only the reference contains are found, too.
     expect((await search(page, 'outlinePerimeter'))[0]).toContain('outlinePerimeter')
   })
 
@@ -208,7 +208,7 @@ test.describe('without scripts', () => {
 
   test('the pictures of chapter 4 have their lines, samples and shrunken rims', async ({ page }) => {
     await page.goto('/tutorial/04-samples.html')
-    /** How many lines or discs of a kind a picture has. */
+    /** Counts the lines or discs of a kind in a picture. */
     const countIn = (name: string, kind: string) => {
       const svg = readFileSync(`${SITE}tutorial/pictures/${name}.svg`, 'utf8')
       const [, drawn = ''] = new RegExp(`<(?:path|g) class="lines ${kind}"([\\s\\S]*?)(?:/>\\n|</g>)`).exec(svg) ?? []
@@ -245,7 +245,7 @@ test.describe('on a phone', () => {
       await element.updateComplete
     })
     const before = await figure.screenshot()
-    // The border crosses the line between the centers 5 from the first one: the circles reach from -3 to 9.
+    // The border crosses the line between the centers at distance 5 from the first: the circles reach from -3 to 9.
     const { x, y, width, height } = (await figure.boundingBox()) as {
       x: number
       y: number
@@ -296,7 +296,7 @@ test.describe('on a phone', () => {
           return { at: screen(x, y), feet }
         })
         const disc = discs.find(({ at, feet }) => [at, ...feet].every(isSeen))
-        // A border alone: the test above taps on it.
+        // The figure has only a border. The test above taps on it.
         if (discs.length === 0) continue
         expect(disc, name).toBeDefined()
         const { at, feet } = disc as NonNullable<typeof disc>
@@ -310,7 +310,7 @@ test.describe('on a phone', () => {
             return points.map(({ x, y }) => (context.getImageData(x * ratio, y * ratio, 1, 1).data[3] as number) > 200)
           }, feet)
         expect(await marked(), name).not.toContain(true)
-        // Elsewhere, so that this tap and that on the figure before are no double tap, which adds a circle.
+        // Taps elsewhere, so that this tap and the previous one are no double tap, which would add a circle.
         await page.touchscreen.tap(2, 2)
         await page.touchscreen.tap(box.left + at.x, box.top + at.y)
         await expect.poll(marked, { message: name }).toEqual([true, true, true])

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several circles at once, tools, steps and snapping, by mouse, keys and fingers. What became of the circles is read from the
-// address.
+// Multiple selection, tools, steps and snapping by mouse, keys and fingers. The tests read the resulting circles from
+// the address.
 import type { Circle, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { App, expect, test } from './page.ts'
 
-/** Discs in two rows, 4 units from one to the next. */
+/** Discs in two rows, with 4 units between neighbors. */
 const ROWS = Float64Array.from([0, 4, 8, 0, 4, 8].flatMap((x, k) => [x, k < 3 ? 0 : 4, 1]))
 
 test.use({ link: await encodeLink({ circles: ROWS }) })
 
-/** The circles, once they are kept. */
+/** Returns the circles once they are saved in the address. */
 async function circlesOf(app: App): Promise<Circle[]> {
   const { circles = [] } = await decodeLink(new URL(app.page.url()).hash)
   return Array.from({ length: circles.length / 3 }, (_, i) => {
@@ -27,7 +27,7 @@ async function click(app: App, x: number, y: number): Promise<void> {
   await app.page.mouse.click(point.x, point.y)
 }
 
-/** Selects the lower row by a rubber band. */
+/** Selects the lower row with a rubber band. */
 async function selectRow(app: App): Promise<void> {
   await app.page.keyboard.down('Shift')
   await app.drag(at(app, -0.5, 1.7), at(app, 9, -0.4))
@@ -52,13 +52,13 @@ test('several are selected by Shift and by a rubber band, all and none by keys',
   await expect(group(app)).toContainText('6 circles')
   await app.page.keyboard.press('Escape')
   await expect(group(app)).toBeHidden()
-  // Escape in the middle of a band selects nothing.
+  // Escape during a rubber band selects nothing.
   await app.page.keyboard.down('Shift')
   await app.drag(at(app, -1, 2), at(app, 9, -1))
   await app.page.keyboard.press('Escape')
   await app.page.mouse.up()
   await app.page.keyboard.up('Shift')
-  // The answer to Enter comes after the answer to the band.
+  // The answer to Enter arrives after the answer to the band.
   await app.page.keyboard.press('Enter')
   await expect(app.inspector).toBeVisible()
   await expect(group(app)).toBeHidden()
@@ -97,7 +97,7 @@ test('several are moved together and back by one undo, and scaled by the handle 
     await selectRow(app)
     const corner = at(app, 9, -1)
     const middle = at(app, 4, 0)
-    // The handle stands 7 pixels outside.
+    // The handle is 7 pixels outside.
     const handle = { x: corner.x + 7, y: corner.y + 7 }
     await app.drag(handle, { x: middle.x + 1.1 * (handle.x - middle.x), y: middle.y + 1.1 * (handle.y - middle.y) })
     await app.page.mouse.up()
@@ -148,7 +148,7 @@ test('what is selected is duplicated, copied, cut and pasted, in another tab too
   await other.page.keyboard.press('Control+v')
   await expect(other.status).toContainText('681 circles')
   await expect(group(other)).toContainText('3 circles')
-  // Other programs get numbers.
+  // Other programs receive numbers.
   expect(await other.page.evaluate(() => navigator.clipboard.readText())).toMatch(/^(\S+\t\S+\t1\n){3}$/)
 })
 
@@ -177,7 +177,7 @@ test('Control and an arrow key go to the neighbor on that side', async ({ app })
     ['ArrowDown', 2],
     ['ArrowLeft', 1],
   ] as const) {
-    // They are those of the circle before until this one is described: it is one of them then.
+    // The card shows the previous circle's neighbors until this circle is described, which is one of them.
     await expect
       .poll(async () => {
         const neighbors = await app.neighbors()
@@ -195,7 +195,7 @@ test('what is dragged snaps to neighbors and to the grid, with Alt or always', a
   await expect(app.inspector).toContainText('Circle 0')
   const { scale } = app.camera(ROWS)
   const from = at(app, 0, 0)
-  // The one at (4, 0) is touched from (2, 0).
+  // The circle at (4, 0) is touched from (2, 0).
   const to = { x: from.x + 2 * scale - 5, y: from.y }
   await app.page.keyboard.down('Alt')
   await app.drag(from, to)
@@ -209,7 +209,7 @@ test('what is dragged snaps to neighbors and to the grid, with Alt or always', a
   await app.page.mouse.up()
   const place = async () => (await circlesOf(app))[0] as Circle
   await expect.poll(async () => (await place()).x).toBeLessThan(-0.8)
-  // Lines are 0.1 apart.
+  // Grid lines are 0.1 apart.
   const { x, y } = await place()
   expect([x, y].map((value) => Number(value.toFixed(1)))).toEqual([x, y])
 })
@@ -272,10 +272,10 @@ test('what is done is said once', async ({ app }) => {
   await expect.poll(texts).toEqual([expect.anything(), expect.stringMatching(/^Circle \d: x \S+, y \S+, r 1$/)])
   await app.page.keyboard.press('Delete')
   await expect.poll(texts).toEqual([expect.anything(), expect.anything(), expect.stringMatching(/^Circle \d deleted$/)])
-  // Two edits; what is selected is none.
+  // There are two edits; selections are none.
   const statuses = () => app.page.evaluate(() => (window as unknown as { statuses: string[] }).statuses)
   await expect.poll(statuses).toHaveLength(2)
-  // All that would still be said is said.
+  // Runs all pending announcements.
   await app.page.clock.fastForward(5000)
   expect(await texts()).toHaveLength(3)
   expect(await statuses()).toHaveLength(2)
@@ -290,14 +290,14 @@ test.describe('with fingers', () => {
       session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(({ x, y }, id) => ({ x, y, id })) })
     const swipe = async (from: Point, dx: number, dy: number) => {
       const moveTo = (share: number) => touch('touchMove', { x: from.x + share * dx, y: from.y + share * dy })
-      // Both at once: on a slow machine, a finger that rests is a long press.
+      // Sends both at once, because on a slow machine a resting finger would be a long press.
       await Promise.all([touch('touchStart', from), moveTo(0.3)])
       for (const share of [0.6, 1]) await moveTo(share)
       await touch('touchEnd')
     }
     const view = async () => (await decodeLink(new URL(app.page.url()).hash)).view
     const from = at(app, 4, 0)
-    // Beside the circles: large ones are dragged at once.
+    // Starts beside the circles, because large circles are dragged at once.
     await swipe(at(app, 2, 2), 0, -60)
     await expect.poll(async () => (await view())?.y).toBeLessThan(1)
     expect((await circlesOf(app))[1]).toEqual({ x: 4, y: 0, r: 1 })
@@ -305,12 +305,12 @@ test.describe('with fingers', () => {
     await app.page.touchscreen.tap(from.x, from.y - 60)
     await expect(app.inspector).toContainText('Circle 1')
     await swipe({ x: from.x, y: from.y - 60 }, 0, -30)
-    // More than two thirds of the way are over.
+    // More than two thirds of the drag are done.
     await expect.poll(async () => (await circlesOf(app))[1]?.y).toBeGreaterThan(0.7)
     const moved = await circlesOf(app)
 
     const before = (await view())?.span
-    // The first finger lies on the selected circle.
+    // The first finger is on the selected circle.
     const place = { x: from.x, y: from.y - 90 }
     await touch('touchStart', place)
     await touch('touchMove', { x: place.x + 10, y: place.y })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page for a frame in another page, which shows what the link after the # of its address says.
+// The embedded page, which shows the link after the # of its address.
 import { expect, type Page, test } from '@playwright/test'
 import { encodeLink } from '../../web/lib/link.ts'
 import { got, heldBack } from './held-back.ts'
@@ -30,7 +30,7 @@ test('shows the link that its address has last, though the one before is slower'
   answer()
   await (await answered).finished()
   await got(page, 'data/spruces.csv')
-  // Its thread draws after whatever was asked of it before.
+  // Its thread draws after all earlier requests.
   await page.evaluate(() => document.querySelector('circle-voronoi')?.toSVG())
   expect(await circlesOf(page)).toBe(WAKA)
   await expect(page.locator('#problem')).toBeHidden()
@@ -59,12 +59,12 @@ test('an element in a form goes back to what its attributes say when the form is
       await change
       tell()
     }
-    // What an attribute is set to takes the place of what was set as a property.
+    // An attribute replaces the property that was set before.
     figure.layers = { ...figure.layers, dual: false, hull: true }
     told.push([figure.layers.dual, figure.layers.hull])
     figure.setAttribute('layers', 'dual')
     told.push([figure.layers.dual, figure.layers.hull])
-    // So does one that it was set to before.
+    // An attribute that is set to its former value does so, too.
     await figure.stepTo(2)
     const { step } = figure
     figure.setAttribute('step', '1')

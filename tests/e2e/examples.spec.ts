@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The examples in the documentation: each page of them runs where it is shown, and each has its source.
+// The examples in the documentation: each runs in its page, and each has its source.
 import { readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { expect, type Frame, test } from '@playwright/test'
 import { violationsOf } from './accessibility.ts'
 
 const EXAMPLES = fileURLToPath(new URL('../../examples/', import.meta.url))
-/** Folders of what is a page. */
+/** The folders that contain pages. */
 const PAGES = [
   'bouncing',
   'districts',
@@ -34,20 +34,23 @@ test('each page of the examples runs in the place of its picture, and shows a di
     expect(await figure.locator('iframe').boundingBox()).toEqual(place)
     const shown = await (await figure.locator('iframe').elementHandle())?.contentFrame()
     await expect.poll(() => inkOf(shown as Frame), { message: folder, timeout: 20_000 }).toBeGreaterThan(0.02)
-    // Its threads go with it.
+    // Removing the figure terminates its threads.
     await figure.evaluate((element) => element.remove())
   }
   expect(problems).toEqual([])
 })
 
-/** Which part of the canvases in a page, or of those in its frames, is neither empty nor of the commonest color. */
+/**
+ * The share of pixels in a page's canvases, or in those of its frames, that are neither empty nor of the most common
+ * color.
+ */
 async function inkOf(frame: Frame): Promise<number> {
   const inks = await Promise.all([frame, ...frame.childFrames()].map((each) => each.evaluate(inkHere)))
   return Math.max(...inks)
 }
 
 function inkHere(): number {
-  // An SVG shows its shapes.
+  // An SVG counts if it has shapes.
   if (document.querySelector('#picture svg path') !== null) return 1
   const shadows = [...document.querySelectorAll('circle-voronoi')].map(({ shadowRoot }) => shadowRoot)
   const canvases = [document, ...shadows].flatMap((root) => [...(root?.querySelectorAll('canvas') ?? [])])

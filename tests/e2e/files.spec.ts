@@ -21,7 +21,7 @@ async function choose(app: App, name: string, content: string | Buffer): Promise
   await app.page.getByLabel('Open …').setInputFiles({ name, mimeType: 'text/plain', buffer })
 }
 
-/** Keeps toasts open: they close after some seconds, before a slow machine has looked at them. */
+/** Keeps toasts open. They close after some seconds, before a slow machine has read them. */
 function keepToasts(page: Page): Promise<void> {
   return page.evaluate(() => {
     const set = window.setTimeout as (act: TimerHandler, ms?: number) => number
@@ -30,7 +30,7 @@ function keepToasts(page: Page): Promise<void> {
   })
 }
 
-/** What is saved by a button. */
+/** Clicks a button and returns the saved file. */
 async function saved(app: App, label: string): Promise<{ name: string; text: string }> {
   const download = app.page.waitForEvent('download')
   await app.page.locator('#files').getByRole('button', { name: label, exact: true }).click()
@@ -43,7 +43,7 @@ test('opens circles in each format, and undo goes back', async ({ app }) => {
   const files = await loadFiles()
   const three = (format: 'csv' | 'json' | 'geojson' | 'svg') =>
     format === 'svg'
-      ? // As the command line writes it.
+      ? // The name equals that of the command line's files.
         loadCircleVoronoi().then((library) => files.writeDiagram(library.compute(THREE_CIRCLES), { format }))
       : files.writeCircles(THREE_CIRCLES, { format })
   for (const format of ['csv', 'json', 'geojson', 'svg'] as const) {
@@ -114,7 +114,7 @@ test('saves the picture that is seen as PNG, so many times as large', async ({ a
   expect(await sizeOf('1')).toEqual([1280, 800, expect.any(Number)])
   const [width, height, length] = await sizeOf('2.5')
   expect([width, height]).toEqual([3200, 2000])
-  // A picture without anything would be small.
+  // An empty picture would be smaller.
   expect(length).toBeGreaterThan(200_000)
   await app.page.getByLabel('times').fill('1000')
   await app.page.getByLabel('times').press('Tab')
@@ -128,7 +128,7 @@ test('an SVG of circles too many for a link opens again, as these circles', asyn
   await openPanel(app)
   await choose(app, 'grid.csv', `x,y,r\n${rows.join('\n')}\n`)
   await expect(app.status).toContainText('100,001 circles')
-  // Of the drawing itself, as little as may be.
+  // Zooms in, so that the drawing is as small as possible.
   for (let k = 0; k < 10; k++) await app.page.getByRole('button', { name: 'Zoom in' }).click()
   const { text } = await saved(app, 'SVG')
   expect(text.length).toBeLessThan(30 * count)
@@ -182,7 +182,7 @@ test('a file that is wrong gets a sentence and changes nothing', async ({ app })
   }
 })
 
-/** What is shown, as the address of the page says once it has come to rest. */
+/** The state in the address of the page, once the address is stable. */
 const linked = async (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() => undefined)
 
 test('opens what is dropped', async ({ app }) => {
@@ -209,7 +209,7 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
   }
   await keepToasts(app.page)
   await app.canvas.focus()
-  // Rows of a spreadsheet are added, and throw nothing away without a word.
+  // Pasted rows of a spreadsheet are added; nothing is removed without asking.
   await paste('0\t0\t1\n6\t0\t1\n0\t8\t1\n')
   await expect(app.status).toContainText('681 circles')
   await expect(app.page.getByRole('region', { name: 'Selected circles' })).toContainText('3 circles')
@@ -242,7 +242,7 @@ test('copies a link and the code of a frame, which show the same', async ({ app 
   await expect(app.status).toContainText('3 circles')
   await app.page.getByRole('button', { name: 'Share', exact: true }).click()
   await app.page.getByRole('button', { name: 'Copy link' }).click()
-  // What is said is seen, whatever is open.
+  // The message is visible whatever panel is open.
   await expect(app.page.locator('#toast')).toHaveText('The link is in the clipboard.')
   await expect(app.page.locator('#toast')).toBeInViewport()
   const link = await clipboard()
@@ -251,7 +251,7 @@ test('copies a link and the code of a frame, which show the same', async ({ app 
   expect(await clipboard()).toBe(
     `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of circles" loading="lazy" width="100%" height="480" style="width: 100%; height: auto; aspect-ratio: 3 / 2; max-height: 90vh; border: 0"></iframe>`,
   )
-  // The circles themselves, wherever the lines are put.
+  // The code contains the circles themselves, so that it works anywhere.
   await app.page.getByRole('button', { name: 'Copy element' }).click()
   const lines =
     /^<script type="module" src="([^"]+)"><\/script>\n<circle-voronoi src="#(v1\.[\w-]+)" controls><\/circle-voronoi>$/
@@ -287,7 +287,7 @@ test('saved drawings are what is seen: its colors, its layers and its part of th
   await page.mouse.move(700, 400)
   await page.mouse.wheel(0, -400)
   await app.painted()
-  /** The color of each of some pixels of a drawing as large as the window. */
+  /** The colors of some pixels of a drawing in the size of the window. */
   const drawnColors = (svg: string, points: readonly { x: number; y: number }[]) =>
     page.evaluate(
       async ([svg, points]) => {
@@ -307,7 +307,7 @@ test('saved drawings are what is seen: its colors, its layers and its part of th
   const seen = await app.colors(points)
   const seenSvg = (await saved(app, 'SVG')).text
   const drawn = await drawnColors(seenSvg, points)
-  // Where edges run, pixels may be rounded otherwise.
+  // Pixels at edges may be rounded differently.
   expect(drawn.filter((color, k) => isSame(seen[k], color)).length).toBeGreaterThan(0.95 * points.length)
   expect(new Set(seen.map(String)).size).toBeGreaterThan(8)
   await page.getByLabel('What the picture shows').selectOption('all circles')
@@ -334,10 +334,10 @@ test('columns of other names are known, or asked for with a preview; names are s
   await expect(page.locator('#name-tag')).toHaveText('Ulm')
   await page.mouse.click(at.x, at.y)
   await expect(app.inspector).toContainText('Ulm')
-  // They are part of the link.
+  // The link contains them.
   await page.reload()
   await expect(app.status).toHaveText(/^3 circles/)
-  // The panel is open again, and all circles are shown beside it in the next frame.
+  // The panel is open again, and the next frame shows all circles beside it.
   await expect(page.getByLabel('Open …')).toBeVisible()
   await framesOf(page, 2)
   await page.mouse.move(at.x, at.y)

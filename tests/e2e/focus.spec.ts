@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the focus and the selection go, and which keys work where.
+// Focus and selection, and the scope of keyboard shortcuts.
 
 import { fitted, toScreen } from '../../web/view/camera.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
@@ -22,7 +22,7 @@ test('buttons that have nothing left to do give the focus to the picture, and a 
   })
   await test.step('a circle that comes back is selected', async () => {
     await expect(app.inspector).toContainText('Circle 678')
-    // As fast as one can: each waits for what is before it.
+    // Pressed without pauses: each key waits for the previous one.
     await app.page.keyboard.press('Delete')
     await app.page.keyboard.press('Control+z')
     await expect(app.inspector).toContainText('Circle 679')
@@ -53,10 +53,10 @@ test('the focus stays among neighbors, and keys of the picture work after a clic
     await expect(app.inspector).toBeVisible()
     await app.page.keyboard.press('Delete')
     await expect(app.status).toContainText('13 circles')
-    // In a field they are those of the field.
+    // A field handles its own keys.
     await app.page.getByLabel('Data set').focus()
     await app.page.keyboard.press('Control+z')
-    // The first that is undone is what the figure is asked.
+    // The first undo reverts the last action on the figure.
     await app.canvas.focus()
     await app.page.keyboard.press('Control+z')
     await expect(app.status).toContainText('14 circles')
@@ -72,7 +72,7 @@ test('a circle that Tab selects is shown', async ({ app }) => {
   await app.page.mouse.up()
   await app.page.keyboard.press('Tab')
   await expect(app.inspector).toContainText('Circle 5')
-  // In the middle, then.
+  // Without a selection, the circle in the middle is selected.
   await app.page.keyboard.press('Escape')
   await app.page.mouse.click(640, 400)
   await expect(app.inspector).toContainText('Circle 5')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame in pages of others: its size, the messages between the two, and the question that a link asks.
+// The embedded page in foreign pages: its size, the messages in both directions, and the question of a link.
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import { expect, type Frame, type Page, test } from '@playwright/test'
@@ -20,10 +20,10 @@ const QUESTION: LinkInput = {
   question: 'Move the smallest circle until its cell has three edges.',
   check: { cell: 4, edges: 3 },
 }
-/** The smallest circle where its cell has three edges. */
+/** A solution: the smallest circle is where its cell has three edges. */
 const SOLVED = [...CIRCLES.slice(0, 4), [9, 3, 0.5]]
 
-/** Serves a page of another origin, which keeps what it is told, and opens it. */
+/** Serves a page of another origin that records its messages, and opens it. */
 async function openHost(page: Page, body: string): Promise<void> {
   const html = `<!doctype html><html lang="en"><meta name="viewport" content="width=device-width"><title>Host</title>
     <script>
@@ -54,7 +54,7 @@ test('the embed code is as wide as its place, in the proportion of a figure, als
   const [frame, plain] = [page.locator('#styled iframe'), page.locator('#plain iframe')]
   await expect(frame).toHaveAttribute('title', 'Discs & "cells" <1>')
   await expect(frame).toHaveAttribute('loading', 'lazy')
-  // As some editors of learning platforms do.
+  // Some editors of learning platforms remove styles.
   await plain.evaluate((element) => element.removeAttribute('style'))
   for (const width of [1000, 390]) {
     await page.setViewportSize({ width, height: 800 })
@@ -81,7 +81,7 @@ test('tells its parent the height at which everything is seen, whatever height i
     await expect
       .poll(async () => (await lastOf(page))?.height)
       .toBe(Math.ceil(((await texts.boundingBox())?.height ?? 0) + (inner * 2) / 3))
-    // Nothing else changes once it has that height.
+    // The height is stable once the frame has it.
     const height = (await lastOf(page))?.height as number
     await frame.evaluate((element, height) => {
       element.style.height = `${height}px`
@@ -91,7 +91,7 @@ test('tells its parent the height at which everything is seen, whatever height i
     expect((await lastOf(page))?.height).toBe(height)
     expect(await framed(page).evaluate(() => document.querySelector('main')?.scrollHeight)).toBe(height)
   }
-  // All circles are still seen.
+  // All circles are still visible.
   expect((await lastOf(page))?.state?.view).toBeUndefined()
   const all = await page.evaluate(() => told.map(({ origin, isFrame, data }) => [origin, isFrame, data.type]))
   for (const each of all) expect(each).toEqual([baseURL, true, 'circle-voronoi'])
@@ -118,7 +118,7 @@ test('tells its circles, whether they meet the check, and the answer, as they ch
   expect(state?.circles).toEqual(SOLVED)
   expect(JSON.parse(answer)).toEqual({ circles: SOLVED, check: true })
   expect(error).toBeUndefined()
-  // No message has the circles of one moment and the check of another.
+  // Each message pairs the circles with the check of the same moment.
   const pairs = await page.evaluate(() => told.map(({ data }) => [data.state?.circles[4]?.[0], data.met]))
   for (const [x, met] of pairs) expect(met, String(pairs)).toBe(x === undefined ? undefined : x === 9)
   await expect(frame.getByRole('status')).toHaveText('Solved')
@@ -136,7 +136,7 @@ test('takes a state or a link from its parent alone, and says what is wrong with
   expect((await lastOf(page))?.met).toBeUndefined()
   await ask(page, { type: 'circle-voronoi', state: { circles: SOLVED } })
   await expect.poll(circles).toEqual(SOLVED)
-  // A part of a state changes that part.
+  // A partial state changes only its parts.
   await ask(page, { type: 'circle-voronoi', state: { check: { cell: 4, edges: 3 }, layers: { hull: true } } })
   await expect.poll(async () => (await lastOf(page))?.met).toBe(true)
   expect((await lastOf(page))?.state).toMatchObject({ circles: SOLVED, layers: { hull: true } })
@@ -153,11 +153,11 @@ test('takes a state or a link from its parent alone, and says what is wrong with
     await expect.poll(async () => (await lastOf(page))?.error).toContain(reason)
     expect(await circles()).toEqual(CIRCLES)
   }
-  // Without a state it answers with what there is.
+  // A request without a state returns the current state.
   const count = await page.evaluate(() => told.length)
   await ask(page, { type: 'circle-voronoi' })
   await expect.poll(() => page.evaluate(() => told.length)).toBe(count + 1)
-  // What is no request, or comes from another window, is not heard.
+  // Invalid requests, and requests from other windows, are ignored.
   for (const data of [null, 'circle-voronoi', { state: { circles: SOLVED } }]) await ask(page, data)
   await framed(page).evaluate((circles) => {
     window.postMessage({ type: 'circle-voronoi', state: { circles } }, '*')
@@ -183,7 +183,7 @@ test('asks a question in German, with a name for screen readers, of readers who 
   await expect(page.getByRole('application', { name: 'Fünf Kreise' })).toBeVisible()
   await expect(page.getByRole('button', { name: 'Verkleinern' })).toBeVisible()
   await expect(page.getByRole('button', { name: 'Kreis hinzufügen' })).toHaveCount(0)
-  // The next link of the same page asks nothing.
+  // The next link of the same page has no question.
   const plain = await encodeLink({ circles: CIRCLES })
   await page.evaluate((link) => {
     location.hash = link

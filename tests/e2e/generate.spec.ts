@@ -31,7 +31,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   expect(await saved(page)).toEqual(generators.make({ kind: 'family', family: 'clustered', seed: 7, count: 50 }))
   await app.openPanel('Generate')
 
-  // What the browser refuses changes nothing; what it takes, at once.
+  // A number that the browser refuses changes nothing; a valid one takes effect at once.
   await panel.getByLabel('n', { exact: true }).fill('0')
   await panel.getByLabel('n', { exact: true }).press('Enter')
   await expect(app.status).toContainText('50 circles')
@@ -84,7 +84,7 @@ test('a figure of the paper, and links to what is none', async ({ app }) => {
     await expect(page.getByRole('alert')).toHaveText(problem)
     await expect(app.status).toContainText('14 circles')
   }
-  // Those of links from before there were families are the same as they were.
+  // Links from before families existed show the same circles as ever.
   const former = await encodeLink({ dataSet: 'random:17' })
   await page.evaluate((link) => {
     location.hash = link

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Press and hold: what a circle would take, before it is there.
+// A long press previews the cell of a new circle.
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { framesOf } from './frames.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
 
-/** A point of the plane in the middle of a cell, outside of its circle. */
+/** A point inside a cell and outside its circle. */
 const EMPTY = { x: -2.2, y: 0.9 }
 
 function isEmpty({ x, y }: { x: number; y: number }): boolean {
@@ -27,7 +27,7 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   await page.mouse.down()
   await expect(panel).toContainText('Its cell would have the area')
   const first = await panel.textContent()
-  // It moves with the pointer, and the circles stay.
+  // The preview follows the pointer; the circles stay.
   await page.mouse.move(place.x + 12, place.y - 9)
   await expect.poll(() => panel.textContent()).not.toBe(first)
   await expect(app.status).toContainText('14 circles')
@@ -42,7 +42,7 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled()
   await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
 
-  // The tool for adding does so, too, wherever it is pressed.
+  // The tool for adding previews, too, wherever the press is.
   await page.clock.install()
   for (const key of ['v', 'a']) {
     await page.locator('#figure').focus()
@@ -64,17 +64,17 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
     await page.keyboard.press('Control+z')
     await expect(app.status).toContainText('14 circles')
   }
-  // On a circle, and where it is moved at once, a press is what it was. The tool for adding stays until Escape.
+  // A press on a circle, or one that moves at once, acts as usual. The tool for adding stays until Escape.
   await page.keyboard.press('Escape')
   const center = app.center(INTRODUCTION, 0)
   await page.mouse.move(center.x, center.y)
   await page.mouse.down()
   await page.clock.fastForward(5000)
-  // It would be there with the frame after the next one.
+  // A preview would appear by the frame after the next one.
   await framesOf(page, 2)
   await expect(panel).toBeHidden()
   await page.mouse.up()
-  // What is asked after it comes after whatever would have been added or shown.
+  // Its answer comes after anything that would have been added or shown.
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('13 circles')
   await expect(panel).toBeHidden()

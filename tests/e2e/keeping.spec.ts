@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links, what is there again after a reload or in the next tab, and other circles that throw nothing away.
+// Links, the state after a reload or in the next tab, and openings that lose nothing.
 
 import { packed } from '../../web/lib/base/compressed-text.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
@@ -30,7 +30,7 @@ test('the address is that of what is shown, and another page shows the same', as
   await expect(other.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
   await other.page.mouse.click(at.x, at.y)
   await expect(other.field('x')).toHaveValue('-3.25')
-  // It is an edit like any other.
+  // Opening a link can be undone like an edit.
   await other.page.keyboard.press('Control+z')
   await expect(other.field('x')).toHaveValue(String(INTRODUCTION[12]))
   await context.close()
@@ -38,10 +38,10 @@ test('the address is that of what is shown, and another page shows the same', as
 
 test('what was changed is there after a reload at once', async ({ app }) => {
   await app.choose('Introduction')
-  // The address that is loaded again is from before the change.
+  // The reload uses the address from before the change.
   await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
   await app.canvas.focus()
-  // Enter selects the circle in the middle, and Delete waits for that.
+  // Enter selects the circle in the middle, and Delete waits for it.
   await app.page.keyboard.press('Enter')
   await app.page.keyboard.press('Delete')
   await expect(app.status).toContainText('13 circles')
@@ -56,7 +56,7 @@ test('a link that is opened once more shows what it says, whatever was changed t
   await app.choose('Introduction')
   await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
   const link = page.url()
-  // The page is left before it has kept the change.
+  // The page is left before it has saved the change.
   await page.evaluate(() => {
     for (let timer = window.setTimeout(() => {}); timer > 0; timer--) clearTimeout(timer)
     window.setTimeout = (() => 0) as unknown as typeof setTimeout
@@ -114,7 +114,7 @@ test('choosing another data set throws no edits away', async ({ app }) => {
   await expect(app.status).toContainText('13 circles')
   const chosen = app.page.getByLabel('Data set')
   await expect(chosen.locator('option:checked')).toHaveText('Introduction, edited')
-  // Choosing the same once more takes the edits back, and undo brings them again.
+  // Choosing the data set again reverts the edits, and undo restores them.
   await chosen.selectOption({ label: 'Introduction' })
   await expect(app.status).toContainText('14 circles')
   await expect(chosen).toHaveValue('introduction')
@@ -125,7 +125,7 @@ test('choosing another data set throws no edits away', async ({ app }) => {
 })
 
 test('a link that is wrong shows an error, and the page works', async ({ app }) => {
-  // encodeLink refuses to write it.
+  // encodeLink refuses such circles, so the link is packed by hand.
   const invalid = `v1.${await packed(JSON.stringify({ circles: [0, 0, -1], view: [1e300, 0, 1e-300] }))}`
   for (const [what, link, says] of [
     ['damaged', 'v1.AAAA', /cannot be read/],
@@ -138,7 +138,7 @@ test('a link that is wrong shows an error, and the page works', async ({ app }) 
       for (const { page, status } of [app, opened]) {
         await page.goto(`/#${link}`)
         await expect(page.getByRole('alert')).toContainText(says)
-        // What was there stays, or the first ones are shown.
+        // The old circles stay, or the first data set is shown.
         await expect(status).toHaveText(page === app.page ? /^678 circles/ : /^8 circles/)
       }
       await opened.choose('Introduction')
@@ -155,7 +155,7 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
   const quick = await encodeLink({ circles: [[0, 0, 1]] })
   const opened = new App(await page.context().newPage())
   const answer = await heldBack('**/spruces.csv', page, opened.page)
-  // As the page begins, and later by its address.
+  // Opens the link at the start of one page, and by the address of another.
   await opened.page.goto(`/#${slow}`)
   await opened.page.getByLabel('Data set').selectOption({ label: 'Introduction' })
   await expect(opened.status).toContainText('14 circles')
@@ -171,7 +171,7 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
   answer()
   for (const response of answered) await (await response).finished()
   for (const { page } of [app, opened]) await got(page, 'data/spruces.csv')
-  // An edit comes after whatever would have been opened.
+  // The edit comes after anything that would have been opened.
   await opened.canvas.focus()
   await opened.page.keyboard.press('Enter')
   await opened.page.keyboard.press('Delete')
@@ -199,7 +199,7 @@ test('a tab that was closed loses nothing, and two tabs do not destroy each othe
   await app.page.goto('/')
   await expect(app.status).toContainText('14 circles')
   await second.page.close()
-  // The browser frees its name a moment later.
+  // The browser releases the lock of its name a moment later.
   const heldNames = () => app.page.evaluate(async () => (await navigator.locks.query()).held?.length)
   await expect.poll(heldNames).toBe(1)
   const third = new App(await context.newPage())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keys and fingers do that a mouse does, and what tells of it.
+// Actions by keys and fingers, and their announcements.
 import { readFileSync } from 'node:fs'
 import { decodeLink } from '../../web/lib/link.ts'
 import { App, dataSet, expect, test } from './page.ts'
@@ -7,14 +7,14 @@ import { App, dataSet, expect, test } from './page.ts'
 const BRONZE = dataSet('bronzefilter')
 const INTRODUCTION = dataSet('introduction')
 
-/** The pixels of a canvas of the figure: of the picture (0), or of the layer above it (1). */
+/** The pixels of a canvas of the figure: of the picture (0) or of the overlay (1). */
 const pixelsOf = (app: App, layer: 0 | 1) =>
   app.canvas
     .locator('canvas')
     .nth(layer)
     .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
 
-/** How many pixels above the picture something is drawn on. */
+/** The number of pixels that the overlay covers. */
 const drawnAbove = (app: App) =>
   app.canvas
     .locator('canvas')
@@ -109,9 +109,9 @@ test('the card says what a cell measures, and what the number of a circle is', a
   await expect(facts).toContainText('Area of the cell')
   const [area, perimeter] = (await facts.locator('dd').allTextContents()).map(Number) as [number, number]
   expect(area).toBeGreaterThan(Math.PI * 1.6 ** 2)
-  // No cell of this area has a shorter one.
+  // The isoperimetric inequality.
   expect(perimeter ** 2).toBeGreaterThan(4 * Math.PI * area)
-  // Numbers of circles that are gone are not used again.
+  // Numbers of removed circles are not reused.
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('13 circles')
   await page.keyboard.press('n')
@@ -126,14 +126,14 @@ test('the disc at the pointer is shown wherever it is, and what belongs to place
   await app.choose('Introduction')
   await app.openPanel('Layers')
   await page.getByLabel('Disc at the pointer').check()
-  // In the middle of a cell, outside its circle.
+  // A point inside a cell and outside its circle.
   const at = app.locate(INTRODUCTION, { x: 0.2, y: 2.2 })
   await page.mouse.move(at.x, at.y)
   await expect.poll(() => drawnAbove(app)).toBeGreaterThan(1000)
   await page.getByLabel('Disc at the pointer').uncheck()
   await page.getByLabel('Clearest path').check()
   await app.choose('Cities of Europe')
-  // Its ends are in the picture of these circles, too.
+  // The ends of the path are in view for these circles, too.
   const path = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers?.path
   const { x, y, scale } = app.camera(dataSet('cities'))
   type Path = Record<'from' | 'to', { x: number; y: number }>
@@ -190,13 +190,13 @@ test('circles move while it plays, and undo brings all of them back at once', as
   const panel = page.getByRole('region', { name: 'Motion' })
   for (const name of ['Bounce', 'Grow from points', 'Breathe']) {
     await panel.getByLabel(name).check()
-    // The figure without the panel, which changes at once.
+    // Compares the figure without the panel, whose labels change at once.
     const before = await pixelsOf(app, 0)
     await panel.getByRole('button', { name: 'Play' }).click()
     await expect.poll(() => pixelsOf(app, 0)).not.toBe(before)
     await panel.getByRole('button', { name: 'Stop' }).click()
     await expect(panel.getByRole('button', { name: 'Play' })).toBeVisible()
-    // Where they have come to is kept; only then something is undone.
+    // Waits until the final positions are saved before undoing anything.
     await expect.poll(() => app.circles()).not.toEqual(INTRODUCTION)
     await page.getByRole('button', { name: 'Undo' }).click()
     await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
@@ -208,7 +208,7 @@ test('motion is recorded as a video', async ({ app }) => {
   await app.choose('Introduction')
   await app.openPanel('Motion')
   const download = page.waitForEvent('download')
-  // Look before the click returns, which may take longer than the recording.
+  // Observes before the click returns, which may take longer than the recording.
   await Promise.all([
     expect(page.getByRole('button', { name: 'Recording …' })).toBeDisabled(),
     page.getByRole('button', { name: 'Record 6 s' }).click(),
@@ -217,7 +217,7 @@ test('motion is recorded as a video', async ({ app }) => {
   expect(file.suggestedFilename()).toMatch(/^circles-bounce\.(mp4|webm)$/)
   const bytes = readFileSync(await file.path())
   expect(bytes.length).toBeGreaterThan(20_000)
-  // As MP4 or Matroska begins.
+  // The first bytes of MP4 or Matroska.
   expect([bytes.toString('latin1', 4, 8), bytes.toString('hex', 0, 4)]).toEqual(
     file.suggestedFilename().endsWith('mp4') ? ['ftyp', expect.anything()] : [expect.anything(), '1a45dfa3'],
   )
@@ -240,7 +240,7 @@ test.describe('with fingers', () => {
     await touch('touchEnd')
     await expect(app.inspector).toContainText('Circle 0')
     await expect.poll(async () => Number(await app.field('x').inputValue())).toBeGreaterThan(0.3)
-    // Browsers take a tap right after a quick drag for one that stops a fling: a click is none.
+    // Browsers treat a tap right after a quick drag as the end of a fling, which causes no click.
     await app.inspector.getByRole('button', { name: 'Deselect' }).click()
     await expect(app.inspector).toBeHidden()
 
@@ -254,7 +254,7 @@ test.describe('with fingers', () => {
     await touch('touchStart', free)
     await page.clock.fastForward(700)
     await expect.poll(() => drawnAbove(app)).toBeGreaterThan(100)
-    // It follows the finger, and no circle is added.
+    // The disc follows the finger, and no circle is added.
     const first = await pixelsOf(app, 1)
     await touch('touchMove', { x: 60, y: 340 })
     await expect.poll(() => pixelsOf(app, 1)).not.toBe(first)
@@ -280,7 +280,7 @@ test('a slider scales all radii between the diagram of the centers and that of t
   await page.keyboard.press('Control+z')
   await expect.poll(() => app.circles()).toEqual(before)
   await expect(radii).toHaveValue('1')
-  // Whoever wants less motion moves the slider.
+  // With reduced motion there is only the slider.
   await expect(page.locator('#layers').getByRole('button', { name: 'Play' })).toHaveCount(0)
 })
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panels in windows of all sizes, forced colors, and pages that run from right to left.
+// Panels in windows of all sizes, forced colors, and right-to-left pages.
 import type { Locator } from '@playwright/test'
 import { violationsInBoth, violationsOf } from './accessibility.ts'
 import { framesOf } from './frames.ts'
@@ -14,7 +14,7 @@ async function boxOf(locator: Locator) {
 
 async function expectApart(app: App): Promise<number> {
   const { width, height } = app.page.viewportSize() as { width: number; height: number }
-  // All at one time: a line that tells of a data set goes by itself.
+  // Measured together, because the caption of a data set disappears by itself.
   const boxes = await app.page.evaluate(() =>
     [...document.querySelectorAll('.panel, .bar, #scale:not(:empty)')]
       .map((element) => element.getBoundingClientRect())
@@ -33,7 +33,10 @@ async function expectApart(app: App): Promise<number> {
   return boxes.length
 }
 
-/** None covers another, whatever is open; `layers`: so high is what is seen of that panel at least, in pixels. */
+/**
+ * Expects that no panel covers another, whatever is open. `layers` is the smallest visible height of that panel, in
+ * pixels.
+ */
 async function expectAlwaysApart(app: App, layers: number): Promise<void> {
   await app.page.getByRole('button', { name: 'Fit' }).click()
   await expectApart(app)
@@ -45,7 +48,7 @@ async function expectAlwaysApart(app: App, layers: number): Promise<void> {
   await app.field('r').press('Enter')
   await expect(app.page.getByRole('alert')).toBeVisible()
   expect(await expectApart(app)).toBeGreaterThan(1)
-  // Where there is hardly any room, a card has all of it.
+  // In the smallest windows a card takes all the room.
   const isCovered = !(await app.page.locator('#rail').isVisible())
   if (isCovered) await app.inspector.getByRole('button', { name: 'Deselect' }).click()
   await expect(app.page.locator('#rail')).toBeVisible()
@@ -181,10 +184,10 @@ test('a page that runs from right to left leaves each part of the status as it i
   })
   const part = app.status.locator('bdi').first()
   await expect(part).toHaveText('678 circles')
-  // The number stands at the left of its part.
+  // The number is at the left of its part.
   expect((await boxOf(part.locator('b'))).x).toBe((await boxOf(part)).x)
   expect((await boxOf(part)).x).toBeGreaterThan((await boxOf(app.status.locator('bdi').nth(1))).x)
-  // The numbers of a legend go with its colors.
+  // The numbers of the legend are in the order of its colors.
   await app.openPanel('Layers')
   await app.page.getByLabel('Colors').selectOption('by number')
   const knots = app.page.locator('#legend .knots > span')
@@ -209,7 +212,7 @@ test('what is pressed stays where it is while an error goes, and is clicked', as
   await expect(page.getByRole('alert')).toBeHidden()
 })
 
-/** How many pixels of discs lie below an element: their colors are strong, those of cells are weak. */
+/** Counts the strongly colored pixels of discs below an element; cells have weak colors. */
 async function discPixelsBelow({ page, canvas }: App, selector: string): Promise<number> {
   await expect(canvas).toHaveAttribute('aria-busy', 'false')
   return page.evaluate((selector) => {
@@ -245,7 +248,7 @@ for (const [width, height] of [
       const isWhole = (selector: string) =>
         page.locator(selector).evaluate((element) => element.scrollHeight <= element.clientHeight + 1)
       await expect(page.locator('#say')).toContainText('Drag one.')
-      // It says so where circles are.
+      // The count works: it is large over the circles.
       expect(await discPixelsBelow(app, '#figure')).toBeGreaterThan(1000)
       await expect.poll(() => discPixelsBelow(app, '#say')).toBe(0)
       expect(await isWhole('#say')).toBe(true)

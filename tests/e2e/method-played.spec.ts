@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method played on the circles of the page.
+// Playback of the method on the page's circles.
 import { decodeLink } from '../../web/lib/link.ts'
 import { violationsOf } from './accessibility.ts'
 import { type App, expect, test } from './page.ts'
@@ -16,7 +16,7 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   await button.click()
   await expect(sentence).toHaveText('There are 678 circles.')
   await expect(button).toHaveAttribute('aria-expanded', 'true')
-  // It goes on with other circles.
+  // Playback continues with other circles.
   await app.choose('Introduction')
   await expect(sentence).toHaveText('There are 14 circles, 1 of them inside others and left out.')
   await slider.focus()
@@ -32,7 +32,7 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   await slider.press('Home')
   await slider.focus()
   for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight')
-  // The address may still be that of before, and name a step on the way a moment later.
+  // The address may still be the old one, and briefly name a step on the way.
   let link = ''
   const readLink = () => {
     link = new URL(page.url()).hash
@@ -42,7 +42,7 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   expect((await decodeLink(link)).view).toBeUndefined()
   expect(await violationsOf(page)).toEqual([])
 
-  // At a stage it stays there, with the circles as they are then.
+  // At a stage, playback stays there with the edited circles.
   const before = await sentence.textContent()
   await app.canvas.focus()
   await page.keyboard.press('Enter')
@@ -62,7 +62,7 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   await expect(player).toBeHidden()
   await expect(button).toBeFocused()
   await expect.poll(() => stepOfAddress(app)).toBeUndefined()
-  // Too many are refused; a link of those before is opened at its step.
+  // Too many circles are refused; a link to the earlier ones opens at its step.
   await app.choose('Random, 10,000')
   await button.click()
   await expect(sentence).toHaveText('A method is played for 1,000 circles at most; there are 10,000.')

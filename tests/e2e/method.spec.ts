@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the touching disc method finds and misses, by its candidates and samples.
+// The touching disc method's result by candidates and samples.
 import { decodeLink } from '../../web/lib/link.ts'
 import { expect, test } from './page.ts'
 
@@ -22,7 +22,7 @@ test('candidates and samples change what the method finds, and not the diagram',
   expect([dynamicVertices, dynamicEdges]).toEqual([vertices, edges])
   await expect(said).toContainText('nothing that is wrong')
 
-  // Three samples on a circle are too few here: edges are missed, and drawn.
+  // Three samples per circle are too few here, so edges are missed and highlighted.
   const pink = () =>
     page
       .locator('#figure canvas')
@@ -53,17 +53,17 @@ test('candidates and samples change what the method finds, and not the diagram',
   const few = { missedEdges: true, candidates: 'uniform', sampleCount: 3 }
   await expect.poll(linked).toEqual(few)
 
-  // What is no number of samples changes nothing.
+  // An invalid number of samples changes nothing.
   await panel.getByLabel('m, samples on a circle').fill('0')
   await panel.getByLabel('m, samples on a circle').press('Enter')
-  // The link follows what is changed after it.
+  // The link follows later changes.
   await panel.getByLabel('Convex hull').check()
   await expect.poll(linked).toEqual({ ...few, hull: true })
   await panel.getByLabel('Convex hull').uncheck()
   await panel.getByLabel('Candidates').selectOption('all-pairs')
   await expect(said).toContainText('From all pairs')
   await expect.poll(async () => (await found()).slice(0, 4)).toEqual([vertices, vertices, edges, edges])
-  // After an edit it is found anew.
+  // An edit updates the result.
   await page.locator('#figure').focus()
   await page.keyboard.press('Enter')
   await expect(app.inspector).toBeVisible()

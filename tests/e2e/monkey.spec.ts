@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page after some time in the hands of a monkey, which does as much as it is told: more by `npm run monkey`.
+// Random actions in the page. `npm run monkey` runs more of them.
 import { writeFileSync } from 'node:fs'
 import type { CDPSession, JSHandle, Page } from '@playwright/test'
 import { Monkey } from './monkey.ts'
 import { App, expect as expectSoon, test } from './page.ts'
 import { heapOf, THREAD, threadOf, withThread } from './thread-session.ts'
 
-/** What a monkey has asked for may take a while. */
+/** Pending actions may take a while. */
 const expect = expectSoon.configure({ timeout: 30_000 })
 const ACTIONS = Number(process.env.MONKEY_ACTIONS ?? 90)
 const SEED = Number(process.env.CIRCLE_VORONOI_SEED ?? 1)
-/** After so many the picture is checked. */
+/** The picture is checked after this many actions. */
 const CHECKED = 30
-/** What heaps may grow by, in bytes, and the document: the history is kept without limit. */
+/** Allowed growth of heaps in bytes, and of the document in nodes. The history is unlimited. */
 const GROWTH = { page: 12e6, thread: 24e6, nodes: 3000 }
 
 test.use({ hasTouch: true, permissions: ['clipboard-read', 'clipboard-write'] })
 
-/** What is shown at a time, to see whether it is still changing. */
+/** Summarizes the visible state, to detect changes. */
 function shown({ page }: App): Promise<string> {
   return page.evaluate(async () => {
     const hashes = [...document.querySelectorAll<HTMLCanvasElement>('#figure canvas')].map(async (canvas) => {
@@ -32,7 +32,9 @@ function shown({ page }: App): Promise<string> {
   })
 }
 
-/** Waits until all that was asked is done and painted: also what the thread does once nothing has been edited for a while. */
+/**
+ * Waits until all requests are done and painted, including work that the thread defers until no edit is in progress.
+ */
 async function rest(app: App): Promise<void> {
   const thread = async () => {
     await threadOf(app.page).evaluate(() => new Promise((resolve) => setTimeout(resolve, 300)))
@@ -47,7 +49,7 @@ async function rest(app: App): Promise<void> {
   }).toPass({ intervals: [100], timeout: 120_000 })
 }
 
-/** Has all of the picture painted once more, on the same pixels. */
+/** Repaints the whole picture in the same grid. */
 async function paintAnew(app: App): Promise<void> {
   const toggle = app.page.locator('#layers').getByLabel('Edges', { exact: true })
   for (let k = 0; k < 2; k++) {
@@ -56,7 +58,7 @@ async function paintAnew(app: App): Promise<void> {
   }
 }
 
-/** What edits have painted, part by part, is what is painted anew. */
+/** Expects that tiles painted by edits equal a full repaint. */
 async function expectPaintedRight(app: App): Promise<void> {
   await rest(app)
   const before = await painted(app.page)
@@ -64,7 +66,7 @@ async function expectPaintedRight(app: App): Promise<void> {
   await expectSame(app, before, await painted(app.page))
 }
 
-/** A thread that knows nothing but the circles as they were opened and as they are paints the same. */
+/** Expects that a new thread, which knows only the opened and the current circles, paints the same picture. */
 async function expectSameInNewThread(app: App): Promise<void> {
   await paintAnew(app)
   const before = await painted(app.page)
@@ -107,8 +109,8 @@ function painted(page: Page): Promise<Painted> {
 }
 
 /**
- * How many squares of pixels have another color, and where. Lines that are cut elsewhere are drawn by other chords, up to a
- * tenth of a pixel away, so that single pixels differ.
+ * The number and places of tiles that differ. Clipping changes the chords of lines by up to a tenth of a pixel, so that
+ * single pixels may differ.
  */
 function differenceOf([one, other]: readonly [ImageData, ImageData]) {
   const side = 3
@@ -140,7 +142,7 @@ async function fold(page: Page, name: string, isOpen: boolean): Promise<void> {
   }
 }
 
-/** Bytes of the page's and of the painter's thread, once the same few circles are shown and what is not needed is gone. */
+/** Heap sizes of the page and of the painting thread, with the same few circles and after garbage collection. */
 async function heaps(app: App, session: CDPSession): Promise<{ page: number; thread: number; nodes: number }> {
   await app.page.getByLabel('Data set').selectOption('introduction')
   await expect(app.status).toContainText('14 circles')
@@ -159,7 +161,7 @@ test(
     console.log(`CIRCLE_VORONOI_SEED=${SEED}`)
     const { page } = app
     const session = await page.context().newCDPSession(page)
-    // It stays on this page, and the browser drags nothing of it.
+    // Prevents navigation and dragging by the browser.
     const stay = () => {
       const isLink = ({ target }: Event) => (target as Element).closest('a') !== null
       document.addEventListener('click', (event) => isLink(event) && event.preventDefault(), { capture: true })
@@ -179,10 +181,10 @@ test(
         if (monkey.done.length >= ACTIONS / 4) early ??= await heaps(app, session)
       }
       early ??= await heaps(app, session)
-      // Something is left to be undone.
+      // Makes sure that there is something to undo.
       for (let k = 0; k < 10; k++) await monkey.act()
 
-      // All circles are seen and nothing stands out. Which colors they have depends on what they were before.
+      // Shows all circles without highlights. Their colors depend on earlier circles.
       await page.setViewportSize({ width: 1280, height: 800 })
       await page.emulateMedia({ colorScheme: 'light' })
       await fold(page, 'Layers', true)
@@ -196,12 +198,12 @@ test(
       await fold(page, 'Layers', true)
       await expectSameInNewThread(app)
 
-      // So is another page.
+      // Another page is at rest, too.
       await rest(app)
       const context = await browser.newContext()
       const fresh = new App(await context.newPage())
       await fresh.page.goto(page.url())
-      // But for the time that it took, and for the rounding of areas.
+      // Ignores the computing time and the rounding of areas.
       const counts = async ({ status }: App) =>
         (await status.textContent())?.replace(/ · [^·]* m?s$/, '').replace(/within [^·]*/, '')
       await expect.poll(() => counts(fresh)).toBe(await counts(app))

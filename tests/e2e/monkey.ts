@@ -26,19 +26,19 @@ const FILES = [
     Array.from({ length: 30 }, (_, k) => `${(7 * k) % 31},${(11 * k) % 29},0.5,${1 + (k % 9)}`).join('\n'),
   ],
 ] as const
-/** Around the circles of some data sets, around some circles of others, and far from all of the rest. */
+/** Regions around all circles of some data sets, around part of others, and far from all. */
 const REGIONS = [
   ['square.wkt', 'POLYGON ((-4 -4, 12 -4, 12 12, -4 12))'],
   ['holes.wkt', 'POLYGON ((0 0, 60 0, 60 60, 30 40, 0 60), (5 5, 9 5, 7 9), (20 10, 30 10, 30 20, 20 20))'],
   ['two.wkt', 'MULTIPOLYGON (((0 0, 6 0, 3 7)), ((8 0, 500 0, 500 300, 8 300)))'],
   ['bow.wkt', 'POLYGON ((0 0, 9 9, 9 0, 0 9))'],
 ] as const
-/** With more circles than this, copies of copies would soon fill the memory. */
+/** Above this number, copies of copies would soon fill the memory. */
 const MOST_CIRCLES = 3000
 
-/** Does to a page what nobody would: gestures, keys, tools, files, layers, panels and sizes at random, from a seed. */
+/** Performs random gestures, keys, tools, files, layers, panels and window sizes from a seed. */
 export class Monkey {
-  /** What it did, the last at the end. */
+  /** The log of actions, the last one at the end. */
   readonly done: string[] = []
   readonly #app: App
   readonly #page: Page
@@ -55,7 +55,7 @@ export class Monkey {
   async act(): Promise<void> {
     const count = Number(/^([\d,]+) circle/.exec((await this.#app.status.textContent()) ?? '')?.[1]?.replace(/,/g, ''))
     if (count > MOST_CIRCLES) return this.#do('Introduction', () => this.#choose('introduction'))
-    // How often each is done.
+    // The actions with their frequencies.
     const acts: readonly (readonly [number, () => Promise<void>])[] = [
       [10, () => this.#drag()],
       [3, () => this.#click()],
@@ -85,7 +85,7 @@ export class Monkey {
       return left < 0
     }) as (typeof acts)[number]
     await act()
-    // A dialog takes all keys and clicks.
+    // An open dialog would take all keys and clicks.
     await this.#page.evaluate(() => document.querySelector<HTMLDialogElement>('dialog[open]')?.close())
   }
 
@@ -107,7 +107,7 @@ export class Monkey {
     return { x: Math.round(width * this.#random()), y: Math.round(height * this.#random()) }
   }
 
-  /** Far, or only a little. */
+  /** A distant point, or a near one. */
   #near({ x, y }: Point): Point {
     if (this.#isTrue(0.3)) return this.#point()
     return { x: x + Math.round(80 * (this.#random() - 0.5)), y: y + Math.round(80 * (this.#random() - 0.5)) }
@@ -135,7 +135,7 @@ export class Monkey {
   async #click(): Promise<void> {
     const { x, y } = this.#point()
     const clickCount = this.#isTrue(0.4) ? 2 : 1
-    // Not on a button that would open a dialog of the system.
+    // Avoids buttons that open a dialog of the system.
     await this.#do(`click ${x} ${y} ${clickCount}`, async () => {
       const isFile = await this.#page.evaluate(
         ([x, y]) => document.elementFromPoint(x, y)?.closest('label.button') !== null,
@@ -204,7 +204,7 @@ export class Monkey {
     })
   }
 
-  /** Has the page click one of those that are there. */
+  /** Clicks a random existing button. */
   async #button(selector: string): Promise<void> {
     const choice = this.#random()
     await this.#do(`button ${selector} ${choice}`, () =>
@@ -260,7 +260,7 @@ export class Monkey {
     )
   }
 
-  /** A polygon of a few corners, which may cross itself. */
+  /** Draws a polygon of a few corners, which may cross itself. */
   async #draw(): Promise<void> {
     const corners = Array.from({ length: 3 + Math.floor(3 * this.#random()) }, () => this.#point())
     const end = this.#one(['Enter', 'Enter', 'Enter', 'Escape'])
@@ -276,7 +276,7 @@ export class Monkey {
     })
   }
 
-  /** Areas, and the buttons beside. */
+  /** Sets areas, or clicks a button of the panel. */
   async #region(): Promise<void> {
     const choice = this.#random()
     await this.#do('Region', () =>

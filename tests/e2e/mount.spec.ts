@@ -34,7 +34,7 @@ test('two views on one page know nothing of each other', async ({ opened: page }
   await page.mouse.move(place.x + 100, place.y + 4000)
   expect(before.equals(await other.screenshot())).toBe(true)
 
-  // Layers, the camera and what is selected are its own, too; what is refused is told where it was asked.
+  // Layers, camera and selection belong to one view; errors are reported to the caller.
   await page.evaluate(() => {
     views.one.setLayers({ hull: true, cells: 'different' })
     views.one.setCamera({ x: 5, y: 5, scale: 10 })
@@ -51,7 +51,7 @@ test('two views on one page know nothing of each other', async ({ opened: page }
   })
   expect(refused).toEqual(['CircleVoronoiError'])
 
-  // What is left of a page after one has gone.
+  // Checks that nothing remains of a disposed view.
   await page.evaluate(() => views.one.dispose())
   await expect(page.locator('#one canvas')).toHaveCount(0)
   await page.evaluate(() => views.other.apply([{ kind: 'remove', id: 1 }]))
@@ -90,7 +90,7 @@ test('a view is written as an SVG and as a PNG that look alike, and refuses what
         if (Math.abs((svg.pixels[k] as number) - (png.pixels[k] as number)) > 60) different += 1
       }
       const colors = new Set(Array.from({ length: 3000 }, (_, k) => png.pixels.slice(160 * k, 160 * k + 3).join()))
-      // What is selected is none of the picture.
+      // The selection is not part of the picture.
       const before = await views.one.toSVG()
       const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
       views.one.select(0)
@@ -156,6 +156,6 @@ test('what is found stays where circles are refused, and is told to be gone once
     await after
     return { isSame, toldMeanwhile, toldAtOnce, told }
   })
-  // The hull of two circles has two arcs, of seven numbers each.
+  // The hull of two circles has two arcs of seven numbers each.
   expect(outcome).toEqual({ isSame: true, toldMeanwhile: [], toldAtOnce: [undefined], told: [undefined, 14] })
 })

@@ -8,7 +8,7 @@ import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, toScreen } from '../../web/view/camera.ts'
 import { framesOf } from './frames.ts'
 
-/** What the page keeps free for its panels (web/app/padding.ts): in a wide window, and on a phone. */
+/** The space that the page keeps free for its panels (web/app/padding.ts), in a wide window and on a phone. */
 export const PADDING = { top: 84, right: 32, bottom: 106, left: 94 }
 const PADDING_OF_PHONE = { top: 120, right: 16, bottom: 220, left: 16 }
 const NARROW = 640
@@ -16,23 +16,23 @@ const ROOM = 16
 
 const BRONZE_LINK = await encodeLink({ dataSet: 'bronzefilter' })
 
-/** The opened page, and where its circles are. */
+/** The opened page, with the positions of its circles. */
 export class App {
   readonly page: Page
-  /** Where the open panel ends, if one is open. */
+  /** The edge of the open panel, if any. */
   #panelEnd = 0
 
   constructor(page: Page) {
     this.page = page
   }
 
-  /** The page with circles enough for most tests; at an empty link it begins with a few. */
+  /** Opens the page with enough circles for most tests. An empty link shows the introduction. */
   async open(link = BRONZE_LINK): Promise<void> {
     await this.page.goto(`/#${link}`)
     await expect(this.status).toContainText('edges')
   }
 
-  /** What the page keeps free in the window as it is. */
+  /** The space that the page keeps free in the current window. */
   get padding(): Padding {
     const isPhone = (this.page.viewportSize()?.width ?? 0) <= NARROW
     return isPhone ? PADDING_OF_PHONE : { ...PADDING, left: Math.max(PADDING.left, this.#panelEnd + ROOM) }
@@ -41,22 +41,22 @@ export class App {
   /** Opens or closes a panel by its button, which on a phone is in the second row. */
   async openPanel(name: string): Promise<void> {
     const more = this.page.getByRole('button', { name: 'More tools' })
-    // Where a sheet covers the rail, it is hidden.
+    // A sheet that covers the rail hides it.
     const button = this.page.locator('#rail').getByRole('button', { name, exact: true, includeHidden: true })
     if (!(await button.isVisible())) await more.click()
     const wasOpen = await button.getAttribute('aria-expanded')
     await button.click()
-    // It is loaded when it is opened for the first time.
+    // The panel is loaded when it is opened for the first time.
     await expect(button).not.toHaveAttribute('aria-expanded', wasOpen ?? '')
     const panel = await this.page.evaluate(
       () => document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect().right,
     )
     this.#panelEnd = panel ?? 0
-    // The page hears of the panel's size in its next frame, and then shows all circles beside it.
+    // The page learns the panel's size in its next frame, and then shows all circles beside it.
     await framesOf(this.page, 2)
   }
 
-  /** The circles as the address says, once they are kept: x, y, r each. */
+  /** The circles in the address, x, y, r each, once they are saved. */
   async circles(): Promise<Float64Array> {
     const link = await decodeLink(new URL(this.page.url()).hash)
     const circles = link.circles ?? dataSet(link.dataSet as string)
@@ -93,7 +93,7 @@ export class App {
     return this.page.getByRole('region', { name: 'Selected circle', exact: true })
   }
 
-  /** Waits until all that was asked of the picture is painted. Whether it is busy is told one frame later. */
+  /** Waits until the picture is painted. The busy state is updated one frame later. */
   async painted(): Promise<void> {
     await framesOf(this.page, 2)
     await expect(this.canvas).toHaveAttribute('aria-busy', 'false')
@@ -103,25 +103,28 @@ export class App {
     return this.inspector.getByLabel(name, { exact: true })
   }
 
-  /** Selects a circle by a click on its center. Until its card is there, the fields are those of the one before. */
+  /**
+   * Selects a circle by a click on its center, and waits for its card, because the fields show the previous circle
+   * until then.
+   */
   async select(circles: Float64Array, i: number): Promise<void> {
     const { x, y } = this.center(circles, i)
     await this.page.mouse.click(x, y)
     await expect(this.inspector.getByRole('heading')).toHaveText(`Circle ${i}`)
   }
 
-  /** The numbers of the circles that the inspector lists as neighbors. */
+  /** The numbers of the neighbors listed in the inspector. */
   neighbors(): Promise<string[]> {
     return this.inspector.getByRole('list', { name: 'Neighbors' }).getByRole('button').allTextContents()
   }
 
-  /** The camera that shows all circles of a data set. */
+  /** The camera that shows all circles. */
   camera(circles: Float64Array): Camera {
     const { width, height } = this.page.viewportSize() as { width: number; height: number }
     return fitted(boundingBox(circles), { width, height }, this.padding)
   }
 
-  /** Where a point of the plane is on the page while all circles are shown. */
+  /** The position on the page of a point of the plane, while all circles are shown. */
   locate(circles: Float64Array, point: Point): Point {
     return toScreen(this.camera(circles), this.page.viewportSize() as { width: number; height: number }, point)
   }
@@ -138,11 +141,13 @@ export class App {
   async drag(from: Point, to: Point): Promise<void> {
     const { mouse } = this.page
     await mouse.move(from.x, from.y)
-    // The first step is on its way with the press: a press that rests on nothing would try a circle.
+    // Sends the first move with the press, because a resting press would preview a circle.
     await Promise.all([mouse.down(), mouse.move(to.x, to.y, { steps: 8 })])
   }
 
-  /** The colors of the canvas at these points of the page, red, green, blue each; one device pixel per pixel. */
+  /**
+   * The colors of the canvas at some points of the page, red, green, blue each, with one device pixel per CSS pixel.
+   */
   colors(points: readonly Point[]): Promise<number[][]> {
     return this.canvas
       .locator('canvas')
@@ -164,7 +169,10 @@ export function dataSet(name: string): Float64Array {
   return parseCircles(readFileSync(new URL(`../../public/data/${name}.csv`, import.meta.url), 'utf8'))
 }
 
-/** A test with the page open at a link. It fails on any message of an error and any violation of the Content-Security-Policy. */
+/**
+ * A test with the page open at a link. The test fails on any error message and any violation of the
+ * Content-Security-Policy.
+ */
 export const test = base.extend<{ app: App; link: string | undefined }>({
   link: [undefined, { option: true }],
   app: async ({ page, link }, use) => {

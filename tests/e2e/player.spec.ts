@@ -28,7 +28,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await page.keyboard.press('Home')
   expect(await stepOf(page)).toBe(0)
 
-  // To the next vertex and back; the list begins with the disc that is taken.
+  // Jumps to the next vertex and back. The list begins with the disc that is taken.
   await page.getByRole('combobox', { name: 'Jump to' }).selectOption('vertex')
   await page.getByRole('button', { name: 'Next match' }).click()
   await expect(sentence).toContainText('is a vertex')
@@ -36,7 +36,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await page.getByRole('button', { name: 'Previous step' }).click()
   await expect(sentence).toContainText('Are its directed edges still there?')
 
-  // A breakpoint ends playing.
+  // Playback stops at a breakpoint.
   await page.getByRole('button', { name: 'Breakpoint: stop here when playing' }).click()
   await page.evaluate((step) => playing.player.stepTo(step - 4), vertex)
   await page.getByRole('combobox', { name: 'Speed' }).selectOption('30 / s')
@@ -44,7 +44,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible()
   expect(await stepOf(page)).toBe(vertex - 1)
 
-  // The reader predicts: an answer is followed by what happens.
+  // In the quiz, an answer is followed by the step.
   await page.getByRole('button', { name: 'Quiz: ask me before each step what happens next' }).click()
   await expect(page.getByRole('group', { name: 'What happens next?' })).toContainText('Which directed edges')
   await page
@@ -54,7 +54,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await expect(page.locator('.question')).toContainText(/^\s*(Right\.|No: .*\.) [01] of 1 right so far\./)
   await expect(sentence).toContainText('is a vertex')
 
-  // The ring of the selected circle, and its steps.
+  // The ring of the selected circle, and the steps about it.
   await page.evaluate(() => playing.view.select(4))
   await expect(page.getByRole('img', { name: /^Around circle 4: / })).toBeVisible()
   await page.getByRole('combobox', { name: 'Jump to' }).selectOption('selected')
@@ -77,7 +77,7 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
     await page.getByRole('button', { name: 'Next step', exact: true }).press('Enter')
     await expect(page.locator('.sentence')).toContainText('The judge proves the diagram.')
     await expect(slider).toBeFocused()
-    // One that has something left to do keeps it.
+    // A button that is still enabled keeps the focus.
     const back = page.getByRole('button', { name: 'Previous step' })
     await back.press('Enter')
     await expect(back).toBeFocused()

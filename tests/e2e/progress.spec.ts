@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What takes long says so, and can be canceled.
+// Long operations show their progress and can be canceled.
 import { got, heldBack } from './held-back.ts'
 import { expect, test } from './page.ts'
 import { threadOf } from './thread-session.ts'
@@ -19,7 +19,7 @@ test('what is loaded has a bar and can be canceled; what was wrong before goes a
   await expect(progress.getByRole('progressbar')).toBeVisible()
   await progress.getByRole('button', { name: 'Cancel' }).click()
   await expect(progress).toBeHidden()
-  // What comes late is not opened.
+  // A late response is not opened.
   const answered = page.waitForResponse('**/data/spruces.csv')
   answer()
   await (await answered).finished()
@@ -37,7 +37,7 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   const before = await app.status.textContent()
   await app.openPanel('Generate')
   const panel = page.getByRole('region', { name: 'Generate' })
-  // The thread never hears of the circles: it computes for as long as the test wants. Another one takes its place.
+  // The thread never receives the circles, so it computes as long as the test needs. A new thread takes over.
   await threadOf(page).evaluate(() => {
     const thread = globalThis as unknown as { onmessage(event: MessageEvent): void }
     const hear = thread.onmessage
@@ -47,13 +47,13 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   await panel.getByLabel('n', { exact: true }).press('Enter')
   await panel.getByRole('button', { name: /^points/ }).click()
   await expect(progress).toContainText('Computing the diagram of 600 circles …')
-  // What was selected is of other circles.
+  // The selection belonged to the former circles.
   await expect(app.inspector).toBeHidden()
   await progress.getByRole('button', { name: 'Cancel' }).click()
   await expect(progress).toBeHidden()
   await expect(page.getByRole('alert')).toContainText('you canceled it')
   expect(await app.status.textContent()).toBe(before)
-  // All goes on.
+  // The page continues to work.
   await expect(app.inspector).toContainText('Circle 600')
   await app.painted()
   await app.canvas.focus()

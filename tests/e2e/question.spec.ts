@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A question that is made in the panel Share, and asked by the frame.
+// A question is made in the panel Share and asked by the embedded page.
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { violationsOf } from './accessibility.ts'
 import { App, expect, test } from './page.ts'
@@ -29,7 +29,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
     'placeholder',
     'Move the circles until the cell of circle 4 has 3 edges.',
   )
-  // A second one, of the diagram.
+  // Adds a second condition, about the diagram.
   await page.getByRole('button', { name: 'Add a condition' }).click()
   await page.getByLabel('What condition 2 is about').selectOption({ label: 'number of circles' })
   await page.getByLabel('Comparison of condition 2').selectOption({ label: 'exactly' })
@@ -90,7 +90,7 @@ test('circles keep their names in a question where others are deleted', async ({
   const { check, circles } = await decodeLink(new URL(await clipboard(app)).hash)
   expect(check).toEqual({ cell: 3, edges: 3 })
   expect([...(circles as Float64Array).slice(9)]).toEqual([5, 4, 0.5])
-  // A circle that is not there is said.
+  // A missing circle is reported.
   await page.getByLabel('Circle of condition 1').fill('1')
   await page.getByLabel('Circle of condition 1').press('Enter')
   await expect(page.locator('#question-now')).toHaveText('There is no circle 1.')
@@ -107,7 +107,7 @@ test('says what cannot be solved, and what is solved already', async ({ app }) =
   await page.getByLabel('Readers may').selectOption('edit circles')
   await page.getByLabel('Comparison of condition 1').selectOption('at least')
   await expect(said).toContainText('meet this already')
-  // It follows the circles.
+  // The form follows the circles.
   await page.getByLabel('What condition 1 is about').selectOption({ label: 'number of circles' })
   await page.getByLabel('Value of condition 1').fill('6')
   await page.getByLabel('Value of condition 1').press('Enter')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regions and given areas in the page: opened, dropped, drawn, edited, kept, saved.
+// Regions and prescribed areas in the page: opened, dropped, drawn, edited, kept, saved.
 import { readFileSync } from 'node:fs'
 import type { Locator } from '@playwright/test'
 import type { Point } from '../../web/lib/index.ts'
@@ -35,7 +35,7 @@ const TOTAL = region([SQUARE as [number, number][], HOLE as [number, number][]])
 
 test.use({ link: await encodeLink({ circles: THREE as [number, number, number][] }) })
 
-/** The panel. */
+/** The panel Region. */
 const panel = (app: App): Locator => app.page.getByRole('region', { name: 'Region', exact: true })
 
 async function drop(app: App, name: string, text: string): Promise<void> {
@@ -51,7 +51,7 @@ async function drop(app: App, name: string, text: string): Promise<void> {
 
 const linkOf = async (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() => ({}) as never)
 
-/** Where the square is seen, with the panel open. */
+/** The camera that shows the square beside the open panel. */
 function cameraOf(app: App): Camera {
   const size = app.page.viewportSize() as { width: number; height: number }
   return fitted({ minX: -3, minY: -3, maxX: 9, maxY: 8 }, size, app.padding)
@@ -62,7 +62,7 @@ function place(app: App, [x, y]: readonly number[]): Point {
   return toScreen(cameraOf(app), size, { x: x as number, y: y as number })
 }
 
-/** The color of the picture at a point of the plane, once it is painted. */
+/** The color of the painted picture at a point of the plane. */
 async function colorAt(app: App, point: readonly number[]): Promise<string> {
   await app.painted()
   const [color] = await app.colors([place(app, point)])
@@ -85,7 +85,7 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
   expect(await colorAt(app, [3.5, 2.5])).toBe(PAPER)
   expect(await colorAt(app, [-3.5, 0])).toBe(PAPER)
 
-  // Its areas are those inside.
+  // Areas are measured inside the region.
   const { x, y } = place(app, [0, 0])
   await app.page.mouse.click(x, y)
   await expect(app.inspector).toContainText('Area inside the region')
@@ -94,7 +94,7 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
   const areas = diagram.cellAreas({ region: region(ring) })
   await expect(app.inspector).toContainText(String(Number((areas[0] as number).toPrecision(4))))
 
-  // The link has it, and opens it again; so does the SVG.
+  // The link contains the region and restores it, and so does the SVG.
   await expect.poll(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
   await app.page.reload()
   await expect(app.status).toContainText('3 circles')
@@ -165,15 +165,15 @@ test('a region is drawn: by clicks with a hole, by keys, canceled and taken back
   ] as const) {
     await click(x, y)
   }
-  // Taken back and placed again.
+  // Removes the corner and places it again.
   await page.keyboard.press('Control+z')
   await click(520, 690)
-  // At the first corner it is closed.
+  // A click on the first corner closes the polygon.
   await click(502, 151)
   await expect(panel(app)).toContainText('One outline with 4 sides')
   await expect(page.getByRole('button', { name: 'Select and move' })).toHaveAttribute('aria-pressed', 'true')
 
-  // Inside, a hole, closed by a double click; one that crosses is refused, and stays to be mended.
+  // A ring inside becomes a hole, closed by a double click. A crossing ring is refused and stays for correction.
   await page.keyboard.press('p')
   await click(700, 300)
   await click(900, 300)
@@ -188,14 +188,14 @@ test('a region is drawn: by clicks with a hole, by keys, canceled and taken back
   await page.keyboard.press('Control+z')
   await expect(panel(app)).toContainText('One outline with 4 sides')
 
-  // Escape gives it up.
+  // Escape discards the polygon.
   await page.keyboard.press('p')
   await click(700, 300)
   await page.keyboard.press('Escape')
   await expect(panel(app).getByRole('button', { name: 'Draw more' })).toBeVisible()
   await panel(app).getByRole('button', { name: 'Remove region' }).click()
 
-  // By keys alone: the next corner goes with the arrows.
+  // Draws by keys alone: arrow keys move the next corner.
   await panel(app).getByRole('button', { name: 'Draw' }).focus()
   await page.keyboard.press('Enter')
   await page.keyboard.press(' ')
@@ -227,7 +227,7 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   await expect(await areaOf([0, 0])).toHaveText(digits(TOTAL / 3))
   await expect(app.inspector.getByLabel('% of the region')).toHaveValue('33.33')
 
-  // A point is dragged: the cells keep their areas, and undo is one step.
+  // While a point is dragged, the cells keep their areas. The drag is one undo step.
   await expect.poll(async () => (await linkOf(app)).areas).toBe('equal')
   const before = await app.circles()
   await app.drag(place(app, [0, 0]), place(app, [1, -1]))
@@ -238,13 +238,13 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   await page.keyboard.press('Control+z')
   await expect.poll(() => app.circles()).toEqual(before)
 
-  // A half for one of them.
+  // Gives half of the region to one cell.
   const share = app.inspector.getByLabel('% of the region')
   await share.fill('50')
   await share.press('Enter')
   await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 2))
   await expect.poll(async () => (await linkOf(app)).areas).toEqual([2, 1, 1])
-  // Another one is another step of undo.
+  // Another change is another undo step.
   await share.fill('20')
   await share.press('Enter')
   await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 5))
@@ -256,16 +256,16 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   await page.reload()
   await expect(app.status).toContainText(/areas within/)
   await expect(choose).toHaveValue('own')
-  // The panel is there, and all circles are shown beside it in the next frame.
+  // The panel is open, and the next frame shows all circles beside it.
   await framesOf(page, 2)
   await expect(await areaOf([2, 5])).toHaveText(digits(TOTAL / 4))
   await expect(app.inspector.getByLabel('w', { exact: true })).toHaveAttribute('readonly', '')
 
-  // A slider does it live.
+  // The slider changes areas live.
   await app.inspector.getByLabel('Share of the region, against the mean').fill('0')
   await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 3))
 
-  // Two points cannot be at one place.
+  // Two points cannot coincide.
   for (const [name, value] of [
     ['x', '0'],
     ['y', '0'],
@@ -295,7 +295,7 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await page.mouse.click(x, y)
   await expect(app.inspector.locator('dd').first()).toHaveText(String(Number(((TOTAL * 20) / 45).toPrecision(4))))
 
-  // What cannot be an area is refused, and the last areas stay.
+  // Invalid areas are refused, and the last areas stay.
   await choose.selectOption('by rain')
   await expect(page.getByRole('alert')).toHaveText('rain: circle 1 has 0. Areas need numbers above 0.')
   await expect(choose).toHaveValue('column:people')
@@ -311,7 +311,7 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await expect(choose).toHaveValue('own')
   await expect(byPeople).toHaveCount(1)
 
-  // Undo of another file brings the columns back, too.
+  // Undoing an opening restores the columns, too.
   await drop(app, 'towns.csv', 'x,y,r,people\n0,0,1,1\n6,0,1,2\n2,5,1,3\n')
   await expect(byPeople).toHaveCount(1)
   await drop(app, 'none.csv', '0,0,1\n9,9,1\n')
@@ -337,7 +337,7 @@ test('a region is in the table, in the storage of the browser, and in a link tha
   await app.openPanel('Table')
   await expect.poll(() => inTable(app)).toEqual(expect.arrayContaining(areas))
 
-  // Without the address, the storage alone has it.
+  // Without the link in the address, the storage restores the region.
   await expect.poll(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
   const { href } = new URL(page.url())
   await page.evaluate(() => history.replaceState(null, '', location.pathname))
@@ -402,7 +402,7 @@ test('the cities have the outline of their land, also by a link of their name', 
   await app.choose('Cities of Europe')
   await app.openPanel('Region')
   await expect(panel(app)).toContainText('11 outlines with 2,062 sides')
-  // A name says both.
+  // A name stands for circles and region.
   await expect.poll(async () => linkOf(app)).toEqual({ dataSet: 'cities' })
   await app.page.reload()
   await expect(panel(app)).toContainText('11 outlines')
@@ -452,7 +452,7 @@ test.describe('by fingers', () => {
   })
 })
 
-// Where the pointer is, in the plane: what a test of drawing rests on.
+// Tests of drawing rely on this camera.
 test('the camera of these tests is that of the page', async ({ app }) => {
   await app.openPanel('Region')
   await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The built site: in any folder of any server, compressed, without a network, and while another version takes its place.
+// The built site: in any folder of any server, compressed, offline, and during a deployment.
 import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
 import { createServer, type Server } from 'node:http'
 import type { AddressInfo } from 'node:net'
@@ -13,10 +13,10 @@ import { App, dataSet, test as testOfApp } from './page.ts'
 const SITE = fileURLToPath(new URL('../../dist/site', import.meta.url))
 const FOLDER = '/some/sub/path/'
 const INTRODUCTION = dataSet('introduction')
-/** What the first diagram may need, in bytes as they are sent. */
+/** Limit for the transferred bytes until the first diagram. */
 const MOST_BYTES = 265_000
 
-/** Serves the files of a folder as plain servers do, below `FOLDER`. */
+/** Serves files below `FOLDER` like a plain server. */
 async function serve(files: string): Promise<{ server: Server; url: string }> {
   const send = sirv(files, { dev: true, etag: true })
   const server = createServer((request, response) => {
@@ -37,7 +37,7 @@ async function stop(server: Server): Promise<void> {
   await new Promise((resolve) => server.close(resolve))
 }
 
-/** The page at an address, once it would work without a network. */
+/** Opens the page at an address, and waits until it works offline. */
 async function kept(page: Page, url: string): Promise<App> {
   const app = new App(page)
   await page.goto(url)
@@ -77,7 +77,7 @@ test.describe('kept by the browser', () => {
     await app.select(INTRODUCTION, 4)
     await page.keyboard.press('Delete')
     await expect(app.status).toContainText('13 circles')
-    // What is loaded when it is asked for: readers and writers, charts, power diagrams.
+    // Parts that are loaded on demand: readers and writers, charts, power diagrams.
     await openFile(app, 'three.csv', '0,0,1\n6,0,1\n0,8,1\n')
     await expect(app.status).toContainText('3 circles')
     await app.openPanel('Numbers')
@@ -86,10 +86,10 @@ test.describe('kept by the browser', () => {
     const picture = await app.canvas.screenshot()
     await page.getByLabel('Power diagram').check()
     await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
-    // The tutorial, and its search.
+    // The tutorial and its search.
     await page.goto(`${url}tutorial/`)
     await page.getByRole('main').getByRole('link', { name: 'Which circle is nearest?' }).click()
-    // Its figures live: those that the tutorial draws itself, and those of the element.
+    // Its interactive figures: the tutorial's own, and those of the element.
     await expect(page.locator('svg.drawn .handle').first()).toBeVisible()
     await page.locator('circle-voronoi').first().scrollIntoViewIfNeeded()
     await expect(page.locator('circle-voronoi').first().getByRole('application')).toHaveAccessibleDescription(
@@ -106,7 +106,7 @@ test.describe('kept by the browser', () => {
     const { server, url } = await serve(folder)
     try {
       const app = await kept(page, url)
-      // The next version has a part of another name, and no longer the one that this page has not loaded yet.
+      // The next version renames a part that this page has not loaded yet.
       const name = (pattern: RegExp) => readdirSync(`${folder}/assets`).find((name) => pattern.test(name)) as string
       const thread = name(/^files-thread-.*\.js$/)
       const replace = (path: string, before: string, after: string) => {
@@ -114,12 +114,12 @@ test.describe('kept by the browser', () => {
         expect(text).toContain(before)
         writeFileSync(path, text.replaceAll(before, after))
       }
-      // Its name changes, and so do those of the files that name it.
+      // Renames the file and the files that refer to it.
       const rename = (before: string) => {
         const after = before.replace(/\.js$/, '-next.js')
         renameSync(`${folder}/assets/${before}`, `${folder}/assets/${after}`)
         for (const path of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
-          // Some have had their turn, under another name.
+          // Skips files that have been renamed already.
           if (!/\.(html|js)$/.test(path) || !existsSync(`${folder}/${path}`)) continue
           if (!readFileSync(`${folder}/${path}`, 'utf8').includes(before)) continue
           replace(`${folder}/${path}`, before, after)
@@ -145,7 +145,7 @@ test.describe('kept by the browser', () => {
       await openFile(app, 'two.csv', '0,0,1\n6,0,1\n')
       await expect(app.status).toContainText('2 circles')
 
-      // One that is being put there, with a file that is not yet that of its list, changes nothing.
+      // A partly deployed version, with a file that differs from its list, changes nothing.
       replace(`${folder}/index.html`, '<title>', '<title>After ')
       await writeServiceWorker(folder)
       replace(`${folder}/index.html`, '<title>After ', '<title>Half ')
@@ -199,7 +199,7 @@ test('a figure on another page has all its modules in its one file', async ({ pa
       ),
     )
     const [weights, radii] = await shown
-    // Radii are what the areas have made of them.
+    // Radii are the fitted weights.
     expect(weights?.[2]).toBeGreaterThan(0.1)
     expect(radii).toEqual([1, 0, 0])
     expect(answers).toEqual([])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows without a place: the error offers to skip them, and says how many.
+// Files with rows without a position: the error offers to skip these rows, and says how many there are.
 import { encodeLink } from '../../web/lib/link.ts'
 import { expect, test } from './page.ts'
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of numbers: keyboard, mouse and fingers, pasted rows, and what is selected.
+// The table of numbers: keyboard, mouse and fingers, pasted rows, and the selection.
 
 import { violationsOf } from './accessibility.ts'
 import { type App, dataSet, expect, test } from './page.ts'
@@ -21,17 +21,17 @@ class Table {
     await expect(this.grid.getByRole('row').nth(1)).toBeVisible()
   }
 
-  /** The cell of a row and a column, both from 1 on, the heading not counted. */
+  /** The cell of a row and a column, counted from 1 without the heading. */
   cell(row: number, column: number) {
     return this.grid.locator(`[role=row][aria-rowindex="${row + 1}"] > [aria-colindex="${column}"]`)
   }
 
-  /** Waits until the circles of the page are these. */
+  /** Waits until the page has the given circles. */
   async has(circles: Float64Array): Promise<void> {
     await expect.poll(() => this.app.circles()).toEqual(circles)
   }
 
-  /** As a spreadsheet has it in the clipboard. */
+  /** Pastes text in the format of spreadsheets. */
   async paste(text: string): Promise<void> {
     await this.grid.evaluate((element, text) => {
       const data = new DataTransfer()
@@ -59,7 +59,7 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await expect(table.grid).toBeFocused()
   await expect(table.cell(2, 2)).toHaveText('-3.25')
   await expect(app.field('x')).toHaveValue('-3.25')
-  // In y now: a digit begins to write.
+  // The current column is y, and a digit begins an edit.
   await page.keyboard.type('1.5')
   await page.keyboard.press('Escape')
   await expect(table.grid).toBeFocused()
@@ -70,7 +70,7 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   expected.set([-3.25, 2.5], 3)
   await table.has(expected)
 
-  // Refused by the table, and by the diagram.
+  // The table refuses one value, the diagram another.
   await table.grid.focus()
   await page.keyboard.press('Enter')
   const input = table.grid.getByRole('textbox', { name: 'r of row 2' })
@@ -85,7 +85,7 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await input.press('Escape')
   await table.has(expected)
 
-  // Three rows, of which the last ones are new.
+  // Pastes three rows, of which the last ones are new.
   await table.grid.focus()
   await page.keyboard.press('Control+End')
   await page.keyboard.press('Home')
@@ -103,14 +103,14 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await expect(app.status).toContainText('14 circles')
   await table.has(expected)
 
-  // Rows come and go.
+  // Rows follow insertions and removals.
   await page.getByRole('button', { name: 'Add', exact: true }).click()
   await expect(app.status).toContainText('15 circles')
   await expect(table.grid.locator('[aria-selected=true] > [aria-colindex="1"]')).toHaveText(/^1[4-9]$/)
   await page.getByTitle('Delete the selected circles (Delete)').click()
   await expect(app.status).toContainText('14 circles')
 
-  // The table shows the numbers again when it is opened again, and after a reload.
+  // The table is filled when it is opened again, and after a reload.
   await app.openPanel('Table')
   await expect(table.grid).toBeHidden()
   await table.open()
@@ -129,9 +129,9 @@ test('what is written goes into the circle it was begun for, and rows are sorted
   const x = table.grid.getByRole('columnheader', { name: 'x', exact: true })
   await x.click()
   await expect(x).toHaveAttribute('aria-sort', 'ascending')
-  // The circles with the least x are 13, 10, 4 and 3.
+  // The circles with the smallest x are 13, 10, 4 and 3.
   await expect(table.cell(2, 1)).toHaveText('10')
-  // However slow the machine, nothing rests until this test says so.
+  // With a controlled clock, pauses end only when the test says so.
   await page.clock.install()
   await page.clock.pauseAt(Date.now() + 60_000)
   const frame = () => page.clock.runFor(20)
@@ -144,7 +144,7 @@ test('what is written goes into the circle it was begun for, and rows are sorted
   await page.keyboard.type('6')
   const input = table.grid.getByRole('textbox')
   await expect(input).toHaveValue('6')
-  // The rest after which rows are sorted is over.
+  // Ends the pause before sorting.
   await page.clock.fastForward(5000)
   await expect(table.cell(1, 1)).toHaveText('13')
   await page.clock.resume()
@@ -156,7 +156,7 @@ test('what is written goes into the circle it was begun for, and rows are sorted
   expected[30] = 6
   await table.has(expected)
 
-  // A heading is no cell to be edited, and a word of what is written can be chosen.
+  // A heading is not editable, and a word of an edited text can be selected.
   await table.cell(1, 3).click()
   await x.dblclick()
   await expect(input).toHaveCount(0)
@@ -173,7 +173,7 @@ test('rows are sorted by any column, and what is selected here is selected there
   await expect(table.grid).toHaveAttribute('aria-rowcount', '679')
   const columnOf = async (column: number, rows: number) => {
     const texts = await Promise.all(Array.from({ length: rows }, (_, k) => table.cell(k + 1, column).textContent()))
-    // What is still to be measured is empty.
+    // Cells without a measure are empty.
     if (texts.includes('')) return undefined
     return texts.map((text) => (text === '∞' ? Number.POSITIVE_INFINITY : text === '–' ? Number.NaN : Number(text)))
   }
@@ -194,7 +194,7 @@ test('rows are sorted by any column, and what is selected here is selected there
         .toBe(true)
     }
   }
-  // By keys: up from the first row is the heading.
+  // The arrow key leads from the first row to the heading.
   await table.cell(1, 1).click()
   await page.keyboard.press('ArrowUp')
   await page.keyboard.press('Enter')
@@ -208,7 +208,7 @@ test('rows are sorted by any column, and what is selected here is selected there
   await table.cell(4, 1).click({ modifiers: ['ControlOrMeta'] })
   await expect(page.getByRole('region', { name: 'Selected circles' })).toContainText('2 circles')
 
-  // From the picture to the row, which scrolls into sight and is the current one.
+  // Selecting in the picture scrolls to the row and makes it current.
   await page.locator('#figure').focus()
   await page.keyboard.press('Escape')
   await page.keyboard.press('Enter')
@@ -242,7 +242,7 @@ test('keys bring the current row into sight, and up from the heading there is no
   const heading = table.grid.getByRole('columnheader', { name: '#', exact: true })
   for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowUp')
   await expect(table.grid).toHaveAttribute('aria-activedescendant', (await heading.getAttribute('id')) as string)
-  // What is written there goes nowhere.
+  // Keys typed there have no effect elsewhere.
   await page.keyboard.press('ArrowRight')
   await page.keyboard.type('5')
   await expect(table.grid.getByRole('textbox')).toHaveCount(0)
@@ -268,7 +268,7 @@ test('of a hundred thousand rows only those that are seen are elements', async (
     }
     return most
   })
-  // Only what is seen is there.
+  // Only visible rows have elements.
   expect(elements).toBeLessThan(80)
   await expect(table.cell(100_000, 1)).toHaveText('99999')
   await expect(table.cell(100_000, 5)).not.toHaveText('')

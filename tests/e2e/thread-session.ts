@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CDPSession, Page, Worker } from '@playwright/test'
 
-/** The file of the painter's thread. */
+/** The file of the painting thread. */
 export const THREAD = /start-thread/
 
-/** The painter's thread of a page. */
+/** The painting thread of a page. */
 export function threadOf(page: Page): Worker {
   return page.workers().find((worker) => THREAD.test(worker.url())) as Worker
 }
 
-/** Has a function ask a thread of a page, which has a protocol of its own within that of the page. `url`: that of its file. */
+/** Calls `use` with a debugging session of a page's thread, nested in that of the page. `url` matches its file. */
 export async function withThread<Result>(
   session: CDPSession,
   url: RegExp,
@@ -40,11 +40,11 @@ export async function withThread<Result>(
   }
 }
 
-/** A method of the protocol, and what it answers. */
+/** Calls a method of the protocol and returns its answer. */
 // biome-ignore lint/suspicious/noExplicitAny: each method has another answer
 export type Ask = (method: string, params?: object) => Promise<any>
 
-/** Bytes of the heap of a thread, once what is not needed is gone. */
+/** Bytes of a thread's heap after garbage collection. */
 export async function heapOf(ask: Ask): Promise<number> {
   await ask('HeapProfiler.collectGarbage')
   const { usedSize } = await ask('Runtime.getHeapUsage')

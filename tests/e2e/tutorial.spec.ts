@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each chapter, as a reader uses it: every figure is dragged and moved by keys, every question answered wrong and right.
+// Uses each chapter like a reader: drags every figure, moves it by keys, and answers every question wrong and right.
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { expect, type Locator, type Page, test } from '@playwright/test'
@@ -14,19 +14,19 @@ import { framesOf } from './frames.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
 
-/** Of what moves by itself while a page is read: far less is seen. */
+/** Limit for layout shift, which is invisible below it. */
 const MOST_SHIFT = 0.02
-/** As Lighthouse has it: milliseconds for a question and its answer, and bytes in a second. */
+/** The connection that Lighthouse simulates: round-trip time in milliseconds, and bytes per second. */
 const SLOW_4G = { latency: 150, throughput: (1.6 * 2 ** 20) / 8 }
-/** Milliseconds on such a line from the address to the first text, and to circles that can be dragged. */
+/** Limits in milliseconds on this connection until the first text, and until circles can be dragged. */
 const READABLE = 1000
 const LIVE = 2500
 const MARGIN = 16
-/** Blocks that the tutorial draws itself. */
+/** Figures that the tutorial draws itself. */
 const DRAWN: readonly string[] = ['drawn', 'cones']
 const BELOW_BUTTONS = 12
 
-/** What a page complains of. */
+/** Collects the errors and warnings of a page. */
 function watch(page: Page): string[] {
   const problems: string[] = []
   page.on('pageerror', ({ message }) => problems.push(message))
@@ -37,7 +37,7 @@ function watch(page: Page): string[] {
   return problems
 }
 
-/** Until it is so, looking often: what is waited for comes within a few frames. */
+/** Polls often, because results are expected within a few frames. */
 const soon = <T>(ask: () => Promise<T>, message = '') => expect.poll(ask, { message, intervals: [20] })
 
 const circlesOf = (figure: Locator): Promise<number[]> => figure.evaluate((element: Element) => [...element.circles])
@@ -51,7 +51,7 @@ async function show(figure: Locator): Promise<void> {
   })
 }
 
-/** Drags the largest circle that is seen, which has most room in its disc. */
+/** Drags the largest visible circle, whose disc is easiest to hit. */
 async function drag(page: Page, figure: Locator): Promise<void> {
   const { circles, view, box, buttons } = await figure.evaluate((element: Element) => {
     const root = element.shadowRoot as ShadowRoot
@@ -86,13 +86,13 @@ async function tryFigure(page: Page, name: string): Promise<void> {
   await page.keyboard.press('Escape')
   await page.keyboard.press('Enter')
   await soon(() => figure.evaluate((element: Element) => element.selection.length), name).toBe(1)
-  // A key is answered after all pointer events before it.
+  // A key is handled after all earlier pointer events.
   const dragged = await circlesOf(figure)
   await page.keyboard.press('ArrowRight')
   await soon(() => circlesOf(figure), name).not.toEqual(dragged)
 }
 
-/** The link of a figure says what the figure shows. */
+/** Expects that a figure's link contains the figure's state. */
 async function expectLink(page: Page, name: string): Promise<void> {
   const link = page.locator(`#${name} a.open`)
   await link.focus()
@@ -135,7 +135,7 @@ async function answer(page: Page): Promise<void> {
   }
 }
 
-/** What is to be reached by dragging: shows an answer, and takes it back. */
+/** Solves an exercise by dragging, and reverts the solution. */
 async function reach(page: Page): Promise<void> {
   for (const section of await page.locator('.try').all()) {
     const output = section.locator('figcaption output')
@@ -162,7 +162,7 @@ async function slide(page: Page): Promise<void> {
   }
 }
 
-/** What the tutorial draws itself: each handle by mouse and keys, the slider, and what is told of it. */
+/** Tests the tutorial's own figures: each handle by mouse and keys, the slider, and the caption. */
 async function tryDrawn(page: Page, { name, point }: Spec): Promise<void> {
   const figure = page.locator(`#${name}`)
   await figure.scrollIntoViewIfNeeded()
@@ -193,7 +193,7 @@ async function tryDrawn(page: Page, { name, point }: Spec): Promise<void> {
   const play = figure.getByRole('button', { name: 'Play' })
   if ((await play.count()) > 0) {
     const atEnd = await content()
-    // It is paused with the first picture, before it comes to an end by itself.
+    // Pauses playback at the first picture, before it ends by itself.
     await play.evaluate(
       (button: HTMLButtonElement, figure) =>
         new Promise<void>((resolve) => {
@@ -244,7 +244,7 @@ async function tryCones(page: Page, name: string): Promise<void> {
   await soon(picture, name).not.toBe(above)
 }
 
-/** What no longer changes. */
+/** Waits until a value no longer changes. */
 async function soonStill(ask: () => Promise<string>): Promise<string> {
   let before = ''
   await soon(async () => {
@@ -256,7 +256,7 @@ async function soonStill(ask: () => Promise<string>): Promise<string> {
   return before
 }
 
-/** Each change of the list is noticed, by the check that it names, and so is one by hand. */
+/** Expects that the named check detects each corruption of the list, and one made by hand. */
 async function corrupt(page: Page): Promise<void> {
   const verdict = page.locator('.corrupt output')
   const RIGHT = 'The judge: this diagram is right.'
@@ -275,7 +275,7 @@ async function corrupt(page: Page): Promise<void> {
     index: ((await choice.evaluate((select: HTMLSelectElement) => select.selectedIndex)) + 1) % 5,
   })
   await expect(verdict).toHaveText(/^The judge: no\. \w/)
-  // The vertex and the circles that it is said to touch are marked, and all circles have their numbers.
+  // The vertex and the circles that it claims to touch are marked, and all circles have their numbers.
   const marked = await page.locator('[data-corrupt] circle-voronoi').evaluate((element: Element) => element.layers.data)
   expect(marked?.map(({ points = [], discs = [] }) => [points.length, discs.length])).toEqual([[2, 9]])
   await expect(page.locator('.numbers text')).toHaveText(['0', '1', '2', '3', '4', '5'])
@@ -359,7 +359,7 @@ test('what rules find as printed follows the circles', async ({ page }) => {
   const [discs, wrong] = [await pathOf('discs'), await pathOf('wrong')]
   expect(wrong).not.toBe('')
 
-  // The small circle, out from between the others.
+  // Drags the small circle out from between the others.
   const { view, box } = await figure.evaluate((element: Element) => {
     const { left, top, width, height } = element.getBoundingClientRect()
     return { view: element.view as NonNullable<typeof element.view>, box: { left, top, width, height } }
@@ -371,14 +371,14 @@ test('what rules find as printed follows the circles', async ({ page }) => {
   await page.mouse.move(box.left + from.x, box.top + from.y)
   await page.mouse.down()
   await page.mouse.move(box.left + (from.x + to.x) / 2, box.top + (from.y + to.y) / 2)
-  // While it is held.
+  // Checked during the drag.
   await soon(() => pathOf('discs')).not.toBe(discs)
   await page.mouse.move(box.left + to.x, box.top + to.y)
   await page.mouse.up()
   await expect(around.locator('output')).toHaveText('As printed: the same diagram here.')
   expect(await pathOf('wrong')).toBe('')
 
-  // The same part of the plane is seen.
+  // The figure shows the same part of the plane.
   const viewBox = () => around.locator('svg').getAttribute('viewBox')
   const seen = await viewBox()
   await figure.getByRole('application').focus()
@@ -386,7 +386,7 @@ test('what rules find as printed follows the circles', async ({ page }) => {
   await page.keyboard.press('+')
   await soon(viewBox).not.toBe(seen)
 
-  // What takes long is not tried.
+  // Too many circles are not compared.
   await figure.evaluate((element: Element) => {
     element.circles = Array.from({ length: 41 }, (_, i) => [3 * i, i % 3, 1])
   })
@@ -397,7 +397,7 @@ test('what rules find as printed follows the circles', async ({ page }) => {
 test('on paper a figure is as it was on the screen, and what asks has no answer', async ({ page }) => {
   await page.goto('/tutorial/01-nearest-circle.html')
   await show(page.locator('#four-circles circle-voronoi'))
-  // Its pixels stay, and are scaled.
+  // Printing scales the existing pixels.
   await page.evaluate(() => {
     const printed: number[] = []
     addEventListener('afterprint', () => {
@@ -428,7 +428,7 @@ test('formulas have a font with a table for mathematics, whatever fonts the syst
     return [...document.fonts].map(({ family, status }) => [family, status])
   })
   expect(fonts).toEqual([['Formulas', 'loaded']])
-  // A bar of a fraction and its parts are apart, as such a table has it.
+  // The bar of a fraction does not touch the numbers.
   const fraction = page.locator('mfrac').first()
   const [above, below] = await Promise.all([0, 1].map((k) => fraction.locator('> *').nth(k).boundingBox()))
   expect((below?.y ?? 0) - ((above?.y ?? 0) + (above?.height ?? 0))).toBeGreaterThan(0)
@@ -440,7 +440,7 @@ test('the two lines for teachers are a live figure', async ({ page }) => {
   const lines = (await page.locator('pre').first().textContent()) as string
   expect(blocksRunBy('tests/e2e/tutorial.spec.ts').map(({ code }) => code)).toEqual([lines])
   expect(lines).toContain('https://example.org/circle-voronoi/element.js')
-  // On another page, without a policy of its own, where the address is that of this site.
+  // Tests the lines on another page without a policy, with the address of this site.
   const own = lines.replace('https://example.org/circle-voronoi/element.js', '/element.js')
   await page.route('**/lesson.html', (route) => route.fulfill({ contentType: 'text/html', body: own }))
   await page.goto('/lesson.html')
@@ -453,7 +453,7 @@ test('the two lines for teachers are a live figure', async ({ page }) => {
 })
 
 const SITE = fileURLToPath(new URL('../../dist/site/', import.meta.url))
-/** The files of the site that are read. */
+/** The files of the site that are checked. */
 const PAGES = ['tutorial', 'docs', 'api'].flatMap((folder) =>
   readdirSync(`${SITE}${folder}`)
     .filter((name) => name.endsWith('.html'))
@@ -472,7 +472,7 @@ test('every link in the texts leads somewhere', () => {
       const path = pathname.slice(1).replace(/(^|\/)$/, '$1index.html')
       const place = decodeURIComponent(hash.slice(1))
       const isThere = existsSync(SITE + path)
-      // What stands after the # of the playground's address is no place in it.
+      // The part after the # of a playground's address is a link, not an anchor.
       const isPlace = place === '' || path === 'index.html' || (texts.get(path) ?? '').includes(` id="${place}"`)
       if (!isThere || !isPlace) dead.push(`${page}: ${address}`)
     }
@@ -543,7 +543,7 @@ test('on a slow line the first chapter can be read within a second, and its firs
 }) => {
   const session = await page.context().newCDPSession(page)
   await session.send('Network.enable')
-  /** Of each file how many have to come first, one by one, itself counted, and whether there is no text without it. */
+  /** For each file the length of the chain of files before it, itself included, and whether it blocks the text. */
   const files = new Map<string, { depth: number; holdsUp: boolean }>()
   session.on('Network.requestWillBeSent', ({ request: { url }, initiator, type }) => {
     const askers = [initiator.url ?? '', ...(initiator.stack?.callFrames ?? []).map((frame) => frame.url)]
@@ -552,7 +552,7 @@ test('on a slow line the first chapter can be read within a second, and its firs
   })
   await page.goto('/tutorial/01-nearest-circle.html')
   await show(page.locator('circle-voronoi').first())
-  /** What the line alone takes for some of them, in milliseconds. */
+  /** The transfer time of some files on this connection, in milliseconds. */
   const timeOf = async (isNeeded: (file: { holdsUp: boolean }) => boolean) => {
     const needed = [...files].filter(([, file]) => isNeeded(file))
     const answers = await Promise.all(

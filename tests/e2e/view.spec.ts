@@ -38,7 +38,7 @@ test('a drag at a rim resizes, and is taken back at Escape or where something el
     await app.page.mouse.move(from.x - 60, from.y - 60, { steps: 4 })
     await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
   }
-  // These drags were nothing: what is undone is the first one, and then the choice of circles before it.
+  // These drags changed nothing: the first undo reverts the first drag, the second the choice of circles.
   const undo = app.page.getByRole('button', { name: 'Undo' })
   await undo.click()
   await expect(undo).toBeEnabled()
@@ -53,7 +53,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
   const isDrawn = () => app.painted()
   await isDrawn()
   const diagram = (await loadCircleVoronoi()).compute(INTRODUCTION)
-  // Halfway between the centers of circles that border on each other, but for what other layers have there.
+  // The midpoints between neighboring centers, except where other layers cover them.
   const middles = Array.from({ length: diagram.edges.length / 4 }, (_, e) => {
     const [i, j] = [diagram.edges[4 * e] as number, diagram.edges[4 * e + 1] as number]
     const [one, other] = [app.center(INTRODUCTION, i), app.center(INTRODUCTION, j)]
@@ -100,7 +100,7 @@ test('the clearest path follows its ends and the circles', async ({ app }) => {
   await expect(row).toHaveText(/^[\d.]+$/)
   const clearance = await row.textContent()
   const { width, height } = page.viewportSize() as { width: number; height: number }
-  // Into a disc: it cannot but be in there.
+  // A point that is certainly inside a disc.
   const inside = app.center(INTRODUCTION, 0)
   await app.drag({ x: width / 2 + 0.3 * width, y: height / 2 }, inside)
   await page.mouse.up()
@@ -154,7 +154,7 @@ test('charts of the numbers before an edit are gone, with what they listened to'
   await expect(panel).toContainText('4.46 on average')
   await expect(panel.locator('canvas')).toHaveCount(2)
   await expect.poll(listeners).toBe(before)
-  // Folded, it has none.
+  // A closed panel computes no values.
   await app.openPanel('Numbers')
   await expect.poll(listeners).toBeLessThan(before)
 })
@@ -223,7 +223,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       const mean = greens.reduce((sum, green) => sum + green, 0) / greens.length
       return { mean, darkest: greens.reduce((least, green) => Math.min(least, green)) }
     }, shot)
-    // Discs are solid, in the middle of light and dark; what is dark around them would have a mean below 100.
+    // Discs are solid, with a medium brightness; a dark background would give a mean below 100.
     expect(mean).toBeGreaterThan(150)
     expect(darkest).toBeLessThan(110)
     // A page without a picture has less than 2,000 bytes.
@@ -263,7 +263,7 @@ test('colors by a measure have a legend with numbers on the canvas', async ({ ap
   const texts = await legend.locator('.knots > span').allTextContents()
   expect(texts.map((text) => Number(text.replace(/[≤≥] /, '')))).toEqual(knots.map((r) => Number(r.toPrecision(2))))
   expect([texts[0]?.[0], texts[4]?.[0]]).toEqual(['≤', '≥'])
-  // The largest circles have the color of its end.
+  // The largest circles have the last color of the ramp.
   const largest = Array.from({ length: 678 }, (_, i) => i).sort(
     (i, j) => (BRONZE[3 * j + 2] as number) - (BRONZE[3 * i + 2] as number),
   )
@@ -274,7 +274,7 @@ test('colors by a measure have a legend with numbers on the canvas', async ({ ap
     return [...context.getImageData(canvas.width - 1, 0, 1, 1).data.slice(0, 3)]
   })
   expect(color).toEqual(end)
-  // Many circles are colored by radius without being asked for.
+  // Many circles are colored by radius by default.
   await page.getByLabel('Colors', { exact: true }).selectOption('automatic')
   await expect(legend).toBeHidden()
   await app.choose('Random, 10,000')

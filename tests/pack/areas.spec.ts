@@ -14,7 +14,7 @@ test.beforeAll(async () => {
 })
 test.afterAll(() => server.close())
 
-/** Opens an example, and returns what goes wrong from then on. */
+/** Opens an example, and returns the list that collects its errors. */
 async function open(page: Page, name: string): Promise<string[]> {
   const problems: string[] = []
   page.on('pageerror', ({ message }) => problems.push(message))
@@ -22,7 +22,7 @@ async function open(page: Page, name: string): Promise<string[]> {
   return problems
 }
 
-/** The shares of the picture's area that cells have, by their paths as the browser draws them. */
+/** The cells' shares of the picture's area, measured on their paths in the browser. */
 async function areaOf(page: Page, names: string): Promise<number> {
   return page.locator(`[data-names="${names}"]`).evaluate((path) => {
     const its = path as SVGPathElement

@@ -66,7 +66,7 @@ test('all figures are printed as drawings, also those that nobody has scrolled t
           : svg.getBoundingClientRect().width * svg.querySelectorAll('path').length
       }),
     )
-  // Each drawing is kept a moment after its figure has started.
+  // Each drawing for print is made a moment after its figure has started.
   await expect
     .poll(async () => {
       await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
@@ -77,7 +77,7 @@ test('all figures are printed as drawings, also those that nobody has scrolled t
       return isThere
     })
     .toBe(true)
-  // A page hears of another medium with its next frame.
+  // A page learns of another medium in its next frame.
   await page.emulateMedia({ media: 'print' })
   await expect.poll(async () => (await printed()).every((size) => size > 1000)).toBe(true)
   const fallbacks = await page
@@ -120,7 +120,7 @@ for (const [name, html] of [
     const box = await page.locator('circle-voronoi').boundingBox()
     expect(box?.width).toBeGreaterThan(400)
     expect(box?.width).toBeLessThan(500)
-    // And it fits where there is less room.
+    // The figure fits into less room.
     await page.setViewportSize({ width: 320, height: 600 })
     await expect.poll(async () => (await page.locator('circle-voronoi').boundingBox())?.width).toBeLessThan(321)
   })
@@ -248,7 +248,7 @@ test('input and change as of form controls, and a value that is one object until
   await expect.poll(async () => [...all.splice(0, 0), ...(all.push(...(await told())), all)].at(-1)).toBe('change')
   expect(all.filter((name) => name === 'change')).toHaveLength(1)
   expect(all.filter((name) => name === 'input').length).toBe(all.filter((name) => name === 'circleschange').length)
-  // A key is an input that is released at once.
+  // A key press causes an input event and a change event at once.
   await page.keyboard.press('ArrowRight')
   await expect.poll(async () => [...all.splice(0), ...(await told())]).toEqual(['circleschange', 'input', 'change'])
   const seen = await page.locator('circle-voronoi').evaluate(async (element: Element) => {
@@ -262,7 +262,7 @@ test('input and change as of form controls, and a value that is one object until
     return [isSame, isKept, [...element.value]]
   })
   expect(seen).toEqual([true, true, [7, 7, 7]])
-  // What a program sets is no input.
+  // Changes by a program cause no input event.
   expect(await told()).toEqual(['circleschange'])
   await page.locator('circle-voronoi').evaluate(async (element: Element) => {
     element.value = ''
@@ -275,7 +275,7 @@ test('ready and updateComplete settle in a tab that is hidden', async ({ page })
   await page.addInitScript(() => {
     Object.defineProperty(document, 'visibilityState', { get: () => 'hidden' })
     Object.defineProperty(document, 'hidden', { get: () => true })
-    // Nothing is drawn in it, and nothing comes into view.
+    // The page draws no frames, and nothing becomes visible.
     globalThis.requestAnimationFrame = () => 0
     globalThis.IntersectionObserver = class {
       observe() {}

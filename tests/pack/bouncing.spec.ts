@@ -22,7 +22,7 @@ test('the discs bounce, and their diagram follows', async ({ page }) => {
       )
       return data.filter((value, k) => k % 4 === 3 && value > 0).length / (canvas.width * canvas.height)
     })
-    // The discs, and lines between them.
+    // The discs, and the edges between them, cover more than this share.
     expect(inked).toBeGreaterThan(0.25)
     expect(inked).toBeLessThan(0.7)
     expect(problems).toEqual([])

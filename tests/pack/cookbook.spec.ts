@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recipes of the cookbook, run as a reader would: scripts in Node, pages in a browser. Each recipe has its picture.
+// Runs the recipes of the cookbook like a reader: scripts in Node, pages in a browser. Each recipe has its picture.
 import { existsSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
@@ -11,7 +11,7 @@ import { serve } from './static-server.ts'
 const RECIPES = recipes()
 const inLanguage = (name: string) => RECIPES.filter(({ language }) => language === name)
 const pageOfRecipe = (name: string) => pageOf(inLanguage('html').find(({ title }) => title === name)?.code ?? '')
-/** In Jupyter a cell shows what its last line gives. */
+/** Jupyter shows the value of a cell's last line. */
 const NOTEBOOK = `
 class HTML:
     def __init__(self, data):
@@ -36,7 +36,7 @@ test('all of them are run, and each section has a picture', () => {
     expect(existsSync(join(ROOT, 'docs', picture)), section).toBe(true)
     expect(picture, section).not.toBe('')
   }
-  // Those that `npm run picture` makes are shown.
+  // The cookbook shows the pictures that `npm run picture` makes.
   for (const { picture } of RECIPES) expect(text).toContain(`](${picture.slice('docs/'.length)})`)
 })
 
@@ -112,7 +112,7 @@ test('what a notebook shows is a live figure', async ({ page }) => {
   expect(complaints).toEqual([])
 })
 
-/** Opens a page of the project; what it complains of comes later. */
+/** Opens a page of the project, and returns the list that collects its errors. */
 async function shown(page: Page, html: string): Promise<string[]> {
   const complaints: string[] = []
   page.on('pageerror', ({ message }) => complaints.push(message))
@@ -125,7 +125,7 @@ async function shown(page: Page, html: string): Promise<string[]> {
   return complaints
 }
 
-/** How many colors a screenshot has: a canvas, an SVG or a map that is drawn has some. */
+/** The number of colors in a screenshot. Drawn canvases, SVGs and maps have several. */
 async function colorsIn(page: Page): Promise<number> {
   const png = (await page.screenshot()).toString('base64')
   return page.evaluate(async (data) => {

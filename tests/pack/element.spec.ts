@@ -17,7 +17,7 @@ import { blocksRunBy } from '../readme/blocks.mjs'
 import { ROOT } from './project.mjs'
 import { type Server, serve } from './static-server.ts'
 
-/** What an example may do that has a few lines of script or style in itself. */
+/** The policy of examples with inline scripts or styles. */
 const EXAMPLE_POLICY =
   "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"
 
@@ -25,7 +25,7 @@ const THREE = '[[0,0,2],[10,0,1],[5,8,1.5]]'
 const FLAT = [0, 0, 2, 10, 0, 1, 5, 8, 1.5]
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
-/** Of WebAssembly, in a thread. */
+/** The WebAssembly instances of a thread. */
 type Instances = { readonly instances: readonly WebAssembly.Instance[] }
 
 let server: Server
@@ -34,22 +34,22 @@ test.beforeAll(async () => {
 })
 test.afterAll(() => server.close())
 
-/** The page of an example. */
+/** The address of an example's page. */
 function exampleOf(name: string): string {
   return readFileSync(join(ROOT, `examples/element/${name}/index.html`), 'utf8')
 }
 
-/** Where pages for tests are written: each of the workers has a folder of its own. */
+/** The folder for generated pages. Each worker has its own. */
 const PAGES = `build/examples-${process.env.TEST_PARALLEL_INDEX}`
 
-/** A page for a test. */
+/** Writes a page for a test. */
 function writeExample(name: string, html: string): void {
   const path = join(ROOT, PAGES, name)
   mkdirSync(dirname(path), { recursive: true })
   writeFileSync(path, html)
 }
 
-/** What a page complains of, and what it asks for. */
+/** Collects the errors of a page, and the addresses that it requests. */
 function watch(page: Page): { readonly problems: string[]; readonly asked: string[] } {
   const problems: string[] = []
   const asked: string[] = []
@@ -75,7 +75,7 @@ const circlesOf = (page: Page): Promise<number[]> =>
     .first()
     .evaluate((element: Element) => [...element.circles])
 
-/** Where a circle's center is on the page, while all of them are seen. */
+/** The position on the page of a circle's center, while all circles are visible. */
 async function placeOf(page: Page, i: number): Promise<{ x: number; y: number }> {
   const { circles, box, controls } = await page
     .locator('circle-voronoi')
@@ -100,7 +100,7 @@ async function drag(page: Page, i: number, dx: number, dy: number): Promise<void
   await page.mouse.up()
 }
 
-/** Scrolls, and waits until the page rests: it rolls on after a finger has left it. */
+/** Scrolls, and waits until the page rests. It continues to scroll after a finger has left it. */
 async function scrollBy(page: Page, act: () => Promise<void>): Promise<void> {
   await page.evaluate(() => {
     const ended = new Promise((resolve) => addEventListener('scrollend', resolve, { once: true }))
@@ -110,7 +110,7 @@ async function scrollBy(page: Page, act: () => Promise<void>): Promise<void> {
   await page.evaluate(() => (globalThis as unknown as { ended: Promise<unknown> }).ended)
 }
 
-/** Drags a circle, and moves it back by a key: whatever the page is made of, this works. */
+/** Drags a circle and moves it back by a key. This works in any page. */
 async function expectToBeLive(page: Page): Promise<void> {
   await shown(page)
   const before = await circlesOf(page)
@@ -120,7 +120,7 @@ async function expectToBeLive(page: Page): Promise<void> {
   await expect.poll(() => circlesOf(page)).toEqual(before)
 }
 
-/** A region cuts cells, areas are fitted, and power diagrams are drawn. */
+/** Uses every module: regions clip cells, areas are fitted, and power diagrams are drawn. */
 async function expectAllModules(page: Page): Promise<void> {
   const [drawn, areas] = await page
     .locator('circle-voronoi')
@@ -164,7 +164,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(await circlesOf(page)).toEqual([0, 0, 2, 10, 0, 1, 5, 8, 1.5, 4, 3, 0.5])
   expect(await told()).toEqual(['circleschange of circle-voronoi', 'diagramchange of circle-voronoi'])
   expect(await page.evaluate(() => (globalThis as unknown as { shift: () => number }).shift())).toBe(0)
-  // Its own files, each once but for what two threads have in common.
+  // Each file is loaded once, except those that two threads share.
   const [wasm, ...more] = asked.filter((url) => url.endsWith('.wasm'))
   expect(wasm).toMatch(/dist\/lib\/generated\/circle-voronoi\.wasm$/)
   expect(more).toEqual([])
@@ -174,7 +174,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await expect(figure).toHaveAccessibleDescription(/^4 circles; the diagram has 3 vertices and 6 edges\. Enter: select/)
   expect(await violationsOf(page)).toEqual([])
 
-  // The page scrolls over it, until it was pressed.
+  // The page scrolls over the figure until the figure is pressed.
   await page.setViewportSize({ width: 1280, height: 500 })
   const { x, y } = await placeOf(page, 3)
   await page.mouse.move(x, y)
@@ -216,7 +216,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await element.getByRole('button', { name: 'Undo' }).click()
   await expect.poll(() => circlesOf(page)).toEqual(atFirst)
 
-  // What is kept comes back, also as JSON; a drawing and a computation of what is shown.
+  // A saved state is restored, also from JSON, and exported as a drawing.
   const kept = await element.evaluate(async (element: Element) => {
     const state = JSON.parse(JSON.stringify(element.getState()))
     element.circles = [
@@ -253,7 +253,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(await violationsOf(page)).toEqual([])
   await page.emulateMedia({ colorScheme: 'light' })
 
-  // What is wrong is said, and changes nothing.
+  // Errors are reported and change nothing.
   await told()
   await element.evaluate((element: Element) => element.setAttribute('layers', 'hull nonsense'))
   expect(await told()).toEqual(['error of circle-voronoi'])
@@ -264,7 +264,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(refused).toMatch(/negative/)
   expect(await circlesOf(page)).toEqual(atFirst)
 
-  // One that is only looked at.
+  // A read-only figure.
   await element.evaluate((element: Element) => {
     element.readonly = true
   })
@@ -274,7 +274,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
   await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
-  // Its thread answers after whatever was asked of it before.
+  // Its thread answers after all earlier requests.
   await element.evaluate((element: Element) => element.toSVG())
   expect(await circlesOf(page)).toEqual(atFirst)
   expect(problems).toEqual([])
@@ -292,7 +292,7 @@ test('in one file from another origin, of which nothing else is asked', async ({
     writeExample('bundle.html', exampleOf('bundle').replaceAll('../../../', elsewhere.address))
     await page.goto(`${here.address}${PAGES}/bundle.html`)
     await expectToBeLive(page)
-    // By the page and by the thread.
+    // Requested by the page and by the thread.
     expect(new Set(asked.filter((url) => url.startsWith(origin)))).toEqual(
       new Set([`${origin}/dist/element/bundle.js`]),
     )
@@ -383,7 +383,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   expect(await told('played')).toEqual([`played 1/${steps}`])
   expect(await violationsOf(page)).toEqual([])
 
-  // By script: it plays until it is told to stay, and a state has the step.
+  // Playback by script continues until it is stopped, and the state contains the step.
   const kept = await played.evaluate(async (element: Element) => {
     await element.stepTo(20)
     await element.play()
@@ -401,7 +401,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   const refused = await played.evaluate((element: Element) => element.stepTo(-1).catch((error: Error) => error.message))
   expect(refused).toBe('A step is a whole number from 0, not -1.')
 
-  // Circles that are edited are played from the start; at its stages, and at its end, it stays there.
+  // Edited circles are played from the start, but stages and the end stay where they are.
   await played.getByRole('application').focus()
   await page.keyboard.press('Enter')
   await page.keyboard.press('ArrowRight')
@@ -414,7 +414,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   await page.keyboard.press('Control+z')
   await expect(slider).toHaveAttribute('max', String(steps - 1))
   await expect(sentence).toContainText('The judge proves the diagram.')
-  // By flips, and no longer.
+  // Plays flips, then stops.
   await played.evaluate((element: Element) => {
     element.method = 'auto'
   })
@@ -431,7 +431,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   expect(await hasDiagram('#played')).not.toBe(withoutDiagram)
   await told('')
 
-  // Without the player: as the text says.
+  // Without the player, the status is read from the text.
   const other = page.locator('#told')
   await other.evaluate(async (element: Element) => {
     element.scrollIntoView()
@@ -469,7 +469,7 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
     false,
     'Not solved yet.',
   ])
-  // Far away, it no longer borders on the small one.
+  // The distant circle no longer borders on the small one.
   await drag(page, 3, 150, 0)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(true)
   await page.getByRole('button', { name: 'Submit' }).click()
@@ -477,7 +477,7 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   await page.getByRole('button', { name: 'Reset' }).click()
   await expect.poll(() => circlesOf(page)).toEqual(atFirst)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(false)
-  // With the form, it can no longer be changed.
+  // A disabled form disables the figure.
   await page.evaluate(() => {
     const fields = document.createElement('fieldset')
     const form = document.querySelector('form') as HTMLFormElement
@@ -487,7 +487,7 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   })
   await shown(page)
   await drag(page, 3, 150, 0)
-  // What is drawn comes after each edit before it.
+  // The drawing follows all earlier edits.
   await element.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.toSVG())
   expect(await circlesOf(page)).toEqual(atFirst)
   expect(problems).toEqual([])
@@ -546,7 +546,7 @@ test('from an esbuild build, as docs/element.md says', async ({ page }) => {
   const [source, ...others] = inLanguage('js') as [string]
   const [command, ...more] = (inLanguage('sh')[0] as string).trim().split(' ')
   expect([others, command]).toEqual([[], 'esbuild'])
-  // The package is this one.
+  // Replaces the installed package by this repository.
   const args = more.map((arg) => arg.replace('node_modules/circle-voronoi/', join(ROOT, '/')))
   writeExample('esbuild/page.js', source)
   writeExample(
@@ -564,7 +564,7 @@ test('from an esbuild build, as docs/element.md says', async ({ page }) => {
   expect(problems).toEqual([])
 })
 
-/** The element is that which the page has already. */
+/** Maps the element to the module that the page has loaded already. */
 const elementOfPage: Plugin = {
   name: 'element-of-page',
   setup({ onResolve }) {
@@ -614,7 +614,7 @@ test('made by a script that is imported later, as in notebooks', async ({ page }
   await page.goto(`${server.address}examples/element/notebook/index.html`)
   await expect(page.locator('output')).toHaveText('0.7')
   await expectToBeLive(page)
-  // It is moved to another place, taken away and put back, as it was left.
+  // Moving, removing and inserting the figure again keeps its state.
   const { circles, isMoved } = await page.locator('circle-voronoi').evaluate(async (element: Element) => {
     element.circles = [
       [0, 0, 1],
@@ -654,7 +654,7 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
   const element = page.locator('circle-voronoi')
   const told = () =>
     element.evaluate((element: Element) => [[...element.ids], [...element.selection], element.checkValidity()])
-  // Of circle 3 and of circle 2, which are deleted and come back: with other numbers inside, and in another order.
+  // Circles 3 and 2 are deleted and restored. They have new internal ids and another order then.
   await element.evaluate((element: Element) => {
     element.focus()
     element.selection = [2, 3]
@@ -675,7 +675,7 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
     (element: Element) => element.circles[3 * [...element.ids].indexOf(element.selection[0] as number) + 1],
   )
   expect(y).toBe(3)
-  // What was read is no sign that nothing has changed.
+  // Reading a property must not be taken as a sign that it is unchanged.
   const set = await element.evaluate(async (element: Element) => {
     const { circles } = element
     circles[2] = 1
@@ -743,7 +743,7 @@ for (const file of ['index', 'bundle']) {
     await shown(page)
     const element = page.locator('circle-voronoi')
     const { x, y } = (await element.boundingBox()) as { x: number; y: number }
-    // What nobody asks for is not loaded.
+    // Unneeded modules are not loaded.
     expect(asked.filter((url) => url.includes('regions'))).toHaveLength(1)
     /** The color at a point of the plane. */
     const colorAt = (px: number, py: number) =>
@@ -764,16 +764,16 @@ for (const file of ['index', 'bundle']) {
     ] as const
     expect([await colorAt(...far), await colorAt(...hole)]).not.toContain(PAPER)
 
-    // From a file, whose address the attribute has.
+    // Reads the region from a file, whose address is in the attribute.
     await element.evaluate((element: Element) => element.setAttribute('region', 'square.wkt'))
     expect([await colorAt(...far), await colorAt(...hole)]).toEqual([PAPER, PAPER])
     expect(await colorAt(1, 8)).not.toBe(PAPER)
     expect(await element.evaluate((element: Element) => element.toSVG())).toMatch(/<clipPath id="[\w-]+">/)
 
-    // The shares of 164.
+    // Areas as shares of 164.
     const becomes = async (cell: number, area: number) => {
       const check = { cell, area: { min: area * (1 - 1e-6), max: area * (1 + 1e-6) } }
-      // The check is answered before the picture.
+      // The check is answered before the picture is painted.
       await element.evaluate((element: Element, check) => {
         element.check = check
         return element.toSVG()
@@ -798,7 +798,7 @@ for (const file of ['index', 'bundle']) {
     await page.keyboard.press('Control+z')
     await expect.poll(radii).toEqual(before)
 
-    // Kept in a state and a link; what is wrong is told, and the rest stays.
+    // The state and the link contain the values. An invalid value is reported, and the rest stays.
     const state: FigureState = await element.evaluate((element: Element) => element.getState())
     expect(state).toMatchObject({ areas: [1, 1, 2], region: { type: 'MultiPolygon' } })
     const link = await encodeLink(state)
@@ -864,7 +864,7 @@ test('given the bytes: by its own name, and the method is played', async ({ page
     step: 2,
   })
   expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
-  // In the language of the page.
+  // The buttons use the language of the page.
   await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible()
   await expect(page.locator('circle-voronoi').getByRole('application')).toHaveAccessibleDescription(
     /^3 Kreise; das Diagramm hat 1 Ecke und 3 Kanten\. Enter: wählt/,
@@ -903,7 +903,7 @@ test('twenty figures share a module and a thread, and give back what is far away
     <link rel="stylesheet" href="../../dist/element/element.css">
     <script type="module" src="../../dist/element/index.js"></script>${figures.join('')}`,
   )
-  // Instances are known to nobody but who made them.
+  // Instances are visible only to the code that creates them.
   await page.route('**/painter.js', async (route) => {
     const response = await route.fetch()
     const body = `{
@@ -919,7 +919,7 @@ test('twenty figures share a module and a thread, and give back what is far away
     await route.fulfill({ response, body })
   })
   await page.goto(`${server.address}${PAGES}/twenty.html`)
-  /** Pixels of canvases, in figures that have some. */
+  /** Pixels of canvases in figures that have any. */
   const pixels = () =>
     page
       .locator('circle-voronoi')
@@ -938,7 +938,7 @@ test('twenty figures share a module and a thread, and give back what is far away
   expect((await pixels()).length).toBeLessThan(5)
   const seen = new Set<number>()
   const session = await page.context().newCDPSession(page)
-  /** What all of it takes, of the page and of its thread, in MB; WebAssembly is in one place. */
+  /** Memory of the page and its thread in MB, with WebAssembly counted once. */
   const memory = async () => {
     const own = await heapOf(session.send.bind(session) as Ask)
     const thread = await withThread(session, /\/painter\.js$/, heapOf)
@@ -980,11 +980,11 @@ test('twenty figures share a module and a thread, and give back what is far away
   expect(await pixels()).not.toContain(0)
   expect(page.workers()).toHaveLength(1)
   expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
-  // The first one is still there, and comes back.
+  // The first figure still exists and gets its pixels back.
   await page.evaluate(() => scrollTo(0, 0))
   await expect.poll(pixels).toContain(0)
   await expectToBeLive(page)
-  // On paper, none shows what stands between its tags: those without pixels are drawings.
+  // On paper no figure shows its fallback content. Figures without pixels are drawn as SVG.
   await page.emulateMedia({ media: 'print' })
   const printed = () =>
     page.locator('circle-voronoi').evaluateAll((elements) =>
@@ -993,7 +993,7 @@ test('twenty figures share a module and a thread, and give back what is far away
         return [getComputedStyle(fallback as Element).visibility, drawing?.checkVisibility() === true]
       }),
     )
-  // Media that are emulated are told of with the next frame.
+  // An emulated medium takes effect in the next frame.
   await expect.poll(printed).toEqual(Array(20).fill(['hidden', true]))
   expect(problems).toEqual([])
 })
@@ -1009,7 +1009,7 @@ test.describe('with fingers', () => {
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly { x: number; y: number }[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map((point, id) => ({ ...point, id })) })
     const swipe = async ({ x, y }: { x: number; y: number }, dx: number, dy: number) => {
-      // Both at once: on a slow machine, a finger that rests is a long press.
+      // Sends both at once, because on a slow machine a resting finger would be a long press.
       await Promise.all([touch('touchStart', [{ x, y }]), touch('touchMove', [{ x: x + dx / 8, y: y + dy / 8 }])])
       for (let k = 2; k <= 8; k++) await touch('touchMove', [{ x: x + (dx * k) / 8, y: y + (dy * k) / 8 }])
       await touch('touchEnd', [])
@@ -1021,7 +1021,7 @@ test.describe('with fingers', () => {
     const before = await scrolled()
     const small = await placeOf(page, 3)
     await swipe(small, 30, 24)
-    // The circle is where the finger left it.
+    // The circle is where the finger was lifted.
     await expect.poll(async () => (await placeOf(page, 3)).x).toBeCloseTo(small.x + 30, 0)
     expect(await scrolled()).toBe(before)
     await scroll(() => page.evaluate(() => scrollTo(0, 0)))
@@ -1058,7 +1058,7 @@ test.describe('without scripts', () => {
   })
 })
 
-/** Opens a page with some markup and the element's module; what the elements say is kept in `told`. */
+/** Opens a page with some markup and the element's module, which records events in `told`. */
 async function open(page: Page, name: string, body: string, lang = 'en'): Promise<void> {
   await page.addInitScript(() => {
     const told: string[] = []
@@ -1076,7 +1076,7 @@ async function open(page: Page, name: string, body: string, lang = 'en'): Promis
   await page.goto(`${server.address}${PAGES}/${name}.html`)
 }
 
-/** The errors since the last time. */
+/** The errors since the last call. */
 const errors = (page: Page): Promise<string[]> =>
   page.evaluate(() => (globalThis as unknown as { told: string[] }).told.splice(0))
 
@@ -1151,7 +1151,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
     controls: 'The controls must be buttons or player, or both (got "buttns").',
     check: 'The check cannot be read: there is no circle 7. The circles have the ids 0 to 2.',
   }
-  // It stays once the circles are there.
+  // The error remains after the circles have arrived.
   for (const text of [sentences.layer, sentences.method, sentences.controls, sentences.check])
     await expect(alert).toContainText(
       new RegExp(typeof text === 'string' ? text.replace(/[().]/g, '\\$&') : text.source.slice(1)),
@@ -1187,7 +1187,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
     await element.evaluate((element: Element, name) => Object.assign(element, { [name]: undefined }), name)
     await expect(alert).toBeHidden()
   }
-  // It cannot be an attribute, and is forgotten although there is none.
+  // The value cannot be an attribute, and is dropped although the attribute is missing.
   await element.evaluate((element: Element) => {
     const parts: Check[] = []
     parts.push({ all: parts })
@@ -1217,7 +1217,7 @@ test('a selection that is set before the circles are there is that of the first 
     await element.ready
     await new Promise(requestAnimationFrame)
     const first = [...element.selection]
-    // With other circles, of which it is.
+    // The check refers to these other circles.
     element.circles = [...circles, [20, 20, 1]]
     element.selection = [3]
     await element.updateComplete
@@ -1292,7 +1292,7 @@ test('no promise of an element stays open that is in no page', async ({ page }) 
     element.remove()
     await before
     await element.ready
-    // Its circles are shown once it is back.
+    // The circles are shown once the figure is back in the page.
     document.body.prepend(element)
     await element.ready
     return [...element.circles]
@@ -1370,7 +1370,7 @@ test('an application keeps the circles of events, and sets older ones again', as
     await element.updateComplete
     return { count, first: [...element.circles] }
   })
-  // The newest one is what is shown already.
+  // The newest circles are shown already.
   expect(seen).toEqual({ count: 2, first: [1, 0, 1] })
 })
 
@@ -1391,7 +1391,7 @@ test('layers that cannot be sent change nothing', async ({ page }) => {
   expect(layers[1]).toEqual({ hull: true })
   await expect(element.getByRole('alert')).toHaveText(/detached/)
   expect(await errors(page)).toHaveLength(1)
-  // What no layer has is left out.
+  // Unknown properties of layers are dropped.
   const [sent] = await setting(false)
   expect(sent).toMatchObject({ hull: false, dual: true })
   expect(Object.keys(sent.column ?? {})).toEqual(['name', 'values'])
@@ -1427,13 +1427,13 @@ test('what is drawn as an SVG and as a PNG is what is seen', async ({ page }) =>
       const drawing = kind === 'svg' ? image : await createImageBitmap(await element.toPNG(1))
       const [drawn, seen] = [pixels([drawing]), pixels(canvases)]
       let others = 0
-      // Rims are blended another way.
+      // Rims are blended differently.
       for (let k = 0; k < seen.length; k++) if (Math.abs((seen[k] as number) - (drawn[k] as number)) > 96) others += 1
       return others / seen.length
     }, kind)
   for (const kind of ['svg', 'png'] as const) expect(await share(kind), kind).toBeLessThan(0.002)
 
-  // Nearer, where most is cut off, with other layers and colors.
+  // Zooms in, where most is clipped, with other layers and colors.
   await element.evaluate(async (element: Element) => {
     element.layers = 'cells=different delaunay ordinary hidden no-vertices max-distance=4'
     element.view = { x: 8, y: 2, span: 6 }
@@ -1441,7 +1441,7 @@ test('what is drawn as an SVG and as a PNG is what is seen', async ({ page }) =>
   })
   for (const kind of ['svg', 'png'] as const) expect(await share(kind), kind).toBeLessThan(0.002)
 
-  // What is selected stands out on the page alone.
+  // The selection is highlighted on screen only.
   const svg = () => element.evaluate((element: Element) => element.toSVG())
   const before = await svg()
   expect(before).toContain('rgb(170, 0, 0)')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The builds of <circle-voronoi> in one file, copied alone into a folder, and what a page asks of its own policy.
+// The single-file builds of <circle-voronoi>, each alone in a folder, and their requirements on the page's policy.
 import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -31,7 +31,7 @@ function copy(name: string): void {
 const pageOf = (script: string, head = '') =>
   `<!doctype html><html lang="en"><meta charset="utf-8">${head}<title>One file</title><link rel="icon" href="data:,">${FIGURE}${script}`
 
-/** Areas, power diagrams, the player and German texts: nothing is asked of any other address. */
+/** Uses areas, power diagrams, the player and German texts without any request to another address. */
 async function expectAllOfIt(page: Page, address: string, own: RegExp): Promise<void> {
   const problems: string[] = []
   page.on('pageerror', ({ message }) => problems.push(message))

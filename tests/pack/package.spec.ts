@@ -9,7 +9,7 @@ import webpack from 'webpack'
 import { Project } from './project.mjs'
 import { serve } from './static-server.ts'
 
-/** What consumer/main.js finds: three circles of radius 1 at the corners of a triangle with sides 6, 8 and 10. */
+/** The result of consumer/main.js: three circles of radius 1 at the corners of a triangle with sides 6, 8 and 10. */
 const EXPECTED = JSON.stringify(JSON.parse(readFileSync(new URL('expected.json', import.meta.url), 'utf8')))
 
 let project: Project
@@ -211,7 +211,7 @@ test.describe('in a page', () => {
   })
 })
 
-/** The page that a server of files serves prints what is expected. */
+/** Expects that a page on a file server prints the expected result. */
 async function expectToWork(page: Page, folder: string, name = ''): Promise<void> {
   const server = await serve(folder)
   try {
@@ -233,7 +233,7 @@ async function expectToPrint(page: Page, address: string, expected = EXPECTED): 
   expect({ text: await output.textContent(), complaints }).toEqual({ text: expected, complaints: [] })
 }
 
-/** plain.html: a page without a bundler, which finds modules by their addresses. */
+/** Writes plain.html, a page without a bundler that imports modules by their addresses. */
 function writePlainPage(): void {
   const plain = readFileSync(project.path('main.js'), 'utf8').replace(
     /'circle-voronoi(?:\/(\w+))?'/g,
@@ -250,7 +250,7 @@ async function buildWithWebpack(path: string): Promise<void> {
     context: project.folder,
     entry: './page.js',
     output: { path },
-    // It advises against files over 244 KiB, before compression.
+    // Disables the warning about files over 244 KiB before compression.
     performance: { hints: false },
   })
   const stats = await new Promise<webpack.Stats | undefined>((resolve, reject) =>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The package as its users have it, where no browser is needed: packed, installed in a project of its own, and used in Node. So
-// is the documentation's code for Node. Pages with the package: package.spec.ts.
+// The package as its users have it, without a browser: packed, installed in a project of its own, and used in Node. The
+// documentation's code for Node is tested, too. package.spec.ts tests pages with the package.
 import assert from 'node:assert/strict'
 import { existsSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs'
 import { basename, join } from 'node:path'
@@ -10,7 +10,7 @@ import { blocksRunBy } from '../readme/blocks.mjs'
 import { BIN, Project, ROOT, run } from './project.mjs'
 import { hasTypes } from './types.mjs'
 
-/** What consumer/main.js finds: three circles of radius 1 at the corners of a triangle with sides 6, 8 and 10. */
+/** The result of consumer/main.js: three circles of radius 1 at the corners of a triangle with sides 6, 8 and 10. */
 const EXPECTED = JSON.stringify(JSON.parse(readFileSync(new URL('expected.json', import.meta.url), 'utf8')))
 
 /** The modules of the element. */
@@ -32,7 +32,7 @@ it('holds the built library and nothing else', () => {
     .map((name) => `dist/cli/${name.replace(/\.ts$/, '.js')}`)
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
-  // The names of what two modules of the element have in common are those of its contents.
+  // The names of shared chunks are derived from their contents.
   const shared =
     /^dist\/(element|picture)\/(chunk|circle-voronoi-(comparison|regions)|german|link|player|random-circles)-[A-Z0-9]+\.js$/
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)
@@ -52,7 +52,7 @@ it('holds the built library and nothing else', () => {
     [...others, ...built, ...generated, ...element, ...picture, ...view, ...program, ...compiled].sort(),
   )
 
-  // The sources are not there, so the maps have them.
+  // The sources are not published, so the maps include them.
   for (const name of files.filter((file) => file.endsWith('.map'))) {
     const map = JSON.parse(readFileSync(join(packed, name), 'utf8'))
     assert.equal(map.sourcesContent.length, map.sources.length, name)
@@ -60,7 +60,7 @@ it('holds the built library and nothing else', () => {
 })
 
 it('shows the pictures of its README on a registry page', () => {
-  // There a path is looked for in the repository, if that is known.
+  // Relative paths resolve to the repository, if it is known.
   const { repository, homepage, bugs } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
   const [place] = /https:\/\/github\.com\/[\w-]+\/[\w-]+(?=\.git$)/.exec(repository.url)
   assert.deepEqual([homepage, bugs], [`${place}#readme`, `${place}/issues`])
@@ -119,7 +119,7 @@ describe('in Node', () => {
       loadCircleVoronoi({ wasm }).then((library) => console.log(library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]]).vertices.join()))`,
     )
     const options = { entryPoints: [entry], bundle: true, platform: 'node', logLevel: 'error', write: false }
-    // That there is no import.meta in CommonJS is what is tested.
+    // The test is about CommonJS, which has no import.meta.
     const silenced = { logOverride: { 'empty-import-meta': 'silent' } }
     const common = (await bundle({ ...options, ...silenced, format: 'cjs' })).outputFiles[0].text
     project.write('bundled.cjs', common)
@@ -213,7 +213,7 @@ describe('the code for Node in the documentation', () => {
 
   for (const [i, { file, code, line }] of inLanguage('js').entries()) {
     it(`${file}:${line}`, () => {
-      // What it prints stands behind each call, as a comment.
+      // Comments behind each call contain the expected output.
       const expected = [...code.matchAll(/^console\.log\(.*\) \/\/ (.*)$/gm)].map(([, text]) => `${text}\n`)
       assert.notEqual(expected.length, 0)
       project.write(`readme-${i}.js`, code)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures without a browser are those of a browser: of the element, of the playground, and of the program.
+// Pictures made without a browser equal those of a browser: of the element, of the playground, and of the program.
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -15,7 +15,7 @@ const { renderSVG } = (await import(`${ROOT}dist/picture/index.js`)) as {
 }
 const PROGRAM = join(ROOT, 'dist/cli/circle-voronoi.js')
 const SIZE = { width: 500, height: 340 }
-/** With a hidden circle, circles that overlap, and a cell without end. */
+/** Circles with a hidden one, overlaps, and an unbounded cell. */
 const CIRCLES = [
   [0, 0, 2],
   [10, 0, 1],
@@ -80,7 +80,7 @@ test.beforeAll(async () => {
 })
 test.afterAll(() => server.close())
 
-/** A page with an element of that size. */
+/** Opens a page with an element of the picture's size. */
 async function openElement(page: Page): Promise<void> {
   await page.route(`${server.address}picture.html`, (route) =>
     route.fulfill({
@@ -123,7 +123,7 @@ test('a picture in Node is what the playground saves of a link', async ({ page, 
   const svg = readFileSync(await saved.path(), 'utf8').replace(/<metadata.*<\/metadata>\n/, '')
   const { width, height } = page.viewportSize() as { width: number; height: number }
   expect(await renderSVG(link, { width, height })).toBe(svg)
-  // The same from the address, by the program.
+  // The program draws the same from the address.
   const drawn = run('picture', `${baseURL}/#${link}`, '--size', `${width}x${height}`)
   expect(drawn).toEqual({ status: 0, stdout: svg, stderr: '' })
 })
@@ -132,7 +132,7 @@ test('the program draws links to data sets and families, and files', async ({ ba
   const cities = await encodeLink({ dataSet: 'cities', edits: [{ kind: 'remove', id: 3 }] })
   const drawn = run('picture', `${baseURL}/embed.html#${cities}`)
   expect(drawn).toMatchObject({ status: 0, stderr: '' })
-  // Inside its region.
+  // The picture is clipped to its region.
   expect(drawn.stdout).toContain('<clipPath')
   expect(run('picture', `#${cities}`)).toEqual({
     status: 2,
@@ -153,7 +153,7 @@ test('the program draws links to data sets and families, and files', async ({ ba
   expect(run('picture', file('link.txt', `${baseURL}/#${link}\n`)).stdout).toBe(svg)
   const saved = svg.replace('>\n', () => `>\n<metadata id="circle-voronoi">${link}</metadata>\n`)
   expect(run('picture', file('a.svg', saved)).stdout).toBe(svg)
-  // A family has the circles of `generate`.
+  // A family has the circles of the command `generate`.
   const family = run('picture', await encodeLink({ dataSet: 'dense:7:50' }))
   const generated = run('generate', 'dense', '50', '--seed', '7').stdout
   expect(family.stdout).toBe(run('picture', file('dense.csv', generated)).stdout)
@@ -173,7 +173,7 @@ test('the program writes SVG, PNG and PDF, and says what is wrong in one sentenc
     expect(run('picture', link, '-o', path, '--size', '300x200', env)).toEqual({ status: 0, stdout: '', stderr: '' })
     const bytes = readFileSync(path)
     expect(bytes.toString('latin1').startsWith(start)).toBe(true)
-    // Twice as many pixels as the size has.
+    // The picture has two pixels per CSS pixel.
     if (name === 'a.png') expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([600, 400])
     if (name === 'a.pdf') expect(bytes.toString('latin1').match(/\/Type\s*\/Page\b/g)).toHaveLength(1)
   }
@@ -213,7 +213,7 @@ test('a state that cannot be drawn is one clear error', async () => {
 
 type Run = { readonly status: number | null; readonly stdout: string; readonly stderr: string }
 
-/** Runs the program; the last argument may be variables of its environment. */
+/** Runs the program. The last argument may be environment variables. */
 function run(...given: readonly (string | Record<string, string>)[]): Run {
   const args = given.filter((arg) => typeof arg === 'string')
   const variables = given.find((arg) => typeof arg === 'object')

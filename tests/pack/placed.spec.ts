@@ -19,7 +19,7 @@ test.beforeAll(async () => {
 })
 test.afterAll(() => server.close())
 
-/** Opens a page with a figure of three circles, whose view is known. */
+/** Opens a page with a figure of three circles and a known view. */
 async function open(page: Page, around: (figure: string) => string): Promise<void> {
   const figure = `<circle-voronoi style="width: ${WIDTH}px; height: ${HEIGHT}px" circles="[[0,0,2],[10,0,1],[5,8,1.5]]"
     view="${Object.values(VIEW).join(' ')}"></circle-voronoi>`
@@ -36,7 +36,7 @@ async function open(page: Page, around: (figure: string) => string): Promise<voi
   })
 }
 
-/** Where a point of the plane is on the page: found by a mark in the figure's own pixels, which the browser places. */
+/** The position on the page of a point of the plane. A mark in the figure's own coordinates finds it. */
 function placeOf(page: Page, x: number, y: number): Promise<[number, number]> {
   const scale = HEIGHT / VIEW.span
   const own = { left: WIDTH / 2 + (x - VIEW.x) * scale, top: HEIGHT / 2 - (y - VIEW.y) * scale }
@@ -72,7 +72,7 @@ async function drag(
   await page.mouse.up()
 }
 
-/** The center of circle 0, which is grabbed, to a tenth. */
+/** The draggable center of circle 0, to a tenth of a pixel. */
 const center = (page: Page) =>
   page
     .locator('circle-voronoi')
@@ -124,7 +124,7 @@ test('a figure that is made larger by a transform is drawn with as many pixels',
   await expect.poll(pixels).toEqual([2 * WIDTH, 2 * HEIGHT])
 })
 
-/** What reaches the page of gestures and keys, which slides and carousels would act on. */
+/** Records the gestures and keys that reach the page, to which slides and carousels would react. */
 async function heardBy(page: Page): Promise<() => Promise<string[]>> {
   await page.evaluate(() => {
     const heard: string[] = []
@@ -156,14 +156,14 @@ test('a page does not hear of the mouse that drags a circle, nor of keys that th
   const heard = await heardBy(page)
   await drag(page, false, await placeOf(page, 0, 0), await placeOf(page, 4, 3))
   await expect.poll(() => center(page)).toEqual([4, 3])
-  // A menu of the page closes by a click anywhere.
+  // A click anywhere closes a menu of the page.
   expect(await heard()).toEqual(['pointermove', 'click'])
   await page.keyboard.press('ArrowRight')
   await expect.poll(async () => (await center(page))[0]).toBeGreaterThan(4)
   await page.keyboard.press('Control+z')
   await page.mouse.wheel(0, 10)
   expect(await heard()).toEqual(['Control'])
-  // Keys that the figure does not use are the page's.
+  // The page receives keys that the figure does not use.
   await page.keyboard.press('m')
   expect(await heard()).toEqual(['m'])
 })

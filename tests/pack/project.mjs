@@ -6,7 +6,7 @@ import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 
 export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
-/** Where the programs of this repository's tools are. */
+/** The folder of this repository's tools. */
 export const BIN = join(ROOT, 'node_modules/.bin')
 
 /** An empty project outside the repository into which the packed package is installed, without a network. */
@@ -18,7 +18,7 @@ export class Project {
     this.folder = join(this.#parent, 'project')
     const packed = join(this.#parent, 'circle-voronoi')
     for (const folder of [this.folder, packed]) mkdirSync(folder)
-    // What `npm pack` would build first is built: the tests' builds are up to date by then.
+    // The build is up to date when tests run, so `npm pack` does not repeat it.
     execFileSync('npm', ['pack', '--silent', '--ignore-scripts', '--pack-destination', packed], { cwd: ROOT })
     this.tarball = join(packed, readdirSync(packed)[0])
     writeFileSync(join(this.folder, 'package.json'), JSON.stringify({ private: true, type: 'module' }))
@@ -35,7 +35,7 @@ export class Project {
     writeFileSync(this.path(name), text)
   }
 
-  /** As `run`, in its folder. */
+  /** Runs a program like `run`, in the project's folder. */
   run(program, ...args) {
     return run(this.folder, program, ...args)
   }
@@ -45,9 +45,10 @@ export class Project {
   }
 }
 
-/** What a program prints; throws with that if the program fails. */
+/** Returns a program's output; throws the output if the program fails. */
 export function run(folder, program, ...args) {
-  // Playwright asks for colors, which are not for comparing; and Node's runner tells its children to report to it.
+  // Playwright sets colors, which would disturb comparisons, and Node's test runner sets a variable that makes its
+  // children report to it.
   const env = { ...process.env, FORCE_COLOR: '0', NODE_TEST_CONTEXT: undefined }
   const { status, error, stdout, stderr } = spawnSync(program, args, { cwd: folder, env, encoding: 'utf8' })
   if (status === 0) return stdout

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code for pages in the documentation, run as a reader would.
+// Runs the documentation's code for pages like a reader.
 import { expect, test } from '@playwright/test'
 import { blocksRunBy } from '../readme/blocks.mjs'
 import { Project } from './project.mjs'
 import { INLINE_POLICY, serve } from './static-server.ts'
 
 const BLOCKS = blocksRunBy('tests/pack/readme.spec.ts')
-/** Where the documentation of the element has the package; and what it shows is of a page that has the element. */
+/**
+ * The package's address in the documentation of the element. Its fragments belong to a page that has loaded the
+ * element.
+ */
 const ELSEWHERE = 'https://example.com/circle-voronoi/'
 const ELEMENT = '<script type="module" src="node_modules/circle-voronoi/dist/element/index.js"></script>\n'
 
@@ -23,7 +26,7 @@ for (const { file, code, line } of BLOCKS) {
     project.write('circles.csv', 'x,y,r\n0,0,2\n10,0,1\n5,8,1.5\n')
     const complaints: string[] = []
     page.on('pageerror', (error) => complaints.push(error.message))
-    // That its pixels are read often is of this test's making.
+    // The warning about frequent reading of pixels is caused by this test.
     const isOurs = (text: string) => text.includes('willReadFrequently')
     page.on('console', (message) => isOurs(message.text()) || complaints.push(message.text()))
     const server = await serve(project.folder, INLINE_POLICY)
@@ -39,7 +42,7 @@ for (const { file, code, line } of BLOCKS) {
   })
 }
 
-/** How many pixels of a canvas are drawn on. */
+/** The number of non-empty pixels of a canvas. */
 function inkOf(canvas: Element): number {
   const { width, height } = canvas as HTMLCanvasElement
   const context = (canvas as HTMLCanvasElement).getContext('2d') as CanvasRenderingContext2D

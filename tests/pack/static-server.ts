@@ -12,9 +12,9 @@ const TYPES: Record<string, string> = {
   '.wasm': 'application/wasm',
 }
 
-/** As strict as a page can be that uses WebAssembly: no `eval`, nothing from elsewhere, no script in the page itself. */
+/** The strictest policy for a page with WebAssembly: no `eval`, nothing from other origins, no inline scripts. */
 export const STRICT_POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'"
-/** Scripts in the page itself are allowed. */
+/** Allows inline scripts. */
 export const INLINE_POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'unsafe-inline'"
 
 export interface Server {
@@ -23,7 +23,7 @@ export interface Server {
   close(): Promise<void>
 }
 
-/** Serves a folder as any server of files does, under a Content-Security-Policy, and to pages from anywhere. */
+/** Serves a folder like a plain file server, under a Content-Security-Policy and with CORS for all origins. */
 export async function serve(folder: string, policy = STRICT_POLICY): Promise<Server> {
   const headersOf = (path: string) => ({
     'Access-Control-Allow-Origin': '*',
@@ -38,7 +38,7 @@ export async function serve(folder: string, policy = STRICT_POLICY): Promise<Ser
       response.writeHead(200, headersOf(path))
       response.end(body)
     } catch {
-      // Browsers ask for an icon on their own.
+      // Browsers request an icon on their own.
       response.writeHead(pathname === '/favicon.ico' ? 204 : 404).end()
     }
   })
@@ -48,7 +48,7 @@ export async function serve(folder: string, policy = STRICT_POLICY): Promise<Ser
     address: `http://127.0.0.1:${port}/`,
     close: () => {
       const closed = new Promise<void>((resolve) => server.close(() => resolve()))
-      // Browsers open connections ahead of what they will ask for; one that has asked for nothing would be waited for.
+      // Browsers open connections in advance. Closing would wait for idle ones.
       server.closeAllConnections()
       return closed
     },

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The declarations of the package, to compilers new and old.
+// Compiles the declarations of the package with old and new compilers.
 import assert from 'node:assert/strict'
 import { join, resolve } from 'node:path'
 import { it } from 'node:test'
 import { BIN, ROOT } from './project.mjs'
 
-/** The oldest TypeScript that the declarations are for, which scripts/setup.mjs installs apart from the others. */
+/** The oldest supported TypeScript, which scripts/setup.mjs installs separately. */
 const OLDEST_TSC = join(ROOT, 'tests/pack/typescript-5.0/node_modules/.bin/tsc')
 
 const SETTINGS = {
@@ -21,11 +21,11 @@ const COMPILERS = [
   { compiler: OLDEST_TSC, name: 'TypeScript 5.0' },
 ]
 
-/** Tests that a project has types, to the compilers that are wanted. */
+/** Tests that a project has types, with the selected compilers. */
 export function hasTypes(project, isWanted) {
   for (const [place, settings] of Object.entries(SETTINGS)) {
     for (const { compiler, name } of COMPILERS.filter(isWanted)) {
-      // TypeScript 7 no longer knows that way.
+      // TypeScript 7 has removed this module resolution.
       if (compiler === 'tsc' && settings.moduleResolution === 'node10') continue
       it(`for ${place}, to ${name}`, () => {
         const compilerOptions = {
@@ -34,7 +34,7 @@ export function hasTypes(project, isWanted) {
           target: 'es2022',
           strict: true,
           skipLibCheck: false,
-          // Those of the compiler itself take most of the time.
+          // Checking the compiler's own declarations would take most of the time.
           skipDefaultLibCheck: true,
           noEmit: true,
           typeRoots: [join(ROOT, 'node_modules/@types')],

@@ -2,10 +2,10 @@
 import type { View } from '../view/view.ts'
 import type { PageActions } from './page-actions.ts'
 
-/** What stands around the picture and covers some of it. */
+/** The elements that surround or cover the picture. */
 const AROUND = '#figure, #top, #rail, #left > .panel, #share, #player'
 
-/** Where all circles are seen, they are seen beside whatever is opened, and in a window of another size, too. */
+/** Keeps all circles visible, if they were, when panels open and when the window changes its size. */
 export function arrangeAround(view: View, actions: PageActions): void {
   let isWhole = actions.isWhole
   let table = view.circles
@@ -13,11 +13,11 @@ export function arrangeAround(view: View, actions: PageActions): void {
     isWhole = actions.isWhole
   }
   view.on('camera', look)
-  // The camera of other circles is there before they are.
+  // The camera of new circles is set before the circles arrive.
   view.on('changed', () => {
     if (view.circles === table) return
     table = view.circles
-    // Their region is known as soon as who set them goes on.
+    // Waits for the caller to set the region of the new circles.
     queueMicrotask(look)
   })
   const observer = new ResizeObserver(() => {

@@ -3,7 +3,7 @@ import { type DataColumn, isNumeric, numberIn, textIn } from '../editing/attribu
 import type { CircleTable } from '../view/circle-table.ts'
 import type { CellValues } from '../view/layers.ts'
 
-/** The values of a column by which cells are colored: numbers, or categories, the most frequent first. */
+/** The values of a column by which cells are colored: numbers, or categories by descending frequency. */
 export function cellValues(
   column: DataColumn,
   circles: CircleTable,

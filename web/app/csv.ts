@@ -2,7 +2,7 @@
 import type { Attributes } from '../editing/attributes.ts'
 import type { Float64s } from '../lib/index.ts'
 
-/** Circles that may have names, one each, and whatever else a file says of them. */
+/** Circles with optional names and further attributes of a file. */
 export interface NamedCircles {
   readonly circles: Float64s
   readonly names?: readonly string[] | undefined
@@ -19,8 +19,7 @@ export function parseCircles(text: string): Float64s {
 }
 
 /**
- * Reads the same, and the names of a fourth column `name` in the header.
- *
+ * Reads the same format, with names from a column `name` in the header.
  * @throws Error as `parseCircles`
  */
 export function parseNamed(text: string): NamedCircles {

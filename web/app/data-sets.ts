@@ -7,21 +7,21 @@ import { wholeNumber } from '../view/whole-number.ts'
 import { type NamedCircles, parseNamed } from './csv.ts'
 import type { Recipe } from './generators/generators.ts'
 
-/** What the menu offers. */
+/** An entry of the menu. */
 export interface DataSet {
   readonly id: string
   readonly label: string
-  /** What it shows, in one line. */
+  /** A description in one line. */
   readonly about: string
-  /** Whose data it is. */
+  /** The owner of the data. */
   readonly credit?: string
-  /** Whether there is a region beside the circles: `ID.region.json`, a list of rings. */
+  /** Whether the data set has a region: `ID.region.json`, a list of rings. */
   readonly hasRegion?: boolean
-  /** Random circles, other ones each time. */
+  /** The recipe of random circles, which get a new seed each time. */
   readonly random?: { readonly family: string; readonly count: number }
 }
 
-/** The first one is shown at the start. */
+/** The first data set is shown at the start. */
 export const DATA_SETS: readonly DataSet[] = [
   { id: 'start', label: 'Eight circles', about: 'Every point is colored by its nearest circle. Drag one.' },
   {
@@ -68,13 +68,13 @@ export const DATA_SETS: readonly DataSet[] = [
   },
 ]
 
-/** Families have at most so many circles. */
+/** Largest number of circles of a family. */
 export const MOST_CIRCLES = 1_000_000
-/** Seeds are below; a random one, which somebody may want to type, is far below. */
+/** All seeds are below this number. Random seeds are much smaller, so that people can type them. */
 const SEEDS = 2 ** 53
 const RANDOM_SEEDS = 1_000_000
 
-/** Where circles of a name come from. `former`: the random circles of links that were made before there were families. */
+/** The source of named circles. `former` stands for random circles in links from before families existed. */
 export type Source =
   | { readonly kind: 'file'; readonly id: string }
   | Recipe
@@ -82,7 +82,7 @@ export type Source =
 
 const FORMER: Readonly<Record<string, number>> = { random: 300, 'random-large': 10_000 }
 
-/** What a name says, which always says the same circles; `undefined`: it is none. */
+/** The source that a name stands for, always with the same circles; `undefined` if the name is unknown. */
 export function sourceOf(name: string): Source | undefined {
   const file = DATA_SETS.find(({ id, random }) => id === name && random === undefined)
   if (file !== undefined) return { kind: 'file', id: name }
@@ -100,7 +100,7 @@ export function nameOf(recipe: Recipe): string {
   return recipe.kind === 'figure' ? `figure-${recipe.figure}` : `${recipe.family}:${recipe.seed}:${recipe.count}`
 }
 
-/** A name of an entry of the menu; of random circles another name each time. */
+/** The name of a menu entry's circles. Random circles get a new name each time. */
 export function nameFrom({ id, random }: DataSet): string {
   return random === undefined ? id : nameOf({ kind: 'family', ...random, seed: randomSeed() })
 }
@@ -109,7 +109,7 @@ export function randomSeed(): number {
   return Math.floor(RANDOM_SEEDS * Math.random())
 }
 
-/** What a name is called; empty, if it is none. */
+/** The label of a name; empty if the name is unknown. */
 export function labelOf(name: string): string {
   const source = sourceOf(name)
   switch (source?.kind) {
@@ -126,7 +126,7 @@ export function labelOf(name: string): string {
   }
 }
 
-/** The entry of the menu that a name is of. */
+/** The menu entry of a name. */
 export function dataSetOf(name: string): DataSet | undefined {
   const source = sourceOf(name)
   if (source?.kind === 'file') return DATA_SETS.find(({ id }) => id === name)
@@ -134,12 +134,12 @@ export function dataSetOf(name: string): DataSet | undefined {
   return DATA_SETS.find(({ random }) => random?.family === source.family && random.count === source.count)
 }
 
-/** Circles, and what their cells are cut to. */
+/** Circles with their clipping region. */
 export interface Loaded extends NamedCircles {
   readonly domain?: Domain | undefined
 }
 
-/** @throws Error, if there are no circles of this name or they cannot be fetched or made */
+/** @throws Error if the name is unknown, or the circles cannot be fetched or generated */
 export async function loadDataSet(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Loaded> {
   const source = sourceOf(name)
   switch (source?.kind) {
@@ -158,9 +158,8 @@ export async function loadDataSet(name: string, make: (recipe: Recipe) => Promis
 }
 
 /**
- * The circles that somebody else's link names: it cannot ask for what takes minutes.
- *
- * @throws Error, as `loadDataSet`, and if there are too many
+ * Loads the circles that a link names. Links may come from anyone, so that recipes that take minutes are refused.
+ * @throws Error as `loadDataSet`, and if there are too many circles
  */
 export async function loadLinked(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Loaded> {
   const source = sourceOf(name)
@@ -170,13 +169,13 @@ export async function loadLinked(name: string, make: (recipe: Recipe) => Promise
   return loadDataSet(name, make)
 }
 
-/** What was asked for before it is opened. */
+/** Requests that have started before they are needed. */
 const ahead = new Map<string, Promise<Response>>()
 
-/** Asks for the circles of a file that is probably opened first, so that they come while the page is being made. */
+/** Starts the request for a file that will probably be opened first, while the page is still loading. */
 export function askAhead(name: string): void {
   const asked = request(`${name}.csv`)
-  // Whoever opens it hears of it.
+  // The error is reported when the file is opened.
   asked.catch(() => {})
   ahead.set(name, asked)
 }

@@ -4,32 +4,32 @@ import { encodeLinkAtOnce, type LinkInput } from '../lib/link.ts'
 import type { LinkWriter } from './link-writer.ts'
 import { prefixOf, SceneStorage } from './scene-storage.ts'
 
-/** What changes for so long, in milliseconds, is kept once. */
+/** Debounce delay in milliseconds. */
 const REST = 400
-/** Longer links are kept by the storage alone: addresses have to stay short enough to be copied. */
+/** Longer links are saved to the storage only, because addresses must stay short enough to copy. */
 const LONGEST_ADDRESS = 100_000
 /**
- * The entry of the session storage with the newest link, and with the addresses at which a reload shows it. A page that closes
- * can no longer change its address, and a reload may have begun before the address changed.
+ * The session storage entry with the newest link and the addresses at which a reload restores it. A closing page cannot
+ * change its address any more, and a reload may have started before the address changed.
  */
 const lateKey = () => `${prefixOf(location.pathname)}late`
 
-/** Keeps what is shown: as a link in the address, and in the storage of the browser. */
+/** Saves the state as a link in the address and in the browser's storage. */
 export class Keeping {
   readonly #read: () => LinkInput | undefined
   readonly #links: LinkWriter
   #storage: SceneStorage | undefined
   #timer: ReturnType<typeof setTimeout> | undefined
-  /** Whether what is shown is kept, up to the last change. */
+  /** Whether the last change has been saved. */
   #isKept = true
-  /** The writing that was begun last: one that was begun before may end later. */
+  /** The number of the latest write. Writes may finish out of order. */
   #lastWrite = 0
-  /** What the address said when it was read or written here last: another one is a link that is about to be opened. */
+  /** The hash at its last read or write here. A different hash is a link to open. */
   #hash = ''
-  /** What the address said before the last write. */
+  /** The hash before the last write. */
   #hashBefore = ''
 
-  /** `read`: what is shown, as soon as it is anything. */
+  /** `read` returns the state once there is one. */
   constructor(links: LinkWriter, read: () => LinkInput | undefined) {
     this.#links = links
     this.#read = read
@@ -40,7 +40,7 @@ export class Keeping {
     })
   }
 
-  /** What was kept: the link of the address, or else what this tab or a closed one showed last. */
+  /** Returns the saved state: the link of the address, or else the last state of this tab or of a closed one. */
   async begin(): Promise<string | undefined> {
     this.#hash = location.hash
     this.#hashBefore = this.#hash
@@ -54,29 +54,29 @@ export class Keeping {
       const surroundings = { all: localStorage, ofTab: sessionStorage, path, locks: navigator.locks, isReload }
       this.#storage = await SceneStorage.claim(surroundings, link === '')
     } catch {
-      // A browser may forbid its storage.
+      // Storage may be forbidden.
     }
     return late ?? (link !== '' ? link : this.#storage?.read())
   }
 
-  /** To be called after each change. */
+  /** Call after each change. */
   changed(): void {
     this.#isKept = false
     clearTimeout(this.#timer)
     this.#timer = setTimeout(() => this.#write(), REST)
   }
 
-  /** Whether the address has a link that is still to be opened. */
+  /** Whether the address has a link that has not been opened. */
   get isAddressNew(): boolean {
     return location.hash !== this.#hash
   }
 
   /**
-   * To be called once the link of a changed address was opened, or could not be: till then it is not written over. What stayed
-   * in its place is kept.
+   * Call once the link of a changed address was opened or refused. Until then the address is not overwritten. After a
+   * refusal the previous state is saved again.
    */
   wasOpened(hash: string, isShown: boolean): void {
-    // Meanwhile there may be another one, which may even have been opened first.
+    // A newer link may have arrived, and even have been opened, during the wait.
     if (hash === location.hash) this.#hash = hash
     if (!isShown) this.changed()
   }
@@ -89,7 +89,7 @@ export class Keeping {
     this.#lastWrite += 1
     const turn = this.#lastWrite
     const link = await this.#linkOf(state)
-    // Meanwhile there may be something newer.
+    // A newer state may exist by now.
     if (this.#timer !== undefined || turn !== this.#lastWrite) return
     if (this.isAddressNew) return this.changed()
     const isShort = link !== undefined && link.length <= LONGEST_ADDRESS
@@ -101,7 +101,7 @@ export class Keeping {
     this.#isKept = this.#timer === undefined
   }
 
-  /** For a page that is about to go: what ends later is lost. */
+  /** Saves synchronously, because the page is about to close. */
   #writeAtOnce(): void {
     const state = this.#read()
     if (state === undefined || this.isAddressNew) return
@@ -114,12 +114,12 @@ export class Keeping {
     }
   }
 
-  /** Returns the text of the entry: the link, and the addresses at which a reload shows it. */
+  /** The text of the entry: the link, and the addresses at which a reload restores it. */
   #lateText(link: string): string {
     return `${link} ${this.#hash} ${this.#hashBefore}`
   }
 
-  /** `undefined`: too large for a link. */
+  /** `undefined` if the state is too large for a link. */
   async #linkOf(state: LinkInput): Promise<string | undefined> {
     try {
       return await this.#links.linkOf(state)
@@ -131,8 +131,8 @@ export class Keeping {
 }
 
 /**
- * Returns the link that the page of an address left last, if the page is there again: by a reload, or by Back and Forward.
- * Whoever opens the address as a link gets what the link says, and nothing is left.
+ * Returns and removes the link that the page left at an address, if the page returns by reload, Back or Forward.
+ * Opening the address as a link discards the entry.
  */
 function takenLate(hash: string, isThereAgain: boolean): string | undefined {
   const [link, ...hashes] = (sessionStorage.getItem(lateKey()) ?? '').split(' ')
@@ -144,6 +144,6 @@ function keepLate(text: string): void {
   try {
     sessionStorage.setItem(lateKey(), text)
   } catch {
-    // There is no room, or it is forbidden.
+    // The storage is full or forbidden.
   }
 }

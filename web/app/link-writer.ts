@@ -2,10 +2,10 @@
 import { encodeLink, type LinkInput } from '../lib/link.ts'
 import type { FilesClient } from './files/files-client.ts'
 
-/** What is said of fewer circles is written at once, so that a tab that closes still keeps it. */
+/** Links with fewer circles are written synchronously, so that a closing tab still saves them. */
 const FEW = 2000
 
-/** Writes links: those of many circles in the thread of files, as they take longer than a frame. */
+/** Writes links. With many circles this takes longer than a frame and runs in the files thread. */
 export class LinkWriter {
   readonly #files: FilesClient
 
@@ -14,8 +14,7 @@ export class LinkWriter {
   }
 
   /**
-   * Without the attributes or the names of circles, if there is no room for them.
-   *
+   * Drops names and attributes that do not fit.
    * @throws CircleVoronoiError as `encodeLink`
    */
   async linkOf(state: LinkInput): Promise<string> {
@@ -24,7 +23,7 @@ export class LinkWriter {
       return await write(state)
     } catch (error) {
       if (state.names === undefined && state.attributes === undefined) throw error
-      // First without the larger part.
+      // Drops the larger part first.
       const names = state.attributes === undefined ? undefined : state.names
       return this.linkOf({ ...state, names, attributes: undefined })
     }

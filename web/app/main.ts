@@ -70,7 +70,7 @@ const figure = new Figure(
     played: (kept) => played(kept),
     onoutcome: (outcome) => {
       actions.followColumn(outcome)
-      // What is shown at first is there without being kept.
+      // The initial data set is not saved.
       if (hasShown) keeping.changed()
       hasShown = true
     },
@@ -102,7 +102,7 @@ const motion = loadedOnce(async () => {
 })
 const pen = new RegionPen(store, actions, view)
 actions.pen = pen
-// What is copied here is no file: this hears of it first.
+// Handles copied circles before the listener for files sees them.
 listenToClipboard(actions)
 listenToFiles(fileActions, complain)
 restoreInvalidNumbers(document)
@@ -140,16 +140,16 @@ panelLater('region', complain, async () => {
 })
 
 const kept = await keeping.begin()
-// Somebody may have chosen something meanwhile.
+// The user may have opened something else by now.
 const open = () => (kept === undefined ? 'refused' : actions.openLink(kept))
 const begun = actions.hasOpened ? 'superseded' : await open()
 if (begun === 'refused') {
   const { problem } = store.get()
-  // Somebody may have opened something else meanwhile, which stays as it is.
+  // The user may have opened something else by now, which must not be replaced.
   if ((await actions.load((DATA_SETS[0] as DataSet).id)) === 'opened') {
-    // Of the link, for which these circles stand in.
+    // The problem of the link that these circles replace.
     actions.complain(problem)
-    // What is selected may be where it was on its way.
+    // A selected circle would seem to be at its position during the animation.
     driftAtStart(view, byId('figure', HTMLElement), () =>
       store.update((state) => withSelection(state, state.selection, view.circles)),
     )
@@ -175,10 +175,10 @@ const openAddress = async () => {
   const turn = addresses
   const { hash } = location
   const how = hash === '' ? 'opened' : await actions.openLink(hash)
-  // An address that comes again may be on its way again.
+  // The same address may have been requested again.
   if (turn === addresses) keeping.wasOpened(hash, how === 'opened')
 }
 window.addEventListener('hashchange', openAddress)
-// It may have changed while the page began.
+// The address may have changed during loading.
 if (keeping.isAddressNew) await openAddress()
 await workOffline()

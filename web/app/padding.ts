@@ -2,27 +2,30 @@
 import type { Padding } from '../view/camera.ts'
 import { byId } from './panels/by-id.ts'
 
-/** Between circles that are all seen and what stands around them, in pixels. */
+/** Space between circles and the panels around them, in pixels. */
 const ROOM = 16
 const ROOM_AT_EDGE = 32
-/** So much room has what is said of a scene at first, in rem. What goes with the first touch moves nothing. */
+/** Height of a scene's initial caption, in rem. It disappears at the first touch without moving anything. */
 const SAID = 5.625
-/** The same where its lines are short. */
+/** Height of the caption in a narrow window, where its lines are short. */
 const SAID_IN_SHORT_LINES = 7
 const SHORT_LINES = matchMedia('(max-width: 22em)')
-/** In low windows it stands beside the picture, as wide as this, in rem; in narrow ones above the status. */
+/** Width of the caption beside the picture in low windows, in rem. In narrow windows it is above the status. */
 const SAID_ASIDE = 13
 const LOW = matchMedia('(max-height: 32em)')
 const NARROW = matchMedia('(max-width: 40em)')
 
-/** What is covered of the picture on each side, and some room. Cards of what is selected come and go, and do not count. */
+/**
+ * The space that panels cover on each side of the picture, with a margin. Cards of the selection come and go and do not
+ * count.
+ */
 export function paddingOfPage(): Padding {
   const boxOf = (id: string) => byId(id, HTMLElement).getBoundingClientRect()
   const rail = boxOf('rail')
   const isBelow = rail.width > rail.height
   const panel = document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect()
   const [player, share] = [boxOf('player'), boxOf('share')]
-  // On phones they are sheets, as wide as the window.
+  // Panels on phones are sheets as wide as the window.
   const isSheet = ({ width }: DOMRect) => width > 0.7 * innerWidth
   const sheets = [panel, player, share]
     .filter((box) => box !== undefined && isSheet(box))
@@ -30,19 +33,19 @@ export function paddingOfPage(): Padding {
   const below = [boxOf('status'), boxOf('view'), ...(isBelow ? [rail] : [])].filter(({ height }) => height > 0)
   const rem = Number.parseFloat(getComputedStyle(document.documentElement).fontSize)
   const said = LOW.matches ? 0 : (SHORT_LINES.matches ? SAID_IN_SHORT_LINES : SAID) * rem
-  // An open panel takes its place.
+  // An open panel replaces the caption.
   const isAside = LOW.matches && !NARROW.matches && panel === undefined && share.width === 0 && player.width === 0
   const lowest = Math.min(...below.map(({ top }) => top), innerHeight)
   const free = NARROW.matches ? lowest - said : Math.min(lowest, innerHeight - said)
   const left = [isBelow ? 0 : rail.right, panel === undefined || isSheet(panel) ? 0 : panel.right]
-  // In wide windows what is shared is seen around its card.
+  // The share card leaves room for the picture in wide windows.
   const beside = [player, ...(LOW.matches ? [share] : [])].find((box) => box.width > 0 && !isSheet(box))
   return {
     top: boxOf('top').bottom + ROOM,
     right:
       (isAside ? SAID_ASIDE * rem : 0) +
       (beside !== undefined ? innerWidth - beside.left + ROOM : isBelow ? ROOM : ROOM_AT_EDGE),
-    // A sheet hides it.
+    // A sheet covers the caption.
     bottom: innerHeight - Math.min(...(sheets.length > 0 ? [lowest, ...sheets] : [free])) + ROOM,
     left: Math.max(...left) + ROOM,
   }

@@ -31,18 +31,18 @@ import type { Recipe } from './generators/generators.ts'
 import { interestingBox, sizeOf } from './generators/interesting-box.ts'
 import type { RegionPen } from './region-pen.ts'
 
-/** What a user of the page can open beside. */
+/** The actions of the page beyond those of a figure: opening data, and assigning areas and colors by columns. */
 export class PageActions extends EditorActions {
-  /** A name must not stand for more circles than a link may have. */
+  /** Names in links are limited like circles in links. */
   protected override readonly mostNamed = LINK_LIMITS.circles
   readonly #editing: Editing
-  /** What reads and makes circles that are opened. */
+  /** Reads and generates circles. */
   readonly #reader: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
   readonly #shown: () => string
   readonly #layers: () => Layers
   readonly #remedy: (remedy: Remedy) => void
-  /** Those that colors were last made of. */
+  /** The attributes of the current colors. */
   #attributes: Attributes | undefined
 
   constructor(
@@ -61,18 +61,18 @@ export class PageActions extends EditorActions {
     this.#remedy = (remedy) => store.update((state) => ({ ...state, remedy }))
   }
 
-  /** What the tool `draw` draws with. */
+  /** Draws with the tool `draw`. */
   pen: RegionPen | undefined
-  /** The title, question and check of the link that was opened last; `undefined` if it had none. */
+  /** The title, question and check of the last opened link; `undefined` if it had none. */
   frame: LinkFrame | undefined
-  /** The radii that circles had before they got areas, by their numbers. */
+  /** The radii before areas were prescribed, by circle number. */
   readonly #radii = new Map<number, number>()
 
   draw(how: Drawn, point: Point, within: number): void {
     this.pen?.draw(how, point, within)
   }
 
-  /** While a polygon is drawn, its last corner. */
+  /** Undo removes the last corner while a polygon is drawn. */
   override async undo(): Promise<void> {
     if (this.tool !== 'draw' || this.pen?.undo() !== true) await super.undo()
   }
@@ -91,7 +91,7 @@ export class PageActions extends EditorActions {
     }
   }
 
-  /** Gives cells areas; `undefined`: circles have the radii again that they had. */
+  /** Prescribes areas; `undefined` restores the former radii. */
   async setAreas(areas: Areas | undefined, gesture?: number): Promise<Edited | undefined> {
     const { circles, domain } = this.#editing
     const all = Array.from(circles.ids(), (id) => ({ id, circle: circles.get(id) as Circle }))
@@ -107,12 +107,12 @@ export class PageActions extends EditorActions {
     return this.setDomain({ areas }, gesture, edits)
   }
 
-  /** Offers a way out of a problem that was told. */
+  /** Offers a remedy for the current problem. */
   offer(remedy: Remedy): void {
     this.#remedy(remedy)
   }
 
-  /** Opens what is loaded, in the colors of a column if it says so. */
+  /** Opens circles, and colors them by a column if they come with one. */
   override async open(load: () => Promise<Opened>): Promise<HowOpened> {
     let column: unknown
     const how = await super.open(async () => {
@@ -124,7 +124,7 @@ export class PageActions extends EditorActions {
     return how
   }
 
-  /** Colors cells by a column, if there is one of this name; else as without one. */
+  /** Colors cells by a column; an unknown name ends coloring by column. */
   colorBy(name: string): void {
     const { circles, attributes } = this.#editing
     const column = attributes.columns.find((column) => column.name === name)
@@ -132,7 +132,7 @@ export class PageActions extends EditorActions {
     this.setLayers({ column: column && cellValues(column, circles, valueAt) })
   }
 
-  /** Has the colors follow the circles and the values of their column. To be called with each outcome. */
+  /** Updates the colors after an edit or a change of values. Call with each outcome. */
   followColumn({ edited, attributes, isOpened }: Outcome): void {
     const { column } = this.#layers()
     const isOther = isOpened || attributes !== this.#attributes || edited.inserted.length > 0
@@ -140,12 +140,15 @@ export class PageActions extends EditorActions {
     if (column !== undefined && isOther) this.colorBy(column.name)
   }
 
-  /** The names of the columns of numbers that came with the circles. */
+  /** The names of numeric columns. */
   get columns(): readonly string[] {
     return this.#editing.attributes.columns.filter(isNumeric).map(({ name }) => name)
   }
 
-  /** Gives cells areas by a column. Circles without a number get the mean: how many, or `undefined` if it is refused. */
+  /**
+   * Prescribes areas by a column. Circles without a number get the mean. Resolves to the number of these circles, or to
+   * `undefined` if refused.
+   */
   async setAreasBy(column: string): Promise<number | undefined> {
     const { circles } = this.#editing
     const values = this.#editing.valuesOf(column)
@@ -160,7 +163,7 @@ export class PageActions extends EditorActions {
     return edited && values.length - known.length
   }
 
-  /** The radii of the circles, or those that they had before they got areas. */
+  /** The radii of the circles, or their radii before areas were prescribed. */
   radii(): number[] {
     const { circles, domain } = this.#editing
     return Array.from(circles.ids(), (id) => {
@@ -169,14 +172,14 @@ export class PageActions extends EditorActions {
     })
   }
 
-  /** The cells are no longer cut, and circles have radii of their own. */
+  /** Removes the region and restores the radii. */
   async removeRegion(): Promise<void> {
     const gesture = this.beginGesture()
     if (this.#editing.domain.areas !== undefined) await this.setAreas(undefined, gesture)
     await this.setDomain({ region: undefined }, gesture)
   }
 
-  /** Gives the cell of a circle a share of the region, between 0 and 1. The others keep theirs among one another. */
+  /** Sets a cell's share of the region, between 0 and 1. The other cells keep their proportions. */
   async setShare(id: number, share: number, gesture?: number): Promise<void> {
     const { circles, areas } = this.#editing
     const list = Array.isArray(areas) ? [...areas] : Array<number>(circles.count).fill(1)
@@ -186,7 +189,7 @@ export class PageActions extends EditorActions {
     await this.setDomain({ areas: list }, gesture)
   }
 
-  /** The share of the region that the cell of a circle is given. */
+  /** The prescribed share of a circle's cell. */
   shareOf(id: number): number | undefined {
     const { circles, areas } = this.#editing
     if (areas === undefined) return undefined
@@ -195,18 +198,18 @@ export class PageActions extends EditorActions {
   }
 
   override cancelOpening(): void {
-    // What is read or made ends, too.
+    // Cancels reading and generating, too.
     this.#reader.cancel()
     super.cancelOpening()
   }
 
-  /** Circles of the menu. */
+  /** Opens a data set of the menu. */
   async load(id: string): Promise<HowOpened> {
     const dataSet = DATA_SETS.find((dataSet) => dataSet.id === id)
     return dataSet === undefined ? 'refused' : this.open(() => this.#loadNamed(nameFrom(dataSet)))
   }
 
-  /** Circles of a family or of a figure of the paper. */
+  /** Generates a family or a figure of the paper. */
   async generate(recipe: Recipe): Promise<void> {
     await this.open(async () => {
       const scene = await this.#loadNamed(nameOf(recipe))
@@ -214,19 +217,19 @@ export class PageActions extends EditorActions {
     })
   }
 
-  /** Other random circles of the family that is shown. */
+  /** Generates other random circles of the current family. */
   async generateAgain(): Promise<void> {
     const source = sourceOf(this.#shown())
     if (source?.kind === 'family') await this.generate({ ...source, seed: randomSeed() })
     if (source?.kind === 'former') await this.load('random')
   }
 
-  /** What a link says. */
+  /** Opens a link. */
   openLink(text: string): Promise<HowOpened> {
     return this.open(() => this.#linked(text))
   }
 
-  /** What is read somewhere. */
+  /** Opens the result of a reader. */
   openRead(read: () => Promise<Read>): Promise<HowOpened> {
     return this.open(async () => {
       const result = await read()
@@ -255,7 +258,7 @@ export class PageActions extends EditorActions {
   }
 }
 
-/** Figures are about the small circles beside a huge one. `undefined`: all of them. */
+/** The figure's small circles beside a huge one; `undefined` shows all circles. */
 function viewOfFigure(circles: Float64s): LinkView | undefined {
   const [whole, box] = [boundingBox(circles), interestingBox(circles)]
   if (sizeOf(box) === sizeOf(whole)) return undefined

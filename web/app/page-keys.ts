@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { KeyRow } from '../editing/key-help.ts'
 
-/** The keys that only the page has. */
+/** The keyboard shortcuts of the page beyond those of a figure. */
 export const PAGE_KEYS = {
   copy: ['Ctrl + C, X, V', 'copy, cut, paste'],
   numbers: ['Enter', 'type the numbers of the selected circle'],

@@ -12,7 +12,7 @@ const TRIES = 40
 export function randomCircles(count: number, random: () => number): Float64s {
   const width = Math.sqrt(count * 1.5)
   const height = count / width
-  // The largest first, since small ones still find room later.
+  // Largest circles first, because small ones find room later.
   const radii = Array.from({ length: count }, () => radiusOf(random())).sort((r, other) => other - r)
   const grid = new Map<string, number[]>()
   const circles = new Float64Array(3 * count)
@@ -49,12 +49,12 @@ export function randomCircles(count: number, random: () => number): Float64s {
   return circles
 }
 
-/** With the functions that are the same everywhere. */
+/** Uses only functions with the same results in every browser. */
 function radiusOf(share: number): number {
   return LARGEST / (1 + (SPREAD - 1) * share * share)
 }
 
-/** Numbers from 0 to 1, as good as random, of a whole number (mulberry32, by Tommy Ettinger). */
+/** Pseudorandom numbers from 0 to 1 (mulberry32, by Tommy Ettinger). */
 export function randomNumbers(seed: number): () => number {
   let state = seed | 0
   return () => {

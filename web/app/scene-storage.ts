@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links in the storage of the browser: one for each tab, so that none destroys that of another, and a new tab goes on where one
-// that was closed ended.
+// Stores links in the browser: one per tab, so that tabs do not overwrite each other. A new tab continues with the last
+// closed one.
 
-/** So many of closed tabs are kept. */
+/** Number of closed tabs that are stored. */
 const MOST = 10
-/** A tab that is loaded again mostly has its name as soon as it is gone, in milliseconds. */
+/** Wait for the lock of this tab's name after a reload, in milliseconds. It is usually released at once. */
 const PATIENCE = 1000
 
-/** What of the browser this needs. `path`: that of the page. `locks` are missing where a page is not served securely. */
+/** The browser's services. `path` is the page's path. `locks` are missing in insecure contexts. */
 export interface Surroundings {
   readonly all: Storage
   readonly ofTab: Storage
@@ -16,13 +16,15 @@ export interface Surroundings {
   readonly isReload: boolean
 }
 
-/** The place of this tab's link. */
+/** The entry of this tab's link. */
 export class SceneStorage {
   readonly #all: Storage
   readonly #locks: LockManager | undefined
   readonly #prefix: string
   readonly #name: string
-  /** Whose scene it shows until it has written one: also that of a tab that has its name, or has not given it back yet. */
+  /**
+   * The entry whose scene the tab shows until its first write. The entry may belong to another tab or still be locked.
+   */
   #from: string
 
   private constructor({ all, locks, path }: Surroundings, name: string, from: string) {
@@ -33,7 +35,7 @@ export class SceneStorage {
     this.#from = from
   }
 
-  /** `goesOn`: whether a tab that has nothing yet takes what a closed one has left. */
+  /** `goesOn`: whether a tab without a link takes over the link of a closed tab. */
   static async claim(surroundings: Surroundings, goesOn: boolean): Promise<SceneStorage> {
     const prefix = prefixOf(surroundings.path)
     const own = surroundings.ofTab.getItem(prefix)
@@ -46,7 +48,7 @@ export class SceneStorage {
     return this.#all.getItem(this.#prefix + this.#from)?.split(' ')[1]
   }
 
-  /** Keeps a link. Where there is no room, those of closed tabs go, the oldest first; if that is not enough, it is not kept. */
+  /** Stores a link. If the storage is full, closed tabs are removed, oldest first. Gives up if that is not enough. */
   async write(link: string): Promise<void> {
     const held = new Set((await this.#locks?.query())?.held?.map(({ name }) => name))
     const prefix = this.#prefix
@@ -59,7 +61,7 @@ export class SceneStorage {
     }
   }
 
-  /** Keeps a link if there is room without anything else going: whether there was. */
+  /** Stores a link if there is room. Returns whether it succeeded. */
   put(link: string): boolean {
     try {
       this.#all.setItem(this.#prefix + this.#name, `${Date.now()} ${link}`)
@@ -72,8 +74,8 @@ export class SceneStorage {
 }
 
 /**
- * What the keys of one site begin with: pages in other folders of the origin are other sites, with scenes of their own. A path
- * has no spaces, so no prefix begins another one.
+ * The prefix of a site's keys. Pages in other folders of the same origin are other sites. Paths contain no spaces, so
+ * that no prefix is the beginning of another.
  */
 export function prefixOf(path: string): string {
   return `circle-voronoi ${path.slice(0, path.lastIndexOf('/') + 1)} `
@@ -83,7 +85,7 @@ async function claimedName({ all, ofTab, path, locks, isReload }: Surroundings, 
   const prefix = prefixOf(path)
   const own = ofTab.getItem(prefix)
   if (locks === undefined) return own ?? crypto.randomUUID()
-  // A tab that was duplicated has the name of the other.
+  // A duplicated tab has copied the other tab's name.
   if (own !== null && (await holds(locks, prefix + own, isReload ? PATIENCE : 0))) return own
   const left = goesOn && own === null ? newestFirst(all, prefix) : []
   for (const name of left) if (await holds(locks, prefix + name, 0)) return name
@@ -98,7 +100,7 @@ function newestFirst(all: Storage, prefix: string): string[] {
   return names.sort((a, b) => timeOf(b) - timeOf(a)).map((key) => key.slice(prefix.length))
 }
 
-/** Whether this tab, until it is closed, and no other one has a name. */
+/** Whether this tab holds a name exclusively until it is closed. */
 function holds(locks: LockManager, name: string, patience: number): Promise<boolean> {
   return new Promise((resolve) => {
     const hold = (lock: Lock | null) => {

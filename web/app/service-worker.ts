@@ -9,7 +9,7 @@
 declare const FILES: readonly (readonly [url: string, integrity: string])[]
 declare const VERSION: string
 
-/** What of a service worker's global scope is used: the DOM's types know none. */
+/** The used part of a service worker's global scope, which the DOM's types lack. */
 interface Scope {
   readonly registration: ServiceWorkerRegistration
   readonly clients: { claim(): Promise<void> }
@@ -25,7 +25,7 @@ interface Lasting {
 
 const worker = self as unknown as Scope
 const { scope } = worker.registration
-// Other sites may have the same origin.
+// Caches are shared by all sites of an origin.
 const CACHE = `${scope} ${VERSION}`
 
 worker.addEventListener('install', (event) => event.waitUntil(install()))
@@ -38,7 +38,7 @@ worker.addEventListener('fetch', (event) => {
 async function install(): Promise<void> {
   const cache = await caches.open(CACHE)
   try {
-    // What is not that of this version, since another one is just being put there, is an error.
+    // Integrity checks fail while another version is being deployed.
     await cache.addAll(
       FILES.map(([url, integrity]) => new Request(new URL(url, scope), { integrity, cache: 'no-cache' })),
     )

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * Resolves once the style sheets of the page have been loaded or could not be. Other engines run the modules of a page only
- * then; WebKit runs them earlier, when nothing has its size or its color yet.
+ * Resolves once all style sheets have loaded or failed. WebKit, unlike other engines, may run modules earlier, when
+ * elements have neither size nor color.
  */
 export async function styleSheetsLoaded(): Promise<void> {
   const links = [...document.querySelectorAll<HTMLLinkElement>('link[rel=stylesheet]')]

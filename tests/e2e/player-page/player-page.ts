@@ -13,7 +13,7 @@ const seen: number[] = []
 const play = (options = {}, step?: number) =>
   mountPlayer(by('player'), { view, options, step, onstep: (k) => seen.push(k) })
 
-/** What the test talks to. */
+/** The interface of the page for the test. */
 export interface PlayerPage {
   view: View
   player: Player

@@ -18,7 +18,7 @@ const edited = async (id: string) => {
 }
 const [one, other] = await Promise.all([edited('one'), edited('other')])
 
-/** What the test talks to. */
+/** The interface of the page for the test. */
 export interface TwoViews {
   one: View
   other: View

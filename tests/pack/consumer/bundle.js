@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the bundle is for, the same in Node and in a page.
+// Uses the bundle in the same way in Node and in a page.
 export const CIRCLES = [
   [0, 0, 1],
   [6, 0, 1],
   [0, 8, 1],
 ]
 
-/** What comes out, as text, of a module that has the library and its worker. */
+/** Returns the results of the library and of its worker as text. */
 export async function useBundle({ createWorker, loadCircleVoronoi }) {
   const library = await loadCircleVoronoi()
   const worker = createWorker()

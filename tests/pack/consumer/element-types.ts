@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Only its types are checked, where those of the DOM are known.
+// Only type-checked, with the types of the DOM.
 import 'circle-voronoi/element'
 import type { CircleVoronoiElement, FigureState } from 'circle-voronoi/element'
 import { defineCircleVoronoi } from 'circle-voronoi/element/define'
 
 defineCircleVoronoi({ wasm: new Uint8Array(8), name: 'my-circles' })
 
-// By its tag, without a cast.
+// The tag name has a type without a cast.
 const figure: CircleVoronoiElement = document.createElement('circle-voronoi')
 export const found: CircleVoronoiElement | null = document.querySelector('circle-voronoi')
 figure.circles = [[0, 0, 1]]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// As page.js, with what esbuild has to be told.
+// Like page.js, with the options that esbuild needs.
 import wasm from 'circle-voronoi/circle-voronoi.wasm'
 import comparison from 'circle-voronoi/circle-voronoi-comparison.wasm'
 import regions from 'circle-voronoi/circle-voronoi-regions.wasm'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Uses the package as its README says, the same in Node and in a page.
+// Uses the package as its README says, in the same way in Node and in a page.
 import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
 import { createWorker } from 'circle-voronoi/worker'
 
@@ -9,12 +9,12 @@ export const CIRCLES = [
   { x: 0, y: 8, r: 1 },
 ]
 
-/** Too many to be done before they are canceled. */
+/** Enough circles to be canceled before they are done. */
 const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).map((value, i) =>
   i % 3 === 2 ? Math.abs(value) / 1000 : value,
 )
 
-/** What came out, as text. */
+/** Returns the results as text. */
 export async function use(options, comparisonOptions, regionsOptions) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** Puts what comes out, or what is wrong, into the page. */
+/** Writes the result or the error of a promise into the page. */
 export function show(promise) {
   const output = document.querySelector('output')
   promise.then(

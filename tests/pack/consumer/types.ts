@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Only its types are checked.
+// Only type-checked.
 import {
   type Certificate,
   Diagram,
@@ -24,7 +24,7 @@ export const neighbors: Int32Array = diagram.neighbors(0)
 export const code: ErrorCode | undefined = ERROR_CODES[0]
 export const power: Diagram = (await library.loadComparison()).computeComparison([], 'power')
 
-// Every option.
+// Uses every option.
 const { bounds, ...rest } = { bounds: [0, 0, 1, 1] as const, tolerance: 0.1 }
 export const texts: string[] = [
   diagram.render({ bounds, ...rest, digits: 3 }),
@@ -61,7 +61,7 @@ library.from(
 export const updated: Diagram = library.from([[0, 0, 1]]).update()
 export const file: DiagramFile = diagram.toJSON()
 
-// To another thread without a copy, and back.
+// Transfers a diagram to another thread and back without a copy.
 declare function postMessage(message: unknown, transfer: ArrayBuffer[]): void
 postMessage(diagram, [diagram.vertices.buffer, diagram.edges.buffer])
 export const received: Diagram = new Diagram(structuredClone(diagram, { transfer: [diagram.circles.buffer] }))
@@ -79,7 +79,7 @@ export const written: string[] = [
 export const link: LinkState = await decodeLink(
   await encodeLink({ circles: [[0, 0, 1]], edits: [{ kind: 'remove', id: 0 }], view: { x: 0, y: 0, span: 1 } }),
 )
-// The memory of a diagram can be handed over.
+// The memory of a diagram is transferable.
 export const buffers: ArrayBuffer[] = [diagram.vertices.buffer, diagram.edges.buffer]
 
 const worker: CircleVoronoiWorker = createWorker({ wasm: new Uint8Array(8) })

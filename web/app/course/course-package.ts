@@ -7,7 +7,7 @@ import frameSheet from '../../embed/embed.css?inline'
 import page from '../../embed.html?raw'
 import tokens from '../../style/tokens.css?inline'
 
-/** The same link gives the same bytes. */
+/** A fixed date, so that the same link gives the same bytes. */
 const DATE = '1980-01-01T12:00:00'
 
 export interface Course {
@@ -17,9 +17,8 @@ export interface Course {
 }
 
 /**
- * The bytes of the zip. `element`: the address of the element in one file.
- *
- * @throws Error, if a script cannot be loaded
+ * Returns the bytes of the zip. `element` is the address of the element's single-file build.
+ * @throws Error if a script cannot be loaded
  */
 export async function coursePackage(course: Course, element: string): Promise<Uint8Array<ArrayBuffer>> {
   const [elementText, script] = await Promise.all([textOf(element), textOf(courseScript)])
@@ -33,7 +32,7 @@ export async function coursePackage(course: Course, element: string): Promise<Ui
   return zipSync(bytes, { level: 9, mtime: DATE }) as Uint8Array<ArrayBuffer>
 }
 
-/** The page of the frame, with its style sheets inside and other scripts. */
+/** The page of the frame with inlined style sheets and the package's scripts. */
 function pageOf({ link, title, lang }: Course): string {
   const main = (/<main>[\s\S]*<\/main>/.exec(page)?.[0] ?? '').replace('<main>', `<main data-link="${link}">`)
   return `<!doctype html>

@@ -10,33 +10,33 @@ export interface Figure {
   readonly description: string
 }
 
-/** A family of random circles, with what the program's `generate --list` says of it. */
+/** A family of random circles, with the data of the program's `generate --list`. */
 export interface Family extends Figure {
   readonly isDisjoint: boolean
-  /** Whether more than three circles touch one disc, or share a tangent line. */
+  /** Whether more than three circles touch a disc or share a tangent line. */
   readonly isDegenerate: boolean
 }
 
-/** How circles are made: the same ones each time, on every machine. */
+/** A reproducible recipe: it gives the same circles on every machine. */
 export type Recipe =
   | { readonly kind: 'family'; readonly family: string; readonly seed: number; readonly count: number }
   | { readonly kind: 'figure'; readonly figure: string }
 
-/** A family or a figure, and some circles of it for a small picture. */
+/** A family or figure with sample circles for a thumbnail. */
 export type Pictured<Kind extends Figure> = Kind & { readonly sample: Float64s }
 
-/** All that can be made. */
+/** All families and figures. */
 export interface Catalogue {
   readonly families: readonly Pictured<Family>[]
   readonly figures: readonly Pictured<Figure>[]
 }
 
 const SAMPLE = 40
-/** More circles than this cannot be told from one another in a small picture. */
+/** Number of circles above which a thumbnail gets a smaller sample. */
 const LARGEST_SAMPLE = 300
 
 export interface Generators {
-  /** @throws CircleVoronoiError `badInput`, if there is no family or figure of this name */
+  /** @throws CircleVoronoiError `badInput` if the family or figure is unknown */
   make(recipe: Recipe): Float64s
   catalogue(): Catalogue
 }

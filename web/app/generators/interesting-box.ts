@@ -4,12 +4,12 @@ import type { Box, Float64s } from '../../lib/index.ts'
 import { boundingBox } from '../../view/camera.ts'
 import { CircleTable } from '../../view/circle-table.ts'
 
-/** Where the whole is so many times as large as what most circles fill, that is what there is to see. */
+/** Ratio of sizes from which the box of most circles replaces the box of all. */
 const FAR = 8
-/** Of fewer circles none lies far outside. */
+/** Fewer circles have no outliers. */
 const FEW = 20
 
-/** The box of circles, or that of most of them, if the others would make them too small to be seen. */
+/** The bounding box of circles, or of most of them if outliers would make them too small to see. */
 export function interestingBox(circles: Float64s): Box {
   const [whole, core] = [boundingBox(circles), new CircleTable(circles).core()]
   return circles.length > 3 * FEW && sizeOf(whole) > FAR * sizeOf(core) ? core : whole

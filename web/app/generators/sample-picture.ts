@@ -9,7 +9,7 @@ const SIZE = { width: 48, height: 36 }
 const MARGIN = { top: 3, right: 3, bottom: 3, left: 3 }
 const SMALLEST = 0.7
 
-/** A small picture of circles, without what lies far outside. */
+/** A thumbnail of circles without outliers. */
 export function pictureOf(circles: Float64s): TemplateResult {
   const { width, height } = SIZE
   const { x, y, scale } = fitted(interestingBox(circles), SIZE, MARGIN)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * Returns a function that calls another one at once, or where a pointer is pressed once the press is a click: what moves
- * below the pointer before that would lose it.
+ * Returns a function that runs an action at once, or after the current click if a pointer is pressed. Layout changes
+ * during a press would make the click miss its target.
  */
 export function listenToPresses(around: Document): (act: () => void) => void {
   let isPressed = false
@@ -10,7 +10,7 @@ export function listenToPresses(around: Document): (act: () => void) => void {
   const listen = (name: string, act: () => void) => around.addEventListener(name, act, { capture: true })
   const end = () => {
     isPressed = false
-    // The click comes right after it.
+    // The click event follows the release.
     for (const act of waiting) setTimeout(act)
     waiting = []
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Circles in the clipboard: as lines of numbers for other programs, and so that this page knows its own, in any tab.
+// Copies and pastes circles: as lines of numbers for other programs, and in a format that the page recognizes in any
+// tab.
 import type { Circle } from '../../lib/index.ts'
 import type { PageActions } from '../page-actions.ts'
 
 const OWN = 'application/x-circle-voronoi'
 
 export function listenToClipboard(actions: PageActions): void {
-  /** How often what was copied has been pasted here: each time a little farther aside. */
+  /** Number of pastes of the copied circles. Each is offset further. */
   let times = 0
   const isWritten = ({ target }: Event) =>
     target instanceof Element && target.closest('input, textarea, select, dialog') !== null
@@ -28,14 +29,14 @@ export function listenToClipboard(actions: PageActions): void {
     const circles = isWritten(event) ? undefined : circlesOf(event.clipboardData?.getData(OWN) ?? '')
     if (circles === undefined) return
     event.preventDefault()
-    // It is no file.
+    // Prevents the text from being opened as a file.
     event.stopImmediatePropagation()
     times += 1
     actions.paste(circles, times)
   })
 }
 
-/** `undefined`: it is something else. */
+/** `undefined`: the text contains no circles. */
 function circlesOf(text: string): Circle[] | undefined {
   try {
     const rows: unknown = JSON.parse(text)

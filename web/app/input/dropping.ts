@@ -2,7 +2,7 @@
 import type { FileActions } from '../files/file-actions.ts'
 import { NOT_LOADED } from '../not-loaded.ts'
 
-/** Opens what is dropped on the page, or pasted where it is no text that is written. */
+/** Opens files dropped on the page, and content pasted outside of text fields. */
 export function listenToFiles(actions: () => Promise<FileActions>, complain: (problem: string) => void): void {
   const open = async (file: File | undefined, text: string) => {
     const opening = await actions().catch(() => undefined)
@@ -18,7 +18,7 @@ export function listenToFiles(actions: () => Promise<FileActions>, complain: (pr
     return isAny
   }
 
-  // Else the browser would go to the file.
+  // The browser would otherwise navigate to the file.
   document.addEventListener('dragover', (event) => {
     event.preventDefault()
     document.body.classList.add('dropping')

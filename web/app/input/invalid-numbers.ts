@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** A number that is none, or out of its range, does not stay in its field unused: the last one that was right comes back. */
+/**
+ * Restores the last valid number when a field is left with an invalid one, which would otherwise stay visible without
+ * effect.
+ */
 export function restoreInvalidNumbers(around: Document): void {
   const last = new WeakMap<HTMLInputElement, string>()
   const keep = ({ target }: Event) => {

@@ -3,17 +3,17 @@ import type { Circle } from '../../lib/index.ts'
 import { toPlane } from '../../view/camera.ts'
 import type { View } from '../../view/view.ts'
 
-/** The circle that moves, how long it takes to come around, in milliseconds, and how far it goes, in units. */
+/** The moving circle, the time of one round in milliseconds, and the distance in units. */
 const MOVING = 7
 const TURN = 9000
 const REACH = { x: 0.9, y: 0.7 }
-/** How long it takes to come back once something is touched, in milliseconds. */
+/** Duration of the return after a touch, in milliseconds. */
 const BACK = 350
 
 /**
- * Moves one circle of the first scene gently until something is touched: then it comes back, so that the circles are those of
- * the data set. Nothing of it is kept or undone. Whoever wants less motion sees none.
- * `onend`: called once the circle is back, or once other circles are there or it cannot be moved.
+ * Moves one circle of the first scene gently until the user touches anything. The circle then returns, so that the
+ * circles are those of the data set. The motion is neither saved nor undone, and is off if the user prefers reduced
+ * motion. `onend` is called when the circle is back, when other circles are opened, or if the circle cannot be moved.
  */
 export function driftAtStart(view: View, figure: HTMLElement, onend: () => void): void {
   const table = view.circles
@@ -23,7 +23,7 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
   const begin = performance.now()
   let place = home
   let isAsked = false
-  /** When it was touched, and where the circle was then. */
+  /** The time of the touch, and the circle at that time. */
   let touched: { readonly at: number; readonly from: Circle } | undefined
 
   let isOver = false
@@ -36,7 +36,7 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
   }
   const frame = (now: number) => {
     if (isOver) return
-    // Other circles are there, or it is at home again.
+    // Stops after an opening, or when the circle is back.
     if (view.circles !== table || (touched !== undefined && place === home && !isAsked)) {
       end()
       return
@@ -63,7 +63,7 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
   }
   const touch = (event: Event) => {
     touched ??= { at: performance.now(), from: place }
-    // Whoever takes this one has it where it is.
+    // A user who grabs this circle gets it at its current position.
     if (event instanceof PointerEvent && isOn(event)) {
       place = home
       listening.abort()

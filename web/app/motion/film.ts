@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** By how sure other programs are to play them; a browser writes one of these. */
+/** Video formats by decreasing support in other programs. A browser can write one of them. */
 const TYPES = ['video/mp4', 'video/webm;codecs=vp9', 'video/webm'] as const
-/** Bits in a second: edges stay sharp. */
+/** Bits per second, enough for sharp edges. */
 const QUALITY = 8_000_000
 
-/** @throws Error, if the browser writes no films */
+/** @throws Error if the browser cannot record video */
 export async function filmed(stream: MediaStream, seconds: number): Promise<{ film: Blob; ending: string }> {
   const type = TYPES.find((type) => globalThis.MediaRecorder?.isTypeSupported(type))
   if (type === undefined) throw new Error('This browser cannot record a video.')

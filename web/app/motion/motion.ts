@@ -8,18 +8,18 @@ import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { type Movement, type MovementName, movementOf } from './movements.ts'
 
-/** So many circles are moved at most: each is edited in each frame. */
+/** Largest number of moving circles. Each is edited in each frame. */
 export const MOST_MOVING = 2000
-/** A frame that comes late moves no farther than this, in seconds. */
+/** Longest time step in seconds. A late frame moves no farther. */
 const LONGEST_STEP = 1 / 20
 
-/** Circles in motion, their diagram kept by edits. All of it is one step of undo. */
+/** Animates circles by editing them. The whole animation is one undo step. */
 export class Motion {
   readonly #view: View
   readonly #editing: Editing
   readonly #actions: PageActions
   #frame = 0
-  /** That of the movement. */
+  /** The gesture of the current animation. */
   #gesture = 0
   readonly #listeners = new Set<() => void>()
 
@@ -33,7 +33,7 @@ export class Motion {
     return this.#frame !== 0
   }
 
-  /** Has a function called when it begins and ends. */
+  /** Calls a function when the animation begins and ends. */
   onchange(listener: () => void): void {
     this.#listeners.add(listener)
   }
@@ -73,13 +73,13 @@ export class Motion {
     let last: number | undefined
     let isAsked = false
     const frame = (now: number) => {
-      // Other circles were opened.
+      // Other circles have been opened.
       if (this.#editing.circles !== table) return this.stop()
       this.#frame = requestAnimationFrame(frame)
       if (isAsked) return
       const seconds = Math.min((now - (last ?? now)) / 1000, LONGEST_STEP)
       last = now
-      // What was deleted meanwhile does not come back.
+      // Skips circles that the user has deleted.
       const edits = movement(seconds).filter(({ id }) => table.get(id) !== undefined)
       isAsked = true
       this.#editing
@@ -89,14 +89,14 @@ export class Motion {
         )
         .then((edited) => {
           isAsked = false
-          // Another movement may have begun since.
+          // A new animation may have begun since.
           if (edited === undefined && this.#gesture === gesture) this.stop()
         })
     }
     this.#frame = requestAnimationFrame(frame)
   }
 
-  /** The walls: what is seen, if all circles are in it. */
+  /** The walls: the viewport if it contains all circles. */
   #room(box: Box): Box {
     const { camera, size } = this.#view
     const { top, right, bottom, left } = this.#actions.paddingNow

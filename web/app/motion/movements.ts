@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How circles move: each movement gives the circles of the next frame.
+// The animations. Each computes the circles of the next frame.
 import type { Box, Circle } from '../../lib/index.ts'
 
-/** A circle and its id. */
+/** A circle with its id. */
 export interface Moving {
   readonly id: number
   readonly circle: Circle
 }
 
-/** What the next frame shows, `seconds` after the last one. `neighbors`: pairs of ids whose cells border on one another. */
+/** Returns the circles `seconds` after the last frame. `neighbors` are pairs of ids whose cells share an edge. */
 export type Movement = (seconds: number) => readonly Moving[]
 
 export const MOVEMENTS = {
@@ -19,14 +19,14 @@ export const MOVEMENTS = {
 } as const
 export type MovementName = keyof typeof MOVEMENTS
 
-/** A circle crosses the picture in about so many seconds. */
+/** Seconds in which a circle crosses the picture. */
 const CROSSING = 8
-/** Growing from points takes so many seconds; breathing, one breath. */
+/** Seconds in which radii grow from zero; also the time of one breath. */
 const GROWING = 5
 const BREATH = 4
 const BREADTH = 0.35
 
-/** The movement of a name, of circles that stay in a box where they bounce. */
+/** The animation with a name, for circles that bounce inside a box. */
 export function movementOf(name: MovementName, circles: readonly Moving[], box: Box, random = Math.random): Movement {
   if (name === 'bounce') return bouncing(circles, box, random)
   let time = 0
@@ -35,7 +35,7 @@ export function movementOf(name: MovementName, circles: readonly Moving[], box: 
   if (name === 'grow' || name === 'compare') {
     return (seconds) => {
       time += seconds
-      // There and back: the ordinary Voronoi diagram of the centers becomes that of the circles.
+      // Oscillates between the ordinary Voronoi diagram of the centers and the diagram of the circles.
       const share = (1 - Math.cos((2 * Math.PI * time) / (2 * GROWING))) / 2
       return scaledBy(() => share)
     }
@@ -58,7 +58,7 @@ interface Ball {
   vy: number
 }
 
-/** Balls that bounce off one another and off the walls of a box; their masses are their areas. */
+/** Balls that bounce off each other and the walls of a box. Their masses are their areas. */
 function bouncing(circles: readonly Moving[], box: Box, random: () => number): Movement {
   const speed = Math.max(box.maxX - box.minX, box.maxY - box.minY) / CROSSING
   const balls: Ball[] = circles.map(({ id, circle: { x, y, r } }) => {
@@ -70,7 +70,7 @@ function bouncing(circles: readonly Moving[], box: Box, random: () => number): M
     for (const ball of balls) {
       ball.x += ball.vx * seconds
       ball.y += ball.vy * seconds
-      // At a wall it turns back.
+      // Reflects the ball at the walls.
       if (ball.x < box.minX + ball.r) ball.vx = Math.abs(ball.vx)
       if (ball.x > box.maxX - ball.r) ball.vx = -Math.abs(ball.vx)
       if (ball.y < box.minY + ball.r) ball.vy = Math.abs(ball.vy)
@@ -80,7 +80,7 @@ function bouncing(circles: readonly Moving[], box: Box, random: () => number): M
   }
 }
 
-/** Pairs that may touch: by their left ends, one after the other. */
+/** Pairs that may touch, by sweeping over the left ends. */
 function* nearPairs(balls: readonly Ball[]): Generator<readonly [Ball, Ball]> {
   const sorted = [...balls].sort((one, other) => one.x - one.r - (other.x - other.r))
   for (const [k, one] of sorted.entries()) {
@@ -92,7 +92,7 @@ function* nearPairs(balls: readonly Ball[]): Generator<readonly [Ball, Ball]> {
   }
 }
 
-/** Two balls that touch and come nearer bounce. */
+/** An elastic collision of two touching balls that approach each other. */
 function bounce(one: Ball, other: Ball): void {
   const [dx, dy] = [other.x - one.x, other.y - one.y]
   const distance = Math.hypot(dx, dy)
@@ -101,7 +101,7 @@ function bounce(one: Ball, other: Ball): void {
   if (nearing <= 0) return
   const [mass, otherMass] = [one.r ** 2, other.r ** 2]
   const all = mass + otherMass
-  // Points have no mass: they bounce as equals.
+  // Points have no mass and collide as equals.
   const [share, otherShare] = all === 0 ? [0.5, 0.5] : [otherMass / all, mass / all]
   one.vx -= (2 * share * nearing * dx) / distance
   one.vy -= (2 * share * nearing * dy) / distance

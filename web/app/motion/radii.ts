@@ -6,17 +6,17 @@ import type { Edit } from '../../lib/index.ts'
 
 interface Scaling {
   readonly gesture: number
-  /** The radii of circles by their ids, as they were. */
+  /** The original radii by circle id. */
   readonly radii: ReadonlyMap<number, number>
   share: number
 }
 
-/** All radii times a share from 0 to 1. It is one step of undo until something else is done. */
+/** Scales all radii by a share from 0 to 1. Consecutive changes are one undo step. */
 export class Radii {
   readonly #store: Store<State>
   readonly #editing: Editing
   #scaling: Scaling | undefined
-  /** How many edits have not been answered. */
+  /** The number of pending edits. */
   #asked = 0
 
   constructor(store: Store<State>, editing: Editing) {
@@ -24,7 +24,7 @@ export class Radii {
     this.#editing = editing
   }
 
-  /** The share that the circles have now. */
+  /** The current share. */
   get share(): number {
     return this.#isLast ? (this.#scaling as Scaling).share : 1
   }
@@ -46,7 +46,7 @@ export class Radii {
     this.#asked -= 1
   }
 
-  /** Whether nothing else was done since. */
+  /** Whether the last edit was made here. */
   get #isLast(): boolean {
     if (this.#asked > 0) return true
     const last = this.#store.get().history.done.at(-1)

@@ -3,9 +3,9 @@ import { html, render } from 'lit/html.js'
 import { type Columns, circlesFrom, guessedColumns, type Rows } from '../files/columns.ts'
 import { byId } from './by-id.ts'
 
-/** So many rows are shown. */
+/** Number of rows in the preview. */
 const SHOWN = 5
-/** In place of a column: one radius for all. */
+/** The choice of one radius for all circles in place of a column. */
 const SAME = -1
 
 export interface Chosen {
@@ -13,7 +13,7 @@ export interface Chosen {
   readonly isDiameter: boolean
 }
 
-/** Which columns of a table circles are made of: those that their names tell, or those that a dialog asks for. */
+/** Determines the columns of centers and radii, by their names or by a dialog. */
 export async function chooseColumns(rows: Rows, file: string): Promise<Chosen | undefined> {
   const guess = guessedColumns(rows)
   const { x, y, r, name, isDiameter = false } = guess
@@ -21,7 +21,7 @@ export async function chooseColumns(rows: Rows, file: string): Promise<Chosen | 
   return isKnown ? { columns: { x, y, r, name }, isDiameter } : ask(rows, file)
 }
 
-/** `undefined`: none were chosen. */
+/** Resolves to `undefined` if the dialog was canceled. */
 function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
   const dialog = byId('columns', HTMLDialogElement)
   const guess = guessedColumns(rows)
@@ -33,7 +33,7 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
     columns: { x, y, r: r === SAME ? { all } : r, name: guess.name },
     isDiameter: isDiameter && r !== SAME,
   })
-  /** What is wrong with the columns as they are; empty: nothing. */
+  /** The problem of the chosen columns; empty if there is none. */
   const problem = (): string => {
     if (x === y) return 'x and y are the same column.'
     try {

@@ -20,9 +20,9 @@ const PARTS: readonly (readonly [part: Part, label: string])[] = [
   ['all', 'all circles'],
 ]
 
-/** Opening and saving. */
+/** The panel for opening and saving. */
 export function mountFiles(actions: FileActions): void {
-  /** How many pixels a saved picture has for one that is seen. */
+  /** Pixels of a saved picture per pixel on screen. */
   let scale = 2
   let part: Part = 'seen'
 
@@ -30,13 +30,13 @@ export function mountFiles(actions: FileActions): void {
     const input = target as HTMLInputElement
     const file = input.files?.[0]
     if (file !== undefined) await actions.openFile(file)
-    // The same file may be chosen once more.
+    // Allows choosing the same file again.
     input.value = ''
   }
   const rescale = ({ target }: Event) => {
     const input = target as HTMLInputElement
     if (input.reportValidity()) scale = input.valueAsNumber
-    // What is not used does not stay.
+    // Restores the last valid number.
     else input.value = String(scale)
   }
   const choosePart = ({ target }: Event) => {

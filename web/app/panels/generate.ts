@@ -10,7 +10,7 @@ import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 
-/** What the fields say until a family is shown. */
+/** The initial values of the fields. */
 const FIRST = { seed: 1, count: 300 }
 
 const GROUPS: readonly (readonly [title: string, holds: (family: Family) => boolean])[] = [
@@ -19,7 +19,10 @@ const GROUPS: readonly (readonly [title: string, holds: (family: Family) => bool
   ['In special position', ({ isDegenerate }) => isDegenerate],
 ]
 
-/** Families of random circles, with their number and seed, and the figures of the paper. Returns how to open it. */
+/**
+ * Families of random circles with number and seed, and the figures of the paper. Returns a function that opens the
+ * panel.
+ */
 export function mountGenerate(actions: PageActions, files: FilesClient): { show(dataSet: string): void; open(): void } {
   const panel = byId('generate', HTMLElement)
   let fields = FIRST
@@ -48,7 +51,7 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
   const generate = (family: string) => actions.generate({ kind: 'family', family, ...fields })
   const change = (event: Event) => {
     const input = event.target as HTMLInputElement
-    // The browser says what is wrong with it.
+    // The browser reports the invalid field.
     if (!input.reportValidity()) return
     fields = { ...fields, [input.name]: input.valueAsNumber }
     const source = sourceOf(shown)

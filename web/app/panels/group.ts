@@ -8,7 +8,7 @@ import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
-/** How many circles are selected, and what can be done with them. */
+/** The card of a selection of several circles: their number and the actions. */
 export function mountGroup(store: Store<State>, actions: PageActions): void {
   const panel = byId('group', HTMLElement)
   const figure = byId('figure', HTMLElement)
@@ -34,7 +34,7 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
   })
 }
 
-/** What can be done with circles that are selected, one or several. */
+/** The buttons that act on the selection. */
 export function selectionActions(actions: PageActions): TemplateResult {
   const figure = byId('figure', HTMLElement)
   const act = (action: () => void) => () => {

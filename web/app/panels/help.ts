@@ -6,7 +6,7 @@ import { CLOSE } from '../../view/icons.ts'
 import { PAGE_KEYS } from '../page-keys.ts'
 import { byId } from './by-id.ts'
 
-/** The same with a mouse or fingers, before the keys. */
+/** Puts the pointer gesture before the keys of the same action. */
 const also = (pointer: string, [keys, action]: KeyRow): KeyRow => [`${pointer}, ${keys}`, action]
 
 const { select, edit, look } = ENGLISH_KEYS
@@ -46,7 +46,7 @@ const HELP: readonly (readonly [title: string, rows: readonly KeyRow[]])[] = [
   ],
 ]
 
-/** Shows what pointer and keys do. */
+/** Shows the help on pointer and keys. */
 export function showHelp(): void {
   const dialog = byId('help', HTMLDialogElement)
   render(
@@ -70,7 +70,7 @@ export function showHelp(): void {
     `,
     dialog,
   )
-  // A click beside it closes it.
+  // A click on the backdrop closes the dialog.
   dialog.onclick = ({ target }) => {
     if (target === dialog) dialog.close()
   }

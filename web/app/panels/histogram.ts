@@ -4,7 +4,7 @@ import 'uplot/dist/uPlot.min.css'
 
 const HEIGHT = 96
 
-/** Bars for how many there are of each class, in an element. */
+/** A histogram in an element. */
 export class Histogram {
   readonly place: HTMLElement
   #plot: uPlot | undefined
@@ -17,7 +17,7 @@ export class Histogram {
     this.#plot?.destroy()
   }
 
-  /** The bar of class k is in the middle between k + `first` and k + 1 + `first` times `step`. */
+  /** Class k has its bar centered between k + `first` and k + 1 + `first` times `step`. */
   show(counts: Int32Array, step: number, first: number): void {
     const style = getComputedStyle(this.place)
     const ink = style.color
@@ -29,7 +29,7 @@ export class Histogram {
     }
     this.#plot?.destroy()
     this.#plot = undefined
-    // An axis without length has no end of ticks.
+    // An axis of length zero would have endless ticks.
     if (counts.length === 0) return
     this.#plot = new uPlot(
       {

@@ -14,7 +14,7 @@ import { selectionActions } from './group.ts'
 
 const DIGITS = 4
 
-/** The name of the selected circle, what its cell measures, and what can be done with it. */
+/** Shows the name and the measures of the selected circle, with its actions. */
 export function mountInspectorFacts(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
   const name = byId('inspector-name', HTMLParagraphElement)
   const facts = byId('inspector-facts', HTMLElement)
@@ -22,12 +22,12 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
   let shownData: readonly unknown[] = []
   render(selectionActions(actions), byId('inspector-actions', HTMLElement))
 
-  /** The circle, as it was then, that the facts are of. */
+  /** The circle that the facts describe. */
   let asked: State['described']
   const ask = async (described: NonNullable<State['described']>) => {
     asked = described
     const told = await view.ask('tell', [described.id])
-    // Meanwhile it may be another one.
+    // The selection may have changed since.
     const isInside = store.get().domain.region !== undefined
     if (asked === described) render(factsOf(told?.cells.get(described.id), isInside), facts)
   }
@@ -51,7 +51,9 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
   })
 }
 
-/** What the number of a circle is, where it is not its place: numbers of circles that are gone are not used again. */
+/**
+ * Explains the number of a circle if it differs from its position, because numbers of removed circles are not reused.
+ */
 function placeOf({ circles }: Editing, id: number): string {
   const place = circles.countBelow(id)
   return place === id ? '' : `${wholeNumber(place + 1)} of ${wholeNumber(circles.count)}; numbers are not used again`

@@ -7,15 +7,15 @@ import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 const DIGITS = 4
-/** The slider goes from a mean share, halved so often, to one that was doubled so often. */
+/** The slider ranges from the mean share halved this often to the mean share doubled this often. */
 const DOUBLINGS = 5
 const MOST_PERCENT = 99
 
-/** Where areas are given: the share of the region that the selected cell has, as a number and a slider. */
+/** The selected cell's prescribed share of the region, as a number and a slider. */
 export function mountInspectorShare(store: Store<State>, actions: PageActions): void {
   const place = byId('inspector-share', HTMLElement)
   const radius = byId('field-r', HTMLInputElement)
-  /** One drag of the slider is one step of undo. */
+  /** One drag of the slider is one undo step. */
   let gesture: number | undefined
 
   const set = (id: number, share: number) => {
@@ -28,7 +28,7 @@ export function mountInspectorShare(store: Store<State>, actions: PageActions): 
   const draw = ({ selected, domain, edited }: State) => {
     const isGiven = selected !== undefined && domain.areas !== undefined
     place.hidden = !isGiven
-    // It is the weight, which the area decides.
+    // The radius is then a weight that results from the area.
     radius.readOnly = isGiven
     const [label] = radius.labels ?? []
     if (label?.firstChild) label.firstChild.textContent = isGiven ? 'w ' : 'r '

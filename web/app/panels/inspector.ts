@@ -11,10 +11,10 @@ import { byId } from './by-id.ts'
 
 type Field = 'x' | 'y' | 'r'
 const FIELDS: readonly Field[] = ['x', 'y', 'r']
-/** Buttons for so many neighbors are shown. */
+/** Largest number of buttons for neighbors. */
 const MOST_NEIGHBORS = 500
 
-/** The numbers, the cell and the neighbors of the selected circle. Returns how to move the focus there. */
+/** The numbers, the cell and the neighbors of the selected circle. Returns a function that moves the focus there. */
 export function mountInspector(store: Store<State>, actions: PageActions): () => void {
   const panel = byId('inspector', HTMLElement)
   const title = byId('inspector-title', HTMLHeadingElement)
@@ -24,21 +24,21 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
   const figure = byId('figure', HTMLElement)
   const afterPress = listenToPresses(document)
 
-  // What is being typed, or was refused, stays in its field for the user to mend.
+  // The field being edited. Refused text stays in it for correction.
   let typing: HTMLInputElement | undefined
   fields.forEach((field, i) => {
     field.addEventListener('input', () => {
       typing = field
     })
     field.addEventListener('change', () => {
-      // As it will be: what was typed before may not be done yet.
+      // Earlier input may still be pending, so this uses the predicted values.
       const [held, ...others] = actions.held()
       if (held === undefined || others.length > 0) return
       actions.set([{ id: held.id, circle: { ...held.circle, [FIELDS[i] as Field]: field.valueAsNumber } }])
     })
     field.addEventListener('blur', () => {
       typing = undefined
-      // What was refused does not stay.
+      // Restores the number if the edit was refused.
       const { circle, problem } = store.get()
       if (circle === undefined) return
       const text = short(circle[FIELDS[i] as Field])

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, svg, type TemplateResult } from 'lit/html.js'
 
-// Two circles and a point, with what a layer adds to them.
+// Icons of layers: two circles and a point, with the layer's lines.
 const CIRCLES = svg`<circle class="c" cx="9" cy="15" r="5" /><circle class="c" cx="24" cy="7" r="3" />`
 const EDGE = 'M11 1c1 6 5 10 11 15'
 const OTHERS = svg`<path class="q" d=${EDGE} />`
@@ -30,7 +30,7 @@ const PICTURES = {
 
 export type Pictured = keyof typeof PICTURES
 
-/** What a layer shows, in its color. */
+/** The icon of a layer, in its color. */
 export function pictureOf(layer: Pictured): TemplateResult {
   return html`<svg class="picture" viewBox="0 0 32 22" aria-hidden="true">${PICTURES[layer]}</svg>`
 }

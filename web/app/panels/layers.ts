@@ -24,7 +24,7 @@ import { type Pictured, pictureOf } from './layer-pictures.ts'
 import { saidOf } from './method-found.ts'
 import { panelOf } from './panel.ts'
 
-/** In extents of what is seen: where nothing is merged but by rounding, and how far the slider goes. */
+/** Range of the slider relative to the viewport: the least length merges only vertices that differ by rounding. */
 const NEAR_ZERO = 1e-9
 const FARTHEST = 0.25
 
@@ -38,14 +38,14 @@ const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
   index: 'by number',
   different: 'neighbors differ',
 }
-/** Before the name of a column, where it is chosen. */
+/** Prefix of a column's name among the choices. */
 const COLUMN = 'column:'
 const CANDIDATE_NAMES: Readonly<Record<Candidates, string>> = {
   dynamic: 'dynamic samples',
   uniform: 'equally spaced samples',
   'all-pairs': 'all pairs of circles',
 }
-/** What is drawn: each layer with its picture and a switch. */
+/** The layers, each with an icon and a switch. */
 export function mountLayers(store: Store<State>, actions: PageActions, view: View, motion: Motion, radii: Radii): void {
   const panel = byId('layers', HTMLElement)
   const draw = () => folded.render(() => html`${waiting()} ${body(store.get())}`)
@@ -161,7 +161,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
     ${(edited?.counts.circles ?? 0) > MOST_TRACED ? nothing : methodLayers(layers, edited?.counts.circles ?? 0, found?.method)}
   `
 
-  /** Without radii the three diagrams are one. */
+  /** All three diagrams are equal without radii. */
   const radiusControl = () => html`
     <div class="layer sub">
       <label for="radii" title="Without radii, all three diagrams are the same">Radii</label>

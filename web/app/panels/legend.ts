@@ -16,7 +16,7 @@ const NAMES: Readonly<Record<Measure, string>> = {
   index: 'Number of the circle',
 }
 
-/** What the colors mean, on the canvas, whenever they show a measure. */
+/** The legend on the canvas, shown while colors show a measure. */
 export function mountLegend(store: Store<State>, view: View): void {
   const place = byId('legend', HTMLElement)
   let legend: Legend | undefined
@@ -36,13 +36,13 @@ export function mountLegend(store: Store<State>, view: View): void {
   const ask = async () => {
     const asked = shown
     const answer = await view.ask('legend')
-    // Meanwhile there may be others.
+    // The answer may be outdated.
     if (asked !== shown) return
     legend = answer
     draw()
   }
   store.subscribe(({ layers, dataSet, edited, history }) => {
-    // Other circles, or other colors. Edits leave the meaning of the colors as it is.
+    // The circles or the colors were replaced. Edits leave the meaning of colors unchanged.
     const opened = history.done.length + history.undone.length === 0 ? edited : history.done.findLast(isOpening)
     const now = [layers.cells, layers.column, dataSet, opened, edited === undefined]
     if (now.every((value, k) => value === shown[k])) return
@@ -57,7 +57,7 @@ export function mountLegend(store: Store<State>, view: View): void {
 
 const isOpening = ({ kind }: State['history']['done'][number]) => kind === 'opening'
 
-/** The name of what is shown. */
+/** The title of the legend. */
 function nameOf({ measure, name }: Legend): string {
   return measure === 'column' ? (name ?? '') : NAMES[measure]
 }
@@ -72,7 +72,7 @@ function categoriesOf(legend: Legend, map: readonly string[]) {
 function bodyOf(legend: Legend) {
   const { knots, isClipped } = legend
   const texts = knots.map(text)
-  // Circles that are all the same have one color.
+  // Equal circles have one color.
   const isOne = knots[0] === knots.at(-1)
   const ends = (value: string, k: number) =>
     !isClipped ? value : k === 0 ? `≤ ${value}` : k === texts.length - 1 ? `≥ ${value}` : value

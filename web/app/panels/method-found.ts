@@ -2,7 +2,7 @@
 import type { Counted, MethodFound } from '../../view/protocol.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 
-/** What the method finds and what not. */
+/** Describes the parts of the diagram that the method finds and misses. */
 export function saidOf({ vertices, edges, samples }: MethodFound): string {
   const found = ({ all, found }: Counted, name: string) => `${wholeNumber(found)} of ${wholeNumber(all)} ${name}`
   const wrong = [

@@ -6,8 +6,8 @@ import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 /**
- * A button that has a method played on the circles that are shown, and a choice of methods. Returns what is to be played: the
- * method of a link, if it is one of these.
+ * A button that plays a method, and a menu of methods. Returns a function that maps a link's method to an available
+ * one.
  */
 export function mountMethod(store: Store<State>, actions: PageActions): (kept: string | undefined) => TraceOptions {
   const button = byId('method', HTMLButtonElement)
@@ -26,7 +26,7 @@ export function mountMethod(store: Store<State>, actions: PageActions): (kept: s
   })
   return (kept = '') => {
     choice.value = kept
-    // A link may name any.
+    // A link may name an unknown method.
     if (choice.selectedIndex < 0) choice.selectedIndex = 0
     return { method: choice.value as TraceOptions['method'] }
   }

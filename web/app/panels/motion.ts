@@ -17,10 +17,10 @@ const ABOUT: Readonly<Record<MovementName, string>> = {
   breathe: 'Each circle grows and shrinks at its own time.',
 }
 
-/** So many seconds are recorded. */
+/** Length of a recording, in seconds. */
 const RECORDED = 6
 
-/** Circles in motion, with a button that plays and stops. */
+/** Animates circles, with a button that plays and stops. */
 export function mountMotion(motion: Motion, view: View, actions: PageActions): void {
   let chosen: MovementName = 'bounce'
   let isRecording = false

@@ -4,10 +4,10 @@ import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { byId } from './by-id.ts'
 
-/** Beside the pointer, in pixels. */
+/** Offset from the pointer, in pixels. */
 const ASIDE = 14
 
-/** The name of the circle under the pointer, beside it. */
+/** Shows the name of the circle under the pointer. */
 export function mountNames(store: Store<State>, editing: Editing): void {
   const tag = byId('name-tag', HTMLElement)
   const figure = byId('figure', HTMLElement)

@@ -12,10 +12,10 @@ import { byId } from './by-id.ts'
 import type { Histogram } from './histogram.ts'
 import { panelOf } from './panel.ts'
 
-/** How long nothing changes before cells are counted, in milliseconds. */
+/** Pause after a change before cells are counted, in milliseconds. */
 const REST = 250
 
-/** The ways to compute that can be compared. */
+/** The options of `compute` that can be compared. */
 const WAYS: readonly (readonly [string, Options])[] = [
   ['the fastest way', {}],
   ['touching discs, dynamic samples', { method: 'touching-disc' }],
@@ -25,7 +25,7 @@ const WAYS: readonly (readonly [string, Options])[] = [
   ['edge flips', { method: 'flip' }],
 ]
 
-/** How much there is, how cells are distributed, and what is proven. */
+/** The panel of counts, distributions and the certificate. */
 export function mountNumbers(store: Store<State>, view: View): void {
   const panel = byId('numbers', HTMLElement)
   let edited: Edited | undefined
@@ -53,7 +53,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
   const measure = async () => {
     const of = edited
     const answer = await view.ask('measure')
-    // Of other circles it would be wrong.
+    // Drops an answer about former circles.
     if (of !== edited || answer === undefined) return
     distribution = answer
     draw()

@@ -5,31 +5,31 @@ import { CLOSE } from '../../view/icons.ts'
 import { NOT_LOADED } from '../not-loaded.ts'
 
 const STORAGE = 'circle-voronoi:open-panel'
-/** A handle that is pulled so far, in pixels, makes the sheet larger or smaller. */
+/** Distance by which a pulled handle resizes the sheet, in pixels. */
 const PULLED = 24
 
-/** A panel beside the rail, which a button opens and closes. */
+/** A panel beside the rail, opened and closed by a button. */
 export interface Panel {
   readonly isOpen: boolean
-  /** If it is not. */
+  /** Opens the panel if it is closed. */
   open(): void
   close(): void
   render(body: () => TemplateResult): void
 }
 
 export interface PanelOptions {
-  /** Called when it is opened. */
+  /** Called when the panel opens. */
   readonly onopen?: () => void
-  /** Whether the page opens it again when it is loaded. Default: true. */
+  /** Whether a reload opens the panel again. Default: true. */
   readonly isKept?: boolean
 }
 
-/** The one that is open. */
+/** The open panel. */
 let current: Panel | undefined
-/** Whether the handle was pulled since it was pressed: then that was no click. */
+/** Whether the handle was pulled during the current press, so that the click is ignored. */
 let wasPulled = false
 
-/** One panel is open at a time; `draw` is called whenever it is opened or closed. */
+/** Creates a panel. At most one is open. `draw` is called whenever it opens or closes. */
 export function panelOf(
   element: HTMLElement,
   title: string,
@@ -90,18 +90,18 @@ export function panelOf(
     event.stopPropagation()
     panel.close()
   })
-  // Once whoever made it has it.
+  // Waits until the caller has the panel.
   if (isKept && remembered() === element.id) queueMicrotask(() => panel.open())
   return panel
 }
 
-/** Loads and mounts a panel once its button is pressed, or at once if the page opens it again. */
+/** Loads and mounts a panel when its button is pressed, or at once if it was open before a reload. */
 export function panelLater(id: string, complain: (problem: string) => void, mount: () => Promise<void>): void {
   const button = document.querySelector(`[aria-controls="${id}"]`) as HTMLButtonElement
   const load = async (isPressed: boolean) => {
     try {
       await mount()
-      // Now it hears of it.
+      // Repeats the click for the new listener.
       if (isPressed) button.click()
     } catch {
       complain(NOT_LOADED)
@@ -113,12 +113,12 @@ export function panelLater(id: string, complain: (problem: string) => void, moun
   else listen()
 }
 
-/** Makes the sheet of a phone larger or smaller; `undefined`: the other of the two. */
+/** Resizes the sheet on a phone; `undefined` toggles between large and small. */
 function resize(isLarge: boolean | undefined): boolean {
   return document.body.classList.toggle('large-sheet', isLarge)
 }
 
-/** Follows a handle: up makes the sheet larger, down smaller, and down once more closes it. */
+/** Follows a handle: up enlarges the sheet, down reduces it, and down again closes it. */
 function pull({ target, clientY: start, pointerId }: PointerEvent, panel: Panel): void {
   const handle = target as HTMLElement
   wasPulled = false
@@ -151,7 +151,7 @@ function remembered(): string {
   }
 }
 
-/** Without storage it forgets. */
+/** The panel is not remembered without storage. */
 function remember(id: string): void {
   try {
     localStorage.setItem(STORAGE, id)

@@ -4,10 +4,10 @@ import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
-/** What is done sooner needs no bar, in milliseconds. */
+/** Delay before the bar appears, in milliseconds. */
 const SOON = 300
 
-/** A bar for what takes long, with its stage and a button that cancels it. */
+/** A progress bar with the current stage and a button to cancel. */
 export function mountProgress(actions: PageActions): void {
   const place = byId('progress', HTMLElement)
   const figure = byId('figure', HTMLElement)
@@ -34,7 +34,7 @@ export function mountProgress(actions: PageActions): void {
     else if (isNew) timer = setTimeout(draw, SOON)
   }
   const isPainting = () => figure.getAttribute('aria-busy') === 'true'
-  // What is opened is painted piece by piece.
+  // New circles are painted tile by tile.
   new MutationObserver(() => stage.startsWith('Painting') && !isPainting() && show('', false)).observe(figure, {
     attributeFilter: ['aria-busy'],
   })

@@ -41,14 +41,14 @@ interface Draft {
   readonly question: string
   readonly conditions: readonly Condition[]
   readonly isAny: boolean
-  /** A check that no list of conditions makes, as a link had it. */
+  /** A link's check that the form's conditions cannot express. */
   readonly ownCheck: Check | undefined
   readonly readonly: boolean
   readonly alt: string
   readonly lang: string
 }
 
-/** The form of the panel Share that makes a question of what is seen. `redraw`: draws the panel again. */
+/** The form of the panel Share that turns the current state into a question. `redraw` draws the panel again. */
 export class QuestionForm {
   readonly #store: Store<State>
   readonly #editing: Editing
@@ -57,7 +57,7 @@ export class QuestionForm {
   readonly #actions: PageActions
   readonly #redraw: () => void
   #draft: Draft = draftOf({})
-  /** The link that the draft was made of. */
+  /** The link that the draft came from. */
   #from: LinkFrame | undefined
   #facts: Facts | undefined
   #isOpen = false
@@ -84,7 +84,7 @@ export class QuestionForm {
     })
   }
 
-  /** Takes the question of the link that the page has opened last. */
+  /** Loads the question of the last opened link into the form. */
   take(): void {
     const from = this.#actions.frame
     if (from === this.#from) return
@@ -95,7 +95,7 @@ export class QuestionForm {
     this.#measure()
   }
 
-  /** The button that shows the form or hides it. */
+  /** The button that shows and hides the form. */
   button(): TemplateResult {
     return html`<button
       type="button"
@@ -114,7 +114,7 @@ export class QuestionForm {
 
   #toggle(): void {
     this.#isOpen = !this.#isOpen
-    // A question usually has a condition.
+    // Most questions have a condition.
     if (this.#isOpen && this.#draft.conditions.length === 0 && this.#draft.ownCheck === undefined) this.#add()
     this.#redraw()
     if (this.#isOpen) this.#measure()
@@ -291,7 +291,7 @@ export class QuestionForm {
     if ('conditions' in change || 'ownCheck' in change) this.#measure()
   }
 
-  /** The check by the numbers of circles. */
+  /** The check, by circle numbers. */
   get #check(): Check | undefined {
     const { conditions, isAny, ownCheck } = this.#draft
     const check = checkOf(conditions, isAny)
@@ -329,7 +329,7 @@ export class QuestionForm {
     }
   }
 
-  /** Asks for what the conditions are about. */
+  /** Requests the values for the conditions. */
   async #measure(): Promise<void> {
     const check = this.#check
     const asked = check && withIds(check, (number) => this.#editing.idOf(number))
@@ -339,7 +339,7 @@ export class QuestionForm {
     this.#redraw()
   }
 
-  /** What a condition is about, as it is now. */
+  /** The current value of a condition's quantity. */
   #valueNow({ circle }: Condition, kind: Kind): string {
     if (this.#facts === undefined) return ''
     if (kind.of === 'diagram') return `now ${this.#facts[kind.name]}`
@@ -363,7 +363,7 @@ export class QuestionForm {
     return this.#isMet === false ? 'The circles do not meet this yet, so there is something to do.' : ''
   }
 
-  /** Why the question cannot be solved, or needs no solving. */
+  /** The reason why the question cannot be solved, or is solved already. */
   get #warning(): string {
     const check = this.#check
     if (check === undefined) return ''

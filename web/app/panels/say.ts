@@ -7,10 +7,10 @@ import { byId } from './by-id.ts'
 
 const BY_MOUSE = 'Drag a rim to resize. Double-click to add a circle.'
 const BY_FINGER = 'Drag a rim to resize. Double-tap to add a circle.'
-/** What is chosen and not touched is told of for so long, in milliseconds. */
+/** Duration of a new data set's caption, in milliseconds. */
 const LASTING = 12_000
 
-/** One line about the circles that are shown, until they are touched; and what to do where there are none. */
+/** A one-line caption of the circles until they are touched. Without circles, it says how to begin. */
 export function mountSay(store: Store<State>): void {
   const place = byId('say', HTMLElement)
   let shown = ''
@@ -35,7 +35,7 @@ export function mountSay(store: Store<State>): void {
     }
     if (about === undefined) return
     const { credit, id } = about
-    // The first one says what all of this is.
+    // The first data set introduces the page itself.
     const small = id === 'start' ? hint : credit
     place.classList.toggle('first', id === 'start')
     render(html`<p>${about.about}</p>${small === undefined ? nothing : html`<small>${small}</small>`}`, place)

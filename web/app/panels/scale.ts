@@ -5,10 +5,10 @@ import { toPlane } from '../../view/camera.ts'
 import type { View } from '../../view/view.ts'
 import { byId } from './by-id.ts'
 
-/** The bar is at most so long, in pixels. */
+/** Largest length of the bar, in pixels. */
 const LONGEST = 120
 
-/** A bar of a round length, and where in the plane the pointer is. */
+/** A scale bar of a round length, and the position of the pointer in the plane. */
 export function mountScale(view: View): void {
   const place = byId('scale', HTMLElement)
   const figure = byId('figure', HTMLElement)
@@ -20,7 +20,7 @@ export function mountScale(view: View): void {
     const { camera, size } = view
     const length = roundLength(LONGEST / camera.scale)
     const at = pointer === undefined ? undefined : toPlane(camera, size, pointer)
-    // As many digits as pixels tell apart.
+    // Shows as many digits as one pixel distinguishes.
     const digits = Math.min(Math.max(Math.ceil(Math.log10(camera.scale)), 0), 15)
     const text = (value: number) => (Math.abs(value) < 1e15 ? value.toFixed(digits) : value.toExponential(6))
     render(
@@ -50,7 +50,7 @@ export function mountScale(view: View): void {
   draw()
 }
 
-/** The largest of 1, 2 and 5 times a power of ten up to a length. */
+/** The largest of 1, 2 and 5 times a power of ten that is at most a length. */
 export function roundLength(most: number): number {
   // The logarithm may be rounded up to the next whole number.
   const exponent = Math.floor(Math.log10(most))

@@ -13,7 +13,7 @@ import { panelOf } from './panel.ts'
 import { QuestionForm } from './question.ts'
 import { toast } from './toast.ts'
 
-/** Links and code that show the same elsewhere. */
+/** The panel with links and embedding code. */
 export function mountShare(
   actions: FileActions,
   store: Store<State>,

@@ -4,7 +4,7 @@ import type { Store } from '../../editing/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
 
-/** How much there is and how long it took to compute; and what was refused. */
+/** The status line: counts, computing time, and problems. */
 export function mountStatus(store: Store<State>): void {
   const status = byId('status', HTMLParagraphElement)
   const problem = byId('problem', HTMLParagraphElement)
@@ -14,7 +14,7 @@ export function mountStatus(store: Store<State>): void {
   let offered: Remedy | undefined
 
   store.subscribe((state) => {
-    // It is read out each time.
+    // Announces the counts after each change.
     if (state.edited !== edited && state.edited !== undefined) {
       status.replaceChildren(statusOf(state.edited))
       edited = state.edited
@@ -36,7 +36,9 @@ function buttonOf({ label, act }: Remedy): HTMLButtonElement {
   return button
 }
 
-/** Phones have no room for minor parts, and small ones, or those where there are rare ones, none for second ones. */
+/**
+ * A part of the status line. Phones hide minor parts; small phones also hide second ones, as do lines with rare ones.
+ */
 type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second' | 'rare']
 
 function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>): Node {
@@ -55,7 +57,7 @@ function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>): No
   ]
   const line = document.createElement('span')
   for (const [k, [content, rank]] of parts.entries()) {
-    // Each part keeps its direction where that of the page is another.
+    // Isolates the text direction of each part.
     const part = document.createElement('bdi')
     part.dir = 'ltr'
     part.append(...content)

@@ -2,7 +2,7 @@
 import { html, nothing, render } from 'lit/html.js'
 import { byId } from './by-id.ts'
 
-/** What was done is said for so long, in milliseconds. */
+/** Duration of a toast, in milliseconds. */
 const SAID = 6000
 
 export interface Offer {
@@ -12,7 +12,7 @@ export interface Offer {
 
 let timer: ReturnType<typeof setTimeout> | undefined
 
-/** Says what was done, where it is seen whatever is open, and offers something else in its place. */
+/** Shows a short message above all panels, with an optional action. */
 export function toast(text: string, offer?: Offer): void {
   const place = byId('toast', HTMLElement)
   const hide = () => {

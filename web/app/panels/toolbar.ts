@@ -7,12 +7,12 @@ import { DATA_SETS, dataSetOf, labelOf, sourceOf } from '../data-sets.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
-/** What is chosen to see all families and figures. */
+/** The menu entry that opens all families and figures. */
 const MORE = 'more'
-/** What the menu shows of circles that are none of its own. */
+/** The menu entry for circles from other sources. */
 const OWN = ''
 
-/** The choice of circles, and the tools of the rail. `showMore`: shows all families and figures. */
+/** The menu of circles, and the tools of the rail. `showMore` opens all families and figures. */
 export function mountToolbar(store: Store<State>, actions: PageActions, showMore: () => void): void {
   const figure = byId('figure', HTMLElement)
   const dataSet = byId('data-set', HTMLSelectElement)
@@ -20,7 +20,7 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
   const undo = byId('undo', HTMLButtonElement)
   const redo = byId('redo', HTMLButtonElement)
 
-  // What was edited is another entry than its data set, so that choosing that one takes the edits back.
+  // Edited circles have an entry of their own, so that choosing the data set restores it.
   const own = new Option('Your circles', OWN)
   own.hidden = true
   const more = new Option('More …', MORE)
@@ -66,7 +66,7 @@ function nameOf(label: string, isEdited: boolean): string {
   return isEdited ? `${label}, edited` : label
 }
 
-/** On phones, the tools of the second row. */
+/** The second row of tools on phones. */
 function mountMore(): void {
   const rail = byId('rail', HTMLElement)
   const more = byId('more', HTMLButtonElement)

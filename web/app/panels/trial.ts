@@ -5,7 +5,7 @@ import { areaText, namedOf } from '../../view/taken-text.ts'
 import type { View } from '../../view/view.ts'
 import { byId } from './by-id.ts'
 
-/** What the circle would take that is tried. */
+/** Shows the effect of a previewed circle. */
 export function mountTrial(view: View): void {
   const panel = byId('trial', HTMLElement)
   view.on('tried', (trial) => {

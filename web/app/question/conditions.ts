@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The conditions of a question, as a teacher chooses them one by one, and the check and the sentence that they make.
+// The conditions of a question in the form of the page, converted to a check and a sentence.
 import type { CellCheck, Check, DiagramCheck, NumberCondition } from '../../lib/check-types.ts'
 
 type CellName = Exclude<keyof CellCheck, 'cell'>
@@ -14,7 +14,7 @@ export type Kind =
       readonly label: string
       readonly type: 'count'
     }
-/** Counts may be compared exactly; measures are numbers that no reader would hit. */
+/** Counts can be compared exactly; measures are numbers that no reader would match exactly. */
 type Type = 'count' | 'measure' | 'flag' | 'circle'
 
 const cell = (name: CellName, label: string, type: Type): Kind => ({
@@ -48,7 +48,7 @@ export const KINDS: readonly Kind[] = [
   diagram('edges', 'number of edges'),
 ]
 
-/** How a number is compared. */
+/** The comparison operators. */
 export const COMPARISONS = ['is', 'min', 'max', 'between'] as const
 export type Comparison = (typeof COMPARISONS)[number]
 

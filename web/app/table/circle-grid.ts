@@ -26,7 +26,7 @@ import {
   type Sorting,
 } from './order.ts'
 
-/** How long nothing changes or is edited before rows are sorted anew, in milliseconds. */
+/** Pause after changes before rows are sorted again, in milliseconds. */
 const REST = 300
 
 const MEASURED: readonly Measured[] = ['area', 'degree', 'gap']
@@ -40,7 +40,7 @@ const HEADINGS: Readonly<Record<(typeof COLUMNS)[number], Heading>> = {
   gap: { name: 'nearest', title: 'Distance of the nearest other circle', isEditable: false },
 }
 
-/** The circles of the page as rows of a grid. */
+/** Shows the circles as rows of a grid. */
 export class CircleGrid implements GridContent {
   readonly headings: readonly Heading[]
   readonly #columns: readonly Column[]
@@ -56,10 +56,10 @@ export class CircleGrid implements GridContent {
   #scene: Scene | undefined
   #selection: readonly number[] = []
   #selected = new Set<number>()
-  /** The selection that this grid made. */
+  /** The last selection made in this grid. */
   #own: readonly number[] | undefined
   #anchor = 0
-  /** What cells that are seen measure, by ids. */
+  /** Measures of visible cells, by id. */
   #measured = new Map<number, readonly number[]>()
   #seen: readonly [number, number] = [0, -1]
   #isAsking = false
@@ -96,7 +96,7 @@ export class CircleGrid implements GridContent {
     this.#grid.dispose()
   }
 
-  /** To be called with each new state. */
+  /** Call with each new state. */
   update({ edited, selection }: State): void {
     if (edited !== this.#edited) this.#follow(edited)
     if (selection !== this.#selection) {
@@ -171,7 +171,7 @@ export class CircleGrid implements GridContent {
 
   async write(id: number, column: number, text: string): Promise<boolean> {
     const circle = this.#editing.circles.get(id)
-    // It was deleted meanwhile.
+    // The circle was deleted in the meantime.
     if (circle === undefined) return true
     const name = this.#columns[column] as Column
     if (!isFixed(name)) return this.#writeValues(name, [[id, text]])
@@ -184,7 +184,7 @@ export class CircleGrid implements GridContent {
     return (await this.#actions.edit([{ kind: 'replace', id, circle: changed }])) !== undefined
   }
 
-  /** All or none of the values that texts become in a column, as one step of undo. Reports whether they were taken. */
+  /** Writes texts into a column: all or none, as one undo step. Returns whether they were accepted. */
   async #writeValues(name: Column, texts: readonly (readonly [id: number, text: string])[]): Promise<boolean> {
     const column = this.#editing.attributes.columns.find((column) => column.name === dataName(name))
     if (column === undefined) return true
@@ -248,7 +248,7 @@ export class CircleGrid implements GridContent {
     this.#scene = this.#editing.scene
     if (isOpened) {
       this.#measured.clear()
-      // What is being written is for a circle that is gone.
+      // The edited circle has been removed.
       this.#grid.cancelEdit()
     }
     if (isOther || isOpened) this.#reorder()
@@ -258,7 +258,7 @@ export class CircleGrid implements GridContent {
     this.#grid.render()
   }
 
-  /** Those that are there, in the order that was, and the others at the end. */
+  /** Keeps the order of existing circles and appends new ones. */
   #reorder(): void {
     const { circles } = this.#editing
     if (this.#sorting.column === 'id') {
@@ -274,13 +274,13 @@ export class CircleGrid implements GridContent {
     this.#places = new Int32Array(placesOf(this.#order))
   }
 
-  /** While something is dragged or written, rows stay where they are. */
+  /** Rows keep their places during a drag or an edit. */
   #sortAtRest(): void {
     clearTimeout(this.#rest)
     this.#rest = setTimeout(() => (this.#grid.isEditing ? this.#sortAtRest() : this.#sortAgain()), REST)
   }
 
-  /** What is selected stays in sight. */
+  /** Keeps the selected row in view. */
   async #sortAgain(): Promise<void> {
     await this.#sortBy(this.#sorting)
     const row = this.#selection.length === 1 ? this.#rowOf(this.#selection[0] as number) : undefined
@@ -295,7 +295,7 @@ export class CircleGrid implements GridContent {
     if (isMeasured(sorting.column)) {
       this.#grid.render()
       measured = await this.#view.ask('tabulate', [sorting.column], undefined)
-      // Meanwhile something else was asked for.
+      // A newer request has replaced this one.
       if (turn !== this.#turn) return
     }
     if (this.#grid.isEditing) {
@@ -308,7 +308,7 @@ export class CircleGrid implements GridContent {
     this.#grid.render()
   }
 
-  /** What rows are sorted by in a column of the file, in the order of the ids. */
+  /** The sort keys of a file's column, by ascending id. */
   #keysOf(name: Column): number[] {
     if (isFixed(name)) return []
     const column = this.#editing.attributes.columns.find((column) => column.name === dataName(name))
@@ -316,7 +316,7 @@ export class CircleGrid implements GridContent {
     return column !== undefined && isNumeric(column) ? values.map(numberIn) : ranksOf(values.map(textIn))
   }
 
-  /** What is seen is measured, one time after the other. */
+  /** Requests the measures of visible rows, one request at a time. */
   async #ask(): Promise<void> {
     if (this.#isAsking) {
       this.#isStale = true

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { elementScroll, observeElementOffset, observeElementRect, Virtualizer } from '@tanstack/virtual-core'
 
-/** What is drawn in a cell. */
+/** The contents of a cell. */
 export interface CellText {
   readonly text: string
-  /** Where the text alone does not say it. */
+  /** Read out in place of the text if the text alone is unclear. */
   readonly label?: string
 }
 
@@ -13,11 +13,11 @@ export interface Heading {
   readonly name: string
   readonly title: string
   readonly isEditable: boolean
-  /** Whether its cells are texts, and not numbers. */
+  /** Whether the cells contain text rather than numbers. */
   readonly isText?: boolean
 }
 
-/** What a grid shows, and whom it tells what is done to it. */
+/** The data of a grid, and the callbacks for its changes. */
 export interface GridContent {
   readonly headings: readonly Heading[]
   rows(): number
@@ -25,16 +25,19 @@ export interface GridContent {
   isSelected(row: number): boolean
   sortOf(column: number): 'ascending' | 'descending' | 'none'
   sort(column: number): void
-  /** The row became the current one; `how`: as the only one selected, beside others, or all from the last such one on. */
+  /**
+   * Called when a row becomes current. `how`: selected alone, toggled, or together with all rows since the last such
+   * one.
+   */
   choose(row: number, how: 'only' | 'toggle' | 'through'): void
-  /** Whose row it is: rows may be others while one is edited. */
+  /** The id of a row. Rows may be reordered while one is edited. */
   idOf(row: number): number
-  /** What a cell is to be edited as. */
+  /** The text with which editing a cell begins. */
   written(id: number, column: number): string
-  /** Reports whether the text was taken. */
+  /** Resolves to whether the text was accepted. */
   write(id: number, column: number, text: string): Promise<boolean>
   paste(row: number, column: number, text: string): void
-  /** The rows that are seen are others. */
+  /** Called when other rows become visible. */
   seen(first: number, last: number): void
 }
 
@@ -43,8 +46,8 @@ const OVERSCAN = 6
 const TYPED = /^[\d.+\-\u2212]$/
 
 /**
- * A grid of any number of rows, of which those that are seen are elements. Its one tab stop is the grid: arrows move the current
- * cell, Enter, F2 or a number edits it.
+ * A virtualized grid: only visible rows have elements. The grid is a single tab stop. Arrow keys move the current cell;
+ * Enter, F2 or a digit edits it.
  */
 export class Grid {
   readonly #element: HTMLElement
@@ -62,7 +65,7 @@ export class Grid {
   #input: HTMLInputElement | undefined
   #seen: readonly [number, number] = [0, 0]
 
-  /** `element`: empty; has the class `grid` of table.css. */
+  /** `element` is empty and has the class `grid` of table.css. */
   constructor(element: HTMLElement, content: GridContent, label: string) {
     this.#element = element
     this.#content = content
@@ -117,7 +120,7 @@ export class Grid {
     return this.#input !== undefined
   }
 
-  /** Ends the editing of a cell and takes nothing over. */
+  /** Cancels the editing of a cell. */
   cancelEdit(): void {
     const input = this.#input
     if (input === undefined) return
@@ -128,12 +131,12 @@ export class Grid {
     this.render()
   }
 
-  /** In the next frame. */
+  /** Renders at the next frame. */
   render(): void {
     if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#draw())
   }
 
-  /** Makes a row the current one and scrolls to it. */
+  /** Makes a row current and scrolls to it. */
   goTo(row: number): void {
     this.#row = row
     this.#count()
@@ -149,7 +152,7 @@ export class Grid {
     this.#element.focus()
   }
 
-  /** With the functions that it has: with others it would measure all rows anew. */
+  /** Passes the same functions again, because new ones would make the virtualizer measure all rows. */
   #count(): void {
     const { options } = this.#virtualizer
     const count = this.#content.rows()
@@ -171,7 +174,7 @@ export class Grid {
     })
     const items = this.#virtualizer.getVirtualItems()
     const rows = items.map(({ index }) => index)
-    // What is current has to be there to be read out, and what is edited to be edited.
+    // The current cell must exist to be read out, and an edited one to be edited.
     if (this.#row >= 0 && !rows.includes(this.#row)) rows.push(this.#row)
     this.#drawRows(rows)
     this.#element.setAttribute('aria-activedescendant', this.#elementIdOf(this.#row, this.#column))
@@ -180,7 +183,7 @@ export class Grid {
     this.#seen = [first, last]
   }
 
-  /** A row keeps its element as long as it is there, so that its focus stays. */
+  /** Keeps the element of each row while the row is visible, so that focus stays. */
   #drawRows(rows: readonly number[]): void {
     const free = this.#elements.filter(({ dataset }) => !rows.includes(Number(dataset.row)))
     for (const row of rows) {
@@ -238,7 +241,7 @@ export class Grid {
     return `${this.#prefix}${row}-${column}`
   }
 
-  /** Where it is, unless that is edited. */
+  /** The clicked cell, unless it is being edited. */
   #cellAt(event: MouseEvent): HTMLElement | undefined {
     const cell = (event.target as Element).closest<HTMLElement>('[role=gridcell], [role=columnheader]')
     return cell === null || this.#input?.parentElement === cell ? undefined : cell
@@ -295,7 +298,7 @@ export class Grid {
     event.stopPropagation()
   }
 
-  /** Whether a key begins what is written into the current column. */
+  /** Whether a key starts editing the current column. */
   #isTyped(key: string): boolean {
     const isText = this.#content.headings[this.#column]?.isText === true
     return TYPED.test(key) || (isText && [...key].length === 1)
@@ -310,7 +313,7 @@ export class Grid {
     this.render()
   }
 
-  /** `typed`: what is written in place of what is there. */
+  /** Edits the current cell. `typed` replaces its content. */
   #edit(typed?: string): void {
     const { headings } = this.#content
     if (this.#row < 0 || this.#row >= this.#content.rows() || headings[this.#column]?.isEditable !== true) return
@@ -334,7 +337,7 @@ export class Grid {
       input.remove()
       this.render()
     }
-    /** What is refused stays, to be mended. */
+    /** Refused text stays for correction. */
     const commit = async (): Promise<boolean> => {
       if (isWriting || this.#input !== input) return false
       isWriting = true
@@ -360,12 +363,12 @@ export class Grid {
       else this.#moveTo(Math.min(this.#row + (event.shiftKey ? -1 : 1), this.#content.rows() - 1), false)
     })
     input.addEventListener('blur', async () => {
-      // Whoever has gone elsewhere has read what is wrong.
+      // A user who has moved on has seen the error.
       if (!(await commit()) && document.activeElement !== input && !isWriting) close()
     })
   }
 
-  /** To the next cell that can be edited, or the one before. */
+  /** Moves to the next or previous editable cell. */
   #moveAlong(step: 1 | -1): void {
     const editable = this.#content.headings.flatMap(({ isEditable }, column) => (isEditable ? [column] : []))
     const next = editable.indexOf(this.#column) + step
@@ -379,7 +382,7 @@ export class Grid {
   #paste(event: ClipboardEvent): void {
     const text = event.clipboardData?.getData('text/plain') ?? ''
     const isOne = !/[\t\n;]/.test(text.trim())
-    // One number goes where it is written.
+    // A single number is pasted into the open field.
     if (event.target !== this.#element && isOne) return
     event.preventDefault()
     event.stopPropagation()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as people and spreadsheets write them, and what becomes of those that are put into the table.
+// Parses numbers as people and spreadsheets write them, and turns pasted numbers into edits.
 import type { Circle, Edit } from '../../lib/index.ts'
 
 const WRITTEN = ['x', 'y', 'r'] as const
@@ -8,14 +8,14 @@ export type Written = (typeof WRITTEN)[number]
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
 const WITH_COMMA = /^[+-]?\d+,\d+$/
 
-/** `hasDecimalCommas`: whether a comma can only be that of a fraction. */
+/** `hasDecimalCommas`: whether every comma is a decimal mark. */
 export function numberOf(text: string, hasDecimalCommas = true): number | undefined {
   const trimmed = text.trim().replace(/^\u2212/, '-')
   if (hasDecimalCommas && WITH_COMMA.test(trimmed)) return Number(trimmed.replace(',', '.'))
   return NUMBER.test(trimmed) ? Number(trimmed) : undefined
 }
 
-/** What is wrong, as one sentence. */
+/** An error in one sentence. */
 export interface Wrong {
   readonly problem: string
 }
@@ -24,7 +24,7 @@ export function notANumber(text: string): string {
   return `“${text.trim().slice(0, 40)}” is not a number. Nothing has changed.`
 }
 
-/** Rows of numbers, from a spreadsheet or a text; a first line of words is their heading. */
+/** Parses rows of numbers from a spreadsheet or text. A first row of words is a header. */
 export function rowsOf(text: string): readonly (readonly number[])[] | Wrong {
   const lines = text.split(/\r?\n/)
   while (lines.at(-1)?.trim() === '') lines.pop()
@@ -48,8 +48,8 @@ export function rowsOf(text: string): readonly (readonly number[])[] | Wrong {
 }
 
 /**
- * The edits that put rows of numbers into circles from a column on: into those of `ids`, one a row, and beyond them into new
- * ones.
+ * The edits that paste rows of numbers, starting at a column: into the circles of `ids`, one per row, then into new
+ * circles.
  */
 export function editsOf(
   rows: readonly (readonly number[])[],

@@ -2,13 +2,13 @@
 import type { CircleTable } from '../../view/circle-table.ts'
 import type { Column as Measured, Tabulated } from '../../view/protocol.ts'
 
-/** What the table shows of each circle. */
+/** The built-in columns of the table. */
 export const COLUMNS = ['id', 'x', 'y', 'r', 'area', 'degree', 'gap'] as const
-/** `data:` and a name: a column of the file. */
+/** `data:` and a name denote a column of the file. */
 export type Column = (typeof COLUMNS)[number] | `data:${string}`
 const DATA = 'data:'
 
-/** What rows are sorted by. */
+/** The sort column and direction. */
 export interface Sorting {
   readonly column: Column
   readonly isDescending: boolean
@@ -24,7 +24,7 @@ export function isFixed(column: Column): column is (typeof COLUMNS)[number] {
   return !column.startsWith(DATA)
 }
 
-/** The column of a file by its name, and the name. */
+/** The column for a name, and the name of a column. */
 export function dataColumn(name: string): Column {
   return `${DATA}${name}`
 }
@@ -33,7 +33,7 @@ export function dataName(column: Column): string {
   return column.slice(DATA.length)
 }
 
-/** Numbers in the order of texts, as people sort them: 2 before 10. NaN where there is no text. */
+/** Ranks texts in natural order (2 before 10). Missing texts get NaN. */
 export function ranksOf(texts: readonly string[]): number[] {
   const { compare } = new Intl.Collator(undefined, { numeric: true })
   const ranks = new Map([...new Set(texts)].sort(compare).map((text, rank) => [text, rank]))
@@ -41,8 +41,8 @@ export function ranksOf(texts: readonly string[]): number[] {
 }
 
 /**
- * The ids of circles as rows. `measured`: numbers of the column, if it is one that the painter's thread finds. `given`: those of
- * a column of the file, in the order of the ids.
+ * The ids in the order of rows. `measured` holds the column's values if the painting thread computes them, `given`
+ * those of a file's column by ascending id.
  */
 export function ordered(
   circles: CircleTable,
@@ -66,7 +66,7 @@ export function ordered(
     })
   }
   const sign = isDescending ? -1 : 1
-  // Those without a number come last, and equal ones by their ids.
+  // Circles without a number come last. Ties are broken by id.
   return ids.sort((one, other) => {
     const [a, b] = [keys[one] as number, keys[other] as number]
     if (a < b) return -sign
@@ -75,7 +75,7 @@ export function ordered(
   })
 }
 
-/** Where each id is among rows; -1: nowhere. */
+/** The row of each id; -1 for missing ids. */
 export function placesOf(order: Int32Array): Int32Array {
   let last = -1
   for (const id of order) last = Math.max(last, id)
