@@ -4,12 +4,12 @@ import fc from 'fast-check'
 
 type Circle = readonly [number, number, number]
 
-/** Numbers of six digits after the point: such shrink quickly, and do not shrink to what is next to nothing. */
+/** Numbers with six decimal places. They shrink quickly, and never to tiny values. */
 function numbers(min: number, max: number): fc.Arbitrary<number> {
   return fc.integer({ min: Math.round(min * 1e6), max: Math.round(max * 1e6) }).map((value) => value / 1e6)
 }
 
-/** From 0 to 1. */
+/** Numbers from 0 to 1. */
 export const unit: fc.Arbitrary<number> = numbers(0, 1)
 const coordinate = numbers(-100, 100)
 const MOST = 24
@@ -20,7 +20,7 @@ function circles(circle: fc.Arbitrary<Circle>, minLength = 1): fc.Arbitrary<Floa
 
 const intersecting = circles(fc.tuple(coordinate, coordinate, numbers(0, 40)))
 
-/** Each circle shrunk until it meets none before it. */
+/** Shrinks each circle until it meets none before it. */
 const disjoint = intersecting.map((flat) => {
   for (let i = 0; i < flat.length; i += 3) {
     for (let j = 0; j < i; j += 3) {
@@ -32,7 +32,7 @@ const disjoint = intersecting.map((flat) => {
   return flat
 })
 
-/** Circles inside circles, some of them touching from inside. */
+/** Circles inside circles, some of which touch from inside. */
 const nested = fc
   .array(fc.tuple(coordinate, coordinate, numbers(1, 40), unit, unit, unit), {
     minLength: 1,
@@ -48,7 +48,7 @@ const nested = fc
     ),
   )
 
-/** Circles of radius 1 in rows, most of which touch each other: every vertex is a tie. */
+/** Circles of radius 1 in rows, most of which touch each other, so that every vertex is degenerate. */
 const tangent = circles(
   fc.tuple(fc.integer({ min: -3, max: 3 }), fc.integer({ min: -3, max: 3 })).map(([x, y]) => [2 * x, 2 * y, 1]),
 )
@@ -59,7 +59,7 @@ const equalRadii = fc
 
 const points = circles(fc.tuple(coordinate, coordinate, fc.constant(0)))
 
-/** Small circles around and inside one that is much larger. */
+/** Small circles around and inside a much larger one. */
 const oneHuge = fc.tuple(disjoint, numbers(1e2, 1e6), unit).map(([flat, radius, turn]) => {
   const distance = radius + 30
   return Float64Array.of(...flat, distance * Math.cos(7 * turn), distance * Math.sin(7 * turn), radius)
@@ -69,7 +69,7 @@ const integers = circles(
   fc.tuple(fc.integer({ min: -6, max: 6 }), fc.integer({ min: -6, max: 6 }), fc.integer({ min: 0, max: 3 })),
 )
 
-/** Kinds of circles, x, y, r each in one array, up to about two dozen. */
+/** Kinds of circles as flat arrays of x, y, r, with up to about two dozen circles. */
 export const KINDS = { disjoint, intersecting, nested, tangent, equalRadii, points, oneHuge, integers } as const
 
 /** Circles of any kind. */
@@ -82,7 +82,7 @@ export const circlePair: fc.Arbitrary<Float64Array> = fc
     y: coordinate,
     turn: unit,
     distance: numbers(1e-3, 100),
-    // (r_left - r_right) / distance
+    // The lean is (r_left - r_right) / distance.
     lean: fc.oneof(fc.constantFrom(0, 1e-12, -1e-12, 1 - 1e-9, 1e-9 - 1), numbers(-0.999, 0.999)),
     smaller: numbers(0, 50),
   })

@@ -71,7 +71,7 @@ describe('the next one in a direction', () => {
     [[1, 0], { x: 5, y: 0 }],
     [[0, 1], { x: 1, y: 4 }],
     [[0, -1], { x: -1, y: -6 }],
-    // None lies within 45 degrees.
+    // No point lies within 45 degrees.
     [[-1, 0], { x: -1, y: -6 }],
   ] as const)('%j is %j', (direction, next) => {
     expect(nextInDirection({ x: 0, y: 0 }, others, direction)).toEqual(next)
@@ -100,7 +100,7 @@ describe('the next one in a direction', () => {
         expect(next === undefined).toBe(others.every(({ x }) => !(x - from.x > 0)))
         if (next === undefined) return
         const back = nextInDirection(next, [...others, from], [-1, 0])
-        // To where one came from, or to something that is no farther from here.
+        // Leads back to the previous point, or to one that is equally near.
         expect([from, ...others]).toContainEqual(back)
         const rank = ({ x, y }: Point) => Math.hypot(x - next.x, y - next.y) ** 2 / (next.x - x)
         const isAhead = ({ x, y }: Point) => Math.abs(y - next.y) <= next.x - x

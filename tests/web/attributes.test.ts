@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file says of its circles beside centers and radii: kept, shown, sorted, colored by, edited, undone and linked.
+// Attributes of circles beyond centers and radii: kept, shown, sorted, colored by, edited, undone and linked.
 import { describe, expect, it, vi } from 'vitest'
 import { cellValues } from '../../web/app/cell-values.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
@@ -151,7 +151,7 @@ describe('in the page, attributes', () => {
     await editing.open({ circles: THREE, dataSet: '', isEdited: false })
     await editing.undo()
     expect(names()).toEqual(['0 01001', '0 06037', '20 new'])
-    // One that comes now has no value of another one.
+    // A new circle has no values of former ones.
     await insert(30)
     expect(names()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
     await editing.open({ circles: THREE, dataSet: '', isEdited: false })

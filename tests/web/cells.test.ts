@@ -23,7 +23,7 @@ import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
 import { doubleArea } from './recording-sink.ts'
 
-/** A convex polygon somewhere about the middle of a box. */
+/** A convex polygon near the middle of a box. */
 function polygonIn(box: Box, turns: readonly number[], size: number): ConvexPolygon {
   const middle = pointIn(box, 0.3 + 0.4 * size, 0.6 - 0.3 * size)
   const radius = (0.05 + size) * (box.maxX - box.minX)
@@ -41,7 +41,7 @@ const turns = fc
   .uniqueArray(fc.integer({ min: 0, max: 1000 }), { minLength: 3, maxLength: 8 })
   .map((list) => list.map((turn) => turn / 1000))
 
-/** Loops are closed without gaps, no part is negative, and together they have the region's area. */
+/** Expects closed loops, no negative part, and a total of the region's area. */
 function expectPartition(diagram: Diagram, bounds: Bounds): void {
   const whole = ConvexPolygon.of(bounds).area()
   let sum = 0
@@ -297,7 +297,7 @@ describe('the outline of a cell', () => {
       expectPartition(square, { minX, minY, maxX, maxY })
     }
     expect(outlineArea(square.cellOutline(3, { bounds: { minX: 1, minY: 1, maxX: 2, maxY: 2 } }))).toBe(1)
-    const touching = library.compute(Float64Array.of(1, 3, 0, 1, 0, 1)) // the apex of their edge is (1, 2)
+    const touching = library.compute(Float64Array.of(1, 3, 0, 1, 0, 1)) // The apex of their edge is (1, 2).
     for (const [minX, minY, maxX, maxY] of [
       [1, 0, 3, 2],
       [0, 0, 2, 2],

@@ -93,7 +93,7 @@ const CALLS: Record<string, (diagram: Diagram) => unknown> = {
   curves: (d) => [edgeCurve(d, 0), edgeCurve(d, 5)],
 }
 
-/** What a program may do to an array. */
+/** Changes that a program may make to an array. */
 function* changesOf(array: Float64Array | Int32Array, random: () => number) {
   const place = () => Math.floor(random() * array.length)
   const copy = (change: (copy: Float64Array | Int32Array) => unknown) => {

@@ -5,7 +5,7 @@ import type { Circle, Edit } from '../../web/lib/index.ts'
 import { boundingBox } from '../../web/view/camera.ts'
 import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 
-/** The change that one edit makes; `id`: of the circle that comes. */
+/** The change that an edit causes. `id` is the id of an inserted circle. */
 function changeOf(edit: Edit, id: number): CircleChange {
   const ids = Int32Array.of(id)
   if (edit.kind === 'remove') return { ...NO_CHANGE, removed: ids }

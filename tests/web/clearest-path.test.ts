@@ -60,11 +60,11 @@ function clearanceByPixels(circles: Float64Array, box: Box, p: Point, q: Point):
   throw new Error('The pixels are not connected.')
 }
 
-/** The least distance from all circles at many points of the parts of the edges that a path follows. */
+/** The least clearance over many points of the edges that a path follows. */
 function clearanceAlong({ circles, ...rest }: Diagram, path: ReturnType<typeof clearestPath>): number {
   const diagram = { circles, ...rest }
   let least = Number.POSITIVE_INFINITY
-  // Whole edges, but for the first and the last.
+  // The path follows whole edges, except for the first and the last.
   for (const e of path.edges.slice(1, -1)) {
     const { bisector, from, to } = edgeCurve(diagram, e)
     const [low, high] = [Math.max(from, 1e-3), Math.min(to, 1e3)]
@@ -83,7 +83,7 @@ describe.each(Object.entries(KINDS).filter(([name]) => name !== 'oneHuge'))(
         fc.property(arbitrary, unit, unit, unit, unit, (circles, a, b, c, d) => {
           const diagram = library.compute(circles)
           const inner = boxAround(circles, 0)
-          // Room to go around everything.
+          // Leaves room to go around everything.
           const extent = Math.max(inner.maxX - inner.minX, inner.maxY - inner.minY)
           const box = {
             minX: inner.minX - extent,
@@ -124,13 +124,13 @@ it('follows edges that meet, and keeps clear all the way', () => {
       ] as const) {
         if (point === undefined) continue
         expect(leastDistance(circles, point)).toBeGreaterThanOrEqual(path.clearance - rounding)
-        // Straight away from the nearest circle's center.
+        // The direction away from the nearest circle's center.
         const nearest = diagram.find(end.x, end.y)
         expect(signedDistance(circles, nearest, point)).toBeGreaterThanOrEqual(
           signedDistance(circles, nearest, end) - rounding,
         )
       }
-      // Without an entry the path comes from infinity.
+      // A path without an entry comes from infinity.
       const [first, last] = [path.edges[0], path.edges.at(-1)]
       if (first === undefined || last === undefined) expect([path.entry, path.exit]).toEqual([undefined, undefined])
       else if (path.entry === undefined) expect(ends(first)).toContain(NONE)
@@ -145,7 +145,7 @@ it('along one edge is as clear in both directions', () => {
     [0, 3, 2],
     [0, -3, 2],
   ]
-  // Nothing wider leads around, for all is within a wall.
+  // No wider way leads around, because everything is within a wall.
   for (let k = -16; k <= 16; k++) circles.push([k / 2, 5.5, 0.2], [k / 2, -5.5, 0.2])
   for (let k = -10; k <= 10; k++) circles.push([-8, k / 2, 0.2], [8, k / 2, 0.2])
   const diagram = library.compute(circles)
@@ -158,7 +158,7 @@ it('along one edge is as clear in both directions', () => {
 })
 
 it('goes through the wider gap', () => {
-  // A ring of six circles with gaps of 1, but for one that leaves 1.5 on either side of it.
+  // A ring of six circles with gaps of 1, except for two gaps of 1.5.
   const h = (5 * Math.sqrt(3)) / 2
   const circles = [
     [5, 0, 2],
@@ -170,7 +170,7 @@ it('goes through the wider gap', () => {
   ].flat()
   const diagram = library.compute(Float64Array.from(circles))
   expect(clearestPath(diagram, { x: 0.1, y: 0 }, { x: 20, y: 0 }).clearance).toBeCloseTo(0.75, 12)
-  // Outside there is room without limit: the ends alone bound the clearance.
+  // The outside is unbounded, so only the end points limit the clearance.
   const around = clearestPath(diagram, { x: 0, y: 20 }, { x: 0, y: -20 })
   expect(around.clearance).toBeCloseTo(Math.hypot(2.5, 20 - h) - 2, 12)
 })

@@ -75,7 +75,7 @@ describe.each(['circles', 'centers', 'power'] as const)('by %s', (metric) => {
           const least = leastDistance(circles, { x, y }, metric)
           const size = scaleOf(circles) + Math.hypot(x, y)
           const expected = metric === 'power' ? Math.sign(radius) * radius * radius : radius
-          // Nearly parallel edges meet far away, and not accurately.
+          // Nearly parallel edges meet far away, at inaccurate points.
           if (size > 1e4) continue
           for (const i of diagram.vertexCircles.subarray(3 * v, 3 * v + 3)) {
             expect(Math.abs(distanceTo(circles, i, { x, y }, metric) - least)).toBeLessThan(1e-9 * size * size)

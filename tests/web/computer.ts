@@ -4,7 +4,7 @@ import type { Change, DiagramEditor } from '../../web/lib/index.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { library } from './library.ts'
 
-/** What computes for `Editing`: an editor of the library. `before` is waited for. */
+/** A backend for `Editing`: an editor of the library. Each request waits for `before`. */
 export class LibraryComputer implements Computer {
   circles = new CircleTable(new Float64Array())
   editor: DiagramEditor = library.edit([])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons of an element, on nodes that know their parents and nothing else.
+// The buttons of an element, on stub nodes that know only their parents.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'

@@ -39,7 +39,7 @@ const arc = fc.tuple(circlePair, parameter, parameter).map(([circles, one, other
   curve: arcOf(circles, one, other),
 }))
 
-/** How far a point is from being at the same distance from two circles, relative to the largest number involved. */
+/** The difference of a point's distances from two circles, relative to the largest number involved. */
 function residual(circles: Float64Array, left: number, right: number, point: Point): number {
   const scale = Math.max(scaleOf(circles), Math.abs(point.x), Math.abs(point.y))
   return Math.abs(signedDistance(circles, left, point) - signedDistance(circles, right, point)) / scale
@@ -220,7 +220,7 @@ describe('cubicBeziers', () => {
       const pieces = cubicBeziers(curve, tolerance)
       const first = pieces[0] as CubicBezier
       expect(worst(pieces)).toBeLessThanOrEqual(tolerance)
-      // A longer first piece, by a twentieth, would miss it by far more than the bound may be too careful.
+      // The error bound is not too pessimistic: a first piece that is a twentieth longer clearly exceeds the tolerance.
       if (pieces.length > 1) {
         const s = parameterAt(curve.bisector, first.end.x, first.end.y)
         const longer = { ...curve, to: s * 1.5, end: pointAt(curve.bisector, s * 1.5) }
@@ -280,7 +280,7 @@ describe('polyline', () => {
 
 describe('a needle', () => {
   it('is followed to its tip, however narrow', () => {
-    // The small circle touches the large one from inside but for a millionth.
+    // The small circle almost touches the large one from inside.
     const curve = arcOf(Float64Array.of(0, 0, 10, 6.000001, 0, 4), 0.02, 2)
     const tip = pointAt(curve.bisector, 1)
     for (const tolerance of [0.1, 0.01, 1e-3]) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cookbook says where each name of d3-delaunay is found here.
+// The cookbook names the counterpart of each name of d3-delaunay.
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { library } from './library.ts'

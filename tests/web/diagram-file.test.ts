@@ -11,7 +11,7 @@ const THREE = [
   [0, 8, 1],
 ]
 
-/** The arrays, which are what a diagram is, without the signs of zeros. */
+/** The arrays of a diagram, without the signs of zeros. */
 function arraysOf(diagram: Diagram) {
   const { metric, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = diagram
   const [unsignedCircles, unsignedVertices] = [circles, vertices].map((array) => array.map((value) => value + 0))

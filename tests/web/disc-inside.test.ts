@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest empty disc inside a region; tests/cpp/region_queries_test.cpp compares it with a search.
+// The largest empty disc inside a region. tests/cpp/region_queries_test.cpp compares it with a search.
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { largestEmptyDiscInside } from '../../web/lib/index.ts'

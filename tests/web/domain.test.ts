@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What cells are cut to and what areas they have there: as text, on the screen, under edits, in the history.
+// Regions and areas: as text, on screen, under edits, in the history.
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { type Computer, Editing } from '../../web/editing/editing.ts'
@@ -138,7 +138,7 @@ describe('a region as text', () => {
 
 describe('a region on the screen', () => {
   const region = regions.region(STAR)
-  /** How often a path turns around a point of the frame. */
+  /** The winding number of a path around a point of the frame. */
   const turns = (add: (sink: RecordingSink) => void, x: number, y: number) => {
     const sink = new RecordingSink(1)
     add(sink)
@@ -202,7 +202,7 @@ describe('a region on the screen', () => {
     const text = drawn(frame)
     expect(text.includes('clip-path')).toBe(part === 'border')
     expect(text.includes('stroke="edge"')).toBe(part !== 'outside')
-    // The veil.
+    // The veil covers the outside.
     expect(text.includes('fill="paper" fill-opacity="0.6"')).toBe(part !== 'inside')
   })
 
@@ -281,7 +281,7 @@ describe('areas inside a region', () => {
   })
 })
 
-/** Editing with the painter's own scene as what computes. */
+/** Editing with a painted scene as its backend. */
 async function started(circles = CIRCLES, domain = {}) {
   const scene = new PaintedScene(library)
   const problems: string[] = []
@@ -316,7 +316,7 @@ async function started(circles = CIRCLES, domain = {}) {
     ({ message }) => problems.push(message),
   )
   await editing.open({ circles, dataSet: '', isEdited: false, domain: { region: RINGS, areas: undefined, ...domain } })
-  /** The areas by ids. */
+  /** The areas by circle id. */
   const areas = () => {
     const ids = editing.circles.ids()
     const { cells } = answers.tell(scene, [...ids])

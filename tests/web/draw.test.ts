@@ -77,7 +77,7 @@ describe.each(SETS)('%s', (_, circles) => {
         y: box.minY + random() * (box.maxY - box.minY),
       }
       const distances = indices.map((i) => signedDistance(circles, i, point)).sort((one, other) => one - other)
-      // The outlines are sampled: a point next to an edge may fall on the wrong side.
+      // Outlines are flattened, so that a point next to an edge may fall on the wrong side.
       if ((distances[1] ?? Number.POSITIVE_INFINITY) - (distances[0] as number) < 0.01 * size) continue
       expect(outlines.flat().filter((stroke) => isInside(stroke, point))).toHaveLength(1)
     }
@@ -85,7 +85,7 @@ describe.each(SETS)('%s', (_, circles) => {
 })
 
 it('draws nothing of an arc beyond a side between its ends', () => {
-  // The edge of the first two circles bends around the first one, from x = -4 past its tip at x = 0.5 and back.
+  // The edge of the first two circles bends around the first one, from x = -4 past its apex at x = 0.5 and back.
   const diagram = library.compute([
     [0, 0, 0],
     [10, 0, 9],
@@ -142,7 +142,7 @@ describe('an SVG path', () => {
   const circles = dataSet('introduction')
   const diagram = library.compute(circles)
 
-  /** What a path draws, by the same numbers. */
+  /** Replays a path with the same numbers. */
   function replayed(path: string): RecordingSink {
     const sink = new RecordingSink()
     for (const [, command, text] of path.matchAll(/([MLCZ])([^MLCZA]*)/g)) {
@@ -157,7 +157,7 @@ describe('an SVG path', () => {
 
   it('says the same as a context is told', () => {
     const bounds = ConvexPolygon.of(boxAround(circles, 0.05))
-    const digits = 99 // all of them
+    const digits = 99 // All digits.
     const all = new RecordingSink()
     diagram.render({ context: all, bounds })
     expect(replayed(diagram.render({ bounds, digits })).strokes).toEqual(all.strokes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures that the tutorial draws itself: what they show is so.
+// The tutorial's own figures show correct diagrams.
 import { describe, expect, it, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
@@ -96,7 +96,7 @@ test('a directed edge has its border on its right', () => {
     const front = frontOf(a, b, r)
     if (front === undefined) throw new Error('There is a disc of this radius.')
     for (const circle of [a, b]) expect(distance(circle, front)).toBeCloseTo(r, 9)
-    // Less than 0: clockwise, on the right.
+    // A negative value means clockwise, on the right.
     expect(b.x * front.y - b.y * front.x).toBeLessThan(0)
   }
   expect(frontOf(a, b, least - 0.1)).toBeUndefined()
@@ -195,7 +195,7 @@ describe('given areas', () => {
       'Well done. Every cell has its area: cell 0 has 20 % (goal: 20 %), cell 1 has 30 % (goal: 30 %) and cell 2 has 50 % (goal: 50 %).',
     )
     expect(told({ x: right.x + 1, y: right.y })).toMatch(/^Cell 0 has \d+ % \(goal: 20 %\)/)
-    // The lines are around that place.
+    // Contour lines lie around that point.
     const { content } = KINDS['weight-plane'].draw({ ...scene, point: right }, 1, library)
     const [, d = ''] = /class="contour" d="([^"]*)"/.exec(content) ?? []
     const points = [...d.matchAll(/[ML]([\d.-]+),([\d.-]+)/g)].map(([, x, y]) => ({ x: Number(x), y: Number(y) }))
@@ -276,7 +276,7 @@ test('cones seen from above are the diagram', () => {
     const at = { x: view[0] + (column + 0.5 - width / 2) / scale, y: view[1] - (row + 0.5 - height / 2) / scale }
     const i = nearest(list, at)
     const sorted = list.map((circle) => distance(circle, at)).sort((one, other) => one - other)
-    // Beside a border or a rim the pixel may be a line's.
+    // Next to a border or a rim, the pixel may belong to a line.
     if ((sorted[1] as number) - (sorted[0] as number) < 1 || Math.abs(sorted[0] as number) < 0.5) continue
     const k = 4 * (row * width + column)
     const white = (sorted[0] as number) <= 0 ? 0 : 0.62
@@ -342,7 +342,7 @@ describe('wrong diagrams for the judge', () => {
     expect(CORRUPTIONS.map((corruption) => library.certify(corruption.make(right, library) ?? right).flaw)).toEqual(
       flaws,
     )
-    // As they are where a reader has dragged a circle.
+    // Circles in positions that a reader might drag them to.
     const random = seededRandom(5)
     for (let n = 0; n < 10; n++) {
       const k = 3 * (n % 5)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random edits, and what of a diagram does not depend on how its parts are numbered.
+// Random edits, and a form of diagrams that does not depend on the numbering of their parts.
 import type { Circle, DiagramData, DiagramEditor, Edit } from '../../web/lib/index.ts'
 
-/** Circles at the points of a grid, with ties, nested and equal ones; or anywhere. */
+/** Circles on the points of a grid, with ties, nested and equal circles; or at any points. */
 export function someCircle(random: () => number, isOnGrid: boolean): Circle {
   const place = () => (isOnGrid ? Math.floor(8 * random()) : 8 * random())
   return { x: place(), y: place(), r: isOnGrid ? Math.floor(3 * random()) / 2 : 2 * random() ** 4 }
 }
 
-/** An edit of the circles there are: they come, go, jump, move a little, grow and shrink. */
+/** A random edit: insertions, removals, jumps, small moves, and changes of radius. */
 export function someEdit(random: () => number, isOnGrid: boolean, editor: DiagramEditor): Edit {
   const ids = editor.ids()
   const id = ids[Math.floor(random() * ids.length)]
@@ -21,13 +21,13 @@ export function someEdit(random: () => number, isOnGrid: boolean, editor: Diagra
   return { kind: 'replace', id, circle: someCircle(random, isOnGrid) }
 }
 
-/** Makes an edit. */
+/** Applies an edit. */
 export function edited(editor: DiagramEditor, edit: Edit) {
   if (edit.kind === 'insert') return editor.insert(edit.circle)
   return edit.kind === 'remove' ? editor.remove(edit.id) : editor.replace(edit.id, edit.circle)
 }
 
-/** What a snapshot says by ids, each part in an order of its own; without who hides whom. */
+/** The contents of a snapshot by ids, each part in a canonical order. The hiding circles are left out. */
 export function contentOf({ circles, vertices, vertexCircles, edges, hidden, hull, numbers }: DiagramData) {
   if (numbers === undefined) throw new Error('This is no snapshot.')
   const ids = numbers.circles

@@ -27,7 +27,7 @@ it('what is selected stays after an edit if it is there, and not after other cir
   expect(stateAfter(state, { ...outcome, isOpened: true }, circles).selection).toEqual([])
 })
 
-/** Editing with an editor of the library as what computes: each answer comes a turn later. */
+/** Editing with an editor of the library as its backend. Each answer arrives a turn later. */
 async function started(circles = TWO) {
   const asked: (readonly Edit[])[] = []
   const problems: string[] = []
@@ -417,7 +417,7 @@ describe('Editing', () => {
   })
 })
 
-/** Circles in an order that does not depend on their ids. */
+/** Sorts circles in an order that does not depend on their ids. */
 function toSet(circles: readonly number[]): string[] {
   return Array.from({ length: circles.length / 3 }, (_, i) => circles.slice(3 * i, 3 * i + 3).join()).sort()
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The client of an editor in a thread, whose thread answers when the test says so. tests/wasm/worker.test.mjs has real ones.
+// The client of an editor in a thread. The thread answers when the test says so; tests/wasm/worker.test.mjs uses real
+// threads.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { type Change, CircleVoronoiError, Diagram, type DiagramEditor } from '../../web/lib/index.ts'
 import { EditorClient } from '../../web/lib/threads/editor-client.ts'
@@ -11,7 +12,7 @@ import { library } from './library.ts'
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 const MODULE = {} as Start['module']
 
-/** A thread with an editor, as `answerRequests` has one. */
+/** A thread with an editor, like that of `answerRequests`. */
 class FakeThread {
   readonly posted: (Start | EditorCalls)[] = []
   isKeptAlive: boolean | undefined
@@ -35,7 +36,7 @@ class FakeThread {
     this.isTerminated = true
   }
 
-  /** The calls that were posted last. */
+  /** The calls of the last message. */
   get calls(): readonly EditorCall[] {
     return (this.posted.at(-1) as EditorCalls).calls
   }
@@ -44,7 +45,7 @@ class FakeThread {
     this.#events.onReply({ results: this.calls.map((call) => this.#resultOf(call)) })
   }
 
-  /** Something that is no answer. */
+  /** Sends a message that is not an answer. */
   mumble(): void {
     this.#events.onReply({ progress: ['touch', 0.5] })
   }
@@ -98,7 +99,7 @@ afterEach(() => {
   onEnd.mockClear()
 })
 
-/** What something is answered. */
+/** Resolves with the answer to a request. */
 async function answered<Value>(promise: Promise<Value>): Promise<Value> {
   thread.answer()
   return promise
@@ -257,7 +258,7 @@ describe('the client of an editor', () => {
     const asked = [client.size(), client.replace(0, [1, 0, 1]), client.replace(0, [2, 0, 1])]
     client.dispose()
     client[Symbol.dispose]()
-    // What the thread has posted before it ends still comes.
+    // Messages that the thread has posted before its end still arrive.
     thread.answer()
     expect(changes).toEqual([])
     for (const promise of [...asked, client.ids()]) {
@@ -298,7 +299,7 @@ describe('the client of an editor', () => {
       other.apply([{ kind: 'insert', circle: [0, 9, -4] }]),
     ]
     const snapshot = other.snapshot()
-    // The first goes at once, and what is asked meanwhile together.
+    // The first request is sent at once, later ones are sent together.
     itsThread.answer()
     itsThread.answer()
     await Promise.all(edits)

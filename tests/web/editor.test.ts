@@ -14,7 +14,9 @@ import { library, seededRandom } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 
-/** That a diagram which follows an editor is what the editor has, is certified, and that its queries say the same. */
+/**
+ * Expects that a diagram which follows an editor equals the editor's snapshot, is certified, and answers queries alike.
+ */
 function expectSame(diagram: Diagram, snapshot: Diagram, random: () => number) {
   expect(contentOf(diagram)).toEqual(contentOf(snapshot))
   const { message } = library.certify(diagram)
@@ -59,7 +61,7 @@ describe('a diagram that follows an editor', () => {
       const diagram = editor.snapshot()
       diagram.find(0, 0)
       for (let i = 0; i < 120; i++) {
-        // Some in batches, which may be refused as a whole.
+        // Some edits come in batches, which may be refused as a whole.
         const edits = Array.from({ length: i % 10 === 0 ? 12 : 1 }, () => someEdit(random, isOnGrid, editor))
         try {
           diagram.apply(edits.length > 1 ? editor.apply(edits) : edited(editor, edits[0] as Edit))
@@ -229,7 +231,7 @@ describe('an editor', () => {
   })
 
   it('starts the hull with its smallest step, though a circle is there several times', () => {
-    // A circle with others around it that hardly reach out.
+    // A circle whose neighbors hardly reach beyond it.
     const around = [0, 1, 2, 3, 4].map((k) => [10 * Math.cos(1.2 * k), 10 * Math.sin(1.2 * k), 0.5] as const)
     const isOften = (hull: Int32Array) => hull.filter((circle) => circle === 0).length > 1
     for (let last = 0; last < 5; last++) {
@@ -317,7 +319,7 @@ describe('an editor', () => {
 })
 
 describe('an editor of additive weights', () => {
-  /** A circle of a script with another radius, of either sign. */
+  /** A scripted circle with a different radius, of either sign. */
   const lowered = ({ x, y, r }: Circle): Circle => ({ x, y, r: 2 * r - 1.5 })
   const loweredEdit = (edit: Edit): Edit =>
     edit.kind === 'remove' ? edit : { ...edit, circle: lowered(edit.circle as Circle) }
@@ -331,7 +333,7 @@ describe('an editor of additive weights', () => {
       using editor = library.edit(circles, { weights: true })
       const diagram = editor.snapshot()
       for (let i = 0; i < 6; i++) {
-        // Some in batches, which may be refused as a whole.
+        // Some edits come in batches, which may be refused as a whole.
         const edits = Array.from({ length: i === 3 ? 4 : 1 }, () => loweredEdit(someEdit(random, isOnGrid, editor)))
         try {
           diagram.apply(edits.length > 1 ? editor.apply(edits) : edited(editor, edits[0] as Edit))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an element reads: attributes, data, checks; and what its manifest says of it.
+// The parsers of the element for attributes, data and checks; and its manifest.
 import { readFileSync } from 'node:fs'
 import { describe, expect, test } from 'vitest'
 import { manifest } from '../../scripts/manifest.mjs'
@@ -126,7 +126,7 @@ describe('what it says', () => {
     const german = (number: string) =>
       `${number} Kreise, 1 davon in anderen verborgen; das Diagramm hat 1 Ecke und 2 Kanten.`
     expect(wordsOf('en').describe(counts)).toBe(english('12,345'))
-    // It is loaded where it is needed.
+    // The language is loaded on demand.
     for (const lang of ['', 'fr', 'den', 'zh-Hant', 'en']) expect(loadWords(lang)).toBeUndefined()
     expect(wordsOf('de')).toMatchObject({ lang: 'en' })
     await loadWords('de')
@@ -135,7 +135,7 @@ describe('what it says', () => {
     expect(wordsOf('de-CH').describe(counts)).toMatch(/^12[^.]345 Kreise/)
     expect(wordsOf('DE').describe({ ...counts, circles: 1, hidden: 0 })).toMatch(/^1 Kreis; /)
     for (const lang of ['', 'fr', 'den', 'zh-Hant']) expect(wordsOf(lang)).toMatchObject({ lang: 'en' })
-    // No page is broken by what stands there.
+    // An odd language does not break the page.
     expect(wordsOf('de-').describe(counts)).toBe(german('12.345'))
     expect(wordsOf('en-@').describe(counts)).toBe(english('12,345'))
   })
@@ -190,7 +190,7 @@ describe('what it says', () => {
         const [one, other] = [sentenceOf(trace, step, [1, 2]), sentenceOf(trace, step, [1, 2], german)]
         expect(other, one).not.toBe(one)
         expect(other).not.toMatch(/undefined|NaN|\b(the|circle|disc|edge)s?\b/)
-        // Both tell of the same circles.
+        // Both texts describe the same circles.
         const numbers = (text: string) => (text.match(/\d+(\.\d+)?/g) ?? []).sort()
         if (step.line !== 'finish') expect(numbers(other), one).toEqual(numbers(one))
         expect(questionAfter(trace, steps, k, german)?.right).toBe(questionAfter(trace, steps, k)?.right)
@@ -314,7 +314,7 @@ describe('the manifest', () => {
     expect(names(element.members).sort()).toEqual(prototype.filter((name) => !ofElements.test(name)).sort())
     for (const { name, description } of element.members) expect(description, name).toMatch(/\.$/)
     for (const { fieldName } of element.attributes) expect(prototype).toContain(fieldName)
-    // Its name is read when it is needed.
+    // The attribute `name` is read on demand, not observed.
     const observed = names(element.attributes).filter((name) => name !== 'name')
     expect(observed.sort()).toEqual([...CircleVoronoiElement.observedAttributes].sort())
   })
@@ -337,7 +337,7 @@ describe('the manifest', () => {
       if (name !== '') expect(page, name).toMatch(new RegExp(`\`${name}[\`(]`))
     }
     expect([attributes.length, members.length, events.length].every((count) => count > 5)).toBe(true)
-    // And nothing else: each attribute and event of its tables is one of these.
+    // The tables list nothing else: each attribute and event is one of these.
     const known = new Set([...attributes, ...members, ...events, ...slots, ...cssParts].map(({ name }) => name))
     const rows = [...page.matchAll(/^\| `([\w-]+)(?:\([^`]*\))?`/gm)].map(([, name]) => name as string)
     expect(rows.length).toBeGreaterThan(attributes.length)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of web/lib/threads/thread.ts: a test says what its threads are.
+// Replaces web/lib/threads/thread.ts, so that tests provide the threads.
 import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
 
 let start: (events: ThreadEvents) => unknown
 
-/** Has `startThread` start these threads from now on. */
+/** Makes `startThread` start these threads. */
 export function useThreads(starts: (events: ThreadEvents) => unknown): void {
   start = starts
 }

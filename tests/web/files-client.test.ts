@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the page calls its thread for files, and has links written there.
+// The page's calls to its files thread, and writing links there.
 import { afterEach, expect, it, vi } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
@@ -66,7 +66,7 @@ it('ends what is opened where that is canceled, which is told, and nothing that 
   other.onmessage?.({ data: { request: other.calls[0]?.request as number, value: 'v1.x' } })
   other.reply({ value: 'x,y,r' })
   expect([await link, await written]).toEqual(['v1.x', 'x,y,r'])
-  // The next file is read by another thread.
+  // A new thread reads the next file.
   reader.call('read', new Uint8Array(), 'next.csv')
   expect(threads).toHaveLength(3)
 })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the thread of files answers where something goes wrong.
+// The answers of the files thread to failures.
 import { afterEach, expect, it, vi } from 'vitest'
 import type { RemoteReply } from '../../web/view/remote-calls.ts'
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Readers and writers of files, and what they refuse. That they are those of the program, tests/wasm/files.test.mjs and
-// tests/files/round-trips.test.ts show.
+// Readers and writers of files, and their errors. tests/wasm/files.test.mjs and tests/files/round-trips.test.ts compare
+// them with the program.
 import { describe, expect, it } from 'vitest'
 import { CIRCLE_FORMATS, DIAGRAM_FORMATS, loadFiles } from '../../web/lib/files.ts'
 import { CircleVoronoiError, ConvexPolygon, Diagram } from '../../web/lib/index.ts'
@@ -48,7 +48,7 @@ it('what is not right is said, and not drawn', () => {
   expect(files.readDiagram(files.writeDiagram(diagram)).certificate.certified).toBe(true)
 })
 
-/** As a program without types sees it. */
+/** Removes the types, as in a program without them. */
 const f = files as unknown as Record<keyof typeof files, (...args: unknown[]) => unknown>
 const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown])[] = [
   ['badArgument', 'readCircles takes a text or its bytes, not 5.', () => f.readCircles(5)],

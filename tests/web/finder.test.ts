@@ -22,7 +22,7 @@ describe('find', () => {
     }
   })
 
-  // With a higher power most of the neighbors are in one direction.
+  // A higher power concentrates most of the neighbors in one direction.
   it.each([1, 3, 8])('finds the way around a circle with a thousand neighbors: %d', (power) => {
     const random = seededRandom(9)
     const circles = new Float64Array(3 * 1001)
@@ -36,7 +36,7 @@ describe('find', () => {
     const box = boxAround(circles, 0.2)
     for (let k = 0; k < 2000; k++) {
       const point = pointIn(box, random(), random())
-      // From the large circle, whatever is near.
+      // Starts at the large circle, or at the nearest known one.
       for (const found of [diagram.find(point.x, point.y), diagram.find(point.x, point.y, 0)]) {
         expect(signedDistance(circles, found, point) - leastDistance(circles, point)).toBeLessThanOrEqual(1e-12)
       }
@@ -70,7 +70,7 @@ describe('find', () => {
     }
   })
 
-  // Only the circles of few ranks around some places keep their sides, and no walk gets on without sides.
+  // Only the circles of few ranks around some places keep their sides, and a walk cannot continue without sides.
   it.each([0, 1])('takes few steps among many circles on a line along axis %s', (axis) => {
     const [count, period, few] = [20_000, 100, 4]
     const circles = Float64Array.from({ length: 3 * count }, (_, k) =>

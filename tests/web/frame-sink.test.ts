@@ -5,7 +5,7 @@ import { FrameSink } from '../../web/view/painter/frame-sink.ts'
 import { seededRandom } from './library.ts'
 
 const FRAME = { x: 0, y: 0, scale: 1, width: 400, height: 300 }
-/** Browsers draw curves within this quickly, in pixels. */
+/** Browsers draw curves with coordinates up to this quickly, in pixels. */
 const QUICK = 150_000
 
 type Curve = readonly [Point, Point, Point, Point]
@@ -16,12 +16,12 @@ function pointOn([a, b, c, d]: Curve, t: number): Point {
   return { x: wa * a.x + wb * b.x + wc * c.x + wd * d.x, y: wa * a.y + wb * b.y + wc * c.y + wd * d.y }
 }
 
-/** A loop of curves as points, `count` for each curve. */
+/** Flattens a loop of curves to points, `count` for each curve. */
 function chordsOf(curves: readonly Curve[], count: number): Point[] {
   return curves.flatMap((curve) => Array.from({ length: count }, (_, k) => pointOn(curve, k / count)))
 }
 
-/** How often a loop of points turns around a point. */
+/** The winding number of a loop of points around a point. */
 function windingOf(loop: readonly Point[], { x, y }: Point): number {
   let winding = 0
   loop.forEach((a, k) => {
@@ -35,7 +35,10 @@ function windingOf(loop: readonly Point[], { x, y }: Point): number {
   return winding
 }
 
-/** Draws a closed loop of curves in the frame. Returns the drawn curves, with lines as curves, and the largest coordinate. */
+/**
+ * Draws a closed loop of curves in the frame. Returns the drawn curves, with lines as curves, and the largest
+ * coordinate.
+ */
 function drawn(curves: readonly Curve[]) {
   const out: Curve[] = []
   let start: Point = { x: 0, y: 0 }
@@ -55,7 +58,7 @@ function drawn(curves: readonly Curve[]) {
   })
   const toPlane = ({ x, y }: Point) => [x - FRAME.width / 2, FRAME.height / 2 - y] as const
   sink.moveTo(...toPlane((curves[0] as Curve)[0]))
-  // `closePath` draws the last one if it is straight.
+  // `closePath` draws the last curve if it is straight.
   curves.forEach(([a, b, c, d], k) => {
     const isLine = a === b && c === d
     if (isLine && k === curves.length - 1) sink.closePath()

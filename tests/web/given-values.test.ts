@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values that a page may give: each is used as it is meant, or refused in one sentence.
+// Each value that a page may give is used as intended or refused in one sentence.
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { checkedAreas } from '../../web/element/attributes.ts'
@@ -132,7 +132,7 @@ it('no color and no text is markup in a drawing', () => {
 it('a region with much white space at its end is read at once', () => {
   const square = 'POLYGON ((0 0, 9 0, 9 9, 0 9))'
   const spaces = ' '.repeat(200_000)
-  // Of quadratic time, this takes minutes.
+  // A quadratic algorithm would take minutes here.
   expect(readRegion(`${spaces}SRID=4326; ${square}${spaces};${spaces}`)).toEqual(readRegion(square))
   expect(() => readRegion(`${square}${spaces}x`)).toThrow(/POLYGON/)
   expect(() => readRegion(`POLYGON ${'('.repeat(100_000)}${spaces}`)).toThrow(/POLYGON/)

@@ -13,7 +13,7 @@ it('a heap gives back what it was given, by falling keys, and by falling indices
       const first = list.slice(0, early)
       for (const { item, key } of first) heap.push(item, key)
       expect(heap.size).toBe(first.length)
-      // Half of them, then the rest among what is new.
+      // Removes half of the items, then the rest mixed with new ones.
       const half = sorted(first).slice(0, first.length >> 1)
       expect(half.map(() => heap.pop())).toEqual(half)
       for (const { item, key } of list.slice(early)) heap.push(item, key)

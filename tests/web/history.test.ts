@@ -6,7 +6,7 @@ import type { Step } from '../../web/view/circle-table.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 
 const CIRCLE = { x: 0, y: 0, r: 1 }
-/** The entries with their steps as objects. */
+/** Converts entries to plain objects. */
 const plain = (entries: History['done']) =>
   entries.map((entry) => (entry.kind === 'edits' ? { ...entry, steps: entry.steps.unpacked() } : entry))
 const back = (id: number, x: number): Step => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })

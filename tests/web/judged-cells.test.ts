@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells in bounds are checked: what a changed array makes of them is an error and no result.
+// Clipped cells are checked: a changed array causes an error instead of a wrong result.
 import { describe, expect, it } from 'vitest'
 import { CircleVoronoiError, Diagram } from '../../web/lib/index.ts'
 import { library } from './library.ts'
@@ -22,7 +22,7 @@ function problemOf(act: () => unknown): string | undefined {
   return undefined
 }
 
-/** Moves the vertex where the first side of the circle in the middle begins: the arrays still fit together. */
+/** Moves the vertex at the start of the middle circle's first side. The arrays stay consistent. */
 function moveVertex({ cells, firstSide, vertices }: Diagram, dx: number, dy: number): void {
   const vertex = cells.originOf(firstSide[MIDDLE] as number)
   const [x, y] = vertices.subarray(3 * vertex) as unknown as [number, number]
@@ -48,7 +48,7 @@ describe('cells in bounds', () => {
     expect(problemOf(() => diagram.cellArea(MIDDLE, { bounds }))).toMatch(misfit)
   })
 
-  // Here the sides that are left lead around their cells: only what they enclose is wrong.
+  // The remaining sides lead around their cells, so that only the enclosed area is wrong.
   it.each<[string, RegExp, (diagram: Diagram) => void]>([
     [
       'a cell has no sides',

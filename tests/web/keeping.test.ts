@@ -171,7 +171,7 @@ describe('names of circles', () => {
   })
 })
 
-/** A storage with room for so many letters. */
+/** A storage with room for a number of characters. */
 class Room implements Storage {
   readonly #items = new Map<string, string>()
   readonly #letters: number
@@ -244,10 +244,10 @@ describe('the storage of scenes', () => {
     await first.storage.write('v1.a')
     await second.storage.write('v1.b')
     expect([first.storage.read(), second.storage.read()]).toEqual(['v1.a', 'v1.b'])
-    // One that is loaded again.
+    // Reloads a tab.
     first.close()
     expect((await browser.open(true, first.ofTab, true)).storage.read()).toBe('v1.a')
-    // One that is duplicated, or loaded again before what was there has gone.
+    // Duplicates a tab, or reloads it before the former page has closed.
     const copy = new Room()
     copy.setItem(prefixOf('/'), second.ofTab.getItem(prefixOf('/')) as string)
     const third = await browser.open(true, copy)
@@ -281,7 +281,7 @@ describe('the storage of scenes', () => {
     expect(large.storage.read()).toBe('x'.repeat(150))
     expect(open.storage.read()).toBe('v1.open')
     expect((await browser.open()).storage.read()).toBe('v1.newer')
-    // What has no room at all is not kept, and nothing else happens.
+    // A link that is too large is dropped without other effects.
     await large.storage.write('y'.repeat(500))
     expect(large.storage.read()).toBe('x'.repeat(150))
     expect(open.storage.read()).toBe('v1.open')
@@ -312,7 +312,7 @@ describe('the storage of scenes', () => {
     for (const [k, path] of paths.entries()) {
       const again = await browser.open(true, new Room(), false, `${path}index.html`)
       expect([path, again.storage.read()]).toEqual([path, `v1.${k}`])
-      // What needs room takes none of the others'.
+      // A large link does not displace the links of open tabs.
       await again.storage.write('x'.repeat(300))
       again.close()
     }
@@ -347,10 +347,10 @@ describe('what a page leaves late', () => {
     vi.unstubAllGlobals()
   })
 
-  /** What a page that has gone would only write later. */
+  /** A closed page's link writer never finishes. */
   const gone = { linkOf: () => new Promise<string>(() => {}) } as unknown as LinkWriter
 
-  /** What a page begins with that comes to an address in this way. */
+  /** The link that a page finds when it reaches an address by a navigation of this type. */
   async function begun(type: NavigationTimingType, hash: string) {
     vi.stubGlobal('location', { hash, pathname: '/', search: '' })
     vi.spyOn(performance, 'getEntriesByType').mockReturnValue([{ type } as PerformanceNavigationTiming])
@@ -360,7 +360,7 @@ describe('what a page leaves late', () => {
     const leave = (state: LinkInput) => {
       shown = state
       keeping.changed()
-      // It goes before the rest is over after which it would be kept.
+      // The page closes before the debounce delay is over.
       page.hidden = true
       page.dispatchEvent(new Event('visibilitychange'))
       page.hidden = false
@@ -378,7 +378,7 @@ describe('what a page leaves late', () => {
     expect((await begun(type, await hash())).dataSet).toBe('introduction')
   })
 
-  /** A page at an address whose links are made when the test says. */
+  /** A page at an address. The test finishes its links. */
   function keeping(hash: string) {
     const made: ((link: string) => void)[] = []
     const links = { linkOf: () => new Promise<string>((resolve) => made.push(resolve)) } as unknown as LinkWriter

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keys do, on an element without a browser.
+// Keyboard shortcuts, on elements without a browser.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { EditorActions } from '../../web/editing/editor-actions.ts'
 import { listenToKeyboard } from '../../web/editing/keyboard.ts'
@@ -8,7 +8,7 @@ import { createStore } from '../../web/editing/store.ts'
 import type { Listening } from '../../web/view/pointer.ts'
 import type { View } from '../../web/view/view.ts'
 
-/** An element, by what it is in. */
+/** A stub of an element that knows its ancestors. */
 class FakeElement extends EventTarget {
   readonly inside: string
   constructor(inside: string) {

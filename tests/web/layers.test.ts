@@ -95,7 +95,7 @@ describe('what cells are measured by', () => {
       const visible = Array.from({ length: 1200 }, (_, i) => i).filter(isMeasured)
       for (const i of visible) (counts[Math.min(Math.floor((4 * measures.shadeOf(i)) / SHADES), 3)] as number)++
       for (const count of counts) expect(Math.abs(count - visible.length / 4)).toBeLessThan(30)
-      // The legend says what the ends and quarters of the ramp are.
+      // The legend gives the values at the ends and quarters of the ramp.
       const { knots, isClipped } = measures.legend
       const values = visible.map((i) => measures.valueOf(i)).sort((a, b) => a - b)
       // Outliers have the colors of the ends.
@@ -106,7 +106,7 @@ describe('what cells are measured by', () => {
         measures.shadeOf(visible.find((i) => measures.valueOf(i) === values[0]) as number),
         measures.shadeOf(visible.find((i) => measures.valueOf(i) === values.at(-1)) as number),
       ]).toEqual([0, SHADES - 1])
-      // What has no end has no color.
+      // Unbounded cells have no color.
       const endless = Array.from({ length: 1200 }, (_, i) => i).filter(
         (i) => diagram.cells.exists(i) && measures.valueOf(i) === Number.POSITIVE_INFINITY,
       )
@@ -136,7 +136,7 @@ describe('what cells are measured by', () => {
       'rgb(200, 100, 30)',
       'rgb(200, 100, 60)',
     ])
-    // Of others, those that are there.
+    // Other color formats fall back to the given colors.
     expect(new Set(rampThrough(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))).toEqual(
       new Set(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']),
     )
@@ -231,7 +231,7 @@ describe('the diagram of the centers', () => {
   it('follows the edits of the circles', () => {
     const picture = new Picture(library.edit(randomCircles(60)))
     for (let k = 0; k < 10; k++) picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
-    // It is asked for when circles have come and gone.
+    // The layer is requested after circles were inserted and removed.
     const centers = new Centers(library, picture.diagram)
     picture.centers = centers
     for (let k = 0; k < 150; k++) picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
@@ -247,7 +247,7 @@ describe('the diagram of the centers', () => {
 })
 
 describe('the power diagram', () => {
-  /** What one step of the clock is, in milliseconds, and whether the diagram is there after an edit. */
+  /** The duration of one clock step in milliseconds, and whether the power diagram exists after an edit. */
   it.each([
     [1, true],
     [1000, false],
@@ -270,7 +270,7 @@ describe('the power diagram', () => {
   })
 })
 
-/** The dashes of a layer that a frame shows, each as its two ends in the plane. */
+/** The dashes of a layer in a frame, each as its two ends in the plane. */
 function dashesIn(picture: Picture, layer: Layer, frame: Frame): number[][] {
   const drawing = new SvgDrawing()
   const style = { ordinary: 'gray', power: 'teal' } as Style
@@ -286,7 +286,7 @@ function dashesIn(picture: Picture, layer: Layer, frame: Frame): number[][] {
 
 describe('dashed edges', () => {
   const all: Frame = { x: 10, y: 10, scale: 40, width: 800, height: 800 }
-  /** A dash has its begin, its end or both in a part; those in all of it are the same, in either direction. */
+  /** A frame contains the start, the end or both of a dash. Complete dashes must be equal, in either direction. */
   function missing(dashes: number[][], others: number[][], { x, y, scale, width, height }: Frame): number[][] {
     const isInside = ([px, py]: [number, number]) =>
       Math.abs(px - x) < width / 2 / scale && Math.abs(py - y) < height / 2 / scale
@@ -445,7 +445,7 @@ describe('what the touching disc method makes on its way', () => {
         return distance - at(circles, 3 * i + 2)
       })
     const points = samples?.points as Float64Array
-    // Hidden circles are taken out before.
+    // Hidden circles are removed first.
     const visible = Array.from({ length: 60 }, (_, i) => i).filter((i) => diagram.cells.exists(i))
     const smallest = Math.min(...visible.map((i) => at(circles, 3 * i + 2)))
     expect(points.length).toBeGreaterThan(2 * (60 - hidden.length / 2))
@@ -466,7 +466,7 @@ describe('what the touching disc method makes on its way', () => {
 })
 
 describe('what the touching disc method finds', () => {
-  /** A vertex is computed from its circles alone, so that the same one has the same bits. */
+  /** A vertex is computed from its circles alone, so that equal vertices have equal bits. */
   const discsOf = ({ vertices }: { readonly vertices: Float64Array }) =>
     Array.from({ length: vertices.length / 3 }, (_, v) => vertices.subarray(3 * v, 3 * v + 3).join())
   const generators = loadGenerators()
@@ -481,7 +481,7 @@ describe('what the touching disc method finds', () => {
       expect(missed.size, name).toBe(0)
     }
     const grid = methodResult(library, await figure('15d'), DEFAULT_LAYERS)
-    // A hundred circles on a grid have 81 vertices of four, and no edge of length zero is missed.
+    // A hundred circles on a grid have 81 vertices of four circles, and no edge of length zero counts as missed.
     expect(grid.found.vertices.all).toBe(81)
     expect(grid.found.edges.all).toBe(180)
   })
@@ -515,7 +515,7 @@ describe('what the touching disc method finds', () => {
     })
     expect(edges.all - edges.found).toBe(missed.length)
     expect(edges.wrong).toBe(other.edges.length / 4 - edges.found)
-    // All edges of the cell that has gone are missed, and none far from it.
+    // All edges of the removed cell are missed, and none far from it.
     for (const side of right.cells.sides(10)) expect(missed).toContain(side >> 1)
     expect(edges.found).toBeGreaterThan(0.7 * edges.all)
     expect(methodOutcome(right, right)).toEqual({
@@ -632,7 +632,7 @@ describe('the rim of a disc that is too large for arcs of a canvas', () => {
         expect(Math.abs(Math.hypot((px as number) - x, (py as number) - y) - radius)).toBeLessThan(0.01)
       }
     }
-    // It begins and ends outside of what is seen.
+    // The path begins and ends outside of the viewport.
     const isSeen = ([x, y]: readonly [number, number]) => x >= 0 && x <= 300 && y >= 0 && y <= 200
     expect([curves[0]?.[0], curves.at(-1)?.[3]].some((end) => isSeen(end as [number, number]))).toBe(false)
   })

@@ -82,7 +82,7 @@ const state: fc.Arbitrary<LinkState> = fc.oneof(
   ),
 )
 
-// Links that people keep: they are read for ever.
+// Links that people have stored. They must stay readable.
 const OLD_LINKS: [string, LinkState][] = [
   [
     'v1.XY47CsMwEETvMm1GQiuTD4KcRKgQ9haGxYVsJwTjuwelzEzxYODBHBjnNpquSDkwUHhj8EKhE3V3Phj88JdC6DRvXcm4gMLIoTDDgbHzCYZfo7-WQrxmfSNloYuUvhFWP9pWpAOjmq1IqE0riGmvhrS1XYlFa-u_vHDZzcp5fgE',
@@ -103,7 +103,7 @@ const OLD_LINKS: [string, LinkState][] = [
   ],
 ]
 
-/** Number k of circles that need all their digits. */
+/** Circles that need all their digits. */
 const numberOf = (_: unknown, k: number) => (k % 3 === 2 ? Math.abs(Math.sin(k)) : Math.sin(k))
 
 describe('a link', () => {
@@ -159,7 +159,7 @@ describe('a link', () => {
     const circles = Float64Array.from({ length: 3 * LINK_LIMITS.circles }, numberOf)
     const link = await encodeLink({ circles })
     expect(link.length).toBeLessThanOrEqual(LINK_LIMITS.letters)
-    // Element by element, this would take long.
+    // Comparing element by element would take long.
     const read = (await decodeLink(link)).circles as Float64Array<ArrayBuffer>
     expect(Buffer.from(read.buffer).equals(Buffer.from(circles.buffer))).toBe(true)
     const more = new Float64Array(3 * (LINK_LIMITS.circles + 1))
@@ -274,7 +274,7 @@ describe('what is no link', () => {
     expect(await decodeLink(await said({ dataSet }))).toEqual({ dataSet })
     const edits = new Array(LINK_LIMITS.edits).fill(['-', 1])
     expect((await decodeLink(await said({ edits }))).edits).toHaveLength(LINK_LIMITS.edits)
-    // The object, the list and its items.
+    // Counts the object, the list and its items.
     const layers = { a: new Array(LINK_LIMITS.layerValues - 2).fill(1) }
     expect(await decodeLink(await said({ layers }))).toEqual({ layers })
     const nested = (depth: number): unknown => (depth === 0 ? 1 : [nested(depth - 1)])
@@ -285,7 +285,7 @@ describe('what is no link', () => {
   })
 
   it('is refused where its bytes are no text', async () => {
-    // One stored block with a byte that no UTF-8 has.
+    // One stored block with a byte that is invalid in UTF-8.
     await expect(
       decodeLink(`v1.${btoa('\x01\x04\x00\xfb\xff"\xff"\n').replaceAll('+', '-').replaceAll('/', '_')}`),
     ).rejects.toThrow('a part of it is missing or wrong')

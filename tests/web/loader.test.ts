@@ -154,7 +154,7 @@ describe('errors', () => {
 
 describe('progress', () => {
   it('tells the stages in order and a growing part of the event loop', () => {
-    // A square grid, unequal radii: enough for the event loop to tell of its way.
+    // A square grid with unequal radii, large enough that the event loop reports progress.
     const circles = Array.from({ length: 22_500 }, (_, i) => ({ x: i % 150, y: Math.floor(i / 150), r: (i % 7) / 20 }))
     const told: [string, number][] = []
     const { stats } = library.compute(circles, {
@@ -273,7 +273,7 @@ describe('certify', () => {
 
 describe('resample', () => {
   it('makes the touching disc method right where samples are too few', () => {
-    // Equal circles around one point: rounding alone puts zero-length edges out of order.
+    // Equal circles around one point, where rounding alone disorders zero-length edges.
     const circles = Float64Array.from({ length: 36 }, (_, i) => {
       const angle = (Math.floor(i / 3) * Math.PI) / 6
       return [10 * Math.cos(angle), 10 * Math.sin(angle), 1][i % 3] as number

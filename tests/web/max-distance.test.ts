@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells cut at a maximum distance from their circles, against what is known of the union of the grown circles.
+// Cells clipped at a maximum distance from their circles, compared with the union of the grown circles.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { type Box, type Diagram, NONE } from '../../web/lib/index.ts'
@@ -11,7 +11,7 @@ import { doubleArea, RecordingSink } from './recording-sink.ts'
 
 const ROWS = 4000
 
-/** The area of the part of the union of circles grown by a distance that lies in a box, by the middle rule over rows. */
+/** The area of the union of circles grown by a distance, inside a box, by the midpoint rule over rows. */
 function unionArea(circles: Float64Array, more: number, { minX, minY, maxX, maxY }: Box): number {
   const step = (maxY - minY) / ROWS
   let sum = 0
@@ -32,7 +32,7 @@ function unionArea(circles: Float64Array, more: number, { minX, minY, maxX, maxY
   return sum
 }
 
-/** How often the loops of a path go around a point. */
+/** The winding number of a path around a point. */
 function windings(sink: RecordingSink, { x, y }: { x: number; y: number }): number {
   let count = 0
   for (const stroke of sink.strokes) {
@@ -89,7 +89,7 @@ describe('a maximum distance', () => {
         const scale = scaleOf(circles)
         const box = boxAround(circles, 0.1)
         const maxDistance = scale * share ** 2
-        // All of it, or what a part of the box has of it.
+        // The whole box, or a part of it.
         const bounds = cut < 0.3 ? undefined : { ...box, maxX: box.minX + cut * (box.maxX - box.minX) }
         const whole = bounds ?? grown(box, maxDistance)
         const areas = diagram.cellAreas({ maxDistance, bounds })

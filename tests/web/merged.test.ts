@@ -102,7 +102,7 @@ describe('mergeVertices', () => {
             if (v !== NONE) degrees[v] = (degrees[v] as number) + 1
           }
         }
-        // Every edge merged takes one vertex with it, unless it closes a loop.
+        // Every merged edge removes one vertex, unless it closes a loop.
         const lost = (diagram.edges.length - merged.edges.length) / 4
         expect(lost).toBeGreaterThanOrEqual(diagram.vertices.length / 3 - count)
         if (nearZero === undefined) expect(lost).toBe(diagram.vertices.length / 3 - count)

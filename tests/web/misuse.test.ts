@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What JavaScript lets through and makes no sense: one sentence each, and nothing is answered.
+// Misuse that JavaScript lets through causes one error sentence and no result.
 import { describe, expect, it } from 'vitest'
 import {
   bezierPointAt,
@@ -43,7 +43,7 @@ const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 const diagram = library.compute(CIRCLES)
 const { computeComparison } = await library.loadComparison()
 const power = computeComparison(CIRCLES, 'power')
-/** As a program without types sees it. */
+/** Removes the types, as in a program without them. */
 const d = diagram as unknown as Record<string, (...args: unknown[]) => unknown>
 const l = library as unknown as Record<string, (...args: unknown[]) => unknown>
 const editor = library.edit(CIRCLES)
@@ -58,7 +58,7 @@ const box = { minX: 0, minY: 0, maxX: 9, maxY: 9 }
 const texts = { minX: '0', minY: '0', maxX: '9', maxY: '9' }
 const data = { ...diagram }
 
-/** Which code, what is said, and what is done. */
+/** The error code, the message, and the call. */
 const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown])[] = [
   ['badArgument', 'find takes a number as x, not an object.', () => d.find?.({ x: 5, y: 1 })],
   ['badArgument', 'find takes a number as x, not an array.', () => d.find?.([5, 1])],

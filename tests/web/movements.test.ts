@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How circles of the page move.
+// The animations of the page's circles.
 import { expect, it } from 'vitest'
 import { type Movement, type Moving, movementOf } from '../../web/app/motion/movements.ts'
 import type { Circle } from '../../web/lib/index.ts'
@@ -17,7 +17,7 @@ it('bouncing circles stay in their box and keep their sizes', () => {
   let last = next(1 / 60)
   for (let k = 0; k < 2000; k++) last = next(1 / 60)
   expect(last.map(({ id, circle }) => [id, circle.r])).toEqual(CIRCLES.map(({ id, circle }) => [id, circle.r]))
-  // A step may carry one a little into the wall, which then turns it back.
+  // A time step may carry a circle slightly into the wall, which then reflects it.
   for (const { circle } of last) {
     expect(circle.x).toBeGreaterThan(BOX.minX + circle.r - 0.2)
     expect(circle.x).toBeLessThan(BOX.maxX - circle.r + 0.2)
@@ -27,7 +27,7 @@ it('bouncing circles stay in their box and keep their sizes', () => {
   expect(last.some(({ circle }, k) => Math.abs(circle.x - (CIRCLES[k] as Moving).circle.x) > 1)).toBe(true)
 })
 
-/** Two circles that fly toward each other: their angles are 0 and a half turn. */
+/** Two circles that fly toward each other, at angles 0 and half a turn. */
 function headOn(one: Circle, other: Circle): Movement {
   const angles = [0, 0.5]
   const pair = [one, other].map((circle, id) => ({ id, circle }))
@@ -46,7 +46,7 @@ it('two equal circles that meet exchange their speeds', () => {
 
 it('the larger of two circles that meet is deflected less, as its mass is its area', () => {
   const next = headOn({ x: 8, y: 6, r: 1 }, { x: 13, y: 6, r: 3 })
-  // They overlap after the first frame, and bounce in the second one.
+  // The circles overlap after the first frame, and bounce in the second one.
   const [before, after] = [next(0.4), next(0.1)].map((moved) => moved.map(({ circle }) => circle.x))
   expect(before).toEqual([9, 12])
   expect(after?.[0]).toBeCloseTo(9 - 0.1 * 6.5, 12)

@@ -41,7 +41,7 @@ describe('a queue in which the newest wins', () => {
       'done 7',
     ])
     expect(queue.works).toEqual([])
-    // It goes on with what comes later.
+    // The queue continues with later items.
     const later = queue.add(8, 'a')
     queue.drain(act)
     go?.()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Circles that are opened while others are about to be.
+// Openings that follow each other before the first is done.
 import { beforeEach, describe, expect, it, vi } from 'vitest'
 import { PageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
@@ -68,7 +68,7 @@ describe('what is opened', () => {
   it('keeps its edits from what is opened while it is computed', async () => {
     const { actions, editing, view, circles } = started()
     const first = actions.open(async () => FIRST)
-    // It is loaded by then; what is computed takes a turn.
+    // Loading is over by then; computing takes another turn.
     for (let k = 0; k < 10; k++) await Promise.resolve()
     const second = actions.open(async () => SECOND)
     expect([await first, await second]).toEqual(['superseded', 'opened'])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the library tells, by scanning all circles or many points.
+// Reference results for the library, by scanning all circles or many points.
 import type { Box } from '../../web/lib/base/types.ts'
 import { type Bisector, type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
 
@@ -17,12 +17,12 @@ export function leastDistance(circles: Float64Array, point: Point): number {
   return least
 }
 
-/** The largest number of the circles: what rounding errors are relative to. */
+/** The largest coordinate of the circles, the scale of rounding errors. */
 export function scaleOf(circles: Float64Array): number {
   return circles.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0)
 }
 
-/** A box around the circles, `share` of their extent larger on each side; a row of points has some height too. */
+/** A box around the circles, larger by `share` of their extent on each side. A row of points gets some height. */
 export function boxAround(circles: Float64Array, share: number): Box {
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
   for (let i = 0; i < circles.length; i += 3) {
@@ -39,18 +39,21 @@ export function boxAround(circles: Float64Array, share: number): Box {
   return { minX: minX - x, minY: minY - y, maxX: maxX + x, maxY: maxY + y }
 }
 
-/** The point at shares of the width and the height of a box. */
+/** The point at fractions of a box's width and height. */
 export function pointIn({ minX, minY, maxX, maxY }: Box, across: number, up: number): Point {
   return { x: minX + across * (maxX - minX), y: minY + up * (maxY - minY) }
 }
 
-/** The distance of a point from an arc. Two minima lie next to each other at the tip of a needle: each side on its own. */
+/**
+ * The distance of a point from an arc. At the tip of a needle there are two minima close together, so each side is
+ * searched separately.
+ */
 export function distanceFromArc({ bisector, from, to }: BoundedCurve, point: Point): number {
   const apex = Math.min(Math.max(1, from), to)
   return Math.min(distanceFromSide(bisector, from, apex, point), distanceFromSide(bisector, apex, to, point))
 }
 
-/** That from an arc on one side of the apex, by bisection around each of many points that is nearer than those beside it. */
+/** The distance from an arc on one side of the apex, by bisection around each local minimum of many points. */
 function distanceFromSide(bisector: Bisector, from: number, to: number, { x, y }: Point): number {
   const count = 128
   const { a, b, along, across } = bisector
@@ -59,7 +62,7 @@ function distanceFromSide(bisector: Bisector, from: number, to: number, { x, y }
     const point = pointAt(bisector, s)
     return Math.sqrt((point.x - x) * (point.x - x) + (point.y - y) * (point.y - y))
   }
-  /** Whether the way along the arc comes nearer there. */
+  /** Whether the distance decreases along the arc at a parameter. */
   const isAhead = (s: number) => {
     const point = pointAt(bisector, s)
     const [u, v] = [-Math.abs(a) * (1 - 1 / (s * s)), b * (1 + 1 / (s * s))]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page takes from the clipboard, from what is dropped on it, and from fields, on a document without a browser.
+// Clipboard, drops and fields of the page, on a document without a browser.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FileActions } from '../../web/app/files/file-actions.ts'
 import { listenToPresses } from '../../web/app/input/after-press.ts'
@@ -11,7 +11,7 @@ import { mountInspector } from '../../web/app/panels/inspector.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 
-/** As much of an element as is asked for here. */
+/** A stub of an element. */
 class FakeElement extends EventTarget {
   readonly inside: string | undefined
   readonly attributes = new Map<string, string>()
@@ -283,7 +283,7 @@ describe('the fields of the selected circle', () => {
     expect([x?.value, y?.value]).toEqual(['-', '6'])
     expect([x, y].map((field) => field?.attributes.get('aria-invalid'))).toEqual(['true', 'false'])
     x?.dispatchEvent(new Event('blur'))
-    // What was refused does not stay, nor what was said of it.
+    // Neither the refused value nor its error remains.
     expect(x?.value).toBe('5')
     expect(state().problem).toBe('')
     change({ problem: '', circle: { x: 8, y: 6, r: 4 } })

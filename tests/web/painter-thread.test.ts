@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the thread that paints answers, without a browser: its canvases have no pixels.
+// The answers of the painting thread without a browser. Its canvases have no pixels.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -10,10 +10,10 @@ import { SHADES, type Style } from '../../web/view/style.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 const LARGEST = 16_384
-/** On a busy machine the thread may take long to start. */
+/** A busy machine may take long to start the thread. */
 const SOON = { timeout: 40_000 }
 
-/** Takes whatever is drawn on it. */
+/** Accepts any drawing. */
 const context: unknown = new Proxy({}, { get: () => () => {}, set: () => true })
 
 class FakeCanvas {
@@ -45,14 +45,14 @@ const saidOf = <Kind extends FromPainter['kind']>(kind: Kind) =>
   said.filter((message) => message.kind === kind) as Extract<FromPainter, { kind: Kind }>[]
 let lastRequest = 0
 const nextRequest = () => ++lastRequest
-/** Until all that was sent is answered. */
+/** Waits until everything sent has been answered. */
 const heard = async (scene: number) => {
   const request = nextRequest()
   send({ kind: 'ask', scene, request, name: 'hit', args: [0, 0, 1] })
   await vi.waitFor(() => expect(saidOf('answer').some((hit) => hit.request === request)).toBe(true), SOON)
 }
 
-/** What is seen of a square of so many tiles. */
+/** A paint request for a square of tiles. */
 function wishOf(wish: number, id: number, scale: number, tiles: number): Wish {
   const size = 256 * tiles
   const box = { left: -size / 2, top: -size / 2, width: size, height: size }
@@ -91,11 +91,11 @@ it('what is found is told once, also where the rest after circles were opened is
     const found = () => saidOf('found').filter(({ scene }) => scene === 7)
     send({ kind: 'open', scene: 7, revision: 2, opening: 2, circles: CIRCLES })
     send({ kind: 'layers', scene: 7, layers: { ...DEFAULT_LAYERS, hull: true }, isPainted: true })
-    // What finds it is loaded first.
+    // The module for the method is loaded first.
     await vi.waitFor(() => expect(found()).toHaveLength(1), SOON)
     await vi.advanceTimersByTimeAsync(10_000)
     expect(found()).toHaveLength(1)
-    // Other circles, of which it is found once they rest.
+    // Opens other circles, whose results follow after a pause.
     send({ kind: 'open', scene: 7, revision: 3, opening: 3, circles: CIRCLES.slice(3) })
     await vi.advanceTimersByTimeAsync(0)
     expect(found()).toHaveLength(1)
@@ -114,7 +114,7 @@ describe('what stands out', () => {
     send({ kind: 'mark', scene: 1, selected: 0, hovered: undefined })
     await heard(1)
     const [first] = saidOf('marked')
-    // The same once more, for other layers.
+    // Requests the same pixels again, for other layers.
     send({ kind: 'look', scene: 1, style, ...wishOf(2, 1, 10, 1) })
     await heard(1)
     expect(saidOf('outlined')).toEqual([])

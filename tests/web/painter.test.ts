@@ -11,10 +11,10 @@ import { library, seededRandom } from './library.ts'
 
 const COUNTS = { circles: 0, hidden: 0, vertices: 0, edges: 0 }
 const NO_MARKS: Marks = { selected: undefined, hovered: undefined }
-/** The smallest module there is: what is tested never runs it. */
+/** The smallest valid module. The tests never run it. */
 const WASM = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0)
 
-/** A thread that answers when it is told to. */
+/** A thread that answers on command. */
 class FakeWorker {
   static all: FakeWorker[] = []
   readonly got: ToPainter[] = []
@@ -181,7 +181,7 @@ describe('the painter', () => {
         .of('mark')
         .map(({ selected }) => selected),
     ).toEqual([1])
-    // What the first thread says now is late.
+    // A late message of the first thread.
     worker(0).answer({ kind: 'failed', message: 'again' })
     const hit = scene.ask('hit', 0, 0, 1)
     const [asked] = worker().of('ask')
@@ -202,7 +202,7 @@ describe('the painter', () => {
       areSites: true,
       fit: { known: undefined, inserted: [] },
     })
-    // The radii are those that were fitted.
+    // The answer contains fitted radii.
     worker().answer({ ...opened(1), circles: Float64Array.of(0, 0, 3, 5, 0, 0) } as FromPainter)
     await opening
     expect(scene.circles.get(0)?.r).toBe(3)
@@ -235,14 +235,14 @@ describe('the painter', () => {
       worker().answer({ kind: 'failed', message: 'it broke', during: { scene: 2, kind } })
 
     await begin()
-    // It is not answered when the thread ends, whatever the thread says of it.
+    // The request is unanswered when the thread ends, whatever the thread reports.
     failing.mark(0, undefined)
     worker().onerror?.({ message: 'it broke' })
     expect(told()).toEqual(['add', 'layers', 'open', 'edit', 'look'])
     const message = 'Drawing the picture failed and was started again: it broke.'
     expect(failures).toEqual([[message, { marks: true, layers: false }]])
 
-    // The next one fails before it has done anything: another one is told less, and then there is none.
+    // The next thread fails before it has done anything. Its successor receives less, and has no successor itself.
     during('paint')
     expect(told()).toEqual(['add', 'open', 'edit', 'look'])
     expect(failures.at(-1)).toEqual([message, { marks: true, layers: true }])
@@ -250,7 +250,7 @@ describe('the painter', () => {
     expect(FakeWorker.all.length).toBe(3)
     expect(failures.at(-1)?.[0]).toMatch(/no longer be drawn: it broke/)
 
-    // What was answered is told again, unless the thread fails where it is described.
+    // Answered settings are repeated, unless the thread fails while describing them.
     for (const [kind, marks, layers] of [
       ['ask', false, false],
       ['edit', true, false],
@@ -265,7 +265,7 @@ describe('the painter', () => {
       expect(failures.at(-1)).toEqual([message, { marks, layers }])
       expect([told().includes('mark'), told().includes('layers')]).toEqual([!marks, !layers])
     }
-    // Of another scene, it is not the cause.
+    // A failure of another scene is not caused by this one.
     await begin()
     worker().answer({ kind: 'failed', message: 'it broke', during: { scene: 1, kind: 'paint' } })
     expect(failures.at(-1)).toEqual([message, { marks: false, layers: false }])
@@ -293,7 +293,7 @@ describe('the painter', () => {
         .of('add')
         .map((message) => message.scene),
     ).toEqual([1])
-    // One that fails over what it is told again is replaced by one that is told less, and that one by none.
+    // A thread that fails at its start is replaced by one that receives less, and that one by none.
     worker().answer({ ...opened(0) })
     worker().onerror?.({ message: 'it broke' })
     expect(FakeWorker.all.length).toBe(3)
@@ -338,7 +338,7 @@ describe('the painter', () => {
         .of('edit')
         .map(({ opening }) => opening),
     ).toEqual([1, 2])
-    // Another thread has the same circles by the same number.
+    // The new thread has the same circles under the same opening number.
     worker().onerror?.({ message: 'it broke' })
     expect([worker().of('open'), worker().of('edit')].flat().map((message) => message.opening)).toEqual([2, 2])
   })
@@ -413,7 +413,7 @@ describe('what another thread has to know', () => {
           const come = { kind: 'insert', circle: circleOf() } as const
           edits.push(come, { kind: 'remove', id: next }, come)
         }
-        // One that is refused takes no number.
+        // A refused edit assigns no ids.
         expect(() => editor.apply([...edits, { kind: 'remove', id: 1e6 }])).toThrow()
         table.follow(editor.apply(edits))
         next += edits.filter(({ kind }) => kind === 'insert').length

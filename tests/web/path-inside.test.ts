@@ -36,7 +36,7 @@ function leastDistance({ circles }: Diagram, { x, y }: Point): number {
   return least
 }
 
-/** Points all along a path. */
+/** Sample points along a path. */
 function pointsOf(path: NonNullable<ReturnType<typeof clearestPath>>): Point[] {
   return (path.curves ?? []).flatMap((curve) => {
     const { bisector, from, to, start, end } = curve
@@ -49,7 +49,7 @@ function pointsOf(path: NonNullable<ReturnType<typeof clearestPath>>): Point[] {
   })
 }
 
-/** The clearance of the best way from square to square of a grid. */
+/** The clearance of the best path between squares of a grid. */
 function flooded(diagram: Diagram, contains: (p: Point) => boolean, size: number, p: Point, q: Point, count = 90) {
   const placeOf = (k: number) => ({
     x: -size + (2 * size * ((k % count) + 0.5)) / count,
@@ -95,7 +95,7 @@ function flooded(diagram: Diagram, contains: (p: Point) => boolean, size: number
   return -Infinity
 }
 
-/** Expects a path from p to q that stays inside and is as clear as it says. */
+/** Expects a path from p to q that stays inside and has its stated clearance. */
 function expectPath(
   diagram: Diagram,
   p: Point,
@@ -132,7 +132,7 @@ describe('a clearest path in bounds', () => {
     const path = clearestPath(diagram, p, q, { bounds: FIELD })
     expectPath(diagram, p, q, path, contains)
     expect(path?.clearance).toBeCloseTo(flooded(diagram, contains, 4, p, q), 1)
-    // Between the borders of a narrow strip, the way around the first robot is closed.
+    // Within a narrow strip, the path around the first robot is blocked.
     const free = clearestPath(diagram, p, q)
     const strip = [-4, -0.5, 4, 0.5] as const
     const narrow = clearestPath(diagram, p, q, { bounds: strip })
@@ -159,7 +159,7 @@ describe('a clearest path in bounds', () => {
       expectPath(diagram, { x, y }, q, path, contains)
       const free = clearestPath(diagram, { x, y }, q)
       expect(free.clearance).toBeCloseTo(-0.09, 12)
-      // Without a direction away from the center, it goes to the right.
+      // A path that starts at the center has no direction away from it, and goes to the right.
       if (free.entry !== undefined) {
         expect(free.entry.y).toBeCloseTo(y, 12)
         expect(free.entry.x).toBeGreaterThan(x)
@@ -209,12 +209,12 @@ describe('a clearest path in a region', () => {
     ]
     const path = clearestPath(diagram, p, q, { region: room })
     expectPath(diagram, p, q, path, ({ x, y }) => room.contains(x, y))
-    // Past the small circle, along a wall.
+    // The path passes the small circle along a wall.
     expect(path?.clearance).toBeCloseTo(0.9, 12)
   })
 
   it('leaps past a corner that hides the boundary', () => {
-    // A wall from below ends near the circle. Behind it the ray past its corner is the clearest way.
+    // A wall from below ends near the circle. Behind it the ray past its corner is the clearest path.
     const room = region([
       [
         [-5, 0],
@@ -260,7 +260,7 @@ describe('a clearest path in a region', () => {
   it('is as clear as flooding finds, among walls', () => {
     const random = seededRandom(5)
     for (let trial = 0; trial < 25; trial++) {
-      // A star around the middle.
+      // A star around the origin.
       const corners = 5 + Math.floor(8 * random())
       const ring = Array.from({ length: corners }, (_, k): [number, number] => {
         const angle = (2 * Math.PI * (k + 0.7 * random())) / corners

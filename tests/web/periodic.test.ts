@@ -23,7 +23,7 @@ function problemOf(run: () => unknown): string {
   return 'no problem'
 }
 
-/** The image of a circle with the smallest distance from a point, by trying them. */
+/** The nearest image of a circle to a point, by exhaustive search. */
 function nearestByTrying(given: readonly (readonly [number, number, number])[], x: number, y: number) {
   let best = { distance: Infinity, circle: -1, shift: [0, 0] as [number, number] }
   const l0 = Math.round(y / 3)
@@ -76,7 +76,7 @@ describe('a periodic diagram', () => {
   })
 
   it('finds the nearest image of any point', () => {
-    // Also of circles that were moved.
+    // Includes circles that were moved.
     const near = circles(40, 2)
     const far = near.map(([x, y, r], i) => [x + 4 * (i % 5) - (i % 3), y - 3 * (i % 3), r] as const)
     const random = seededRandom(3)
@@ -151,7 +151,7 @@ describe('a periodic diagram', () => {
   })
 
   it('knows what overlapping circles cover', () => {
-    // A disc that reaches over all of its cell, which is as large as the box.
+    // The disc covers its whole cell, which is as large as the box.
     const { packingFractions } = library.computePeriodic([[0.5, 0.5, 2]], { a: [1, 0], b: [0, 1] }).contacts()
     expect([...packingFractions]).toEqual([1])
   })

@@ -52,7 +52,7 @@ describe('the steps of a trace', () => {
       let end = 0
       for (const [k, step] of steps.entries()) {
         expect(step.end).toBeGreaterThanOrEqual(end)
-        // What is shown begins where the one before ended.
+        // Each step begins where the previous one ended.
         expect(step.event, `step ${k}, ${step.line}`).toBe(end)
         end = step.end
         expect([...lines, 'again']).toContain(step.line)
@@ -122,7 +122,7 @@ describe('the steps of a trace', () => {
     for (const k of of6) expect(sentenceOf(trace, steps[k] as Step)).toMatch(/\b6\b/)
     expect(columnsOf(steps, 100)).toHaveLength(100)
     expect([...(columnsOf(steps, 100)[0]?.keys() ?? [])]).toContain('stage')
-    // A column counts its steps: of many it is not as one that is full of them.
+    // A column counts its steps, so that few steps differ from many.
     const counts = columnsOf(steps, 10).flatMap((column) => [...column.values()])
     expect(counts.reduce((sum, count) => sum + count, 0)).toBe(
       steps.filter((step) => sortOf(step) !== undefined).length,
@@ -193,7 +193,7 @@ describe('what is shown beside a step', () => {
     expect(met).toBeGreaterThan(5)
   })
 
-  /** Those of the marks next to the foot point on either side, by the least turn to them. */
+  /** The marks nearest to the foot point on either side. */
   function neighborsOnRings(
     state: ReturnType<Trace['at']>,
     pair: readonly number[],
@@ -225,7 +225,7 @@ describe('what is shown beside a step', () => {
     for (let id = 0; id < 40; id++) {
       const { marks, unused } = ringOf(trace, state, id, circleOf(id) as Circle)
       expect(marks.filter(({ isOut }) => isOut)).toHaveLength(marks.length / 2)
-      // At the end circles of the hull have an arc for each time that the hull comes by.
+      // At the end, each circle has one unused arc for each of its appearances on the hull.
       expect(unused).toHaveLength(hull.filter((circle) => circle === id).length)
       for (const { from, to } of unused) {
         arcs += 1
@@ -272,7 +272,7 @@ describe('what is shown beside a step', () => {
     expect(state.segments.length).toBeGreaterThan(100)
     const layers = sceneOf(trace, last, state, [], circlesAt(trace, circles, state), COLORS)
     const drawn = layers.flatMap(({ id, segments }) => (/^(segments|finished)$/.test(id) ? [...(segments ?? [])] : []))
-    // Where a piece ends and none begins is a vertex; each is the end of at least one segment.
+    // The end of a piece where no piece begins is a vertex, and each vertex ends at least one segment.
     const ends = new Set<string>()
     for (let k = 0; k < drawn.length; k += 48)
       ends.add(
@@ -309,7 +309,7 @@ describe('what is shown beside a step', () => {
     expect(after.get(7)).toMatchObject({ x: 5, y: 5, r: 0.5 })
     expect(after.get(2)).toMatchObject({ x: 5, y: 9, r: 1 })
     expect(after.has(4)).toBe(false)
-    // Where they are not called 0, 1, and so on.
+    // Other ids than 0, 1, and so on.
     const named = circlesAt(edited, SMALL.subarray(0, 6), edited.at(1), Int32Array.of(3, 8))
     expect([...named]).toEqual([
       [3, { x: 0, y: 0, r: 2 }],
@@ -341,7 +341,7 @@ describe('a trace of circles that were edited', () => {
       const i = diagram.indexOf(id)
       expect([...circles.subarray(3 * k, 3 * k + 3)]).toEqual([...diagram.circles.subarray(3 * i, 3 * i + 3)])
     }
-    // Where it touches its circles, a disc is as far from them as it is large.
+    // At its contact points, a disc has its radius as the distance.
     const trace = new Trace(new Diagram(found), events)
     const byId = circlesAt(trace, circles, trace.at(0), ids)
     let discs = 0

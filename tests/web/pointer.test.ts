@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What mouse and fingers do, on an element without a browser: which hand does what, and in which order.
+// Gestures by mouse and fingers without a browser: their effects and the order of these.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Box, Circle, Point } from '../../web/lib/index.ts'
 import { type Camera, toPlane } from '../../web/view/camera.ts'
@@ -9,7 +9,7 @@ import type { Hit } from '../../web/view/protocol.ts'
 import type { Band, View } from '../../web/view/view.ts'
 
 const SIZE = { width: 800, height: 600 }
-/** Ten pixels a unit, the origin in the middle. */
+/** Ten pixels per unit, with the origin in the middle. */
 const CAMERA: Camera = { x: 0, y: 0, scale: 10 }
 const CIRCLES: readonly Circle[] = [
   { x: 0, y: 0, r: 4 },
@@ -17,7 +17,7 @@ const CIRCLES: readonly Circle[] = [
   { x: 0, y: 10, r: 1 },
 ]
 
-/** Where a point of the plane is, in pixels of the first camera. */
+/** The pixel of a point of the plane for the first camera. */
 const pixel = (x: number, y: number): Point => ({ x: 400 + 10 * x, y: 300 - 10 * y })
 
 class Stage {
@@ -34,10 +34,10 @@ class Stage {
   size = SIZE
   layers: { path?: { from: Point; to: Point } } = {}
   band: Band | undefined
-  /** What is under the pointer, and how near it was asked for. */
+  /** The answer to hit tests, and their tolerance. */
   under: Hit | undefined
   slack = 0
-  /** Whether what is under the pointer is known at once; else when `know` is called. */
+  /** Whether hit tests are answered at once, or else when `know` is called. */
   isKnown = true
   know = () => {}
   pathEnd: 'from' | 'to' | undefined
@@ -56,7 +56,7 @@ class Stage {
     this.listening = listenToPointer(element, this.view, this as unknown as Hands, options)
   }
 
-  // The view.
+  // The stubs of the view.
   setCamera(camera: Camera): void {
     this.camera = camera
   }
@@ -86,7 +86,7 @@ class Stage {
     this.done.push(['movePathEnd', end, point])
   }
 
-  // The hands.
+  // The stubs of the gestures' effects.
   circle(id: number): Circle | undefined {
     return CIRCLES[id]
   }
@@ -140,7 +140,7 @@ class Stage {
     this.done.push(['zoom', factor, anchor])
   }
 
-  /** An event of the pointer with the element's pixels; what was asked is answered afterwards. */
+  /** Sends a pointer event at a pixel of the element, then waits for the answers. */
   async send(type: string, { x, y }: Point, more: object = {}): Promise<Event> {
     const event = Object.assign(new Event(type, { cancelable: true }), {
       ...{ pointerId: 1, pointerType: 'mouse', button: 0, altKey: false, shiftKey: false, ctrlKey: false },
@@ -163,15 +163,15 @@ class Stage {
     await this.send('pointerup', points.at(-1) as Point, more)
   }
 
-  /** What was done, by the names. */
+  /** The recorded calls with these names. */
   of(...names: string[]): unknown[][] {
     return this.done.filter(([name]) => names.includes(name as string))
   }
 }
 
-/** What waits for the next frame; presses of earlier tests, which rest as well, are among it. */
+/** The callbacks of the next frame, including those of earlier tests' long presses. */
 let waiting: (() => void)[] = []
-/** Shows the next frame. Browsers tell of moves before it. */
+/** Shows the next frame. Browsers report moves before it. */
 const showFrame = () => {
   for (const callback of waiting.splice(0)) callback()
 }
@@ -180,7 +180,7 @@ beforeEach(() => {
   vi.stubGlobal('requestAnimationFrame', (callback: () => void) => waiting.push(callback))
 })
 
-/** Until all promises that can go on have done so. */
+/** Waits until all promises that can continue have done so. */
 const settled = () => new Promise((resolve) => setTimeout(resolve, 0))
 
 const DOING = ['select', 'toggle', 'selectWithin', 'set', 'add', 'addFitting', 'cancel', 'movePathEnd', 'zoom']
@@ -237,7 +237,7 @@ describe('a press', () => {
     const sized = (r: number) => ['set', 1, { id: 0, circle: { x: 0, y: 0, r: expect.closeTo(r) } }]
     expect(stage.of('set', 'snapped')).toEqual([sized(5.5), sized(0), ['snapped', 0.8, true], sized(7)])
     await stage.send('pointerup', pixel(6, 0))
-    // Several are moved by it.
+    // Several selected circles are moved.
     stage.selection = [0, 1]
     await stage.press([pixel(4, 0), pixel(5, 0)])
     expect(stage.of('set').at(-1)).toMatchObject(['set', 2, { id: 0, circle: { x: 1, r: 4 } }, { id: 1 }])
@@ -557,7 +557,7 @@ describe('a gesture', () => {
     ])
     await stage.send('pointercancel', pixel(0, 0))
     expect(stage.of('cancel')).toEqual([['cancel', 1]])
-    // One grows with its rim; none does nothing.
+    // A single circle is resized by its rim; no selection has no effect.
     stage.selection = [2]
     await stage.press([pixel(0, 12), pixel(0, 14)])
     expect(stage.of('set').at(-1)).toEqual(['set', 2, { id: 2, circle: { x: 0, y: 10, r: expect.closeTo(3) } }])
@@ -672,7 +672,7 @@ describe('a press that rests where nothing is', () => {
     await send(stage, 'pointerdown', pixel(1, 2))
     await vi.advanceTimersByTimeAsync(400)
     showFrame()
-    // Whether there is room for a circle, and then which one.
+    // Repeats with and without room for a circle.
     for (let k = 0; k < 2; k++) {
       await vi.advanceTimersByTimeAsync(0)
       if (k === 0) know()
@@ -690,7 +690,7 @@ describe('a press that rests where nothing is', () => {
       ['tryCircle', { x: 1 }],
       ['tryCircle', { x: 5 }],
     ])
-    // An answer that comes after the release shows nothing any more.
+    // An answer after the release has no effect.
     await send(stage, 'pointerup', pixel(6, 2))
     know()
     await vi.advanceTimersByTimeAsync(0)
@@ -771,7 +771,7 @@ describe('in a page that scrolls', () => {
 
   it('only a finger that drags, or a second one, keeps the page from scrolling', async () => {
     const stage = new Stage({ isGrabbed: ({ x }) => x === 0 })
-    // Fingers are told of as pointers first.
+    // Pointer events precede touch events.
     const keeps = async (...places: number[]) => {
       const fingers = places.map((x, pointerId) => [pixel(x, 0), { ...touch, pointerId }] as const)
       for (const finger of fingers) await stage.send('pointerdown', ...finger)
@@ -851,7 +851,7 @@ describe('a pointer that is not pressed', () => {
     await stage.drag([pixel(1, 2)], touch)
     await stage.send('pointerleave', pixel(1, 2), touch)
     expect(stage.of('touch')).toEqual([['touch', { x: 1, y: 2 }, 2.4]])
-    // Until the next tap, or a mouse that leaves.
+    // The disc stays until the next tap, or until a mouse leaves.
     await stage.drag([pixel(5, 5)], touch)
     await stage.send('pointerleave', pixel(5, 5))
     expect(stage.of('touch').slice(1)).toEqual([

@@ -10,7 +10,7 @@ import { doubleArea } from './recording-sink.ts'
 
 const pointsOf = (polygon: Polygon): Point[] => polygon.slice(1).map(([x, y]) => ({ x, y }))
 
-/** How far `c` is to the left of the way from `a` to `b`. */
+/** The signed distance of `c` from the line from `a` to `b`, positive on the left. */
 function height(a: Point, b: Point, c: Point): number {
   const length = Math.hypot(b.x - a.x, b.y - a.y)
   return length === 0 ? 0 : ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / length
@@ -31,7 +31,7 @@ function crossesItself(polygon: readonly Point[], margin: number): boolean {
   })
 }
 
-/** How often a closed polygon goes around a point. */
+/** The winding number of a closed polygon around a point. */
 function windings(polygon: readonly Point[], { x, y }: Point): number {
   return polygon.reduce((count, a, k) => {
     const b = polygon[(k + 1) % polygon.length] as Point
@@ -72,7 +72,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
           const isRepeated = points.some(({ x, y }, k) => x === points.at(k - 1)?.x && y === points.at(k - 1)?.y)
           if (diagram.cellOutline(i, { bounds }).length === 1) expect(isRepeated).toBe(false)
           const own = doubleArea(points) / 2
-          // A chord of an arc is no farther from it than the tolerance.
+          // Chords deviate from their arc by at most the tolerance.
           expect(Math.abs(own - area)).toBeLessThanOrEqual(tolerance * around + 1e-12 * size * size)
           expect(crossesItself(points, 2 * tolerance)).toBe(false)
           sum += own
@@ -156,7 +156,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
         const rounding = 1e-9 * length
         points.forEach((p, k) => {
           const [q, r] = [points[(k + 1) % points.length], points[(k + 2) % points.length]] as [Point, Point]
-          // Points that are one but for rounding have no direction.
+          // The direction between points that differ only by rounding is meaningless.
           if (Math.hypot(q.x - p.x, q.y - p.y) > rounding)
             expect(height(p, q, r)).toBeGreaterThanOrEqual(-1e3 * rounding)
         })

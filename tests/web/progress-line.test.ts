@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The progress line of the program in Node. tests/cpp/progress_text_test.cpp has the same of the native one.
+// The progress line of the program in Node. tests/cpp/progress_text_test.cpp tests the native one with the same cases.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { ProgressLine } from '../../web/cli/progress-line.ts'
 
@@ -16,7 +16,7 @@ afterEach(() => {
   vi.useRealTimers()
 })
 
-/** What was written since the last call. */
+/** The output since the last call. */
 function written(): string {
   const part = text
   text = ''

@@ -22,7 +22,7 @@ const DIRECTIONS = Array.from({ length: 720 }, (_, k) => ({
   y: Math.sin((2 * Math.PI * k) / 720),
 }))
 
-/** How far circles reach in each direction, seen from a point: the least of it is how deep the point is in the hull. */
+/** The extent of the circles in each direction from a point. The smallest one is the point's depth in the hull. */
 function reaches(circles: Float64Array, from: Point): number[] {
   const all: Circle[] = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
   return DIRECTIONS.map(({ x, y }) =>
@@ -38,8 +38,8 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         const origin = circleAt(circles, 0)
         const reach = reaches(circles, origin)
         const step = (2 * Math.PI) / reach.length
-        // Cauchy: the length is the integral of the reach h. The area is that of (h^2 - h'^2) / 2, from the polygon of
-        // the tangents.
+        // Cauchy's formula: the length is the integral of the support function h. The area is that of (h^2 - h'^2) / 2,
+        // from the polygon of the tangents.
         const expected = reach.reduce((sum, h) => sum + h * step, 0)
         const size = Math.max(...reach)
         expect(Math.abs(length - expected)).toBeLessThanOrEqual(1e-3 * size)
@@ -168,7 +168,7 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         for (const [across, up] of places) {
           const point = pointIn(box, across, up)
           if (leastDistance(circles, point) <= radius + rounding) continue
-          // The directions sampled may miss that the point is outside by a little.
+          // The sampled directions may miss that the point is slightly outside.
           expect(Math.min(...reaches(circles, point))).toBeLessThan(1e-3 * (box.maxX - box.minX + box.maxY - box.minY))
         }
       }),
@@ -224,7 +224,7 @@ it('no circles have no answers', () => {
   expect(closestPair(diagram)).toBeUndefined()
   expect(largestEmptyDiscCenteredIn(diagram, { bounds: { minX: 0, minY: 0, maxX: 1, maxY: 1 } })).toBeUndefined()
   expect(largestEmptyDiscCenteredInHull(diagram)).toBeUndefined()
-  // But bounds have a largest disc.
+  // Bounds alone have a largest disc.
   const inside = { disc: { x: 0.5, y: 0.5, r: 0.5 }, circles: [] }
   expect(largestEmptyDiscInside(diagram, { bounds: [0, 0, 1, 1] })).toEqual(inside)
   expect(neighborPairs(diagram)).toHaveLength(0)
@@ -258,7 +258,7 @@ it('one circle is its own hull', () => {
 })
 
 it('the hull turns around the larger of two circles that nearly touch inside', () => {
-  // Their common tangents are the same but for rounding.
+  // The common tangents coincide up to rounding.
   const small = [0.2823275086840536, 0.05996925804686018, 0.71137371209393407]
   const large = [0.0015071996752053401, 0.0003201446669926927, 0.99845917441975318]
   const { arcs, length, area } = convexHull(library.compute(Float64Array.from([...small, ...large])))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { PathSink, Point } from '../../web/lib/index.ts'
 
-/** Points spread along everything drawn on it; what moves without drawing begins a new stroke. */
+/** Records points along everything drawn. A move without drawing begins a new stroke. */
 export class RecordingSink implements PathSink {
   readonly strokes: Point[][] = []
-  /** How many cubic Bezier curves were drawn. */
+  /** The number of cubic Bezier curves. */
   curves = 0
   readonly #pointsPerCurve: number
 
@@ -55,7 +55,7 @@ export class RecordingSink implements PathSink {
   }
 }
 
-/** Twice the area inside a closed polygon, positive if it runs counter-clockwise. */
+/** Twice the area of a closed polygon, positive if it is counter-clockwise. */
 export function doubleArea(polygon: readonly Point[]): number {
   return polygon.reduce((sum, p, k) => {
     const q = polygon[(k + 1) % polygon.length] as Point

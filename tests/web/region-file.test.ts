@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that may be regions: read no further than needed, and parsed once.
+// Files that may contain regions are read only as far as needed, and parsed once.
 import { expect, it, vi } from 'vitest'
 import { FileActions } from '../../web/app/files/file-actions.ts'
 import { regionOfFile, regionOfText } from '../../web/app/files/region-file.ts'

@@ -200,7 +200,7 @@ describe('a diagram in a region', () => {
     // Another tolerance gives other points.
     const coarse = [...diagram.cellPolygons({ region: hall, tolerance: 0.1 })].flatMap((polygon) => polygon.flat())
     expect(coarse.flat().length).toBeLessThan(rings.flat().length)
-    // Neighbors have the same points, so what one leaves out the other has: the sum is that of the region but for rounding.
+    // Neighbors share points, so errors cancel: the sum is the region's area up to rounding.
     expect(sum(rings.map(twice)) / 2).toBeCloseTo(72, 10)
     for (const polygon of polygons) {
       for (const [outer, ...holes] of polygon) {
@@ -270,7 +270,7 @@ describe('a diagram in a region', () => {
     editor.dispose()
   })
 
-  /** What an outline is made of, whichever of its pieces comes first. */
+  /** The pieces of an outline in a canonical order. */
   const partsOf = (outline: Outline) =>
     outline
       .flatMap((loop) => loop.map(({ curve: { start }, ...piece }) => JSON.stringify({ start, ...piece, curve: 0 })))
@@ -283,7 +283,7 @@ describe('a diagram in a region', () => {
     const random = seededRandom(10)
     let alone = 0
     for (let step = 0; step < 40; step++) {
-      // Often at the boundary.
+      // Half of the points are near the border.
       const x = step % 2 === 0 ? 9 * random() : 3 + 0.05 * random()
       const change = editor.replace(Math.floor(3000 * random()), { x, y: 9 * random(), r: 0.1 * random() })
       diagram.apply(change)
@@ -351,7 +351,7 @@ describe('a diagram in a region', () => {
       const close = (one: ArrayLike<number>, other: ArrayLike<number>) => {
         expect(one).toHaveLength(other.length)
         Array.from(one).forEach((value, k) => {
-          // NaN where there is no cell.
+          // The value is NaN for missing cells.
           const expected = other[k] as number
           expect(Number.isNaN(value) ? 'NaN' : Math.abs(value - expected) < 1e-9).toBe(
             Number.isNaN(expected) ? 'NaN' : true,
@@ -414,7 +414,7 @@ describe('a diagram in a region', () => {
     const data = circles(40, 18)
     const diagram = library.compute(data)
     const tolerance = 1e-6
-    // Inside a region around it, the hull is whole.
+    // A region around the hull leaves it whole.
     const around = region([
       [
         [-20, -20],
@@ -429,7 +429,7 @@ describe('a diagram in a region', () => {
     expect(kept[0]).toEqual(kept.at(-1))
     expect(twice(kept)).toBeCloseTo(twice(whole), 9)
     expect(twice(kept) / 2).toBeCloseTo(convexHull(diagram).area, 3)
-    // Points are in the part of the hull where they are in both.
+    // A point is inside the clipped hull if it is inside both.
     const part = diagram.hullPolygon({ region: hall, tolerance }) ?? []
     const isInside = (rings: readonly (readonly (readonly number[])[])[], x: number, y: number) =>
       region(rings as RegionShape).contains(x, y)
@@ -450,7 +450,7 @@ describe('a diagram in a region', () => {
     diagram.renderHull({ region: hall, tolerance, context })
     expect(points).toEqual(part.flatMap((rings) => rings.flatMap((ring) => ring.slice(0, -1))))
     expect(diagram.renderHull({ region: hall })).toMatch(/^M.+Z$/)
-    // Apart, and hulls without an area.
+    // Hulls that miss the region, and hulls without an area.
     const far = library.compute([[50, 50, 1]])
     expect([far.hullPolygon({ region: hall }), far.renderHull({ region: hall })]).toEqual([undefined, ''])
     const disc = library.compute([[1.5, 4, 1]]).hullPolygon({ region: hall, tolerance: 1e-7 })?.[0]?.[0] ?? []

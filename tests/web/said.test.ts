@@ -26,7 +26,7 @@ function described(id: number, ...neighbors: number[]): Described {
   return { id, circle, hiddenBy, isBounded, neighbors: Int32Array.from(neighbors), outline: none, neighborhood: none }
 }
 
-/** The announced texts, and a function that changes the state. */
+/** Collects the announcements, and returns a function that changes the state. */
 function speaker() {
   const store = createStore(INITIAL_STATE)
   const texts: string[] = []

@@ -30,7 +30,7 @@ import { library, seededRandom } from './library.ts'
 
 const comparison = await library.loadComparison()
 
-/** What geometry tells, each number with its dimension: 0 a number, 1 a length, 2 an area. */
+/** Results with their dimension: 0 for a number, 1 for a length, 2 for an area. */
 class Measures {
   readonly numbers: [dimension: number, value: number][] = []
 
@@ -118,7 +118,7 @@ function measure(circles: Float64Array, metric: Metric, scale: number) {
   return all.numbers
 }
 
-/** Numbers with few bits, so that the smallest keep them all. */
+/** Numbers with few bits, which the smallest scale still represents exactly. */
 function coarseCircles(radius: number): Float64Array {
   const random = seededRandom(11)
   return new Float64Array(60).map((_, k) => Math.round(4096 * (k % 3 === 2 ? radius : 1) * random()) / 4096)
@@ -159,7 +159,7 @@ describe('the cells of circles with anything between their sizes', () => {
       ]) {
         const diagram = library.compute(Float64Array.from(circles))
         for (const size of [small, large, Math.sqrt(small) * Math.sqrt(large)]) {
-          if (size < 1e-140) continue // areas are below all numbers
+          if (size < 1e-140) continue // Areas underflow.
           const box = { minX: -1.5 * size, minY: -1.25 * size, maxX: 1.75 * size, maxY: 2 * size }
           let sum = 0
           for (let i = 0; i < circles.length / 3; i++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An edit is for the circles it was made for: once other circles are there, it is void.
+// An edit applies to the circles that it was made for. After another opening it has no effect.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { driftAtStart } from '../../web/app/motion/drift.ts'
 import { Motion } from '../../web/app/motion/motion.ts'
@@ -22,7 +22,7 @@ const OPENED = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 2 : 7 
 
 const scene = (circles: Float64Array<ArrayBuffer>, dataSet = '') => ({ circles, dataSet, isEdited: false })
 
-/** Frames that a test draws. */
+/** The frames of a test. */
 let frames: ((now: number) => void)[] = []
 const draw = (now: number) => {
   const now_ = frames
@@ -42,7 +42,7 @@ beforeEach(() => {
 })
 afterEach(() => vi.unstubAllGlobals())
 
-/** Editing of circles that a library computes, each answer a turn later. */
+/** Editing with a backend whose answers arrive a turn later. */
 async function started() {
   const computer = new LibraryComputer(() => new Promise((resolve) => setTimeout(resolve)))
   const store = createStore(INITIAL_STATE)
@@ -81,7 +81,7 @@ describe('circles that are opened are not changed by', () => {
     const [waiting, , late] = [move(2), await opened, move(3)]
     expect([await waiting, await late]).toEqual([undefined, undefined])
     expect([circles(), problems]).toEqual([[...OPENED], []])
-    // Gestures that begin now are for them.
+    // Gestures that begin now refer to the new circles.
     expect(await editing.edit([{ kind: 'remove', id: 7 }])).toBeDefined()
     await editing.undo()
     await editing.undo()
@@ -127,7 +127,7 @@ describe('circles that are opened are not changed by', () => {
     motion.start('grow')
     draw(0)
     await settle()
-    // One edit is asked for and waits behind what is opened.
+    // An edit is requested and waits behind an opening.
     const opened = editing.open(scene(OPENED))
     draw(40)
     draw(80)
@@ -143,7 +143,7 @@ describe('circles that are opened are not changed by', () => {
     const motion = new Motion(view as unknown as View, editing, actions as unknown as PageActions)
     motion.start('grow')
     draw(0)
-    // It is refused, a turn later.
+    // The edit is refused a turn later.
     const { edit } = editing
     editing.edit = async () => undefined
     await settle()

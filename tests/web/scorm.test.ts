@@ -4,7 +4,7 @@ import type { FrameMessage } from '../../web/element/frame-types.ts'
 import { durationOf, findApi, type ScormApi, ScormSession } from '../../web/embed/scorm.ts'
 import { decodeLink } from '../../web/lib/link.ts'
 
-/** A system that keeps values, and the calls in their order. */
+/** A learning management system that keeps values and records the calls. */
 class System implements ScormApi {
   readonly values: Record<string, string>
   readonly calls: string[] = []

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search of the site: what it finds, in which order, and which words it shows.
+// The search of the site: results, ranking and snippets.
 import MiniSearch from 'minisearch'
 import { describe, expect, it, test } from 'vitest'
 import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'

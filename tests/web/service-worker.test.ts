@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which requests the service worker answers, with caches of the test's own. tests/e2e/site.spec.ts has a real one.
+// The responses of the service worker, with fake caches. tests/e2e/site.spec.ts uses real ones.
 import { afterEach, expect, it, vi } from 'vitest'
 
 const SCOPE = 'https://example.org/site/'
@@ -18,7 +18,7 @@ it('answers what is asked for in its folder, from its cache or else from the net
   vi.stubGlobal('FILES', [])
   vi.stubGlobal('caches', { open: async () => ({ match }), match })
   vi.stubGlobal('fetch', async ({ url }: { url: string }) => `fetched ${url}`)
-  // To TypeScript it is no module.
+  // The variable hides from TypeScript that the file is not a module.
   const script = '../../web/app/service-worker.ts'
   await import(/* @vite-ignore */ script)
   const answerTo = (url: string, method = 'GET') => {

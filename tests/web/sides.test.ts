@@ -28,7 +28,7 @@ describe.each(Object.entries(KINDS))('sides of the diagram of circles that are %
             const next = sides[(k + 1) % sides.length] as number
             expect(nextSide[side]).toBe(next)
             expect(cells.circleOf(side)).toBe(i)
-            // Through a vertex, or by way of infinity.
+            // The next side continues through a vertex, or across infinity.
             expect(cells.targetOf(side)).toBe(cells.originOf(next))
           })
         }
@@ -65,7 +65,8 @@ describe.each(Object.entries(KINDS))('sides of the diagram of circles that are %
         vertexSides.forEach((side, slot) => {
           expect(cells.originOf(side)).toBe(Math.floor(slot / 3))
           expect(cells.circleOf(side)).toBe(vertexCircles[slot])
-          // What comes in beside it goes on in the cell on its right, that of the circle before it.
+          // The side that enters beside it continues in the cell on its right, which belongs to the previous circle of
+          // the vertex.
           const before = slot % 3 === 0 ? slot + 2 : slot - 1
           expect(nextSide[side ^ 1]).toBe(vertexSides[before])
         })

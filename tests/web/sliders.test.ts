@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest'
 import { radiiOf } from '../../web/tutorial/sliders.ts'
 
-/** What of `<circle-voronoi>` a slider uses: circles that are set are there once they are computed. */
+/** The part of `<circle-voronoi>` that sliders use. New circles are visible once they are computed. */
 class Figure {
   updateComplete: Promise<void> = Promise.resolve()
   #circles: Float64Array
@@ -22,7 +22,7 @@ class Figure {
     })
   }
 
-  /** As a reader does. */
+  /** Edits the circles like a reader. */
   edit(circles: readonly number[]): void {
     this.#circles = Float64Array.from(circles)
   }

@@ -18,8 +18,8 @@ beforeEach(() => {
 afterEach(() => vi.unstubAllGlobals())
 
 /**
- * A loaded player at step 0. `report` tells of a step as the player does, `asked` has the steps that the player was told to
- * show, and `told` the steps that listeners heard of.
+ * A loaded player at step 0. `report` reports a step like the player, `asked` records the steps requested from the
+ * player, and `told` those that listeners received.
  */
 async function played() {
   const store = createStore<State>({ ...INITIAL_STATE, step: 0, edited: {} as State['edited'] })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colors of the drawing are those of the pages around it.
+// Drawings use the colors of the pages around them.
 import { readFileSync } from 'node:fs'
 import { afterEach, expect, it, vi } from 'vitest'
 import { readStyle } from '../../web/view/style.ts'
@@ -8,7 +8,7 @@ afterEach(() => vi.unstubAllGlobals())
 
 function propertiesOf(file: string): ReadonlyMap<string, string> {
   const text = readFileSync(new URL(`../../web/${file}`, import.meta.url), 'utf8')
-  // What comes first is for all; what media ask for is later.
+  // The general rules come first, media queries later.
   const found = [...text.matchAll(/--([\w-]+):\s*([^;]+);/g)].reverse()
   return new Map(found.map(([, name, value]) => [name as string, (value as string).replace(/\s+/g, ' ')]))
 }

@@ -30,7 +30,7 @@ describe('the order of rows', () => {
     const table = { ids: Int32Array.of(0, 2, 3), columns: [Float64Array.of(Number.NaN, Number.POSITIVE_INFINITY, 2)] }
     expect([...ordered(circles, { column: 'area', isDescending: false }, table)]).toEqual([3, 2, 0])
     expect([...ordered(circles, { column: 'area', isDescending: true }, table)]).toEqual([2, 3, 0])
-    // What is not known yet is by id.
+    // Rows without a measure yet are ordered by id.
     expect([...ordered(circles, { column: 'gap', isDescending: true })]).toEqual([0, 2, 3])
     expect([...placesOf(Int32Array.of(3, 0, 2))]).toEqual([1, -1, 2, 0])
     expect(ordered(new CircleTable(new Float64Array()), BY_ID)).toHaveLength(0)
@@ -114,7 +114,7 @@ describe('what cells measure', () => {
     const columns = ['area', 'degree', 'gap'] as const
     const steps = tabulatedAll(picture, columns)
     let step = steps.next()
-    // It may change between two steps.
+    // The circles may change between two steps.
     picture.apply(picture.editor.apply([{ kind: 'remove', id: 5 }]))
     while (step.done !== true) step = steps.next()
     const all = step.value

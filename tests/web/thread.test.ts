@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Both ends of a thread: how it is started, in Node and in a browser, and what it answers.
+// Both ends of a thread: its start in Node and in a browser, and its answers.
 import { readFileSync } from 'node:fs'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import type { Diagram } from '../../web/lib/index.ts'
@@ -9,7 +9,7 @@ import type { ComputeRequest, EditorCalls, Reply, Request, Start } from '../../w
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
-/** On a busy machine a thread may take long to start. */
+/** A busy machine may take long to start a thread. */
 const SOON = { timeout: 40_000 }
 const PAGE = 'https://example.org/worker-thread.js'
 const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
@@ -25,7 +25,7 @@ afterEach(() => {
   vi.restoreAllMocks()
 })
 
-/** A module that Node runs as a thread. */
+/** Creates a module that Node runs as a thread. */
 function moduleOf(script: string): string {
   return `data:text/javascript,${encodeURIComponent(`
     import { parentPort, workerData } from 'node:worker_threads'
@@ -179,7 +179,7 @@ describe('a thread in a browser', () => {
 describe('what a thread answers', () => {
   const module = compileCircleVoronoi({})
 
-  /** A thread's port, and what is said on it. */
+  /** A stub of a thread's port that records messages. */
   function answering() {
     const said: [reply: Reply, transfer: ArrayBuffer[] | undefined][] = []
     const port = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Circles that repeat, in the thread that paints.
+// Repeating circles in the painting thread.
 import { describe, expect, it } from 'vitest'
 import type { CircleVoronoiError, Lattice } from '../../web/lib/index.ts'
 import { boxOf } from '../../web/view/domain.ts'
@@ -44,7 +44,7 @@ describe('circles that repeat', () => {
     expect([...change.circles]).toEqual([0.5, 1, 0.2])
     const { change: up } = scene.edit([replace(2, 3, 6.5, 0.2)])
     expect([...up.circles]).toEqual([1, 0.5, 0.2])
-    // Circles that are opened outside, too; and the view is told.
+    // Circles that are opened outside of the box are moved into it, and the view is informed.
     const opened = scene.open(Float64Array.of(-1, 1, 0.5, 3, 3, 0.1))
     expect([...(opened.circles as Float64Array)]).toEqual([7, 1, 0.5, 3, 3, 0.1])
   })
@@ -101,12 +101,12 @@ describe('circles that repeat', () => {
       sceneOf(circles(6, 6)).draw(drawing, { x, y, scale, width: 320, height: 320 }, 1, STYLE)
       return String(drawing)
     }
-    // Around a corner of the box.
+    // A corner of the box is visible.
     expect(drawn(8, 0)).toContain('stroke="region"')
     expect(drawn(8, 0)).toMatch(/fill="paper"[^>]*opacity="0\.6"/)
-    // Inside there is neither.
+    // The inside of the box shows neither border nor veil.
     expect(drawn(5, 3, 400)).not.toContain('stroke="region"')
-    // A period away, the same is drawn, but for the veil.
+    // One period away, everything except the veil is the same.
     const cellsOf = (text: string) => text.split('\n').filter((line) => line.includes('"edge"'))
     const [here, there] = [cellsOf(drawn(8, 0)), cellsOf(drawn(0, 0))]
     expect(here.length).toBeGreaterThan(0)
@@ -127,7 +127,7 @@ describe('circles that repeat', () => {
     scene.setLayers({ ...DEFAULT_LAYERS, hull: true, ordinary: true, delaunay: true, power: true, samples: true })
     expect(scene.picture.layers).toEqual(repeatingLayers(DEFAULT_LAYERS))
     expect(scene.picture.centers).toBeUndefined()
-    // They come back with circles that do not repeat.
+    // These layers come back with circles that do not repeat.
     scene.edit([], { lattice: null })
     expect(scene.picture.layers.hull).toBe(true)
     expect(scene.counts().circles).toBe(6)

@@ -15,7 +15,7 @@ function circlesOf(count: number, seed: number, largest = 1): Float64Array {
   return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? largest * random() : side * random()))
 }
 
-/** The edges of a diagram as texts: left and right, and the circles of the vertices at both ends. */
+/** The edges of a diagram as text: left and right circle, and the circles of both vertices. */
 function edgesOf({ edges, vertexCircles }: Diagram): string[] {
   const corner = (v: number) => (v === NONE ? '-' : tripleOf(vertexCircles.subarray(3 * v, 3 * v + 3)))
   return Array.from({ length: edges.length / 4 }, (_, e) => {
@@ -24,7 +24,7 @@ function edgesOf({ edges, vertexCircles }: Diagram): string[] {
   }).sort()
 }
 
-/** With the lower circle on the left. */
+/** Puts the circle with the lower index on the left. */
 function turned(left: number, right: number, start: string, end: string): string {
   return left < right ? `${left} ${right} ${start} ${end}` : `${right} ${left} ${end} ${start}`
 }
@@ -35,7 +35,10 @@ function tripleOf(circles: ArrayLike<number>): string {
     .join(',')
 }
 
-/** The same from the events alone: an edge for each accepted antipodal disc, and one from each vertex that leaves one open. */
+/**
+ * The edges from the events alone: one for each accepted antipodal disc, and one for each vertex that leaves an edge
+ * open.
+ */
 function replayedEdges(trace: Trace, from = 0): string[] {
   const edges: { left: number; right: number; ends: [string, string] }[] = []
   const ofDirectedEdge = new Map<number, { edge: number; end: 0 | 1 }>()
@@ -65,7 +68,7 @@ function replayedEdges(trace: Trace, from = 0): string[] {
   return edges.map(({ left, right, ends }) => turned(left, right, ...ends)).sort()
 }
 
-/** By looking at each event from the first one. */
+/** Replays all events from the first one. */
 function stateByReplay(trace: Trace, end: number): Partial<TraceState> {
   let alive: number[] = []
   let queue: number[] = []
@@ -168,7 +171,7 @@ describe('a trace', () => {
     const { round, samples, pairs, branchDiscs } = trace.at(trace.length)
     expect(trace.event(round).numbers).toEqual([rounds - 1])
     expect(samples).toHaveLength(trace.diagram.stats.counts.samples)
-    // All is of the last round; those before it have left nothing.
+    // All candidates are of the last round; those of earlier rounds are gone.
     expect(Math.min(...samples, ...pairs, ...branchDiscs)).toBeGreaterThan(round)
     expect(branchDiscs).toHaveLength(trace.diagram.vertices.length / 3)
     const before = trace.at(round)
@@ -241,11 +244,11 @@ describe('a trace', () => {
     for (const options of [{ method: 'auto' }, { method: 'flip' }, { edits }] as const) {
       const trace = library.trace(circles, options)
       const { faces, edits: edited } = trace.at(trace.length)
-      // Where a move in its place does not come out right, it is taken back and done by the longer way.
+      // If a move in place fails, it is reverted and done by removal and insertion.
       const ids = new Set(Array.from(edited, (k) => trace.event(k).circles[0]))
       expect([...ids]).toEqual('edits' in options ? [80, 5, 7] : [])
       const vertices = Array.from(faces, (k) => trace.event(k)).filter((face) => face.circles.length === 3)
-      // Those of the events are ids.
+      // The events name circles by id.
       const idOf = (index: number) => trace.diagram.numbers?.circles[index] ?? index
       const triples = Array.from({ length: trace.diagram.vertices.length / 3 }, (_, v) =>
         tripleOf([0, 1, 2].map((k) => idOf(trace.diagram.vertexCircles[3 * v + k] as number))),

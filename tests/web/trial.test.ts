@@ -62,7 +62,7 @@ describe('what a circle would take', () => {
           if (was < Number.POSITIVE_INFINITY) expect(Math.abs(area - (was - is)), context).toBeLessThan(1e-9 * was)
           else if (is < Number.POSITIVE_INFINITY) expect(area, context).toBe(Number.POSITIVE_INFINITY)
         }
-        // All of the cell is taken from somebody.
+        // The whole cell is taken from other circles.
         if (Number.isFinite(trial.area)) {
           const sum = trial.taken.reduce((sum, { area }) => sum + area, 0)
           const scale = trial.taken.reduce((most, { id }) => {
@@ -82,7 +82,7 @@ describe('what a circle would take', () => {
   })
 
   it('is told at the circles from which it is taken', () => {
-    // Two by two, and what is taken from each is a quarter.
+    // Two by two circles; the new one takes a quarter from each.
     const picture = new Picture(library.edit(Float64Array.of(-4, -4, 1, 4, -4, 1, -4, 4, 1, 4, 4, 1)))
     const trial = trialOf(library, picture, { x: 0, y: 0, r: 0 }, 0, noOutline)
     expect(trial.taken).toHaveLength(4)

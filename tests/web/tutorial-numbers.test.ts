@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers in the chapters: each is one that `npm run reproduce` has written into docs/results.md, or is counted here.
+// The numbers in the chapters equal those that `npm run reproduce` has written into docs/results.md, or are counted
+// here.
 import { readFileSync } from 'node:fs'
 import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
@@ -12,7 +13,7 @@ const BOOK = readBook()
 const FIGURES = BOOK.flatMap(({ blocks }) => blocks.map(({ spec }) => spec)).filter(({ name }) => name !== undefined)
 const circlesOf = await loadFigureCircles()
 
-/** The chapter says this, its line breaks aside. */
+/** Expects words in a chapter, ignoring line breaks. */
 function expectSaid(number: number, words: string): void {
   expect(BOOK[number - 1]?.markdown.replace(/\s+/g, ' ')).toContain(words)
 }
@@ -23,14 +24,14 @@ function figure(name: string) {
   return spec
 }
 
-/** What a pattern finds in the results, as numbers. */
+/** The numbers that a pattern matches in the results. */
 function measured(pattern: RegExp): number[] {
   const found = pattern.exec(RESULTS)
   if (found === null) throw new Error(`docs/results.md has nothing like ${pattern}.`)
   return found.slice(1).map((text) => Number(text.replaceAll(',', '')))
 }
 
-/** The first row of a table whose first cell begins so: its other cells. */
+/** The other cells of the first table row that begins with a text. */
 function row(start: string, text = RESULTS): string[] {
   const line = text.split('\n').find((each) => each.startsWith(`| ${start}`))
   if (line === undefined) throw new Error(`docs/results.md has no row ${start}.`)
@@ -107,7 +108,7 @@ describe('chapter 6', () => {
     expect(one).toBeLessThan(2)
     expect(three).toBeGreaterThan(0)
     expect(three).toBeLessThan(0.5)
-    // It is the worst of all.
+    // This family is the worst of all.
     const others = table.split('\n').filter((line) => /^\| [a-z-]+ \|( [^|]*\|){7}$/.test(line))
     expect(others.length).toBeGreaterThan(30)
     for (const line of others) expect(Number.parseFloat(line.split('|')[3] as string) || 0).toBeLessThanOrEqual(none)
@@ -205,10 +206,10 @@ test('chapter 9: the widest gap between wires, with wires on all sides', () => {
   const gaps = Array.from({ length: vertices.length / 3 }, (_, v) => [...vertices.slice(3 * v, 3 * v + 3)])
   const inside = gaps.filter(([x = 0, y = 0]) => Math.hypot(x, y) < 3.6).map(([, , r]) => r as number)
   expect(Math.max(...inside)).toBeCloseTo(0.44, 2)
-  // It is the one at the lower left.
+  // The largest gap is at the lower left.
   const [x = 0, y = 0] = gaps.find(([, , r]) => r === Math.max(...inside)) ?? []
   expect([Math.sign(x), Math.sign(y)]).toEqual([-1, -1])
-  // Those outside the bundle are larger.
+  // Gaps outside the bundle are larger.
   expect(Math.max(...gaps.map(([, , r]) => r as number))).toBeGreaterThan(2)
 })
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tutorial says, where no browser is needed to see whether it is so.
+// Statements of the tutorial that can be checked without a browser.
 import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
@@ -98,7 +98,7 @@ describe('rules as printed', async () => {
     const diagram = library.compute(circles)
     const found = rules.run(diagram.circles, ['crossing'])
     const pairs = [...found.segmentCircles, ...found.leftoverCircles]
-    // Two discs for each segment, where it begins and where it ends.
+    // Each segment has two discs, at its start and its end.
     const begins = found.segmentDiscs.filter((_, k) => k % 6 < 3)
     const discs = [...begins, ...found.leftoverDiscs]
     const covered = Array.from({ length: pairs.length / 2 }, (_, k) => {
@@ -118,7 +118,7 @@ describe('rules as printed', async () => {
       for (let angle = 0; angle < 2 * Math.PI; angle += 0.05) {
         const circles = [[x + distance * Math.cos(angle), y + distance * Math.sin(angle), r], ...others]
         expect(said(circles, ['side'])).toBe(SAME)
-        // A border that begins elsewhere than at an antipodal disc, which is at parameter 1, leads to no vertex.
+        // A border that does not begin at an antipodal disc (parameter 1) leads to no vertex.
         const diagram = library.compute(circles)
         const curves = Array.from({ length: diagram.edges.length / 4 }, (_, e) => edgeCurve(diagram, e))
         const late = curves.filter(({ from, to }) => from < to && (from > 1 || to < 1))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happens while something else does, and what is forgotten afterwards: parts of the page without a browser.
+// Concurrent operations in parts of the page, and their cleanup, without a browser.
 import type { TemplateResult } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { mountFiles } from '../../web/app/panels/files.ts'
@@ -12,7 +12,7 @@ import { createStore } from '../../web/editing/store.ts'
 import type { View } from '../../web/view/view.ts'
 import { LibraryComputer } from './computer.ts'
 
-/** What the open panel shows. */
+/** The contents of the open panel. */
 let body: () => unknown = () => undefined
 let onopen: () => void = () => {}
 vi.mock('../../web/app/panels/by-id.ts', () => ({
@@ -41,7 +41,7 @@ vi.mock('../../web/app/table/grid.ts', () => ({
   },
 }))
 
-/** All values in a template, also those of templates in it. */
+/** All values in a template and its nested templates. */
 function valuesIn(template: unknown): unknown[] {
   if (Array.isArray(template)) return template.flatMap(valuesIn)
   const { strings, values } = (template ?? {}) as Partial<TemplateResult>
@@ -94,7 +94,7 @@ describe('numbers', () => {
   })
 
   it('of circles that have changed since they were asked for are not shown', async () => {
-    // Frames are those of `draw`.
+    // The test draws the frames with `draw`.
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
     const { store, editing, view, answers } = await started()
     mountNumbers(store, view)

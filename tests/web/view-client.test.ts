@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a view shows above its picture, with a painter that answers when the test says; what is drawn is not looked at.
+// The overlay of a view, with a painter that answers on command. The pixels are not checked.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
 import type { Painter } from '../../web/view/painter.ts'
@@ -72,7 +72,7 @@ function opened() {
   }
   const view = new View(container as unknown as HTMLElement, painter)
   view.setLayers({ ...view.layers, disc: true })
-  /** What stands out once all is drawn that is to be; `undefined` also if nothing is drawn anew. */
+  /** The highlights after all pending frames; `undefined` also if nothing was redrawn. */
   const shown = () => {
     drawn.length = 0
     for (const frame of frames.splice(0)) frame()
@@ -116,7 +116,7 @@ it('draws nothing above the picture while it moves, if nothing is there', async 
   shown()
   view.setCamera({ x: 3, y: 4, scale: 6 })
   expect(shown()).toBe(DISC)
-  // Once more, to clear it.
+  // Draws once more to clear the overlay.
   await view.touch(undefined, 1)
   shown()
   expect(drawn).toHaveLength(1)

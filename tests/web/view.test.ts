@@ -263,7 +263,7 @@ describe('what an edit changes in a picture', () => {
     }
   })
 
-  /** The vertices of a picture, in a form that does not depend on their numbers. */
+  /** The vertices of a picture in a canonical form. */
   function outlines({ diagram }: Picture): [number, number, string][] {
     return Array.from({ length: diagram.vertices.length / 3 }, (_, v) => {
       const [x, y] = [diagram.vertices[3 * v] as number, diagram.vertices[3 * v + 1] as number]
@@ -320,7 +320,7 @@ describe('the box of a circle and its cell', () => {
       fc.property(inputs, ([first, ...others]) => {
         const whole = new Picture(library.edit(others.length === 0 ? [first as never] : [...others, first as never]))
         const grown = new Picture(library.edit(others))
-        // So that both take edges to infinity as far.
+        // Both pictures must cut unbounded edges at the same length.
         if (reachOf(whole.diagram.circles) !== reachOf(grown.diagram.circles)) return
         const [x, y, r] = first as [number, number, number]
         grown.apply(grown.editor.apply([{ kind: 'insert', circle: { x, y, r } }]))

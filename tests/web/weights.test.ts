@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Additive weights of any sign: radii that count by their differences alone.
+// Additive weights of any sign: only the differences of radii matter.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import {
@@ -34,7 +34,7 @@ describe('weights', () => {
   })
 
   it('change nothing by one number added to all', () => {
-    // Whole numbers, so that no sum rounds.
+    // Whole numbers, so that no sum is rounded.
     fc.assert(
       fc.property(fc.oneof(KINDS.integers, KINDS.tangent), fc.integer({ min: -1000, max: -1 }), (circles, more) => {
         const expected = library.compute(circles)

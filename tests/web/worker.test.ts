@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The client of a worker with a thread that does what the test says, message by message. tests/wasm/worker.test.mjs has
-// real ones.
+// The client of a worker, with a thread that the test controls message by message. tests/wasm/worker.test.mjs uses real
+// threads.
 import { readFileSync } from 'node:fs'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { CircleVoronoiError, Diagram, Region } from '../../web/lib/index.ts'
@@ -46,7 +46,7 @@ class FakeThread {
     this.#events.onReply(reply)
   }
 
-  /** Answers the last request as a real thread does. */
+  /** Answers the last request like a real thread. */
   answer(): void {
     const { circles, options } = this.requests.at(-1) as ComputeRequest
     this.say({ diagram: library.compute(circles, options) })
@@ -78,13 +78,13 @@ afterEach(() => {
   vi.unstubAllGlobals()
 })
 
-/** When the client has given the thread so many requests. */
+/** Resolves once the client has sent this many requests to the thread. */
 async function asked(count: number, thread = 0): Promise<FakeThread> {
   await vi.waitFor(() => expect(threads[thread]?.requests).toHaveLength(count), { timeout: 40_000 })
   return threads[thread] as FakeThread
 }
 
-/** What a promise is rejected with, if it is settled by the time that others are. */
+/** The reason of a rejection, if the promise settles as soon as others. */
 async function reasonOf(promise: Promise<unknown>): Promise<unknown> {
   return promise.then(
     () => expect.unreachable('It was fulfilled.'),
@@ -175,7 +175,7 @@ describe('a worker', () => {
     expect(other.posted).toHaveLength(2)
     other.answer()
     expect((await second).circles).toHaveLength(0)
-    // What the first says now is of no interest.
+    // Late messages of the first thread are ignored.
     threads[0]?.answer()
     threads[0]?.breakDown('again')
     expect(other.isTerminated).toBe(false)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in attributes that are more than a word.
+// Parsers of attributes that hold more than a word.
 import { reasonOf } from '../lib/base/errors.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
 import type { Lattice } from '../lib/index.ts'
@@ -9,9 +9,9 @@ import { checkedLayers, DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import { shownValue } from '../view/refusal.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
-/** Layers that are a number. */
+/** The layers with a numeric value. */
 const NUMBERS = ['nearZero', 'maxDistance']
-/** Those that a word may say. */
+/** The words for all values of layers. */
 const WORDS = Object.entries(DEFAULT_LAYERS).flatMap(([name, value]) =>
   typeof value === 'boolean' || name === 'cells' || NUMBERS.includes(name)
     ? [name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)]
@@ -19,10 +19,9 @@ const WORDS = Object.entries(DEFAULT_LAYERS).flatMap(([name, value]) =>
 )
 
 /**
- * The layers that a text says: words, `hull` for a layer that is drawn, `no-edges` for one that is not, `cells=degree` and
- * `max-distance=2` for others; or an object in JSON.
- *
- * @throws Refusal that names the word which is none, and those that there are
+ * Parses layers: words, such as `hull` for a visible layer, `no-edges` for a hidden one, `cells=degree` and
+ * `max-distance=2`; or an object in JSON.
+ * @throws Refusal that names the unknown word and lists the known ones
  */
 export function parseLayers(text: string): Layers {
   if (text.trim().startsWith('{')) return checkedLayers(parseJson(text, (words) => words.layers))
@@ -35,22 +34,21 @@ export function parseLayers(text: string): Layers {
     if (typeof known === 'boolean' && value === undefined) given[layer] = !isOff
     else if (layer === 'cells' && isOff) given.cells = 'none'
     else if (layer === 'cells' && value !== undefined) given.cells = value
-    // What is no number is refused as it stands there.
+    // An invalid number stays text, so that the error quotes it.
     else if (NUMBERS.includes(layer) && value) given[layer] = Number.isFinite(Number(value)) ? Number(value) : value
     else refuse((words) => words.noLayer(word, WORDS))
   }
   return checkedLayers(given)
 }
 
-/** What can be looked at. */
+/** Checks that a view is visible at all. */
 export function checkedView({ x, y, span }: LinkView): LinkView {
   if (![x, y, span].every(Number.isFinite) || !(span > 0)) refuse((words) => words.view)
   return { x, y, span }
 }
 
 /**
- * The view that a text says: x and y of its middle, and how many units are seen at least in both directions.
- *
+ * Parses a view: x and y of its center, and the number of units that are visible at least in both directions.
  * @throws Refusal
  */
 export function parseView(text: string): LinkView {
@@ -60,8 +58,7 @@ export function parseView(text: string): LinkView {
 }
 
 /**
- * The step that a text says.
- *
+ * Parses a step.
  * @throws Refusal
  */
 export function parseStep(text: string): number {
@@ -69,8 +66,7 @@ export function parseStep(text: string): number {
 }
 
 /**
- * How many samples a text says.
- *
+ * Parses a number of samples.
  * @throws Refusal
  */
 export function parseSamples(text: string): number {
@@ -84,8 +80,7 @@ export function parseMethod(text: string): Method {
 }
 
 /**
- * The areas that a text says: `equal`, or numbers.
- *
+ * Parses areas: `equal`, or numbers.
  * @throws Refusal
  */
 export function parseAreas(text: string): Areas {
@@ -93,8 +88,7 @@ export function parseAreas(text: string): Areas {
 }
 
 /**
- * The periods that a text says: x and y of each.
- *
+ * Parses periods: x and y of each.
  * @throws Refusal
  */
 export function parseLattice(text: string): Lattice {
@@ -121,12 +115,11 @@ export function checkedAreas(areas: unknown, got = areas): Areas {
 }
 
 const CONTROLS = ['buttons', 'player']
-/** What HTML has for an attribute that is there. */
+/** Values that frameworks give to boolean attributes. */
 const BARE = ['controls', 'true']
 
 /**
- * What of controls there is; `null`: none. Without words there are buttons.
- *
+ * Parses the visible controls; `null` means none. An empty value shows buttons.
  * @throws Refusal
  */
 export function parseControls(text: string | null): { readonly hasButtons: boolean; readonly hasPlayer: boolean } {

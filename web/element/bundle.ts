@@ -8,6 +8,6 @@ import { THREAD_NAME } from '../view/painter-file.ts'
 
 export * from './index.ts'
 
-// The same file is what its thread runs.
+// The thread runs the same file.
 const name: unknown = Object(globalThis).name
 if (globalThis.document === undefined && name === THREAD_NAME) answerViews()

@@ -12,9 +12,8 @@ const CELL_NAMES = [...CELL_NUMBERS, 'neighbor', ...CELL_FLAGS]
 const DIAGRAM_NUMBERS = ['circles', 'hidden', 'vertices', 'edges'] as const
 
 /**
- * The check that a text in JSON says.
- *
- * @throws Refusal that says what is wrong with it
+ * Parses a check in JSON.
+ * @throws Refusal that names the problem
  */
 export function parseCheck(text: string): Check {
   let given: unknown
@@ -27,7 +26,7 @@ export function parseCheck(text: string): Check {
   return given as Check
 }
 
-/** The same check, which calls circles otherwise. */
+/** Translates a check to other ids of circles. */
 export function withIds(check: Check, idOf: (number: number) => number): Check {
   const partsWithIds = (parts: readonly Check[]) => parts.map((part) => withIds(part, idOf))
   if ('all' in check) return { all: partsWithIds(check.all) }
@@ -42,8 +41,7 @@ export function withIds(check: Check, idOf: (number: number) => number): Check {
 }
 
 /**
- * Whether all circles of a check are there, or have been. `count`: of the numbers that circles have had.
- *
+ * Checks that all circles of a check exist or have existed. `count` is the number of ids ever assigned.
  * @throws Refusal
  */
 export function checkCircles(check: Check, count: number): void {
@@ -60,7 +58,7 @@ export function numbersIn(check: Check): number[] {
   return check.neighbor === undefined ? [check.cell] : [check.cell, check.neighbor]
 }
 
-/** The circles that a check is about. */
+/** The circles whose cells a check is about. */
 export function idsOf(check: Check): number[] {
   if ('all' in check) return check.all.flatMap(idsOf)
   if ('any' in check) return check.any.flatMap(idsOf)
@@ -68,7 +66,7 @@ export function idsOf(check: Check): number[] {
   return 'cell' in check ? [check.cell] : []
 }
 
-/** Whether it is so. */
+/** Whether the facts meet the check. */
 export function holds(check: Check, facts: Facts): boolean {
   if ('all' in check) return check.all.every((part) => holds(part, facts))
   if ('any' in check) return check.any.some((part) => holds(part, facts))

@@ -89,10 +89,10 @@ export interface CircleVoronoiEventMap {
   error: CustomEvent<{ readonly error: Error }>
 }
 
-/** Of more circles no drawing is kept, which would take long after each edit. */
+/** With more circles, no drawing for print is kept, because each edit would take long. */
 const MOST_DRAWN = 5000
 
-/** Which part of an element is what: for `HTMLElement` in Node, where there is none. */
+/** Node has no `HTMLElement`, so that importing this module there needs a substitute. */
 const Base: typeof HTMLElement = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement)
 
 const ATTRIBUTES = [
@@ -170,15 +170,15 @@ export class CircleVoronoiElement extends Base {
   static readonly formAssociated = true
   /** The attributes that the element observes. */
   static readonly observedAttributes: readonly string[] = ATTRIBUTES
-  /** How the first element of a page loads the WebAssembly. */
+  /** The sources of the WebAssembly, used by the first element of a page. */
   static load: FigureLoadOptions = {}
 
   readonly #internals: ElementInternals
   readonly #shell: Shell
   #figure: Figure | undefined
-  /** What was set in place of attributes and children. */
+  /** The data that was set by properties instead of attributes and children. */
   #own: Opened | undefined
-  /** What was set as layers. */
+  /** The layers that were set by the property. */
   #layers: Layers | undefined
   #view: LinkView | undefined
   #region: RegionShape | undefined
@@ -189,35 +189,35 @@ export class CircleVoronoiElement extends Base {
   #isDisabled = false
   #isShown = true
   #selection: readonly number[] = []
-  /** The selection of circles that are not there yet. */
+  /** A selection that waits for its circles. */
   #nextSelection: readonly number[] | undefined
   #stopWatching: (() => void) | undefined
   #stopWaiting: (() => void) | undefined
-  /** What undo goes back to once the circles of a figure that has ended are shown again. */
+  /** The undo history of a figure that has ended, for when its circles are shown again. */
   #past: { readonly own: Opened; readonly past: Past } | undefined
   #paper: Paper | undefined
-  /** `value`, and which change it is of. */
+  /** The cached `value`, and the number of its change. */
   #value: { readonly circles: Float64s; readonly change: number } | undefined
-  /** How many programs change the circles; if none does, a reader does. */
+  /** The number of running changes by programs. Without any, changes are a reader's. */
   #programs = 0
-  /** Whether a reader has changed circles that are still held. */
+  /** Whether a reader still holds the circles that they have changed. */
   #isHeld = false
   #children: MutationObserver | undefined
   #loading: AbortController | undefined
-  /** Circles are about to be shown. */
+  /** Whether circles are being opened. */
   #isOpening = false
-  /** Another region or other areas are about to be shown. */
+  /** Whether a change of region or areas is pending. */
   #isChanging = false
-  /** Its words are being loaded. */
+  /** The download of the element's language. */
   #speaking: Promise<void> | undefined
   #update: Promise<void> = Promise.resolve()
-  /** What the form is told of the circles as they are, and whether they meet the check. */
+  /** The pending update of the form's value and validity. */
   #telling: Promise<void> = Promise.resolve()
-  /** The array that came with the last event: who sets it again has not changed anything. */
+  /** The array of the last event. Setting it again changes nothing. */
   #newest: object | undefined
   #changes = 0
   #ready = new Settling()
-  /** What is wrong with attributes and properties, by their names. */
+  /** The errors of attributes and properties, by name. */
   readonly #wrong = new Map<string, Error>()
 
   /** Creates an element, as `document.createElement` does. */
@@ -227,7 +227,7 @@ export class CircleVoronoiElement extends Base {
     this.#shell = new Shell(this.attachShadow({ mode: 'open' }))
     this.#describe()
     this.#shell.onrestyle = () => this.#figure?.view.restyle()
-    // After the figure itself has heard of it.
+    // Listens after the figure itself.
     for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) {
       this.#shell.figure.addEventListener(name, () => queueMicrotask(() => this.#tellReleased(0)))
     }
@@ -245,7 +245,7 @@ export class CircleVoronoiElement extends Base {
       if (this.#figure !== undefined && this.#isOfChildren) this.#reload()
     })
     this.#children.observe(this, { childList: true, subtree: true, characterData: true })
-    // A page is printed whole, and a tab that is hidden is never seen.
+    // Printing needs the whole page, and a hidden tab never becomes visible first.
     const { connection } = navigator as { readonly connection?: { readonly saveData?: boolean } }
     if (connection?.saveData !== true) this.#stopWaiting = whenIdle(() => this.#start())
     this.#stopWatching = watchSight(this, (sight) => {
@@ -361,7 +361,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   async #whenReady(): Promise<void> {
-    // The script that asks may put it into a page afterwards.
+    // The calling script may insert the element afterwards.
     await new Promise((resolve) => setTimeout(resolve))
     if (this.isConnected) await this.#ready.promise
   }
@@ -382,7 +382,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The same as `circles`, by the name that form libraries use. Between two changes it is one object. Setting circles that are
+   * An alias of `circles`, by the name that form libraries use. Between two changes it is one object. Setting circles that are
    * there already changes nothing, and `''` means "not set".
    */
   get value(): Float64s {
@@ -601,9 +601,9 @@ export class CircleVoronoiElement extends Base {
       this.#fail('check', error as Error)
       return
     }
-    // An attribute that is not there does not change.
+    // Setting an attribute that is missing anyway causes no callback.
     if (!isSet(text)) this.#right('check')
-    // What is wrong with a text is told where the attribute is taken.
+    // An error in the text is reported by the attribute's callback.
     this.#reflect('check', text)
   }
 
@@ -657,7 +657,7 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** Selects what is to be selected, once there are circles. */
+  /** Applies a pending selection once there are circles. */
   #select(): void {
     const figure = this.#figure
     const next = this.#nextSelection
@@ -810,7 +810,7 @@ export class CircleVoronoiElement extends Base {
     return this.#figure
   }
 
-  /** Returns the view once the requested step is visible. */
+  /** Resolves to the view once the requested step is visible. */
   async #shownView(): Promise<View> {
     const { stepping, view } = await this.#started()
     await stepping.whenReady()
@@ -873,7 +873,7 @@ export class CircleVoronoiElement extends Base {
     this.#reload()
   }
 
-  /** Does what is not a reader's doing. */
+  /** Runs a change that is not made by a reader. */
   async #byProgram(act: () => Promise<unknown>): Promise<void> {
     this.#programs += 1
     try {
@@ -886,11 +886,11 @@ export class CircleVoronoiElement extends Base {
   #tellInput(): void {
     this.#isHeld = true
     this.dispatchEvent(new Event('input', { bubbles: true, composed: true }))
-    // The edit that is told of is one of those that are not finished.
+    // The edit being reported counts as unfinished.
     this.#tellReleased(1)
   }
 
-  /** `unfinished`: how many edits there may be that are. */
+  /** Reports the release once at most `unfinished` edits are running. */
   #tellReleased(unfinished: number): void {
     const figure = this.#figure
     if (!this.#isHeld || figure === undefined || figure.isPressed || figure.editing.unfinished > unfinished) return
@@ -920,13 +920,13 @@ export class CircleVoronoiElement extends Base {
 
   #show(): void {
     if (this.#figure === undefined) return
-    // Many circles are printed as the pixels that there are.
+    // Many circles are printed as existing pixels.
     const isShown = this.#isShown || this.#figure.editing.circles.count > MOST_DRAWN
     this.#figure.view.isShown = isShown
     this.#shell.isShown = isShown
   }
 
-  /** Opens what attributes, properties and children say. */
+  /** Opens the data of attributes, properties and children. */
   #reload(): void {
     this.#loading?.abort()
     const loading = new AbortController()
@@ -934,7 +934,7 @@ export class CircleVoronoiElement extends Base {
     const figure = this.#figure as Figure
     this.#isOpening = true
     this.#update = this.#byProgram(() => this.#open(figure, loading.signal)).then(() => {
-      // If not, others are about to be shown.
+      // A newer opening has replaced this one.
       if (loading.signal.aborted) return
       this.#isOpening = false
       this.#select()
@@ -948,7 +948,7 @@ export class CircleVoronoiElement extends Base {
       await this.#speaking
       const given = await this.#opened(signal)
       if (signal.aborted) return
-      // Nothing is said of circles any more.
+      // Without data, the figure becomes empty.
       const opened = given ?? (figure.editing.scene && openedState({}))
       if (opened === undefined) return
       const view = opened.view ?? this.view
@@ -963,12 +963,12 @@ export class CircleVoronoiElement extends Base {
     } catch (error) {
       if (signal.aborted) return
       if (figure.editing.scene === undefined) this.#shell.fail()
-      // What was refused is told already.
+      // A refusal has been reported already.
       if (!figure.isTold(error as Error)) this.#fail('circles', error as Error)
     }
   }
 
-  /** Opens circles in a domain, or without what is wrong with that. */
+  /** Opens circles in a domain, leaving out the parts of the domain that are refused. */
   async #openIn(figure: Figure, { region, lattice, areas }: Domain, opened: Opened): Promise<void> {
     const attempts = [
       ...(lattice === undefined ? [] : [{ name: 'lattice', domain: { region, lattice, areas } }]),
@@ -982,14 +982,14 @@ export class CircleVoronoiElement extends Base {
         return
       } catch (error) {
         if (name === undefined || !figure.isTold(error as Error)) throw error
-        // What the next one is not refused for is what was wrong.
+        // If the opening succeeds without the areas, they caused the error.
         this.#wrong.delete('areas')
         this.#wrong.set(name, error as Error)
       }
     }
   }
 
-  /** What attributes and properties say of the region and the areas. */
+  /** Reads the region and the areas from attributes and properties. */
   async #domain(signal: AbortSignal): Promise<Domain> {
     const text = this.getAttribute('region')
     let region = this.#region
@@ -997,7 +997,7 @@ export class CircleVoronoiElement extends Base {
       if (region === undefined && text) region = await regionFrom(text, this.baseURI, signal)
       if (region !== undefined && this.dissolve) region = plainRegion(region, true)
     } catch (error) {
-      // A text that is none was told of as it was set.
+      // An invalid text has been reported when it was set.
       if (!signal.aborted && !this.#wrong.has('region')) this.#fail('region', error as Error)
     }
     const lattice = this.#lattice ?? this.#read('lattice', parseLattice)
@@ -1005,7 +1005,7 @@ export class CircleVoronoiElement extends Base {
     return { region, lattice, areas }
   }
 
-  /** Shows what attributes and properties say of the region and the areas: once, if both are set. */
+  /** Applies region and areas from attributes and properties. Simultaneous changes are applied together. */
   #changeDomain(): void {
     if (this.#own !== undefined) this.#own = { ...this.#own, domain: undefined }
     const figure = this.#figure
@@ -1016,18 +1016,18 @@ export class CircleVoronoiElement extends Base {
       this.#isChanging = false
       if (figure !== this.#figure || figure.editing.scene === undefined) return
       const domain = await this.#domain(signal)
-      // Who opens something else meanwhile asks for both again.
+      // A newer opening reads both again.
       if (!signal.aborted) await this.#byProgram(() => figure.setDomain(domain)).catch(() => {})
     })
   }
 
-  /** `undefined`: nothing is said of circles. */
+  /** `undefined` if neither properties nor attributes give circles. */
   async #opened(signal: AbortSignal): Promise<Opened | undefined> {
     if (this.#own !== undefined) return this.#own
     const text = this.getAttribute('circles')
     if (text !== null) return opened(readCircles(text))
     if (this.src !== '') return openedFrom(new URL(this.src, this.baseURI).href, signal)
-    // A script that a browser meets before the element runs before what stands between the tags is there.
+    // While the page is loading, the children of the element may be incomplete.
     if (document.readyState === 'loading') {
       await new Promise((resolve) => addEventListener('DOMContentLoaded', resolve, { signal, once: true }))
     }
@@ -1035,12 +1035,12 @@ export class CircleVoronoiElement extends Base {
     return circles && opened(circles)
   }
 
-  /** What the page says. What is shown is the figure's. */
+  /** The step that the page has set, as opposed to the visible one. */
   get #ownStep(): number | undefined {
     return this.#read('step', parseStep)
   }
 
-  /** Where the method begins, if it is to be played at all. */
+  /** The first step to show, if the method is to be played. */
   get #firstStep(): number | undefined {
     return this.#controls.hasPlayer ? 0 : undefined
   }
@@ -1071,7 +1071,7 @@ export class CircleVoronoiElement extends Base {
     this.#checkCircles()
   }
 
-  /** @throws Refusal of a check that cannot be read, or of circles that are not there */
+  /** @throws Refusal if the check is invalid or names missing circles */
   #checkCircles(): void {
     const text = this.getAttribute('check')
     const editing = this.#figure?.editing
@@ -1103,14 +1103,14 @@ export class CircleVoronoiElement extends Base {
     this.#telling = this.#tellFormNow()
   }
 
-  /** What is sent with a form, and whether it may be. */
+  /** Updates the form's value and validity. */
   async #tellFormNow(): Promise<void> {
     const figure = this.#figure
     const check = this.#check
-    // It calls circles by their numbers.
+    // Checks use circle numbers, the facts use ids.
     const asked = check && figure && withIds(check, (number) => figure.editing.idOf(number))
     const facts = asked && (await figure?.view.ask('tell', idsOf(asked)))
-    // Meanwhile there may be others.
+    // The figure or the check may have been replaced in the meantime.
     if (figure !== this.#figure || check !== this.#check) return
     const isMet = check && asked !== undefined && facts !== undefined && holds(asked, facts)
     const isOther = isMet !== this.#isMet
@@ -1140,7 +1140,7 @@ export class CircleVoronoiElement extends Base {
     return wordsOf(this.#language)
   }
 
-  /** Has the words of its language loaded. */
+  /** Loads the texts of the element's language. */
   #speak(): void {
     this.#speaking = loadWords(this.#language)?.then(() => {
       this.#applyControls()
@@ -1150,7 +1150,7 @@ export class CircleVoronoiElement extends Base {
     this.#figure?.stepping.redraw()
   }
 
-  /** That of the page, as far as it is known. */
+  /** The language of the page, if it is known. */
   get #language(): string {
     let element: Element | undefined = this
     while (element !== undefined) {
@@ -1162,7 +1162,7 @@ export class CircleVoronoiElement extends Base {
     return ''
   }
 
-  /** The circles are copied for whoever looks at them. */
+  /** The event gets a copy of the circles. */
   #detail(): CircleVoronoiEventMap['circleschange']['detail'] {
     let circles: Float64s | undefined
     const ids = () => this.ids
@@ -1184,7 +1184,7 @@ export class CircleVoronoiElement extends Base {
     }
   }
 
-  /** What goes wrong is told, and stays to be seen until the name is set to something right. */
+  /** Reports an error, and shows it until the property gets a valid value. */
   #try(name: string, act: () => void): void {
     try {
       act()
@@ -1211,7 +1211,7 @@ export class CircleVoronoiElement extends Base {
     this.#shell.problem = [...wrong, problem].filter((text) => text !== '').join(' ')
   }
 
-  /** What an attribute says, if that is right; if not, it was told when it was set. */
+  /** Parses an attribute. Errors have been reported when it was set, so they give `undefined`. */
   #read<Value>(name: string, parse: (text: string) => Value): Value | undefined {
     const text = this.getAttribute(name)
     if (text === null) return undefined
@@ -1234,7 +1234,7 @@ export class CircleVoronoiElement extends Base {
     else this.removeAttribute(name)
   }
 
-  /** A property may have been set before this was an element of this class. */
+  /** Moves a property that was set before the class was defined. */
   #upgrade(name: (typeof PROPERTIES)[number]): void {
     if (!Object.hasOwn(this, name)) return
     const value = this[name]
@@ -1243,7 +1243,7 @@ export class CircleVoronoiElement extends Base {
   }
 }
 
-/** What attributes of more than a word say. */
+/** The parsers of attributes. */
 const PARSERS = {
   areas: parseAreas,
   check: parseCheck,
@@ -1257,12 +1257,12 @@ const PARSERS = {
   view: parseView,
 }
 
-/** Frameworks set a property that is not there any more to `undefined` or `null`. */
+/** Frameworks remove a property by setting it to `undefined` or `null`. */
 function isSet<Value>(value: Value | undefined | null): value is Value {
   return value !== undefined && value !== null
 }
 
-/** A promise that is settled from outside. */
+/** A promise with external resolve and reject. */
 class Settling {
   settle: () => void = () => {}
   readonly promise = new Promise<void>((resolve) => {

@@ -7,21 +7,21 @@ import { ADD, FIT, MINUS, PLUS, REDO, REMOVE, UNDO } from '../view/icons.ts'
 import { make, type Shell } from './shell.ts'
 import type { Words } from './words.ts'
 
-/** Around circles that are all seen, in pixels; above them stand buttons, if there are any. */
+/** Margin around all circles, in pixels. Buttons need more room above. */
 const ROOM = 16
 const BELOW_BUTTONS = 12
 const SVG = 'http://www.w3.org/2000/svg'
 
-/** What is free around circles that are all seen. */
+/** The padding of the picture below the buttons. */
 export function paddingBelow(controls: HTMLElement): Padding {
   const { clientHeight } = controls
-  // Those of a narrow figure stand below it.
+  // In a narrow figure the buttons are below the picture.
   const isAbove = clientHeight > 0 && getComputedStyle(controls).position === 'absolute'
   const top = isAbove ? clientHeight + BELOW_BUTTONS : ROOM
   return { top, right: ROOM, bottom: ROOM, left: ROOM }
 }
 
-/** The buttons of a running figure. `isReadonly`: those that change nothing. */
+/** Mounts the buttons of a running figure. `isReadonly` leaves out the buttons that edit. */
 export function mountControls(
   { controls, figure }: Shell,
   { actions, store }: Figure,
@@ -51,7 +51,7 @@ export function mountControls(
   controls.replaceChildren(...(isReadonly ? [] : [add, remove, undo, redo]), zoomOut, zoomIn, fit)
 
   const unsubscribe = store.subscribe(({ tool, selection, history }) => {
-    // Others stand there now, or none.
+    // The buttons have been replaced or removed.
     if (fit.parentElement !== controls) return unsubscribe()
     add.ariaPressed = String(tool === 'add')
     disable(remove, selection.length === 0, figure)

@@ -21,9 +21,8 @@ export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dat
 }
 
 /**
- * What a state says.
- *
- * @throws Refusal, if it has a data set of the page in place of circles
+ * Converts a state.
+ * @throws Refusal if it names a data set of the page instead of circles
  */
 export function openedState({ circles, dataSet, ...rest }: LinkState): Opened {
   if (circles === undefined && dataSet !== undefined) {
@@ -32,7 +31,7 @@ export function openedState({ circles, dataSet, ...rest }: LinkState): Opened {
   return opened(circles ?? new Float64Array(), rest)
 }
 
-/** What a link says. Its reader is loaded when it is needed. @throws CircleVoronoiError `badInput`, `notLoaded` */
+/** Decodes a link. The decoder is loaded on demand. @throws CircleVoronoiError `badInput`, `notLoaded` */
 export async function linkState(link: string): Promise<LinkState> {
   const { decodeLink } = await import('../lib/link.ts')
   return decodeLink(link)
@@ -43,9 +42,8 @@ async function openedLink(link: string): Promise<Opened> {
 }
 
 /**
- * What is at an address: a file, or where the address is a link of the page, what that says.
- *
- * @throws CircleVoronoiError, or what `fetch` throws
+ * Loads an address: a file, or a link to the playground.
+ * @throws CircleVoronoiError, or the error of `fetch`
  */
 export async function openedFrom(src: string, signal: AbortSignal): Promise<Opened> {
   const link = LINK.exec(src)?.[1]
@@ -68,9 +66,8 @@ export async function openedFrom(src: string, signal: AbortSignal): Promise<Open
 }
 
 /**
- * The region that a text says, or the file at an address.
- *
- * @throws CircleVoronoiError, or what `fetch` throws
+ * Reads a region from text, or from the file at an address.
+ * @throws CircleVoronoiError, or the error of `fetch`
  */
 export async function regionFrom(text: string, base: string, signal: AbortSignal): Promise<RegionShape> {
   if (isRegionText(text)) return readRegion(text)
@@ -80,13 +77,13 @@ export async function regionFrom(text: string, base: string, signal: AbortSignal
   return readRegion(await response.text())
 }
 
-/** The circles that stand between an element's tags, if there are any. */
+/** The circles between an element's tags, if there are any. */
 export function circlesWithin(element: Element): Float64s | undefined {
   const script = element.querySelector(':scope > script[type="application/json"]')
   if (script !== null) return readCircles(script.textContent ?? '')
   const table = element.querySelector('table') ?? tableAfter(element)
   if (table !== null) return circlesOfTable(table)
-  // A table in Markdown that no program has read.
+  // A Markdown table that no program has converted.
   const text = Array.from(element.childNodes, (node) =>
     node.nodeType === Node.TEXT_NODE ? node.textContent : '',
   ).join('')
@@ -94,9 +91,9 @@ export function circlesWithin(element: Element): Float64s | undefined {
 }
 
 /**
- * The table that an author has written between the tags, after which some readers of Markdown close the paragraph of the first tag
- * (`<p><circle-voronoi></p><table>...</table><p></circle-voronoi></p>`): a browser then closes the element before the table, and
- * leaves an empty paragraph after it.
+ * The table that an author has written between the tags. Some Markdown converters close the paragraph of the first tag
+ * after it (`<p><circle-voronoi></p><table>...</table><p></circle-voronoi></p>`). A browser then closes the element
+ * before the table, and leaves an empty paragraph behind it.
  */
 function tableAfter(element: Element): HTMLTableElement | null {
   const paragraph = element.parentElement

@@ -26,7 +26,7 @@ export interface DefineOptions extends FigureLoadOptions {
  */
 export function defineCircleVoronoi({ name = 'circle-voronoi', ...load }: DefineOptions = {}): void {
   if (globalThis.customElements === undefined || customElements.get(name) !== undefined) return
-  // A class has one name.
+  // A class can have only one tag name.
   const Element = class extends CircleVoronoiElement {}
   Element.load = load
   customElements.define(name, Element)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each of the modules of the element has.
+// The common exports of the element's modules.
 
 export type { CellCheck, Check, DiagramCheck, NumberCondition } from '../lib/check-types.ts'
 export type {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The element in JSX and in templates. A framework that is not installed is no part of a program.
+// Declares the element in JSX and in templates. Declarations for frameworks that are not installed have no effect.
 
 import type { Check } from '../lib/check-types.ts'
 import type { Circles, Lattice, Method, RegionShape } from '../lib/index.ts'
@@ -35,14 +35,14 @@ export interface CircleVoronoiProps {
   view?: LinkView | string | null | undefined
 }
 
-/** Events, by the names of properties that listen. */
+/** The listener properties of the events. */
 type Listeners = {
   [Name in keyof CircleVoronoiEventMap as `on${Name}`]?: ((event: CircleVoronoiEventMap[Name]) => void) | undefined
 }
 type VueListeners = {
   [Name in keyof CircleVoronoiEventMap as `on${Capitalize<Name>}`]?: Listeners[`on${Name}`]
 }
-/** What any element has in a framework. */
+/** The common properties of elements in a framework. */
 interface Common {
   [name: `${'aria-' | 'data-' | 'on'}${string}`]: unknown
   children?: unknown

@@ -10,7 +10,7 @@ import { listed } from '../view/refusal.ts'
 import type { ElementRefusals } from './refusals.ts'
 import { numbersOf, type Words } from './words.ts'
 
-/** What an element says by itself, in German. */
+/** The element's texts in German. */
 export function germanWords(lang: string): Words {
   const number = numbersOf(lang)
   const count = (value: number, one: string, many: string) => `${number(value)} ${value === 1 ? one : many}`
@@ -82,7 +82,7 @@ const EDITING: EditingWords = {
   snapsNot: 'Einrasten ist aus',
 }
 
-/** What the library refuses or cannot do. */
+/** The errors of the library. */
 const CODES: Readonly<Record<ErrorCode, string>> = {
   nonFinite: 'Eine Zahl ist nicht endlich.',
   negativeRadius: 'Der Radius darf nicht negativ sein.',

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** A browser that is never idle acts after so many milliseconds. */
+/** Longest wait for an idle browser, in milliseconds. */
 const LATEST = 3000
 
 const waiting = new Set<() => void>()
 let isWaiting = false
 
 /**
- * Calls a function once the page has loaded and the browser has nothing else to do, after all that wait already: one at a time. Returns
- * what takes it back.
+ * Calls a function once the page has loaded and the browser is idle. Functions run one at a time, in order. Returns a
+ * function that cancels the call.
  */
 export function whenIdle(act: () => void): () => void {
   waiting.add(act)
@@ -28,7 +28,7 @@ function next(): void {
     if (isWaiting) next()
     act?.()
   }
-  // WebKit does not tell when it is idle.
+  // WebKit has no idle callback.
   if ('requestIdleCallback' in globalThis) requestIdleCallback(run, { timeout: LATEST })
   else setTimeout(run, LATEST / 10)
 }

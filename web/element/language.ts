@@ -5,13 +5,13 @@ import { english, type Words } from './words.ts'
 let german: typeof import('./german.ts') | undefined
 const loadGerman = loadedOnce(() => import('./german.ts'))
 
-/** Of a language; where it is none of these, or not loaded yet, English. */
+/** The texts in a language. English is the fallback, also until another language is loaded. */
 export function wordsOf(lang: string): Words {
   if (isGerman(lang) && german !== undefined) return german.germanWords(lang)
   return english(/^en(-|$)/i.test(lang) ? lang : 'en')
 }
 
-/** Settled once the words of a language are there, or cannot be loaded; `undefined`: they are. */
+/** Loads the texts of a language. Settles when they are loaded or have failed; `undefined` if nothing needs loading. */
 export function loadWords(lang: string): Promise<void> | undefined {
   if (!isGerman(lang) || german !== undefined) return undefined
   return loadGerman().then(
@@ -19,7 +19,7 @@ export function loadWords(lang: string): Promise<void> | undefined {
       german = module
     },
     () => {
-      // It may be there the next time.
+      // A failed download is tried again next time.
     },
   )
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of web/lib/diagram/diagram-file.ts: the element neither reads nor writes diagrams as JSON.
+// Replaces web/lib/diagram/diagram-file.ts, because the element neither reads nor writes diagrams as JSON.
 
 export function dataFrom(): never {
   throw new Error('The element reads no diagrams.')

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures on paper. A page is printed at once, so the picture of each figure is kept as a drawing, which is sharp at any resolution.
+// Figures in print. Printing does not wait, so each figure keeps a drawing ready, which is sharp at any resolution.
 import { parsedSvg } from './parsed-svg.ts'
 
-/** Nothing changes for so long, in milliseconds, before the drawing is made. */
+/** Pause after a change before the drawing is made, in milliseconds. */
 const REST = 300
 
 const papers = new Set<Paper>()
 let isListening = false
 
-/** The drawing of one figure, which it has while its page is printed. */
+/** The drawing of one figure for print. */
 export class Paper {
   readonly #place: HTMLElement
   readonly #draw: () => Promise<string>
@@ -16,7 +16,7 @@ export class Paper {
   #rest: ReturnType<typeof setTimeout> | undefined
   #turn = 0
 
-  /** `place` gets the drawing as its child. Where `draw` returns an empty text, paper shows the pixels of the screen. */
+  /** `place` gets the drawing as its child. If `draw` returns an empty text, the pixels of the screen are printed. */
   constructor(place: HTMLElement, draw: () => Promise<string>) {
     this.#place = place
     this.#draw = draw
@@ -31,7 +31,7 @@ export class Paper {
     matchMedia('print').addEventListener('change', ({ matches }) => show(matches))
   }
 
-  /** Has the drawing made anew, once nothing else changes. */
+  /** Schedules a new drawing, once nothing else changes. */
   change(): void {
     this.#turn += 1
     const turn = this.#turn

@@ -5,8 +5,8 @@ const TAG = /<(\/?)([a-zA-Z]+)([^>]*?)(\/?)>|([^<]+)/g
 const ATTRIBUTE = /([\w:-]+)="([^"]*)"/g
 
 /**
- * The elements of an SVG that `svgOf` has written. A parser of the browser would take it only from a policy where a page requires
- * Trusted Types.
+ * Builds the elements of an SVG that `svgOf` has written. The browser's parser would need a policy in pages that
+ * require Trusted Types.
  */
 export function parsedSvg(text: string): SVGElement | undefined {
   const open: SVGElement[] = []

@@ -55,7 +55,7 @@ export interface CircleVoronoiComponentProps extends CircleVoronoiProps, Listene
   [name: `${'aria-' | 'data-'}${string}`]: unknown
 }
 
-// On a server there is no layout, and React 18 says so.
+// Servers have no layout, and React 18 warns about layout effects there.
 const useEffectOfLayout = typeof document === 'undefined' ? useEffect : useLayoutEffect
 
 /**
@@ -78,7 +78,7 @@ export const CircleVoronoi: ForwardRefExoticComponent<
     const figure = element.current as unknown as Record<string, unknown>
     const next = objectsOf(props)
     for (const name of Object.keys(objects.current)) {
-      // Where it is a text now, React has set the attribute.
+      // React has already set the attribute of a property that is a text now.
       if (!Object.hasOwn(next, name)) figure[name] = (props as Record<string, unknown>)[name]
     }
     for (const [name, value] of Object.entries(next)) if (objects.current[name] !== value) figure[name] = value
@@ -99,20 +99,20 @@ export const CircleVoronoi: ForwardRefExoticComponent<
 })
 CircleVoronoi.displayName = 'CircleVoronoi'
 
-/** What only a property takes. */
+/** The properties whose values are objects, which attributes cannot hold. */
 function objectsOf(props: CircleVoronoiComponentProps): Record<string, object> {
   const entries = Object.entries(props).filter(([name, value]) => isOfElement(name) && isObject(value))
   return Object.fromEntries(entries)
 }
 
-/** What an attribute says, which is there before any script runs. */
+/** The attributes, which work before any script runs. */
 function attributesOf(props: CircleVoronoiComponentProps): Record<string, unknown> {
   const attributes: Record<string, unknown> = {}
   for (const [name, value] of Object.entries(props)) {
     if (name === 'className') attributes.class = value
     else if (name === 'style') attributes.style = value
     else if (isOfElement(name) && !isObject(value)) {
-      // React 18 writes `true` and `false` as texts.
+      // React 18 writes `true` and `false` as text.
       const said = value === true && !/^(aria|data)-/.test(name) ? '' : value
       if (said !== false && said !== null && said !== undefined) attributes[name] = said
     }

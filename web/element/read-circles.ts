@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page says of circles, and what is wrong with it in the language of its reader.
+// Reads circles from a page's text, tables and data. Errors are in the reader's language.
 import { isRecord } from '../lib/base/check.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import type { Float64s } from '../lib/index.ts'
@@ -24,7 +24,7 @@ export function readCircles(text: string): Float64s {
   return circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
 }
 
-/** Those of a table: a row for each, three numbers or what a header row names. */
+/** Reads a table with a row for each circle: three numbers, or columns named by a header row. */
 export function circlesOfTable(table: HTMLTableElement): Float64s {
   const rows = Array.from(table.rows, (row, k) => ({
     line: k + 1,
@@ -33,7 +33,7 @@ export function circlesOfTable(table: HTMLTableElement): Float64s {
   return circlesOfCells(rows, (words, line) => words.row(line))
 }
 
-/** Those of a table in Markdown, with or without a line below its header. */
+/** Reads a Markdown table, with or without the line below its header. */
 export function circlesOfMarkdown(text: string): Float64s {
   const lines = text.split(/\r\n?|\n/).map((line, k) => ({
     line: k + 1,
@@ -46,7 +46,7 @@ export function circlesOfMarkdown(text: string): Float64s {
   return circlesOfCells(rows, (words, line) => words.line(line))
 }
 
-/** `place`: what a row is called in errors. */
+/** `place` formats the position of a row for errors. */
 function circlesOfCells(
   rows: readonly { readonly line: number; readonly fields: readonly string[] }[],
   place: (words: ElementRefusals, line: number) => string,
@@ -57,7 +57,7 @@ function circlesOfCells(
   }))
   const fieldsOf = (line: number) => rows.find((row) => row.line === line)?.fields.map((text) => text.trim()) ?? []
   const circles = saying(
-    // Commas separate nothing between cells.
+    // Cells are separate already, so that commas are decimal marks.
     () => circlesOfRows(cells, ';'),
     (words, line) => words.notThree(place(words, line), fieldsOf(line).join(' ')),
   )
@@ -71,13 +71,13 @@ function circlesOfGiven(given: unknown): Float64s {
       (words) => words.noCircles,
     )
   }
-  // As the arrays of a diagram are written, or as a state.
+  // Accepts the arrays of a diagram, and states.
   const list = isRecord(given) ? given.circles : given
   const isFlat = Array.isArray(list) && typeof list[0] === 'number'
   return coordinatesOf(isFlat ? Float64Array.from(list as number[]) : (list as Circles))
 }
 
-/** What `read` returns; a problem of the text becomes a refusal. `say`: about a line. */
+/** Runs `read`, and turns an error in the text into a refusal. `say` formats errors of a line. */
 function saying(read: () => Float64s, say: (words: ElementRefusals, line: number) => string): Float64s {
   try {
     return read()

@@ -2,7 +2,7 @@
 import type { ErrorCode } from '../lib/base/errors.ts'
 import { ENGLISH_REFUSALS, listed, Refusal, type Refusals } from '../view/refusal.ts'
 
-/** What is wrong with what a page says, in the sentences of a language. */
+/** Error messages about a page's input, in one language. */
 export interface ElementRefusals extends Refusals {
   readonly circles: string
   readonly method: string
@@ -14,7 +14,7 @@ export interface ElementRefusals extends Refusals {
   readonly sharesOrEqual: string
   readonly selection: string
   readonly listOfIds: string
-  /** Of words of which several may stand: these, or all. */
+  /** Some of these words may be given, or all. */
   someOf(words: readonly string[]): string
   notJson(what: string, reason: string): string
   readonly view: string
@@ -31,7 +31,7 @@ export interface ElementRefusals extends Refusals {
   checkFlag(name: string): string
   checkCondition(name: string): string
   checkName(isOfCell: boolean, name: string, known: readonly string[]): string
-  /** `count`: how many ids circles have had. */
+  /** `count` is the number of ids ever assigned. */
   checkMissing(circle: number, count: number): string
   line(k: number): string
   row(k: number): string

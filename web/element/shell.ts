@@ -4,20 +4,20 @@ import theme from '../view/theme.css?inline'
 import css from './shell.css?inline'
 import type { Words } from './words.ts'
 
-/** Of all figures of a page; a page without inline styles takes it. */
+/** The style sheet shared by all figures of a page. Adopted sheets work under policies without inline styles. */
 let sheet: CSSStyleSheet | undefined
 
-/** What is inside of an element: without circles it shows its poster, or what stands between its tags. */
+/** The contents of an element's shadow root. Without circles it shows the poster, or the fallback between the tags. */
 export class Shell {
-  /** The picture, and what stands above it. */
+  /** The picture with its overlays. */
   readonly frame = make('div', 'frame')
-  /** The picture and its buttons. */
+  /** The picture with its buttons. */
   readonly picture = make('div', 'picture')
-  /** What is printed in place of pixels. */
+  /** The drawing that is printed in place of pixels. */
   readonly paper = make('div', 'paper')
   readonly figure = make('div', 'figure circle-voronoi')
   readonly controls = make('div', 'controls')
-  /** Where the method is told of, below the picture. */
+  /** The player below the picture. */
   readonly player = make('div', 'player')
   readonly said = make('p', 'visually-hidden')
   readonly #fallback = make('div', 'fallback')
@@ -26,7 +26,7 @@ export class Shell {
   readonly #problem = make('p', 'problem')
   readonly #about = make('p', 'visually-hidden')
   readonly #keys = make('p', 'visually-hidden')
-  /** Called where colors may be others. */
+  /** Called when colors may have changed. */
   onrestyle: () => void = () => {}
   #hiding: ReturnType<typeof setTimeout> | undefined
 
@@ -39,7 +39,7 @@ export class Shell {
     this.#about.id = 'about'
     this.#keys.id = 'keys'
     this.figure.setAttribute('part', 'figure')
-    // Its keys are its own, so a screen reader must pass them on.
+    // The figure handles keys itself, so that screen readers must pass them on.
     this.figure.role = 'application'
     this.figure.setAttribute('aria-describedby', 'about keys')
     this.controls.setAttribute('part', 'controls')
@@ -60,7 +60,8 @@ export class Shell {
     this.paper.ariaHidden = 'true'
     this.frame.append(this.figure, this.paper, this.#fallback, this.#hint, this.#problem)
     this.picture.append(this.frame, this.controls)
-    // Its colors take a moment to change, which is told of: nothing else tells of a custom property, or of a page that turns dark.
+    // The probe's colors have transitions, whose events report changes of custom properties and of the color scheme.
+    // Nothing else reports these.
     const probe = make('span', 'probe')
     probe.addEventListener('transitionrun', () => this.onrestyle())
     const stage = make('div', 'stage')
@@ -71,24 +72,24 @@ export class Shell {
     this.isRunning = false
   }
 
-  /** Whether there are circles to be seen. */
+  /** Whether circles are visible. */
   set isRunning(isRunning: boolean) {
     this.frame.dataset.running = String(isRunning)
     this.figure.inert = !isRunning
     this.figure.tabIndex = isRunning ? 0 : -1
   }
 
-  /** There will be no figure: what stands between the tags is all that there is. */
+  /** Shows the fallback for good, because the figure cannot run. */
   fail(): void {
     this.#poster.remove()
   }
 
-  /** Whether there are pixels to be printed. */
+  /** Whether there are pixels to print. */
   set isShown(isShown: boolean) {
     this.frame.dataset.shown = String(isShown)
   }
 
-  /** What it is called in the language of its page, or else in that of the words, and what it shows. */
+  /** Sets the accessible name, in the language of the page or else of the texts, and the description. */
   describe(words: Words, label: string, about: string, isReadonly: boolean): void {
     this.controls.lang = words.lang
     for (const element of [this.#hint, this.#about, this.#keys, this.said, this.#problem]) speak(element, words.lang)
@@ -102,14 +103,14 @@ export class Shell {
     this.#keys.textContent = spokenKeys(words.keys, isReadonly)
   }
 
-  /** What cannot be shown, and why, or nothing. */
+  /** The current error message, or an empty text. */
   set problem(problem: string) {
-    // It is read out whenever it is set.
+    // Assigning the text announces it again.
     if (this.#problem.textContent !== problem) this.#problem.textContent = problem
     this.#problem.hidden = problem === ''
   }
 
-  /** Says something for a moment. */
+  /** Shows a hint for a moment. */
   hint(text: string): void {
     clearTimeout(this.#hiding)
     this.#hint.textContent = text
@@ -120,13 +121,13 @@ export class Shell {
   }
 }
 
-/** Says in which language it is, which is written from left to right. */
+/** Sets the language, whose direction is left to right. */
 function speak(element: HTMLElement, lang: string): void {
   element.lang = lang
   element.dir = 'ltr'
 }
 
-/** An element of some classes. */
+/** Creates an element with classes. */
 export function make<Name extends keyof HTMLElementTagNameMap>(
   name: Name,
   classes: string,

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Where an element is: `near` what is seen, or so `far` that it needs no pixels. */
+/** The position of an element relative to the window: `near`, or so `far` that it needs no pixels. */
 export type Sight = 'near' | 'far'
 
-/** In heights of the window: between the two, all stays as it is. */
+/** Distances in heights of the window. Between them the state stays as it is. */
 const NEAR = '25%'
 const FAR = '150%'
 
 const listeners = new WeakMap<Element, (sight: Sight) => void>()
 let observers: readonly IntersectionObserver[] | undefined
 
-/** Has a function told where an element comes to be, and returns what ends that. One pair of observers serves all. */
+/**
+ * Reports when an element comes near or goes far. Returns a function that stops this. All elements share two observers.
+ */
 export function watchSight(element: Element, tell: (sight: Sight) => void): () => void {
   observers ??= [observer(NEAR, true, 'near'), observer(FAR, false, 'far')]
   listeners.set(element, tell)

@@ -7,14 +7,14 @@ import type { PlayerWords } from '../player/words.ts'
 import type { DiagramCounts } from '../view/diagram-counts.ts'
 import type { ElementRefusals } from './refusals.ts'
 
-/** What an element says by itself. */
+/** The texts of an element. */
 export interface Words {
-  /** Their language, as an attribute `lang` has it. */
+  /** Their language, as a value of the attribute `lang`. */
   readonly lang: string
-  /** What a figure is called where its page does not say it. */
+  /** The default name of a figure. */
   readonly label: string
   readonly keys: KeyHelp
-  /** What is said to whoever turns the wheel, or moves a finger, over a figure that leaves it to the page. */
+  /** The hints for using the wheel or a finger over a figure that leaves these to the page. */
   readonly wheelHint: string
   readonly met: string
   readonly unmet: string
@@ -27,16 +27,16 @@ export interface Words {
     readonly zoomIn: string
     readonly fit: string
   }
-  /** What the player is called. */
+  /** The name of the player. */
   readonly player: string
-  /** What is shown, as a sentence. */
+  /** Describes the figure in a sentence. */
   describe(counts: DiagramCounts): string
   readonly editing: EditingWords
-  /** What English says by itself, in another language. */
+  /** Further texts that are built into English. */
   readonly others?: { readonly refusals: ElementRefusals & ProblemWords; readonly player: PlayerWords }
 }
 
-/** What an element says by itself, in English. */
+/** The English texts of an element. */
 export function english(lang: string): Words {
   const number = numbersOf(lang)
   const count = (value: number, one: string, many = `${one}s`) => `${number(value)} ${value === 1 ? one : many}`
@@ -65,7 +65,7 @@ export function english(lang: string): Words {
   }
 }
 
-/** Small numbers are written without loading the rules of languages. */
+/** Formats small numbers without loading locale data. */
 export function numbersOf(lang: string): (value: number) => string {
   return (value) => (value < 1000 ? String(value) : grouped(value, lang))
 }
