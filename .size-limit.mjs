@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page has to fetch, minified and compressed.
+// Limits for the minified and compressed files that a page downloads.
 import { resolve } from 'node:path'
 
 const LIB = 'dist/lib'
@@ -21,11 +21,11 @@ const wasm = (name, limit, module) => ({
 })
 
 export default [
-  // Of it 7 kB for what of a tile is final and for one triangulation of ties, 22 kB for editors and 2 for traces, 5 for
-  // signs of very short lengths, exact directions to discs that are nearly tangent lines, and editors with larger units,
-  // 9 for periodic diagrams and their check.
+  // This includes 7 kB for what of a tile is final and for one triangulation of ties, 22 kB for editors and 2 for
+  // traces, 5 for signs of very short lengths, exact directions to discs that are nearly tangent lines, and editors
+  // with larger units, 9 for periodic diagrams and their check.
   wasm('WebAssembly and its glue', '174 kB', 'circle-voronoi'),
-  // Of it 13 kB for the exact vertices of power diagrams, also those that are beyond the doubles on the way.
+  // This includes 13 kB for the exact vertices of power diagrams, also those that are beyond the doubles on the way.
   wasm('The same for comparisons, fetched when asked for', '79 kB', 'circle-voronoi-comparison'),
   // With the core, which also flips from one diagram to the next, the geometry and a sparse Cholesky decomposition; 22 kB
   // are for unions of polygons, 70 for exact signs along boundaries, discs and paths inside regions.
@@ -42,29 +42,31 @@ export default [
   },
   {
     name: 'The element in one file',
-    // Of it 325 kB for regions, fitted areas and power diagrams: the file may be copied alone.
+    // This includes 325 kB for regions, fitted areas and power diagrams: the file may be copied alone.
     limit: '717.5 kB',
     path: 'dist/element/bundle.js',
     gzip: true,
   },
   {
     name: 'The element with its thread and WebAssembly',
-    // Of it 155 kB for the WebAssembly, 30 for what draws and edits, in two languages, 3.5 for regions and areas, 7 for the scripts
-    // of the modules for these and for comparisons, as Vite up to 7 cannot split a thread; the rest for geometry and the painting thread.
+    // This includes 155 kB for the WebAssembly, 30 for what draws and edits, in two languages, 3.5 for regions and
+    // areas, 7 for the scripts of the modules for these and for comparisons, as Vite up to 7 cannot split a thread; the
+    // rest for geometry and the painting thread.
     limit: '284.5 kB',
     path: ['dist/element/index.js', 'dist/element/painter.js', `${LIB}/generated/circle-voronoi.wasm`],
-    // What the first figure does not need is fetched when asked for.
+    // Files that the first figure does not need are fetched on demand.
     ignore: ['player', 'german', 'link'].map((name) => `./${name}-*`),
     gzip: true,
     modifyEsbuildConfig: (config) => ({ ...config, format: 'esm', splitting: true, loader: { '.wasm': 'copy' } }),
   },
   {
     name: 'TypeScript layer',
-    // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 3 kB for
-    // sentences that say what is wrong with an argument, half a one for quick decimal texts, another for edges that are
-    // drawn as chords without their curves, 1 kB each for JSON, files and links, 1.5 for traces, and 4.7 kB for editors, here and in a worker,
-    // and diagrams that follow them, 3.5 kB for regions and fitted areas, here and in a worker, 0.4 for unchecked twins of
-    // public functions on hot paths, 0.1 for points as near to two circles, 0.2 for Trusted Types, 0.3 for attributes in links.
+    // This includes 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 3 kB
+    // for sentences that say what is wrong with an argument, half a one for quick decimal texts, another for edges that
+    // are drawn as chords without their curves, 1 kB each for JSON, files and links, 1.5 for traces, and 4.7 kB for
+    // editors, here and in a worker, and diagrams that follow them, 3.5 kB for regions and fitted areas, here and in a
+    // worker, 0.4 for unchecked twins of public functions on hot paths, 0.1 for points as near to two circles, 0.2 for
+    // Trusted Types, 0.3 for attributes in links.
     limit: '47 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*', '../generated/*'],

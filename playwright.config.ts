@@ -9,9 +9,9 @@ const slowdown = process.env.CIRCLE_VORONOI_SLOWDOWN
 if (slowdown !== undefined) slowDown(Number(slowdown))
 
 /**
- * What Chromium need not do. Each test has a window of its own, for which it would start a process with a list below its address
- * bar, and one for a next page: that takes two thirds of the time of an empty test. Only the last of several such options
- * counts, so the others are those of Playwright.
+ * Disables features of Chromium that tests do not need. For each window, which every test opens anew, it would start
+ * one process for a list below its address bar, and one for a next page, which takes two thirds of the time of an empty
+ * test. Only the last of several such options counts, so the list includes those of Playwright.
  */
 const FEATURES_WITHOUT_USE = [
   ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup', 'SpareRendererForSitePerProcess'],
@@ -32,21 +32,21 @@ export default defineConfig({
     { name: 'package', testDir: 'tests/pack' },
     { name: 'engines', testDir: 'tests/engines' },
   ],
-  // Others in these folders are for Node's runner.
+  // Other tests in these folders are for Node's runner.
   testMatch: '**/*.spec.ts',
   outputDir: 'build/playwright',
-  // A browser for each core.
+  // One browser for each core.
   workers: availableParallelism(),
   forbidOnly: Boolean(process.env.CI),
-  // Browsers for all cores leave none idle: what is waited for may take a while, and no test is about how long.
+  // The browsers use all cores, so waiting may take a while. No test is about its duration.
   timeout: 120_000,
   expect: { timeout: 15_000 },
   use: {
     baseURL: `http://localhost:${PORT}`,
     viewport: { width: 1280, height: 800 },
-    // Nothing moves by itself. What is about that allows it.
+    // Disables animations. Tests of animations allow them.
     contextOptions: { reducedMotion: 'reduce' },
-    // Each test would fetch the whole site. What is about it allows it.
+    // Each test would download the whole site. Tests of the service worker allow it.
     serviceWorkers: 'block',
     launchOptions: {
       executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium',
@@ -63,7 +63,7 @@ export default defineConfig({
       ],
     },
   },
-  // The page as `npm start` serves it; the tests' builds are up to date by then.
+  // Serves the page like `npm start`. The build is up to date when tests run.
   webServer: {
     command: `node_modules/.bin/vite preview --port ${PORT} --strictPort`,
     url: `http://localhost:${PORT}`,

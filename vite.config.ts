@@ -19,7 +19,7 @@ const CONTENT_SECURITY_POLICY = [
 ].join('; ')
 
 const PAGE = fileURLToPath(new URL('build/page', import.meta.url))
-/** That and all texts (scripts/site.mjs). */
+/** The folder of the built site. */
 const SITE = fileURLToPath(new URL('dist/site', import.meta.url))
 
 /** The policy again as a tag in the built page, for servers that send no headers. */
@@ -29,7 +29,10 @@ const policyTag: HtmlTagDescriptor = {
   injectTo: 'head-prepend',
 }
 
-/** What the first diagram needs and the page's own script would ask for late: the painter's thread and WebAssembly. */
+/**
+ * Preloads files of the first diagram that the page's own script would request late: the painting thread and
+ * WebAssembly.
+ */
 const preloads: Plugin = {
   name: 'preloads',
   apply: 'build',
@@ -57,7 +60,7 @@ const preloads: Plugin = {
   },
 }
 
-/** What is part of the page's HTML and stands elsewhere: icons, by their names, and the text of its keys. */
+/** Inserts parts of the page's HTML that are kept elsewhere: icons by name, and the text of its shortcuts. */
 const pageParts: Plugin = {
   name: 'page-parts',
   transformIndexHtml: {
@@ -73,12 +76,12 @@ const pageParts: Plugin = {
   },
 }
 
-/** Serves the built files that are compressed as they are; Vite itself would send WebAssembly as it is. */
+/** Serves the compressed files of the build; Vite itself would send WebAssembly uncompressed. */
 const compressedFiles: Plugin = {
   name: 'compressed-files',
   configurePreviewServer({ middlewares, config: { base } }) {
     const options: Options = {
-      // Looks for a file when it is asked for: some are built later (`npm start`).
+      // Looks for each file on request, because some are built later (`npm start`).
       dev: true,
       brotli: true,
       gzip: true,
@@ -86,7 +89,7 @@ const compressedFiles: Plugin = {
       setHeaders(response, path) {
         // Examples have policies of their own, or none.
         if (!path.startsWith('/examples/')) response.setHeader('Content-Security-Policy', CONTENT_SECURITY_POLICY)
-        // What is built has its hash in its name.
+        // Assets have a hash in their names, so that they never change.
         const isLasting = path.startsWith('/assets/')
         response.setHeader('Cache-Control', isLasting ? 'public, max-age=31536000, immutable' : 'no-cache')
       },
@@ -103,13 +106,13 @@ export default defineConfig(({ isPreview }) => ({
     outDir: isPreview ? SITE : PAGE,
     emptyOutDir: true,
     target: 'es2022',
-    // With `light-dark()`.
+    // The first versions with `light-dark()`.
     cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
     assetsInlineLimit: 0,
     rolldownOptions: { input: ['web/index.html', 'web/embed.html', 'web/tutorial/page.html', 'web/docs/page.html'] },
   },
   worker: { format: 'es' },
-  // The limit is for what hangs: on a busy machine a test of many random inputs may take long.
+  // The time limit is for hanging tests. On a busy machine a test of many random inputs may take long.
   test: {
     root: '.',
     include: ['tests/{web,scripts}/**/*.test.{ts,mjs}', 'tests/files/*.test.ts'],

@@ -2,9 +2,9 @@
 import { voronoiMapSimulation } from 'd3-voronoi-map'
 import { ROOT } from './run.mjs'
 
-/** More sites take d3-voronoi-map hours. */
+/** d3-voronoi-map takes hours for more sites. */
 const MOST_OF_D3 = 3000
-/** More take minutes in WebAssembly. */
+/** More sites take minutes in WebAssembly. */
 const MOST_OF_WASM = 10_000
 
 /**
@@ -49,7 +49,7 @@ export async function benchAreas(table) {
   })
 }
 
-/** The same as in cpp/bench/areas.cpp, but for the last bits of shares. */
+/** The same problem as in cpp/bench/areas.cpp, except for the last bits of shares. */
 function problemOf(count, decades) {
   const unit = randomUnits(count)
   const sites = []

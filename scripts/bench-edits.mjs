@@ -5,12 +5,12 @@ import { median } from './results/fit.mjs'
 import { ROOT } from './run.mjs'
 
 const NATIVE = `${ROOT}build/native/circle-voronoi`
-/** As in cpp/bench/edits.cpp. */
+/** The number of edits in cpp/bench/edits.cpp. */
 const EDITS = 10_000
 
 /**
- * For each line of the native table about single edits anywhere the same edits in WebAssembly, called from JavaScript, a
- * `Change` each: microseconds, and how many times the native ones. Needs build/native and dist/lib.
+ * Repeats the native table's single edits anywhere in WebAssembly, called from JavaScript with a `Change` each. Returns
+ * microseconds, and multiples of the native times. Needs build/native and dist/lib.
  */
 export async function benchEdits(table) {
   const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
@@ -64,7 +64,7 @@ export async function benchWorstEdits(table) {
   })
 }
 
-/** As in cpp/bench/edits.cpp. */
+/** The edits of cpp/bench/edits.cpp. */
 function worstEdits(circles) {
   if (circles === undefined) return undefined
   const least = (list) => list.reduce((a, b) => Math.min(a, b))
@@ -99,7 +99,7 @@ function worstEdits(circles) {
   }
 }
 
-/** The least of three turns, as in the native benchmark. */
+/** The least of three runs, as in the native benchmark. */
 function worstTime(library, { circles, after, edit }) {
   const turns = [1, 2, 3].map(() => {
     const editor = library.edit(circles)
@@ -113,7 +113,10 @@ function worstTime(library, { circles, after, edit }) {
   return { milliseconds: ours, compute: Math.max(...computes) }
 }
 
-/** The native benchmark's circles: the even ones are edited, the odd ones come. `undefined` for those of a file. */
+/**
+ * The native benchmark's circles: even ones are edited, odd ones are inserted. `undefined` if the circles come from a
+ * file.
+ */
 function inputOf(family, count) {
   const file = `${ROOT}build/bench/circles.csv`
   mkdirSync(`${ROOT}build/bench`, { recursive: true })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `npm run bench:js` measures, in Node and in a page.
+// The tasks of `npm run bench:js`, in Node and in a page.
 import { Delaunay } from 'd3-delaunay'
 
 const TURNS = 7
@@ -7,17 +7,20 @@ const TURNS = 7
 const ENOUGH = 50
 /** More cells or edges would only take longer. */
 const MOST_PATHS = 100_000
-/** From one place to the next d3-delaunay walks through a good part of all circles. */
+/** d3-delaunay walks through a good part of all circles between distant queries. */
 const MOST_WALKS = 10_000
 
-/** A row for each task and size: the package and d3-delaunay take turns; the ratio is the median of those of each turn. */
+/**
+ * Returns a row for each task and size. The package and d3-delaunay take turns; the ratio is the median over the turns.
+ */
 export function benchJs(library, sizes) {
   return sizes.flatMap((size) => tasksOf(library, size).map((task) => measured(task, size)))
 }
 
 /**
- * A row for each function of a diagram that C++ has, too: microseconds in TypeScript, and how many of them a call into
- * WebAssembly takes that is given the diagram, goes through it once and returns a number for each part (`finalCells`).
+ * Returns a row for each function of a diagram that exists in C++, too: its time in TypeScript in microseconds, and the
+ * time of a call into WebAssembly that receives the diagram, traverses it once and returns a number for each part
+ * (`finalCells`).
  */
 export function benchTwins(library, geometry, size) {
   const { circles, diagram, bounds, random } = inputOf(library, size)
@@ -55,7 +58,7 @@ export function benchTwins(library, geometry, size) {
   }))
 }
 
-/** What is measured, ours and d3-delaunay's. */
+/** The measured functions of the package and of d3-delaunay. */
 function tasksOf(library, size) {
   const { circles, diagram, bounds, random } = inputOf(library, size)
   const side = bounds[2]
@@ -97,7 +100,7 @@ function tasksOf(library, size) {
   ]
 }
 
-/** Circles spread evenly over a square of about one for each, some of which overlap. */
+/** Circles spread evenly over a square, with about one unit of area each. Some overlap. */
 function inputOf(library, size) {
   const random = randomNumbers(1)
   const side = Math.sqrt(size)

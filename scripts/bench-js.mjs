@@ -30,7 +30,7 @@ await main(async () => {
   writeFileSync(`${ROOT}build/bench/js.json`, `${JSON.stringify(rows, undefined, 1)}\n`)
 })
 
-/** The same in a page, of one file with everything in it. */
+/** Measures in a page with a single file that contains everything. */
 async function inChromium(sizes) {
   const esbuild = await import('esbuild')
   const { chromium } = await import('@playwright/test')

@@ -12,12 +12,12 @@ const SIZES = [300, 2_000, 10_000, 100_000]
 const MILLION = 1_000_000
 const CLIPPED = { circles: 100_000, sides: 1000 }
 const FRAMES = 120
-/** Slow 4G as Lighthouse has it: bits and milliseconds; and how much slower the processor is. */
+/** Slow 4G as in Lighthouse, in bits per second and milliseconds, and the slowdown of the processor. */
 const SLOW = { bitsPerSecond: 1_638_400, latency: 150, processor: 4 }
 const STARTS = 5
 const VIEWPORT = { width: 1280, height: 800 }
 
-/** `sides`: of the region, if there is one. */
+/** `sides` is the number of sides of the region, 0 without one. */
 async function bench(browser, url, circles, gestures, sides = 0) {
   const page = await browser.newPage({ viewport: VIEWPORT })
   page.setDefaultTimeout(120_000)
@@ -46,7 +46,7 @@ async function bench(browser, url, circles, gestures, sides = 0) {
   }
 }
 
-/** Drops a file, as a user would. */
+/** Drops a file like a user. */
 function drop(page, name, text) {
   return page.evaluate(
     ([name, text]) => {
@@ -59,7 +59,7 @@ function drop(page, name, text) {
   )
 }
 
-/** Clips to a coast around most of so many circles. */
+/** Clips the cells to a coast around most of the circles. */
 async function clipped(page, circles, sides) {
   const middle = 2 * Math.sqrt(circles)
   const ring = Array.from({ length: sides }, (_, k) => {
@@ -71,7 +71,7 @@ async function clipped(page, circles, sides) {
   await page.locator('#toast', { hasText: 'coast.geojson' }).waitFor()
 }
 
-/** Opens a file with so many circles, and returns the milliseconds until they are seen. */
+/** Opens a file of circles, and returns the milliseconds until they are visible. */
 async function opened(page, circles) {
   const start = performance.now()
   await page.evaluate((count) => {
@@ -93,8 +93,8 @@ async function opened(page, circles) {
 }
 
 /**
- * From the request of the page to the frame with the diagram, which is in the page itself, and to that with which it can be
- * dragged; and what was sent until then. Nothing is there before.
+ * Measures from the page's request to the frame with the diagram, which is part of the page itself, and to the frame in
+ * which circles can be dragged; and the bytes sent until then. Caches are empty.
  */
 async function firstDiagram(browser, url) {
   const context = await browser.newContext({ viewport: VIEWPORT, serviceWorkers: 'block' })
@@ -113,7 +113,7 @@ async function firstDiagram(browser, url) {
     await page.addInitScript(() => {
       const marks = {
         seen: () => document.querySelector('#first-picture') !== null,
-        // The counts come with the picture, so that the next frame shows both.
+        // The counts arrive with the picture, so that the next frame shows both.
         live: () => document.querySelector('#status')?.textContent.includes('edges') === true,
       }
       for (const [name, isThere] of Object.entries(marks)) {
@@ -127,7 +127,7 @@ async function firstDiagram(browser, url) {
       const entries = [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
       const timeOf = (name) => Math.round(performance.getEntriesByName(name)[0].startTime)
       const bytes = entries.reduce((sum, { transferSize }) => sum + transferSize, 0)
-      // Style sheets hold it back: a frame with it is none that is seen before the first paint.
+      // Style sheets block rendering: a frame with the diagram is invisible before the first paint.
       const painted = Math.round(performance.getEntriesByName('first-contentful-paint')[0].startTime)
       return { 'is seen': Math.max(timeOf('seen'), painted), 'can be dragged': timeOf('live'), bytes }
     })
@@ -138,7 +138,7 @@ async function firstDiagram(browser, url) {
 
 const MIDDLE = { x: VIEWPORT.width / 2, y: VIEWPORT.height / 2 }
 
-/** Each moves the pointer once a frame, for some frames, and returns the time from each frame to the next. */
+/** Each gesture moves the pointer once per frame, and returns the times between frames. */
 const GESTURES = {
   drag: async (page) => {
     const point = await pointOn(page, 'disc')
@@ -169,7 +169,7 @@ const GESTURES = {
   }),
 }
 
-/** A point where this is to be grasped: zooms in until there is one. */
+/** A point where a circle's part can be grabbed. Zooms in until there is one. */
 async function pointOn(page, part) {
   const { x, y } = MIDDLE
   for (let step = 0; step < 40; step++) {
@@ -186,7 +186,7 @@ async function pointOn(page, part) {
   throw new Error(`There is no ${part} to be grasped.`)
 }
 
-/** Events as the browser makes them of a pointer that moves, one in each frame. */
+/** Dispatches the events of a moving pointer, one per frame. */
 function moving(page, start, stepOf, type) {
   const steps = Array.from({ length: FRAMES }, (_, k) => stepOf(k))
   return page.evaluate(
@@ -219,7 +219,7 @@ function moving(page, start, stepOf, type) {
   )
 }
 
-/** From a move in a drag to the frame that shows it: its picture and the numbers of the circle come in the same one. */
+/** Time from a move in a drag to the frame that shows it, with both the picture and the numbers of the circle. */
 function latencyOf(page, { x, y }) {
   return page.evaluate(
     async ([x, y]) => {
@@ -235,7 +235,7 @@ function latencyOf(page, { x, y }) {
         figure.dispatchEvent(new PointerEvent('pointermove', { ...options, clientX: x + 9 + 3 * k, clientY: y }))
         do {
           await nextFrame()
-          // What else this frame calls may set it.
+          // Other callbacks of this frame may still update it.
           await new Promise((resolve) => setTimeout(resolve))
         } while (field.value === before && performance.now() - start < 5000)
         times.push(performance.now() - start)

@@ -107,7 +107,7 @@ def nine_copies(count):
 
 
 def cells_in_a_region(count):
-    """What geovoronoi does: scipy's regions with distant points around, each intersected with a polygon by shapely."""
+    """The method of geovoronoi: scipy's regions with distant points around, each intersected with a polygon by shapely."""
     points = np.random.default_rng(4).random((count, 2))
     angle = np.linspace(0, 2 * np.pi, 500, endpoint=False)
     radius = 0.42 + 0.06 * np.sin(9 * angle)

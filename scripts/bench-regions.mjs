@@ -21,13 +21,13 @@ function polygons(library, region) {
   const inRegion = () => [...fresh().cellPolygons({ region: square })].length
   const circles = randomCircles(POLYGONS)
   const diagram = library.compute(circles)
-  // Without what an earlier question has left.
+  // A copy without cached results of earlier queries.
   const fresh = () => new diagram.constructor(diagram)
   const times = [inBounds, inRegion].map((run) => median(Array.from({ length: 7 }, () => millisecondsOf(run))))
   return { what: `cellPolygons of ${POLYGONS}`, bounds: times[0], region: times[1], ratio: times[1] / times[0] }
 }
 
-/** Circles jump to places beside the boundary, one by one. */
+/** Circles jump to places near the boundary, one by one. */
 function edits(library, region) {
   const { circles, sides, edits } = LIVE
   const random = randomUnits(sides)

@@ -7,8 +7,8 @@ import { ROOT } from './run.mjs'
 const NATIVE = `${ROOT}build/native/circle-voronoi`
 
 /**
- * Seconds of `compute` in WebAssembly and in the native program on the same circles, in turns: medians, and the median
- * of the ratios within each turn. Needs build/native and dist/lib.
+ * Returns the seconds of `compute` in WebAssembly and in the native program on the same circles, in turns: medians, and
+ * the median of the ratios within each turn. Needs build/native and dist/lib.
  */
 export async function benchWasm(families, sizes, repetitions) {
   const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)

@@ -6,10 +6,10 @@ import { createRequire } from 'node:module'
 import { onMap, REACH } from './cities.mjs'
 import { isMain, main, ROOT } from './run.mjs'
 
-/** How far the outline may be from the one that Natural Earth has, in kilometers. */
+/** Largest distance between the simplified outline and that of Natural Earth, in kilometers. */
 const TOLERANCE = 3
 
-/** The rings: outer ones only, the largest first. */
+/** Returns the outer rings, the largest first. */
 export function borderOfCities() {
   const world = createRequire(import.meta.url)('world-atlas/countries-50m.json')
   const arcs = world.arcs.map((arc) => simplified(pointsOf(arc, world.transform)))
@@ -20,7 +20,7 @@ export function borderOfCities() {
     .map(([outer]) => ({ outer, ring: joined(outer, arcs) }))
     .filter(({ ring }) => ring.every((point) => Math.max(...point.map(Math.abs)) < 1.5 * REACH))
     .filter(({ ring }) => cities.some((city) => contains(ring, city)))
-  // Between two of these countries, an arc belongs to both; what belongs to one is the outline.
+  // An arc between two of these countries belongs to both. An arc of one country is part of the outline.
   const uses = new Map()
   for (const { outer } of polygons) {
     for (const arc of outer) uses.set(arcOf(arc), (uses.get(arcOf(arc)) ?? 0) + 1)
@@ -36,7 +36,7 @@ function arcOf(arc) {
   return arc < 0 ? ~arc : arc
 }
 
-/** Steps between whole numbers, as TopoJSON has them, as points on the map. */
+/** Decodes TopoJSON's delta-encoded arcs into points of the map. */
 function pointsOf(arc, { scale, translate }) {
   let [x, y] = [0, 0]
   return arc.map(([dx, dy]) => {
@@ -46,7 +46,7 @@ function pointsOf(arc, { scale, translate }) {
   })
 }
 
-/** Leaves out points that are nearly on the line of those that stay, by Douglas and Peucker. The ends stay. */
+/** Simplifies a line (Douglas and Peucker). Its ends stay. */
 function simplified(points) {
   let [farthest, most] = [0, TOLERANCE]
   for (let k = 1; k < points.length - 1; k++) {
@@ -57,7 +57,7 @@ function simplified(points) {
   return [...simplified(points.slice(0, farthest + 1)).slice(0, -1), ...simplified(points.slice(farthest))]
 }
 
-/** From a point to a segment. */
+/** The distance from a point to a segment. */
 function distance([x, y], [x0, y0], [x1, y1]) {
   const [dx, dy] = [x1 - x0, y1 - y0]
   const square = dx * dx + dy * dy
@@ -65,12 +65,12 @@ function distance([x, y], [x0, y0], [x1, y1]) {
   return Math.hypot(x - x0 - share * dx, y - y0 - share * dy)
 }
 
-/** The points of arcs, one after the other, without the last one, which is the first. */
+/** Concatenates arcs. The last point is left out because it equals the first. */
 function joined(names, arcs) {
   return names.flatMap((arc) => (arc < 0 ? arcs[~arc].toReversed() : arcs[arc]).slice(0, -1))
 }
 
-/** Rings of arcs, each of which goes on where one ends. */
+/** Chains arcs into rings. */
 function chained(names, arcs) {
   const endOf = (arc, isStart) => String(arc < 0 === isStart ? arcs[arcOf(arc)].at(-1) : arcs[arcOf(arc)][0])
   const byStart = new Map()
@@ -100,7 +100,7 @@ function contains(ring, [x, y]) {
   return isInside
 }
 
-/** Positive for a ring around land, as the arcs of TopoJSON run: clockwise. */
+/** The signed area. Rings around land are clockwise in TopoJSON, which counts as positive. */
 function area(ring) {
   return ring.reduce((sum, [x, y], k) => {
     const [x0, y0] = ring.at(k - 1)
@@ -108,7 +108,7 @@ function area(ring) {
   }, 0)
 }
 
-/** The text of the file: a line for each ring. */
+/** The text of the file, with a line for each ring. */
 export function textOf(rings) {
   return `[\n${rings.map((ring) => JSON.stringify(ring)).join(',\n')}\n]\n`
 }

@@ -6,7 +6,7 @@ import { chromiumPath, setup } from './setup.mjs'
 export async function withBuiltPage(use) {
   await setup('tests')
   await build('build')
-  // Installed with the npm packages, so not before setup has run.
+  // Vite is installed with the npm packages, so the import must wait until setup has run.
   const { preview } = await import('vite')
   const { chromium } = await import('@playwright/test')
   const server = await preview({ root: `${ROOT}web`, configFile: `${ROOT}vite.config.ts`, preview: { port: 0 } })

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the compiler of TypeScript leaves to do for dist/lib, dist/element and dist/cli: copies of what C++ became, and bundles.
-// Not by Vite, which would take into them the threads and the WebAssembly that the bundlers of others have to find beside them.
+// Finishes dist/lib, dist/element and dist/cli after the TypeScript compiler: copies the output of C++, and makes the
+// bundles. Vite is not used, because it would inline the threads and the WebAssembly, which other bundlers have to find
+// as files.
 import { chmodSync, copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join, posix } from 'node:path'
 import { promisify } from 'node:util'
@@ -18,7 +19,7 @@ const BUNDLED = {
   logLevel: 'warning',
 }
 
-/** The WebAssembly modules beside web/lib as JavaScript, and bundle.js, which is all in one. */
+/** Wraps the WebAssembly modules of web/lib as JavaScript, and makes bundle.js, which contains everything. */
 async function lib() {
   mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
   for (const name of ['', '-comparison', '-files', '-regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
@@ -32,13 +33,14 @@ async function lib() {
     replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/scripts-beside.ts'),
   ])
   writeFileSync(`${ROOT}dist/lib/bundle.js`, moduleOf(text, exported.flatMap(Object.keys)))
-  // That of the module that the compiler made.
+  // Removes the map of the module that the compiler made.
   rmSync(`${ROOT}dist/lib/bundle.js.map`)
 }
 
 /**
- * `<circle-voronoi>`, with its thread beside it (index.js, define.js, react.js), whose WebAssembly is that of dist/lib; and all in one
- * file, as a module (bundle.js) and as a script (classic.js), which inline.js makes a module that any bundler takes.
+ * Bundles `<circle-voronoi>`: with its thread as a separate file (index.js, define.js, react.js) and the WebAssembly of
+ * dist/lib; and in one file, as a module (bundle.js) and as a script (classic.js), which inline.js turns into a module
+ * for any bundler.
  */
 async function element() {
   for (const name of ['index', 'define', 'bundle', 'react']) copyDeclarations(`element/${name}.d.ts`)
@@ -69,8 +71,8 @@ async function element() {
 }
 
 /**
- * All that `web/NAME/bundle.ts` has, with the WebAssembly inside, as a function of its address that returns what it exports: its text
- * is what its threads run where a page cannot take a worker from a file.
+ * Bundles `web/NAME/bundle.ts` with the WebAssembly as a function of its address that returns its exports. Threads run
+ * the text of this function where a page cannot start a worker from a file.
  */
 async function oneFile(name, plugins) {
   const { outputFiles } = await build({
@@ -91,14 +93,14 @@ async function oneFile(name, plugins) {
   return `function wholeFile(addressOfFile){${outputFiles[0].text}return exported}`
 }
 
-/** A module of one file. The names are those of variables, which code that is pasted after it can use. */
+/** Turns one file into a module. Its exports are variables, which code pasted after it can use. */
 function moduleOf(text, names) {
   return `${BUNDLED.banner.js}\n${text}\nconst{${names}}=wholeFile(import.meta.url);export{${names}}\n`
 }
 
 /**
- * The element as a script, which has a global for programs, and as a module of that. The thread's text is a string in it: bundlers
- * change what a function refers to.
+ * Writes the element as a script with a global variable, and as a module of that script. The thread's text is a string
+ * in it, because bundlers would change a function's references.
  */
 async function script(plugins, names) {
   const options = { ...BUNDLED, banner: {}, format: 'iife', write: false }
@@ -134,7 +136,7 @@ async function script(plugins, names) {
   )
 }
 
-/** What of the declarations in build/element-types belongs to the element: those of dist/lib are there. */
+/** Copies the declarations of the element from build/element-types. The declarations of dist/lib exist already. */
 function copyDeclarations(file, copied = new Set()) {
   if (copied.has(file) || file.startsWith('lib/')) return
   copied.add(file)
@@ -146,7 +148,7 @@ function copyDeclarations(file, copied = new Set()) {
   }
 }
 
-/** Pictures without a browser: the library's part, and the command of the program. */
+/** Bundles pictures without a browser: the library's part, and the command of the program. */
 async function picture() {
   copyDeclarations('picture/index.d.ts')
   await build({
@@ -161,18 +163,18 @@ async function picture() {
   })
 }
 
-/** The program for Node. */
+/** Bundles the program for Node. */
 function cli() {
   chmodSync(`${ROOT}dist/cli/circle-voronoi.js`, 0o755)
   mkdirSync(`${ROOT}dist/cli/generated`)
-  // Emscripten writes CommonJS, which has to be told from the modules around it.
+  // Emscripten writes CommonJS, whose extension must differ from the modules around it.
   copyFileSync(`${ROOT}web/cli/generated/program.js`, `${ROOT}dist/cli/generated/program.cjs`)
   copyFileSync(`${ROOT}web/cli/generated/program.wasm`, `${ROOT}dist/cli/generated/program.wasm`)
 }
 
 /**
- * Compressed once more by a server, base64 of the bytes themselves would be half as long again. Zopfli takes two seconds for a
- * twentieth less than zlib.
+ * Deflated before base64, because compression by a server leaves plain base64 half as long again. Zopfli takes two
+ * seconds and saves a twentieth over zlib.
  */
 const wasmInside = {
   name: 'wasm-inside',
@@ -184,27 +186,27 @@ const wasmInside = {
   },
 }
 
-/** By their paths: several builds contain the same modules. */
+/** Caches results by path, because several builds contain the same modules. */
 const compressed = new Map()
 
 async function zopfli(bytes) {
   const { gzip } = await import('@gfx/zopfli')
-  // Its listeners would show its own minified code in place of an error of this script.
+  // Zopfli's listeners would print its own minified code in place of an error of this script.
   for (const event of ['uncaughtException', 'unhandledRejection']) process.removeAllListeners(event)
   return promisify(gzip)(bytes, {})
 }
 
-/** Bundles find the WebAssembly of dist/lib beside their own folder. */
+/** Lets bundles find the WebAssembly of dist/lib relative to their folder. */
 const wasmBeside = rewriting(
   /web\/lib\/(files|wasm\/default-wasm)\.ts$/,
   /'[./]+(generated\/[\w-]+\.wasm)'/g,
   "'../lib/$1'",
 )
 
-/** The thread of the element has a file of its own in dist/element. */
+/** Points the element to its thread's file in dist/element. */
 const painterBeside = rewriting(/web\/view\/painter-file\.ts$/, /'\.\/painter\/start-thread\.ts'/g, "'./painter.js'")
 
-/** The component for React uses the element of the package, for which a bundler takes the file that it needs. */
+/** Makes the React component import the package's element, so that a bundler picks the right file. */
 const elementOfPackage = {
   name: 'element-of-package',
   setup({ onResolve }) {
@@ -214,7 +216,7 @@ const elementOfPackage = {
   },
 }
 
-/** Style sheets as texts. */
+/** Imports style sheets as text. */
 const styles = {
   name: 'styles',
   setup({ onLoad, onResolve }) {
@@ -230,7 +232,7 @@ const styles = {
   },
 }
 
-/** Writes other addresses into modules. */
+/** Rewrites addresses in modules. */
 function rewriting(filter, address, other) {
   return {
     name: `rewriting-${other}`,
@@ -243,7 +245,7 @@ function rewriting(filter, address, other) {
   }
 }
 
-/** Takes one module in place of another one. */
+/** Replaces one module by another. */
 function replacing(module, other) {
   return {
     name: `replacing-${module}`,
@@ -258,7 +260,7 @@ function replacing(module, other) {
   }
 }
 
-/** The element does without the JSON of diagrams, and its thread is one file. */
+/** The element's replacements: no JSON of diagrams, and a thread in one file. */
 const ELEMENT = [
   styles,
   replacing('web/lib/diagram/diagram-file.ts', 'web/element/no-diagram-file.ts'),

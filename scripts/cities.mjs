@@ -4,20 +4,20 @@ import { writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { isMain, main, ROOT } from './run.mjs'
 
-/** All of it but Russia and Turkey, which lie in Asia for the most part. */
+/** The countries of Europe except Russia and Turkey, which are mostly in Asia. */
 const COUNTRIES = new Set(
   'AD AL AT BA BE BG BY CH CY CZ DE DK EE ES FI FR GB GR HR HU IE IS IT LI LT LU LV MC MD ME MK MT NL NO PL PT RO RS SE SI SK SM UA VA XK'.split(
     ' ',
   ),
 )
 const FEWEST = 100_000
-/** Not parts of cities, nor what was given up. */
+/** Leaves out parts of cities and abandoned places. */
 const KINDS = /^PPL(A\d?|C)?$/
 const EARTH_RADIUS = 6371
-/** The middle of the map, and how far it goes on each side in kilometres: islands in the Atlantic lie beyond. */
+/** The center of the map, and its extent on each side in kilometers, which leaves out the islands in the Atlantic. */
 const MIDDLE = { longitude: 10, latitude: 52 }
 export const REACH = 2200
-/** Of a city of a million, in kilometres; areas are as populations. */
+/** Radius of a city with a million inhabitants, in kilometers. Areas are proportional to populations. */
 const RADIUS = 30
 
 /** The text of the file, the largest cities first. */
@@ -27,7 +27,7 @@ export function citiesCsv() {
       return COUNTRIES.has(country) && population >= FEWEST && KINDS.test(featureCode)
     })
     .map(({ name, loc, population }) => ({
-      // Names are written without quotes.
+      // Names are written without quotes, so that they cannot contain commas.
       name: name.replaceAll(',', ''),
       circle: [...onMap(loc.coordinates), RADIUS * Math.sqrt(population / 1e6)],
     }))
@@ -37,7 +37,7 @@ export function citiesCsv() {
   return `x,y,r,name\n${rows.map((row) => `${row.join(',')}\n`).join('')}`
 }
 
-/** Lambert's azimuthal projection, on which equal areas are equal: kilometres to the east and to the north. */
+/** Lambert's azimuthal equal-area projection: kilometers to the east and to the north. */
 export function onMap([longitude, latitude]) {
   const radians = (degrees) => (degrees * Math.PI) / 180
   const [east, north, middle] = [longitude - MIDDLE.longitude, latitude, MIDDLE.latitude].map(radians)

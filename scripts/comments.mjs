@@ -10,13 +10,21 @@ const FOLDERS = [
   'cpp/cgal',
   'cpp/src/comparison',
   'cpp/src/edit',
-  'examples/districts',
-  'examples/element',
-  'examples/fetch_content',
-  'examples/find_package',
+  'examples',
+  'scripts',
   'tests/e2e',
+  'tests/engines',
+  'tests/files',
+  'tests/geometry',
+  'tests/long',
+  'tests/mutants',
   'tests/pack',
   'tests/package',
+  'tests/readme',
+  'tests/scripts',
+  'tests/soak',
+  'tests/tiles',
+  'tests/wasm',
   'tests/web',
   'web/cli',
   'web/docs',
@@ -32,9 +40,9 @@ const FOLDERS = [
 
 const COMMENT = /(?:^|\s)(?:\/\/[/!]?<?|#)(?: (.*)|$)|^\s*(?:\/\*\*?|\*(?!\/))(?: (.*)|$)|\s\/\*\* (.*)$/
 const HEADLESS =
-  /^(?:What|Whose|Whom?|Whoever|Whatever|None|Likewise|Nothing but|All that|Whether what|(?:So|How|As) (?:many|much|far|large|long|often|small|few|near|high|it)|(?:Those|Such|That|The ones?|The same|The others?)(?: (?:of|that|which|who|with|without|in|on|for|as|from)|[,.:;(])|(?:Of|By|For|From|In|On|To|With|At) (?:what|which|whom|whose|that|those|it|these|them|how))(?![-\w])/
+  /^(?:What|Whose|Whom?|Whoever|Whatever|None|Likewise|Nothing but|All that|Whether what|(?:So|How|As) (?:many|much|far|large|long|often|small|few|near|high|it|does|do|is|are|that)|(?:Those|Such|That|The ones?|The same|The others?)(?: (?:of|that|which|who|with|without|in|on|for|as|from)|[,.:;(])|(?:Of|By|For|From|In|On|To|With|At) (?:what|which|whom|whose|that|those|it|these|them|how))(?![-\w])/
 /** A clause may begin with these words if a comma and a sentence follow it: "Where two arcs meet, a cell has a corner." */
-const CLAUSE = /^(?:As|Where|Wherever|How|Of|So|Which|To whom|From where) [^,:]*$/
+const CLAUSE = /^(?:As|Where|Wherever|How|Of|Which|To whom|From where) [^,:]*$/
 
 /** Returns the sentences of a source text's comments, each with the number of the line where its comment begins. */
 export function sentencesOf(text) {

@@ -14,7 +14,7 @@ export function countTestCases(xml) {
   return counts
 }
 
-/** The names of those that failed, as the report has them. */
+/** The names of failed tests in a report. */
 export function failedTests(path) {
   if (!existsSync(path)) return []
   const failed = testCases(readFileSync(path, 'utf8')).filter(({ outcome }) => outcome === 'failed')
@@ -36,7 +36,7 @@ function outcomeOf(body) {
   return /<skipped\b/.test(body) ? 'skipped' : 'passed'
 }
 
-/** `N passed, M failed`, and the skipped ones if there are any. */
+/** Formats as `N passed, M failed`, with the number of skipped tests unless it is 0. */
 export function summary({ passed, failed, skipped }) {
   return `${passed} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ''}`
 }

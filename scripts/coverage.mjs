@@ -17,7 +17,7 @@ async function coverageOfWeb() {
   const reporters = ['text-summary', 'html'].map((name) => `--coverage.reporter=${name}`)
   const files = ['--coverage.include=web/**/*.ts', '--coverage.exclude=web/**/generated/**']
   const place = '--coverage.reportsDirectory=build/coverage-web'
-  // Also of what some test that fails has run.
+  // Includes code that only failing tests have run.
   const always = '--coverage.reportOnFailure'
   await run(`${ROOT}node_modules/.bin/vitest`, ['run', '--coverage', ...reporters, ...files, place, always, ...options])
   console.log('Lines that no test runs: build/coverage-web/index.html')
@@ -30,7 +30,7 @@ async function coverageOfCore() {
   const counts = readdirSync(BUILD, { recursive: true }).filter((path) => path.endsWith('.gcda'))
   for (const path of counts) rmSync(`${BUILD}/${path}`)
   const status = await statusOf('ctest', ['--preset', 'coverage', ...options])
-  // Ways out by an exception are no branches of ours.
+  // Branches to exception handlers are not counted.
   const report = ['--exclude-throw-branches', '--print-summary', '--output', `${BUILD}/report.txt`]
   await run('gcovr', ['--root', ROOT, '--filter', 'cpp/(include|src|cli)/', ...report, BUILD])
   console.log('Lines that no test runs: build/coverage/report.txt')

@@ -13,7 +13,7 @@ const FOLDER = `${ROOT}build/data`
 const CITY_FACTORS = [0.01, 0.1, 0.5]
 const EARTH_RADIUS_KM = 6378.137
 
-/** The paths of the files, which are made if they are missing. */
+/** Returns the paths of the files, after making missing ones. */
 export function realData() {
   mkdirSync(FOLDER, { recursive: true })
   return [

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** What custom-elements.json says of the element. */
+/** Returns the contents of custom-elements.json. */
 export function manifest(): object

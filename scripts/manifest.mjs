@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// custom-elements.json: what editors and frameworks know of the element, from its source.
+// Writes custom-elements.json, the description of the element for editors and frameworks, from its source.
 import { readFileSync } from 'node:fs'
 import { create, ts } from '@custom-elements-manifest/analyzer'
 import { ROOT } from './run.mjs'
@@ -7,7 +7,7 @@ import { ROOT } from './run.mjs'
 const SOURCE = 'web/element/circle-voronoi-element.ts'
 const BUILT = 'dist/element/index.js'
 const TAG = 'circle-voronoi'
-/** Every element has these, or only the browser calls them. */
+/** Members of all elements, and members that only the browser calls. */
 const COMMON = /^(#.*|.*Callback|addEventListener|focus|form|validity|validationMessage|checkValidity|reportValidity)$/
 
 export function manifest() {
@@ -15,7 +15,7 @@ export function manifest() {
   const { schemaVersion, modules } = create({ modules: [file], plugins: [] })
   const element = modules[0].declarations.find(({ name }) => name === 'CircleVoronoiElement')
   const members = element.members
-    // What the class sets of other objects is taken for a member, without a description.
+    // The analyzer takes assignments to other objects for members without a description.
     .filter(({ name, description, static: isStatic }) => description && !isStatic && !COMMON.test(name))
     .map(({ readonly, ...member }) => ({ ...plain(member), ...(readonly && { readonly }) }))
   const attributes = [...attributesOf(file), 'name'].sort().map((name) => {
@@ -56,7 +56,7 @@ function attributesOf(file) {
   return list.initializer.expression.elements.map(({ text }) => text)
 }
 
-/** What `CircleVoronoiEventMap` has. */
+/** The events in `CircleVoronoiEventMap`. */
 function eventsOf(file) {
   const map = find(file, (node) => ts.isInterfaceDeclaration(node) && node.name.text === 'CircleVoronoiEventMap')
   return map.members.map((member) => ({
@@ -70,7 +70,7 @@ function find(node, is) {
   return is(node) ? node : ts.forEachChild(node, (child) => find(child, is))
 }
 
-/** Descriptions in one line. */
+/** Joins a description's lines. */
 function plain({ description, ...rest }) {
   return { ...rest, description: description.replaceAll('\n', ' ') }
 }

@@ -12,14 +12,14 @@ import { isMain, main, ROOT } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const COPY = `${ROOT}build/mutants/`
-// As in the repository, so that a compiler cache serves both.
+// The same path as in the repository, so that the compiler cache serves both.
 const BUILD = `${COPY}build/native`
 const COPIED = ['CMakeLists.txt', 'CMakePresets.json', 'cpp', 'tests']
 const PROGRAMS = ['circle_voronoi_tests', 'circle_voronoi_proof_tests', 'circle_voronoi_region_tests']
-/** Long random runs. */
+/** Tests with long random runs. */
 const LEFT_OUT = ['Oracle*', 'Mismatch*', '*/Automatic*', 'Automatic*', 'Metamorphic*', 'Fixtures*', '*Survive*']
 const WANTED = 0.85
-/** Of the processor, for one program of tests: many times what they need without a change. */
+/** Limit of processor time for one test program, many times its usual time. */
 const SECONDS = 200
 const MEGABYTES = 8000
 
@@ -62,7 +62,7 @@ export function check({ name, file, old }) {
   if (parts.length !== 2) throw new Error(`${name}: its old text stands ${parts.length - 1} times in ${file}.`)
 }
 
-/** Only what differs is written, so that no more is built than needed, and what an interrupted run left is mended. */
+/** Writes only files that differ, which limits rebuilding and repairs the leftovers of an interrupted run. */
 function copySources() {
   for (const top of COPIED) {
     const paths = statSync(ROOT + top).isDirectory()
@@ -89,12 +89,12 @@ function execute(program, args) {
   if (status !== 0) throw new Error(`${program} ${args.join(' ')}\n${stdout}${stderr}`)
 }
 
-/** What notices a change, or undefined. */
+/** Returns what detected a change: the compiler or a test; `undefined` if nothing did. */
 function tryOut({ name, file, old, new: replacement, tests }) {
   const text = readFileSync(COPY + file, 'utf8')
   const likely = tests === undefined ? [] : PROGRAMS.filter((program) => has(program, tests))
   const runs = [...likely.map((program) => [program, tests]), ...PROGRAMS.map((program) => [program, '*'])]
-  // A function, for `$` means something else in a text.
+  // A replacement function, because `$` has a meaning in replacement strings.
   writeFileSync(
     COPY + file,
     text.replace(old, () => replacement),
@@ -118,7 +118,7 @@ function has(program, filter) {
   return /^ /m.test(runTests(program, ['--gtest_list_tests', `--gtest_filter=${filter}`]).stdout)
 }
 
-/** The first test of those chosen that fails, or undefined. */
+/** The first of the chosen tests that fails, or `undefined`. */
 function testThatFails(program, filter) {
   const options = [`--gtest_filter=${filter}-${LEFT_OUT.join(':')}`, '--gtest_fail_fast', '--gtest_brief=1']
   const { status, signal, stdout } = runTests(program, options)

@@ -13,10 +13,10 @@ import { chromiumPath } from './setup.mjs'
 import { loadDrawn } from './texts/drawn.mjs'
 import { posterMaker } from './texts/poster.mjs'
 
-/** As recipes draw. */
+/** The size that recipes draw. */
 const SIZE = { width: 480, height: 300 }
 
-/** The time of each frame, in milliseconds: what moves has the same place in each run. */
+/** The time of the captured frame in milliseconds, so that animations look the same in each run. */
 const PICTURED_AT = 2000
 
 /** @param {import('@playwright/test').Browser} browser */
@@ -55,7 +55,7 @@ export async function pictureRecipes(browser) {
   rmSync(folder, { recursive: true })
 }
 
-/** Runs a script in the folder of its modules; its variables of these names. */
+/** Runs a script in the folder of its modules, and returns variables by name. */
 async function valuesOf(folder, code, names) {
   const file = join(folder, `${names.join('-')}-${Date.now()}.mjs`)
   const inFolder = code.replaceAll("writeFileSync('", `writeFileSync('${folder}/`)

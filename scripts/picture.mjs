@@ -7,7 +7,7 @@ import { pictureRecipes } from './picture-recipes.mjs'
 import { main, ROOT } from './run.mjs'
 import { pictureOf, readGallery } from './texts/gallery.mjs'
 
-/** The circle in the middle, which is shown selected, and where the pointer is out of the way. */
+/** The circle in the middle, which is selected, and a place for the pointer beside it. */
 const SELECTED = { x: 661, y: 404 }
 const ASIDE = { x: 640, y: 30 }
 
@@ -30,7 +30,7 @@ await main(() =>
       await page.close()
     }
     for (const { folder } of readGallery().filter(({ isLive }) => isLive)) {
-      // As it is shown in the documentation.
+      // The size in the documentation.
       const page = await browser.newPage({ viewport: { width: 736, height: 589 } })
       await page.goto(`${address}examples/${folder}/`, { waitUntil: 'networkidle' })
       for (const frame of page.frames()) await frame.evaluate(settled)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the scripts of the cookbook make, as SVG for its pictures.
+// Draws the results of the cookbook's scripts as SVG.
 import { geoMercator, geoPath } from 'd3-geo'
 import { ROOT } from './run.mjs'
 import { loadDrawn } from './texts/drawn.mjs'
@@ -7,14 +7,13 @@ import { loadFigureCircles } from './texts/figure-circles.mjs'
 import { posterMaker } from './texts/poster.mjs'
 import { readBook } from './texts/tutorial.mjs'
 
-/** A drawing that the writer makes fills its width. */
+/** Size of the drawings, whose width the writer fills. */
 const SIZE = { width: 480, height: 300 }
 const COLORS = ['#3f7fbf', '#e0a030', '#3c9a7c']
 const EDGE = '#2a3140'
 
 /**
- * Of each script, by its title: the names of the variables that are drawn, and how.
- *
+ * For each script, by its title: the names of the drawn variables, and the drawing function.
  * @returns {Promise<Record<string, { names: readonly string[], draw: (values: Record<string, any>) => string }>>}
  */
 export async function recipeDrawings() {
@@ -23,7 +22,7 @@ export async function recipeDrawings() {
   const [library, files] = [await loadCircleVoronoi(), await loadFiles()]
   const [tutorial, circlesOf] = [await loadDrawn(library), await loadFigureCircles()]
   const posterOf = posterMaker(library, tutorial)
-  /** `bounds`: as wide as SIZE. */
+  /** `bounds` has the aspect ratio of SIZE. */
   const drawn = (diagram, bounds, layers = {}) =>
     posterOf(files.writeDiagram(diagram, { format: 'svg', bounds, digits: 4, tolerance: 0.001 }), diagram, { layers })
   return {
@@ -53,7 +52,7 @@ export async function recipeDrawings() {
       names: ['diagram'],
       draw: ({ diagram }) => above(drawn(diagram, [-5, -6, 14.2, 6]), centersOf(diagram, 0.12)),
     },
-    // The figure of the tutorial.
+    // The figure in the tutorial.
     'Compute in tiles': {
       names: [],
       draw() {
@@ -67,12 +66,12 @@ export async function recipeDrawings() {
   }
 }
 
-/** Adds parts to what the writer has drawn, in the units of the plane. */
+/** Adds elements above a drawing of the writer, in units of the plane. */
 function above(svg, parts) {
   return svg.replace(/<\/g>\s*<\/svg>\s*$/, `${parts}$&`)
 }
 
-/** The centers as dots: some circles are too small to be seen. */
+/** Draws centers as dots, because some circles are too small to see. */
 function centersOf({ circles }, r) {
   const dots = Array.from(
     { length: circles.length / 3 },
@@ -81,7 +80,7 @@ function centersOf({ circles }, r) {
   return dots.join('\n')
 }
 
-/** As the projection of web maps has it. d3-geo takes the outside of a ring of this direction for its inside. */
+/** Converts to web Mercator. d3-geo treats the outside of rings in the other direction as their inside. */
 function onMap(data) {
   const features = data.features.map(({ properties, geometry }) => ({
     type: 'Feature',

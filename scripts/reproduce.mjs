@@ -83,7 +83,7 @@ async function measure(plan, isQuick, pictures) {
     degenerate: ['degenerate', '--folder', pictures],
     figures: ['figures', '--sizes', plan.figureCircles, '--folder', pictures],
   })
-  // What is timed has the machine for itself.
+  // Timed experiments run alone.
   return {
     machine: machine(isQuick),
     trials,
@@ -94,7 +94,7 @@ async function measure(plan, isQuick, pictures) {
   }
 }
 
-/** What each prints, by name; as many at a time as there are cores. */
+/** The output of each experiment by name. One of them runs on each core. */
 async function experiments(all) {
   const results = {}
   const waiting = Object.entries(all)
@@ -110,7 +110,7 @@ async function experiments(all) {
   return Object.fromEntries(Object.keys(all).map((name) => [name, results[name]]))
 }
 
-/** Rows of the benchmark on random circles; without those that were stopped. */
+/** Rows of the benchmark on random circles, without aborted ones. */
 function bench(methods, sizes, repetitions) {
   console.log(`── times of ${methods.join(', ')}`)
   const file = `${DATA}/bench.json`

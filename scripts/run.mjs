@@ -13,7 +13,7 @@ export function statusOf(program, args, env = {}) {
   return ended(start(program, args, env, 'inherit'))
 }
 
-/** Runs a program likewise and resolves with what it prints, too. */
+/** Runs a program like `statusOf`, and resolves with its output, too. */
 export async function outcomeOf(program, args) {
   const child = start(program, args, {}, 'pipe')
   let output = ''
@@ -30,7 +30,7 @@ function start(program, args, env, output) {
   return spawn(program, args, { cwd: ROOT, stdio: ['ignore', output, output], env: { ...process.env, ...env } })
 }
 
-/** After its last output. */
+/** Resolves after the last output. */
 function ended(child) {
   return new Promise((resolve, reject) => {
     child.once('error', reject)
@@ -44,9 +44,9 @@ export async function run(program, args, env) {
   if (status !== 0) throw new Error(`${program} ${args.join(' ')}\nended with status ${status}.`)
 }
 
-/** Brings what scripts of package.json build up to date. */
+/** Runs scripts of package.json that rebuild outdated files. */
 export async function build(...scripts) {
-  // One at a time: the compilers of each take all cores. A cache of what was there before would only grow.
+  // Runs one script at a time, because each compiler uses all cores. A cache of former outputs would only grow.
   const env = { WIREIT_PARALLEL: '1', WIREIT_CACHE: 'none', WIREIT_LOGGER: 'simple' }
   for (const script of scripts) await run('npm', ['run', '--silent', script], env)
 }

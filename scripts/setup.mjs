@@ -6,7 +6,10 @@ import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, writeFileSync } from 'node:fs'
 import { isMain, main, ROOT, run } from './run.mjs'
 
-/** What there is to make, each with all before it: the Debian packages that it needs and the C++ libraries in them. */
+/**
+ * The purposes of an installation. Each includes all before it and names its Debian packages and the C++ libraries in
+ * them.
+ */
 const PURPOSES = {
   page: {
     packages: [
@@ -51,7 +54,7 @@ const PURPOSES = {
   },
 }
 
-/** The browsers that the tests drive, and what these need: programs, the Debian packages that have them, and their names. */
+/** The browsers for tests and their tools: programs, Debian packages, and names. */
 const BROWSERS = [
   [chromiumPath(), 'chromium', 'Chromium (set CHROMIUM_PATH to its program)'],
   [process.env.FIREFOX_PATH ?? '/usr/bin/firefox-esr', 'firefox-esr', 'Firefox (set FIREFOX_PATH to its program)'],
@@ -60,8 +63,8 @@ const BROWSERS = [
 ]
 
 /**
- * `purpose`: `page` (all in WebAssembly) or `tests` (the native build and all that is tested). `meanwhile`: done while npm
- * packages come, with the packages of the system.
+ * Installs packages. `purpose` is `page` (everything in WebAssembly) or `tests` (the native build and all tests).
+ * `meanwhile` runs during the download of npm packages, once the system's packages are installed.
  */
 export async function setup(purpose, meanwhile) {
   const tests = purpose === 'tests'
@@ -78,11 +81,12 @@ export async function setup(purpose, meanwhile) {
     )
   }
   await Promise.all([installNpmPackages(''), meanwhile?.()])
-  // An old compiler for the tests of the package, whose program has the name of another's.
+  // An old compiler for the tests of the package. It is installed apart because its program has the same name as the
+  // current one.
   if (tests) await installNpmPackages('tests/pack/typescript-5.0/')
 }
 
-/** The Chromium that the tests drive. */
+/** The path of Chromium for tests. */
 export function chromiumPath() {
   return process.env.CHROMIUM_PATH ?? '/usr/bin/chromium'
 }
@@ -114,7 +118,7 @@ async function installDebianPackages(missing) {
   await run(program, [...before, ...install, '-q'])
 }
 
-/** On a system whose package manager this script does not know it changes nothing and says what is missing. */
+/** On other systems, lists what is missing and changes nothing. */
 function checkOtherSystem(libraries, tests, missingBrowsers) {
   const missing = Object.entries({
     emcmake: 'Emscripten 3.1.6 or later',
@@ -134,7 +138,7 @@ function checkOtherSystem(libraries, tests, missingBrowsers) {
   }
 }
 
-/** Those of the lock file in a folder. */
+/** Installs the packages of the lock file in a folder. */
 async function installNpmPackages(folder) {
   const lock = createHash('sha256')
     .update(readFileSync(`${ROOT}${folder}package-lock.json`))

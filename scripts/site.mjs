@@ -12,16 +12,19 @@ import { addFirstPicture } from './texts/first-picture.mjs'
 import { buildTexts } from './texts/texts.mjs'
 
 const SERVICE_WORKER = 'service-worker.js'
-/** What works with a network alone: what is for other pages, examples among these, and the pictures and the reference of the documentation, which are large. */
+/**
+ * Files that are not available offline: files for other pages, among them examples, and the large pictures and
+ * reference of the documentation.
+ */
 const NOT_KEPT = /^(element\.(css|js)|(api|examples|lib)\/.*|docs\/.*\.(jpg|png|svg|txt))$/
 /** Compressing other files would gain nothing. */
 const COMPRESSED = /\.(css|csv|html|js|json|md|svg|txt|wasm|webmanifest)$/
-/** Smaller ones fit into one packet as they are. */
+/** Smaller files fit into one packet uncompressed. */
 const SMALLEST = 1000
 
 async function buildSite(folder) {
   cpSync(`${ROOT}build/page`, folder, { recursive: true })
-  // For pages with the code of an element that the playground writes.
+  // Pages with an element that the playground writes use this file.
   copyFileSync(`${ROOT}dist/element/bundle.js`, `${folder}/element.js`)
   await addFirstPicture(folder)
   await buildTexts(folder)
@@ -30,7 +33,7 @@ async function buildSite(folder) {
   await writeServiceWorker(folder)
 }
 
-/** Those that were built before all this. */
+/** Lists the files that have been built so far. */
 function filesOf(folder) {
   return readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
@@ -39,14 +42,14 @@ function filesOf(folder) {
     .sort()
 }
 
-/** Has a site work without a network. */
+/** Writes the service worker, which makes a site work offline. */
 export async function writeServiceWorker(folder) {
   const own = filesOf(folder).filter((name) => !NOT_KEPT.test(name))
   const list = own.map((name) => {
     const hash = createHash('sha256')
       .update(readFileSync(`${folder}/${name}`))
       .digest('base64')
-    // A page has the address of its folder, from where some servers would send it there.
+    // The address of a page is its folder, because some servers redirect index.html there.
     return [name.replace(/(^|\/)index\.html$/, '$1') || './', `sha256-${hash}`]
   })
   const version = createHash('sha256').update(JSON.stringify(list)).digest('hex').slice(0, 16)

@@ -6,7 +6,9 @@ import { build, main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const DEFAULT_PORT = 8080
-/** The page that is served until all is built. Modules that may not be there yet are no part of it, but files of the server. */
+/**
+ * The page that is served until everything is built. Modules that may be missing are not bundled but served as files.
+ */
 const FIRST = `${ROOT}build/first`
 const LATER = /^.*\/generated\/(?!circle-voronoi\.)([\w-]+\.js)$/
 const LATER_WASM = /new URL\('[./]*\/generated\/(?!circle-voronoi\.)([\w-]+\.wasm)', import\.meta\.url\)/g
@@ -14,7 +16,7 @@ const LATER_WASM = /new URL\('[./]*\/generated\/(?!circle-voronoi\.)([\w-]+\.was
 await main(async () => {
   await setup('page', async () => {
     await run('emcmake', ['cmake', '--preset', 'wasm'])
-    // npm, which waits for files and the network in between, goes first.
+    // npm goes first, because it waits for files and the network in between.
     await run('nice', ['cmake', '--build', '--preset', 'wasm-first'])
   })
   await buildFirst()
@@ -51,7 +53,7 @@ async function serve() {
 
   const first = sirv(FIRST, { dev: true })
   const generated = ['app', 'lib', 'tutorial'].map((part) => sirv(`${ROOT}web/${part}/generated`, { dev: true }))
-  // Where a build fails, the terminal says so, and what is not there is not found.
+  // If a build fails, the terminal shows the error, and its files are not found.
   const after = (built, next) =>
     built.then(
       () => next(),
@@ -64,7 +66,7 @@ async function serve() {
       middlewares.use('/generated', (_request, _response, next) => after(modules, next))
       for (const files of generated) middlewares.use('/generated', files)
       middlewares.use((request, response, next) => {
-        // Pages that were opened before ask for their own.
+        // Pages that were opened before request their own assets.
         if (isWhole && !request.url.startsWith('/assets/')) next()
         else first(request, response, () => after(site, next))
       })
@@ -75,7 +77,7 @@ async function serve() {
     root: `${ROOT}web`,
     configFile: `${ROOT}vite.config.ts`,
     plugins: [untilWhole],
-    // A port that was asked for is taken or refused; the default gives way to the next free one.
+    // A port that was requested is used or refused. The default gives way to the next free port.
     preview: { port: Number(chosen ?? DEFAULT_PORT), strictPort: chosen !== undefined },
   })
   console.log(`The page is at ${server.resolvedUrls.local[0]}`)

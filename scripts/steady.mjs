@@ -29,7 +29,7 @@ await main(async () => {
   rmSync(REPORTS, { recursive: true, force: true })
   mkdirSync(REPORTS, { recursive: true })
 
-  /** Of each test that failed once or more, how often, by condition. */
+  /** Counts of failures by test and condition. */
   const failures = new Map()
   const quick = SUITES.filter(({ name, lengths = ['quick'] }) => {
     return lengths.includes('quick') && (values.suite?.includes(name) ?? true)
@@ -47,7 +47,7 @@ await main(async () => {
           failures.set(key, (failures.get(key) ?? 0) + 1)
         }
       }
-      // A run takes hours, and may be ended before its end.
+      // A run takes hours, and may be interrupted.
       if (failures.size > 0) tell(`Not always green until now, after ${suite.name}, ${condition.name}:`)
     }
   }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tests there are: for `npm test` all that is quick, and the others, which take long, for `npm run test:long`.
+// The test suites: quick tests for `npm test`, long ones for `npm run test:long`.
 import { readdirSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
 import { ROOT } from './run.mjs'
 import { chromiumPath } from './setup.mjs'
 
 const BIN = `${ROOT}node_modules/.bin`
-// Colors and progress bars are for people, and so are the questions that some tools ask.
+// Disables colors, progress bars and questions of tools.
 export const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
 
 /**
- * In their order: the program, its arguments and its environment, so that it writes a JUnit report to a path and runs what
- * is quick, or with `isLong` the others. `lengths`: what it has of these; of most all is quick.
- * `hasPages`: whether it is about pages in a browser.
+ * The suites in their order: the program, its arguments and its environment, so that it writes a JUnit report to a path
+ * and runs quick tests, or with `isLong` the others. `lengths` defaults to quick tests only. `hasPages` marks suites
+ * that open pages in a browser.
  */
 export const SUITES = [
   {
@@ -32,7 +32,7 @@ export const SUITES = [
   {
     name: 'WebAssembly in Node',
     program: process.execPath,
-    // As strict as a page whose Content-Security-Policy forbids `eval`.
+    // Node then forbids `eval`, as the Content-Security-Policy of a page does.
     args: (report) => ['--disallow-code-generation-from-strings', ...nodeTests(report, 'tests/wasm')],
   },
   {
@@ -42,7 +42,7 @@ export const SUITES = [
   },
   {
     name: 'Python',
-    // Debian's interpreter, which has the packages; another python3 may come first on the path.
+    // Debian's interpreter has the packages; another python3 may come first on the path.
     program: process.env.PYTHON_PATH ?? '/usr/bin/python3',
     args: (report) => ['-m', 'pytest', 'cpp/python/tests', '-q', '-p', 'no:cacheprovider', `--junitxml=${report}`],
     env: () => ({ PYTHONPATH: `${ROOT}build/native/cpp/python`, PYTHONDONTWRITEBYTECODE: '1' }),
@@ -57,7 +57,7 @@ export const SUITES = [
     name: 'Playwright',
     program: `${BIN}/playwright`,
     args: (_, isLong) => ['test', '--reporter=list,junit', isLong ? '--grep' : '--grep-invert', '@long'],
-    // Playwright colors its own way, and Node warns when both are set.
+    // Playwright has its own setting for colors, and Node warns when both are set.
     env: (report) => ({ NO_COLOR: undefined, PLAYWRIGHT_JUNIT_OUTPUT_FILE: report }),
     lengths: ['quick', 'long'],
     hasPages: true,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every page of Chromium with a processor that seems so many times as slow (`npm run test:steady`).
+// Throttles the processor in every page of Chromium by a factor (`npm run test:steady`).
 import { type Browser, chromium } from '@playwright/test'
 
 export function slowDown(rate: number): void {
@@ -10,7 +10,7 @@ export function slowDown(rate: number): void {
     const slowed: Browser['newContext'] = async (contextOptions) => {
       const context = await newContext(contextOptions)
       context.on('page', async (page) => {
-        // A page may be gone before it is asked.
+        // The page may have closed already.
         const session = await context.newCDPSession(page).catch(() => undefined)
         await session?.send('Emulation.setCPUThrottlingRate', { rate }).catch(() => undefined)
       })

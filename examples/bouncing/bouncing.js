@@ -7,7 +7,7 @@ const DISCS = 1000
 const COLUMNS = 40
 const ROWS = DISCS / COLUMNS
 const TIME_STEP = 1 / 60
-/** So many frames are told of at a time. */
+/** Number of frames in each report. */
 const TOLD = 30
 
 const random = randomNumbers(1)
@@ -48,12 +48,12 @@ function frame() {
 }
 
 function bounceNeighbors() {
-  // No disc comes or goes, so indices are ids.
+  // Discs are never inserted or removed, so that indices are ids.
   const { edges } = diagram
   for (let k = 0; k < edges.length; k += 4) bounce(discs[edges[k]], discs[edges[k + 1]])
 }
 
-/** Two discs that touch and come nearer bounce; their masses are their areas. */
+/** Two discs that touch and approach each other bounce. Their masses are their areas. */
 function bounce(a, b) {
   const dx = b.x - a.x
   const dy = b.y - a.y
@@ -69,7 +69,7 @@ function bounce(a, b) {
   b.vy += (impulse / massB) * dy
 }
 
-/** Moves a disc; at the walls it turns back. */
+/** Moves a disc, which bounces off the walls. */
 function move(disc) {
   disc.x += disc.vx * TIME_STEP
   disc.y += disc.vy * TIME_STEP

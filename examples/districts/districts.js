@@ -31,7 +31,7 @@ export function districtsOf({ fitAreas }, cities, count, shape) {
 
 /** Where people live: `count` points, each in the middle of the people who are nearest to it. */
 function centersOf(cities, count) {
-  // From the largest cities that are far from one another.
+  // Begins with the largest cities that are far from one another.
   let reach = 2000
   let centers = []
   while (centers.length < count) {

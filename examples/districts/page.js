@@ -3,7 +3,7 @@
 import { loadCircleVoronoi } from '../../dist/lib/index.js'
 import { districtsOf } from './districts.js'
 
-/** Of a city of a million, in kilometers: the circles of the file have the areas of populations. */
+/** Radius of a city of a million, in kilometers. The areas of the file's circles are proportional to populations. */
 const RADIUS = 30
 const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#a99bd0', '#e39a6f', '#9db4a0']
 
@@ -25,7 +25,7 @@ function draw() {
   document.querySelector('#chosen').value = count.value
   const { diagram, people, error } = districtsOf(regions, cities, Number(count.value), shape)
   const { minX, minY, maxX, maxY } = shape.box
-  // One color more where neighbors have all others.
+  // Adds a color where neighbors have all others.
   const colors = []
   people.forEach((_, i) => {
     const taken = Array.from(diagram.neighbors(i, { region: shape }), (neighbor) => colors[neighbor])

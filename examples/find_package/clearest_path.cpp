@@ -30,7 +30,7 @@ int main(int count, char** arguments) {
     }
   }
   std::ifstream file(arguments[1], std::ios::binary);
-  file.peek();  // fails if there is no file, or if it is a folder
+  file.peek();  // Fails for a missing file and for a folder.
   if (!file.is_open() || file.bad()) {
     std::cerr << "Cannot read " << arguments[1] << ".\n";
     return 1;

@@ -6,7 +6,7 @@
     tiles.py CIRCLES.csv FOLDER --size 1000 --halo 30 --scheduler tcp://node1:8786
 
 The circles are cut into tiles (FOLDER/0/tiles), and each is computed by a worker: a process on this machine, or one of a
-Dask cluster whose machines share the folder. What is final of a tile is in FOLDER/0/parts. The circles that are left, at
+Dask cluster whose machines share the folder. The final parts of a tile are in FOLDER/0/parts. The circles that are left, at
 the rim of the whole and of holes wider than the halo, and huge ones, go on with their neighbors to the next level
 (FOLDER/1): in wider tiles as long as there are more than --most of them, at last in one. FOLDER/*/parts together are the
 diagram, each line once.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The land of the earth in thousands of square kilometers: the largest countries of each continent, and the rest of it.
+// The land of the earth in thousands of square kilometers: the largest countries of each continent, and the rest.
 const CONTINENTS = {
   Africa: {
     Algeria: 2382,

@@ -41,7 +41,7 @@ function draw() {
     path.setAttribute('tabindex', '0')
     path.setAttribute('role', 'button')
   }
-  // How far the area of a cell is from its share of the whole.
+  // The relative errors of the cells' areas.
   const total = sumOf(tree)
   const errors = cells.map(({ value, area }) => Math.abs((area / whole.area) * (total / value) - 1))
   output.value = `${cells.length} cells in ${Math.round(performance.now() - start)} ms; the worst area is off by ${Math.max(...errors).toExponential(0)}`

@@ -2,10 +2,10 @@
 // A treemap as the text of an SVG: groups have colors, names are as large as their cells.
 
 const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#b9c4cf', '#a99bd0', '#e39a6f']
-/** Of the root of a cell's area, so that a name of average length fits. */
+/** Relative to the root of a cell's area, so that a name of average length fits. */
 const SIZE_OF_NAMES = 1.3
 
-/** `size`: width and height of the picture. */
+/** `size` is the width and height of the picture. */
 export function svgOf(cells, size) {
   const colors = new Map()
   const colorOf = (group) => {

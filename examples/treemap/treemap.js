@@ -2,9 +2,9 @@
 // A treemap of cells
 // The cell of each group is the region of its parts, so every cell is as large as its number, at each level.
 
-/** How often points move to the centroids of their cells, which makes cells rounder. */
+/** Number of times that points move to the centroids of their cells, which makes cells rounder. */
 const RELAX = 20
-/** How far polygons of groups may be from their true curves. */
+/** Largest distance between the polygons of groups and their true curves. */
 const TOLERANCE = 0.002
 
 /**

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's claims, each with what was measured and whether it holds. `expected` is what this project knows; a run
-// that finds otherwise is news, and `npm run reproduce` says so.
+// The paper's claims, each with its measurement and whether it holds. `expected` is the known outcome; `npm run
+// reproduce` reports any other.
 import { fitPower, median } from './fit.mjs'
 import { count, fixed, percent, power } from './text.mjs'
 
@@ -10,16 +10,16 @@ export const TABLE_1 = [
   { figure: '7b', n: 199, onLargest: 792, onOthers: 9, average: '12.935' },
 ]
 
-/** The ways of the paper itself, which take no second look. */
+/** The paper's own methods, without resampling. */
 const SAMPLED_WAYS = ['N_s = 0', 'N_s = 1', 'N_s = 3']
 
-/** 'yes', 'partly' or 'no', by how many of several hold. */
+/** Returns 'yes', 'partly' or 'no', by how many of several conditions hold. */
 function outcomeOf(holding, all) {
   if (holding === all) return 'yes'
   return holding === 0 ? 'no' : 'partly'
 }
 
-/** In the order of the page; each by the name that the page asks for it. */
+/** The claims in the order of the page, each under the name by which the page refers to it. */
 export function claimsOf(data) {
   return {
     table1: table1(data.table1),
@@ -118,7 +118,7 @@ function discsLinear(counts) {
   }
 }
 
-/** Of the largest input, how many a circle. */
+/** The count per circle for the largest input. */
 function atLargest(counts, key) {
   const largest = Math.max(...counts.map(({ n }) => n))
   return median(counts.filter(({ n }) => n === largest).map((row) => row[key] / row.n))
@@ -232,7 +232,7 @@ function aroundOneDisc(rows) {
   }
 }
 
-/** The exponent of a method's time from `from` circles on. */
+/** The exponent of a method's time for at least `from` circles. */
 export function exponentOf(times, method, from) {
   const points = times
     .filter((row) => row.method === method && row.n >= from)
@@ -240,7 +240,7 @@ export function exponentOf(times, method, from) {
   return fitPower(points)
 }
 
-/** How many times longer one method takes than another, at the largest input that both have. */
+/** The ratio of two methods' times for the largest input that both have. */
 export function ratioOf(times, slow, fast) {
   const rowOf = (method, n) => times.find((row) => row.method === method && row.n === n)
   const n = Math.max(...times.map((row) => row.n).filter((size) => rowOf(slow, size) && rowOf(fast, size)))
@@ -254,7 +254,7 @@ function loglinear(times) {
   return {
     claim: 'The time of dynamic sampling is O(n log n), where all pairs take O(n²).',
     measured: `dynamic sampling ${power(dynamic)} from 1,000 circles on (n log n itself has 1.1 there); all pairs ${power(allPairs)}`,
-    // Refuted only by an exponent that is clearly another one.
+    // Only a clearly different exponent refutes the claim.
     outcome: outcomeOf(
       Number(dynamic.slope - dynamic.halfWidth < 1.25 && allPairs.slope + allPairs.halfWidth > 1.75),
       1,

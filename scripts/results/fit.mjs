@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * The power law y = c x^slope that fits best, by least squares of logarithms, with the half-width of the slope's 95 %
- * confidence interval and its value at any x.
- * @param {{ x: number, y: number }[]} points positive; of two different x at least, three points at least
+ * Fits a power law y = c x^slope by least squares of logarithms. Returns the slope, the half-width of its 95 %
+ * confidence interval, and the value at any x.
+ * @param {{ x: number, y: number }[]} points positive, at least three, with at least two different x
  */
 export function fitPower(points) {
   const logs = points.map(({ x, y }) => [Math.log(x), Math.log(y)])
@@ -20,7 +20,7 @@ export function fitPower(points) {
   }
 }
 
-/** What 2.5 % of Student's distribution lie above (Abramowitz and Stegun, 26.7.5, and a table below 3). */
+/** The 97.5 % quantile of Student's distribution (Abramowitz and Stegun, 26.7.5, and a table below 3). */
 export function studentQuantile(degrees) {
   if (degrees === 1) return 12.7062
   if (degrees === 2) return 4.3027

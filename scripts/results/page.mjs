@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/results.md from the data of scripts/reproduce.mjs.
+// Writes docs/results.md from the data of scripts/reproduce.mjs.
 import { exponentOf, ratioOf, TABLE_1 } from './claims.mjs'
 import { fitPower, median } from './fit.mjs'
 import { METHODS } from './methods.mjs'
@@ -7,7 +7,7 @@ import { count, fixed, percent, power, seconds, table } from './text.mjs'
 
 const OUTCOMES = { yes: 'holds', partly: 'holds in part', no: 'does not hold' }
 
-/** A claim as the page shows it. */
+/** Formats a claim. */
 function block({ claim, measured, outcome, why }) {
   const reason = outcome === 'yes' ? '' : ` ${why}`
   return `> **The paper:** ${claim}\n>\n> **Measured:** ${measured}.\n>\n> **${capital(OUTCOMES[outcome])}.**${reason}`
@@ -21,7 +21,7 @@ function picture(name, alt, width) {
   return `<img src="results/${name}.svg" alt="${alt}"${width === undefined ? '' : ` width="${width}"`}>`
 }
 
-/** Pictures beside each other, each with a line below it. */
+/** Pictures beside each other, each with a caption. */
 function gallery(pictures, width) {
   const cells = pictures.map(([name, caption]) => `<td>${picture(name, '', width)}<br>${caption}</td>`)
   return `<table><tr>${cells.join('')}</tr></table>`

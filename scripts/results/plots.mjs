@@ -4,7 +4,7 @@ import { parse, View } from 'vega'
 import { compile } from 'vega-lite'
 import { METHODS } from './methods.mjs'
 
-/** What each color of the light picture is in the dark one. */
+/** Maps the colors of the light picture to the dark one. */
 const DARK = {
   '#ffffff': '#12161d',
   '#1b2430': '#e6ebf2',
@@ -41,7 +41,7 @@ const CONFIG = {
   title: { color: INK, fontSize: 13, fontWeight: 'normal', anchor: 'start' },
 }
 
-/** Name of each plot to its SVG. */
+/** Maps the name of each plot to its SVG. */
 export async function plots(data) {
   const specs = {
     counts: countsPlot(data.counts),
@@ -66,7 +66,7 @@ async function draw(spec) {
 }
 
 const CIRCLES = { field: 'n', type: 'quantitative', scale: { type: 'log' }, title: 'circles' }
-/** Powers of ten alone have a label. */
+/** Labels only powers of ten. */
 function powers(format) {
   return {
     labelExpr: `abs(log(datum.value) / LN10 - round(log(datum.value) / LN10)) < 1e-6 ? format(datum.value, '${format}') : ''`,

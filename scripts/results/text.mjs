@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers and tables as docs/results.md has them.
+// Formats numbers and tables for docs/results.md.
 
 export function count(value) {
   return value.toLocaleString('en-US')
@@ -16,7 +16,7 @@ export function percent(part) {
 
 const NBSP = '\u00a0'
 
-/** Three digits and a unit. */
+/** Formats a duration with three digits and a unit. */
 export function seconds(value) {
   if (value >= 1) return `${Number(value.toPrecision(3))}${NBSP}s`
   return value >= 1e-3
@@ -24,7 +24,7 @@ export function seconds(value) {
     : `${Number((1e6 * value).toPrecision(3))}${NBSP}µs`
 }
 
-/** The exponent of a power law with its confidence. */
+/** Formats the exponent of a power law with its confidence interval. */
 export function power({ slope, halfWidth }) {
   return `n^${slope.toFixed(3)}${NBSP}±${NBSP}${halfWidth.toFixed(3)}`
 }

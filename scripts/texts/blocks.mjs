@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the blocks of a chapter become in HTML. Without a script a reader sees pictures, questions and their answers.
+// Renders the blocks of a chapter as HTML. Without scripts, readers see pictures, questions and their answers.
 import { escaped } from './page.mjs'
 
-/** Where figures are shown by themselves, seen from a chapter. */
+/** The playground's address relative to a chapter. */
 const PLAYGROUND = '../'
 
 /**
- * @param {ReadonlyMap<string, import('./tutorial.mjs').Made>} made of each figure, by its name, what
- *   stands after the # of its link, and the file of its picture; with rules as printed also what these find, and of one that the
- *   tutorial draws itself what is drawn at first
+ * @param {ReadonlyMap<string, import('./tutorial.mjs').Made>} made the links and picture files of figures by name, the
+ * result of the printed rules where they are compared, and the first drawing of the tutorial's own figures
  */
 export function blockRenderer(made) {
   let questions = 0
@@ -34,7 +33,7 @@ ${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<
 ${asked(spec, inline)}`
   }
 
-  /** Two pictures: by the rules as they have to be, and as printed. */
+  /** Two pictures: by the corrected rules and by the printed ones. */
   function printed(spec, inline) {
     const { name, rules, caption } = spec
     const { poster, sentence } = made.get(name).printed
@@ -52,7 +51,7 @@ ${element(spec)}</div>
 ${asked(spec, inline)}`
   }
 
-  /** What the tutorial draws itself (web/tutorial/drawn). */
+  /** A figure that the tutorial draws itself (web/tutorial/drawn). */
   function drawn(spec, inline) {
     const { name, kind, point, region, view, at = 0, label, plays, caption, alt } = spec
     const { circles, drawing } = made.get(name)
@@ -67,7 +66,7 @@ ${asked(spec, inline)}`
 ${asked(spec, inline)}`
   }
 
-  /** Each circle as a cone, to be turned. */
+  /** The picture of cones that readers can turn. */
   function cones(spec, inline) {
     const { name, view, tilt, turn, caption, alt } = spec
     const { circles, drawing } = made.get(name)
@@ -136,7 +135,7 @@ ${help(spec, inline)}</form>
   }
 }
 
-/** Figure 5, or figures 5 d and 13 a. */
+/** Formats `Figure 5`, or `figures 5 d and 13 a`. */
 export function paperFigures({ figures }) {
   return figures.length === 1
     ? `Figure ${figures[0]}`
@@ -148,7 +147,7 @@ function range(name, { label, changes, from, to, at, step = 'any' }, inline) {
 `
 }
 
-/** What there is to find out with the figure above. */
+/** An exercise with the figure above. */
 function asked(spec, inline) {
   if (spec.ask === undefined) return ''
   return `<div class="asked"><p>${inline(spec.ask)}</p>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What documents the library: the repository's own texts, its manual page, its examples and its C++ headers.
+// Collects the documentation: the repository's own texts, the manual page, the examples and the C++ headers.
 import { execFileSync } from 'node:child_process'
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs'
 import { dirname, posix } from 'node:path'
@@ -8,7 +8,7 @@ import { buildGallery } from './gallery.mjs'
 import { renderMarkdown, slugOf } from './markdown.mjs'
 import { codeBlock } from './page.mjs'
 
-/** Of the repository, and where they stand in the site. */
+/** Maps texts of the repository to their places in the site. */
 export const TEXTS = {
   'README.md': 'index.html',
   'docs/javascript.md': 'javascript.html',
@@ -36,8 +36,7 @@ const MANUAL = 'cpp/cli/circle-voronoi.1'
 const PLAYGROUND = 'web/index.html'
 
 /**
- * Copies the pictures that these show, and examples that are pages.
- *
+ * Copies the pictures of these texts, and examples that are pages.
  * @param {string} site the folder of the built site
  * @returns {Promise<import('./page.mjs').Text[]>}
  */
@@ -55,7 +54,7 @@ export async function documentationTexts(site) {
   return [first, ...others]
 }
 
-/** Where a link of a text of the repository leads in the site. */
+/** The address in the site of a link in a text of the repository. */
 function siteAddress(site, from, address) {
   if (/^(\w+:|#)/.test(address)) return address
   const [path, fragment] = address.split('#')
@@ -87,15 +86,15 @@ function commandLine() {
   const manual = execFileSync('mandoc', ['-T', 'html', '-O', 'fragment', ROOT + MANUAL], {
     encoding: 'utf8',
   })
-    // What frames a page of paper, and links of names to themselves.
+    // Removes the header and footer of a printed page, and self-links of names.
     .replace(
       /<table class="(head|foot)">[\s\S]*?<\/table>|<section class="Sh">\s*<h1[^>]*id="NAME"[\s\S]*?<\/section>/g,
       '',
     )
-    // Options that share a description have a space in its place.
+    // Options that share a description leave a space in its place.
     .replace(/<dd>&#x00A0;<\/dd>/g, '<dd></dd>')
     .replace(/<a class="permalink"[^>]*>([\s\S]*?)<\/a>/g, '$1')
-    // Below the title of this page, whose policy allows no styles in attributes.
+    // Lowers headings below the page's title. The policy of the page allows no style attributes.
     .replace(/<(\/?)h([12])\b/g, (_, end, level) => `<${end}h${Number(level) + 1}`)
     .replace(/ style="[^"]*"/g, '')
   const title = 'The manual page'
@@ -109,7 +108,7 @@ async function examples(site) {
 
 function cppReference() {
   const title = 'The C++ headers'
-  // abi.h has nothing to call.
+  // abi.h declares nothing to call.
   const headers = readdirSync(ROOT + HEADERS)
     .filter((name) => name !== 'abi.h')
     .sort()
@@ -126,7 +125,7 @@ function cppReference() {
   return { ...page('headers.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`), isBroad: true }
 }
 
-/** Nobody can use what is private. */
+/** Removes private members, which nobody can use. */
 function withoutPrivate(source) {
   return source.replace(/\n+ private:\n[\s\S]*?\n\};/g, '\n};')
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures of the figures that the tutorial draws itself, until they live: drawn by the page's own code.
+// Draws the initial pictures of the tutorial's own figures with the page's code.
 import { readFileSync } from 'node:fs'
 import { pathToFileURL } from 'node:url'
 import { deflateSync } from 'node:zlib'
@@ -7,16 +7,16 @@ import { build } from 'esbuild'
 import { ROOT } from '../run.mjs'
 
 const BUNDLE = `${ROOT}build/drawn.mjs`
-/** Of the picture of cones, in pixels. */
+/** Size of the picture of cones, in pixels. */
 const CONES = { width: 960, height: 600 }
 
 /**
  * @typedef {object} Drawn
  * @property {string | Buffer} picture a file, SVG or PNG
- * @property {string} [told] what is said of it
- * @property {number} [height] of the picture
- * @property {number} [last] of its slider
- * @property {number | string} [step] of its slider
+ * @property {string} [told] the caption
+ * @property {number} [height] height of the picture
+ * @property {number} [last] last value of the slider
+ * @property {number | string} [step] step of the slider
  */
 
 /** @returns {Promise<{ draw: (spec: object, circles: number[][]) => Drawn, colorsOf: Function, extrasOf: Function }>} */

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The circles of a figure of the tutorial: its own, or those that the playground knows by a name (web/app/data-sets.ts): a
-// file, `figure-7a` of the paper, or `ring:1:49`, a family with its seed and number.
+// Loads the circles of the tutorial's figures. They are listed in the figure or named as in the playground
+// (web/app/data-sets.ts): a file, `figure-7a` of the paper, or `ring:1:49`, a family with its seed and number.
 import { readFileSync } from 'node:fs'
 import { ROOT } from '../run.mjs'
 
-/** More would make a page long; these are written as short as will do for a drawing. */
+/** Significant digits of circles in a page. More digits would make the page long without a visible difference. */
 const DIGITS = 6
 
 /** @returns {Promise<(figure: object) => number[][]>} x, y and r of each circle */

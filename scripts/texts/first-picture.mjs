@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Puts the first scene into the page as a drawing, made by the page's own code.
+// Draws the first scene into the page with the page's own code.
 import { readFileSync, writeFileSync } from 'node:fs'
 import { pathToFileURL } from 'node:url'
 import { build } from 'esbuild'
@@ -9,7 +9,7 @@ import { ROOT } from '../run.mjs'
 const BUNDLE = `${ROOT}build/first-picture.mjs`
 const PLACE = '<!-- first picture -->'
 
-/** @param {string} folder of the site */
+/** @param {string} folder the folder of the site */
 export async function addFirstPicture(folder) {
   await build({
     entryPoints: [`${ROOT}web/app/first-picture.ts`],
@@ -21,7 +21,7 @@ export async function addFirstPicture(folder) {
   })
   const { firstPicture } = await import(pathToFileURL(BUNDLE).href)
   const rows = readFileSync(`${ROOT}public/data/start.csv`, 'utf8').trim().split('\n').slice(1)
-  // Colors depend on the order of edges: that of an editor, as in the view.
+  // Uses an editor as the view does, because colors depend on the order of edges.
   const editor = (await loadCircleVoronoi()).edit(rows.map((row) => row.split(',').map(Number)))
   const file = `${folder}/index.html`
   const page = readFileSync(file, 'utf8')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The examples: a page that shows the source of each, and where an example is a page itself, that page in the site.
+// Builds the examples: a page with the source of each, and the examples that are pages themselves.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { basename, dirname, posix } from 'node:path'
 import { buildSite as buildMarkdown } from '../../examples/element/markdown/build.mjs'
@@ -8,9 +8,9 @@ import { slugOf } from './markdown.mjs'
 import { codeBlock, escaped } from './page.mjs'
 
 const EXAMPLES = `${ROOT}examples`
-/** The sources of examples. What a program prints stands in a text of its name, with which tests compare it. */
+/** Sources of examples. A text of the same name holds a program's output, which tests compare. */
 const SOURCE = /(CMakeLists\.txt|(?<!\.d)\.(cpp|css|csv|html|js|jsx|md|mjs|py|sh))$/
-/** What examples take from dist/ and public/, and the files of the site, seen from its folder, that are the same. */
+/** Maps files of dist/ and public/ that examples use to files of the site's folder. */
 const IN_SITE = {
   'dist/element/index.js': 'element.js',
   'dist/element/bundle.js': 'element.js',
@@ -22,8 +22,7 @@ const IN_SITE = {
 const IN_DIST = new RegExp(`(?:\\.\\./)+(${Object.keys(IN_SITE).join('|')})`, 'g')
 
 /**
- * The folders of the examples in their order. Those that are pages come first.
- *
+ * Lists the folders of the examples in their order, pages first.
  * @returns {{ folder: string, files: string[], about: string, isLive: boolean }[]}
  */
 export function readGallery() {
@@ -38,7 +37,7 @@ export function readGallery() {
   return [...folders.filter(({ isLive }) => isLive), ...folders.filter(({ isLive }) => !isLive)]
 }
 
-/** What an example says of itself: the title of its page, or the first sentence of the comment that a program begins with. */
+/** The description of an example: its page's title, or the first sentence of a program's first comment. */
 function aboutOf(files) {
   const said = files.map((path) => {
     const source = readFileSync(`${EXAMPLES}/${path}`, 'utf8')
@@ -50,14 +49,13 @@ function aboutOf(files) {
 }
 
 /**
- * Puts the examples that are pages into the site's folder `examples`, with the scripts and pictures that they need.
- *
+ * Copies the examples that are pages into the site's folder `examples`, with their scripts and pictures.
  * @param {string} site the folder of the built site
  * @returns {Promise<string>} the page of all examples
  */
 export async function buildGallery(site) {
   copyFileSync(`${ROOT}web/element/element.css`, `${site}/element.css`)
-  // With the modules that the library's one file fetches.
+  // The library's single file fetches further modules.
   mkdirSync(`${site}/lib/generated`, { recursive: true })
   copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/lib/bundle.js`)
   for (const name of ['comparison', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
@@ -90,7 +88,7 @@ async function putPage(folder, files, target) {
   }
 }
 
-/** What a bundler makes of an example with a framework, but for the element itself, which the site has. */
+/** Bundles an example with a framework, except for the element, which the site contains. */
 async function bundle(script, outfile, element) {
   const { build } = await import('esbuild')
   await build({
@@ -144,7 +142,7 @@ function partOf({ folder, files, about, isLive }, site) {
 ${[...(isLive ? [preview(folder, about, site)] : []), ...prints, ...sources].join('\n')}`
 }
 
-/** A picture, in whose place web/docs/gallery.ts puts the page itself. */
+/** The picture of an example. web/docs/gallery.ts replaces it by the page. */
 function preview(folder, about, site) {
   const picture = pictureOf(folder)
   // `npm run picture` takes it from the built page.
@@ -156,7 +154,7 @@ function preview(folder, about, site) {
 </figure>`
 }
 
-/** Of an example that is a page; seen from docs/. */
+/** The picture of an example that is a page, relative to docs/. */
 export function pictureOf(folder) {
   return `examples/${basename(folder)}.jpg`
 }

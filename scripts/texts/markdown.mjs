@@ -5,15 +5,15 @@ import MarkdownIt from 'markdown-it'
 import definitions from 'markdown-it-deflist'
 import temml from 'temml'
 
-/** What is no code to be shown, but something to be touched. */
+/** Kinds of code blocks that become interactive. */
 export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'drawn', 'cones']
 
 /**
  * @param {string} markdown
  * @param {object} [options]
- * @param {(kind: string, spec: object, inline: (text: string) => string) => string} [options.block] what a block becomes;
- *   without it there are none
- * @param {(address: string) => string} [options.link] where links and pictures lead
+ * @param {(kind: string, spec: object, inline: (text: string) => string) => string} [options.block] renders a block;
+ * without it there are none
+ * @param {(address: string) => string} [options.link] maps the addresses of links and pictures
  * @returns {{ title: string, html: string, blocks: { kind: string, spec: object }[] }}
  */
 export function renderMarkdown(markdown, { block, link = (address) => address } = {}) {
@@ -59,7 +59,7 @@ export function renderMarkdown(markdown, { block, link = (address) => address } 
     const slug = slugOf(tokens[i + 1].content)
     const before = slugs.get(slug) ?? 0
     slugs.set(slug, before + 1)
-    // Where a heading comes again, as GitHub does it.
+    // Numbers repeated headings like GitHub.
     tokens[i].attrSet('id', before === 0 ? slug : `${slug}-${before}`)
     return self.renderToken(tokens, i, options)
   }
@@ -74,7 +74,7 @@ function plain(tokens, i, options, _, self) {
   return self.renderToken(tokens, i, options)
 }
 
-/** Commands or folders, each with what it is: in two columns, where the second one may go on in the next line. */
+/** Commands or folders with their descriptions, in two columns. A description may continue in the next line. */
 function listOf(content) {
   const items = []
   for (const line of content.trimEnd().split('\n')) {
@@ -88,7 +88,9 @@ function listOf(content) {
   return items.some(([, about]) => about !== '') ? items : undefined
 }
 
-/** Lines of code may be broken. What is drawn with characters stays as it is, and can be scrolled by keys where it is too wide. */
+/**
+ * Allows breaking lines of code. Character drawings keep their lines, and can be scrolled by keys if they are too wide.
+ */
 function opened(content) {
   return /[─│┐└]/.test(content) ? '<pre class="drawn" tabindex="0">' : '<pre>'
 }
@@ -97,7 +99,7 @@ function relinked(html, link) {
   return html.replace(/ (src|srcset|href)="([^"]*)"/g, (_, name, address) => ` ${name}="${link(address)}"`)
 }
 
-/** As GitHub names headings. */
+/** The id that GitHub gives to a heading. */
 export function slugOf(heading) {
   return heading
     .toLowerCase()
@@ -123,7 +125,7 @@ function mathematics(md) {
     const displayMode = tokens[i].markup !== ''
     const math = temml
       .renderToString(tokens[i].content, { displayMode, throwOnError: true })
-      // The policy of the pages allows no styles in attributes, and this one is what browsers do anyway.
+      // The policy of the pages allows no style attributes. Browsers use this style anyway.
       .replace(' style="display:block math;"', '')
     return displayMode ? `<span class="wide formula" tabindex="0">${math}</span>` : math
   }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A font for the formulas, for systems that have none with a table for mathematics: the characters that the pages have, of Noto
-// Sans Math.
+// Provides a font for formulas on systems without one: the subset of Noto Sans Math that the pages use.
 import { readFileSync, writeFileSync } from 'node:fs'
 import subsetFont from 'subset-font'
 import { ROOT } from '../run.mjs'
 
 const PACKAGE = `${ROOT}node_modules/@fontsource/noto-sans-math`
-/** Fonts that a system may have are taken first. */
+/** Installed fonts take precedence. */
 const STYLE = `@font-face {
   font-family: "Formulas";
   src: local("Cambria Math"), local("STIX Two Math"), local("Latin Modern Math"), url("./math.woff2") format("woff2");
@@ -16,7 +15,7 @@ math {
   font-family: "Formulas", math;
 }
 `
-/** Letters of formulas are slanted ones of their own. */
+/** Letters in formulas are separate italic characters. */
 const ITALIC = { a: 0x1d44e, A: 0x1d434 }
 const PLANCK = 'ℎ'
 
@@ -29,7 +28,7 @@ export async function writeMathFont(folder, html) {
   writeFileSync(`${folder}/math-license.txt`, readFileSync(`${PACKAGE}/LICENSE`))
 }
 
-/** What formulas are written with. */
+/** The characters in formulas. */
 function charactersOf(html) {
   const formulas = [...html.matchAll(/<math[\s\S]*?<\/math>/g)].map(([math]) => math.replace(/<[^>]*>/g, '')).join('')
   const plain = [...new Set(formulas.replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&'))]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of the site around its text: web/tutorial/page.html and web/docs/page.html as Vite has built them, filled in.
+// Puts a text into a page of the site: web/tutorial/page.html or web/docs/page.html as built by Vite.
 import { firstSentence, headingsOf, wordsOf } from './sections.mjs'
 
-/** Of the site, from its folder. */
+/** The main pages, relative to the site's folder. */
 const MAIN = [
   { href: '', title: 'Playground' },
   { href: 'tutorial/', title: 'Tutorial' },
@@ -11,14 +11,17 @@ const MAIN = [
   { href: 'api/', title: 'Reference' },
 ]
 
-/** A page with so many sections has a table of contents. */
+/** A page with this many sections has a table of contents. */
 const LONG = 3
-/** Sections of sections are listed where there are not too many. */
+/** Subsections are listed if there are not more than this. */
 const MOST_LISTED = 40
 
 const NAMES = { tutorial: 'Chapters', docs: 'Documentation', api: 'Modules' }
 
-/** Links to the main parts of the site. `root`: its address from the page; `here`: the page's from there. */
+/**
+ * Links to the main parts of the site. `root` is the site's address from the page, `here` the page's address from
+ * there.
+ */
 function linksTo(root, here) {
   return MAIN.map(({ href, title }) => link({ href: root + href, title }, href === here)).join(' ')
 }
@@ -47,7 +50,7 @@ function link({ href, title }, isCurrent) {
  */
 export function pageOf(template, text, all) {
   const { title, html } = text
-  // Signatures stand first, in quotations.
+  // Signatures come first, as quotations.
   const [, paragraph = ''] = /<p>([\s\S]*?)<\/p>/.exec(html.replace(/<blockquote>[\s\S]*?<\/blockquote>/g, '')) ?? []
   const description = firstSentence(wordsOf(paragraph)) || `${title}.`
   const filled = { title: escaped(title), description: escaped(description), body: bodyOf(text, all) }
@@ -93,7 +96,7 @@ ${next ? `<a rel="next" href="${addressOf(next)}">${escaped(next.title)} →</a>
 </div>`
 }
 
-/** The sections of a page that is long. */
+/** The table of contents of a long page. */
 function tableOfContents(html) {
   const all = headingsOf(html).filter(({ level }) => level < 4)
   const headings = all.length > MOST_LISTED ? all.filter(({ level }) => level === 2) : all
@@ -104,13 +107,16 @@ function tableOfContents(html) {
   return `<ul>\n${items.join('\n')}\n</ul>\n`
 }
 
-/** Where the window has no room beside the text, they are below the title, folded. */
+/** In narrow windows the table of contents is folded below the title. */
 function withContents(html, contents) {
   const folded = `<details class="toc-folded"><summary>On this page</summary>\n${contents}</details>`
   return html.replace('</h1>', () => `</h1>\n${folded}`)
 }
 
-/** From another page of its folder. A folder has one address, which is what is kept for when there is no network. */
+/**
+ * The address relative to another page of the same folder. A folder's address has no file name, under which it is
+ * cached for offline use.
+ */
 function addressOf({ file }) {
   return file === 'index.html' ? './' : file
 }
@@ -119,7 +125,7 @@ export function escaped(text) {
   return text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c])
 }
 
-/** A source as it stands in a text. */
+/** The source code of a file as a block in a text. */
 export function codeBlock(source) {
   return `<pre><code>${escaped(source)}</code></pre>`
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture that stands for a figure until it lives, on paper and without scripts: what the library's writer draws, in the
-// look of the page, with the layers of the figure.
+// Draws the static picture of a figure with the library's writer, in the style of the page and with the figure's
+// layers. It is shown until the figure runs, in print, and without scripts.
 import { readFileSync } from 'node:fs'
 import { ROOT } from '../run.mjs'
 
-/** Groups of the writer's that figures show only if they are asked for. */
+/** Groups of the writer that figures show on request only. */
 const ASKED_FOR = ['dual', 'hull']
-/** Those that they show unless they are told not to. */
+/** Groups that figures show by default. */
 const USUAL = ['vertices', 'edges', 'circles']
 
 const STYLE = `
@@ -34,12 +34,12 @@ svg { background: var(--paper); }
 .missedEdges { stroke: var(--bad); stroke-width: 3; }
 `
 
-/** Below what is drawn above them discs are pale. */
+/** Discs are pale below other layers. */
 const PALE = '.circles > * { fill: color-mix(in srgb, var(--c0) 32%, var(--paper)); }\n'
 
 /**
  * @param {import('../../dist/lib/index.js').CircleVoronoi} library
- * @param {object} drawing what the page's own code tells of colors and of what figures show besides
+ * @param {object} drawing the page's own code for colors and extra layers of figures
  */
 export function posterMaker(library, { colorsOf, extrasOf }) {
   const tokens = readFileSync(`${ROOT}web/style/tokens.css`, 'utf8')
@@ -65,7 +65,7 @@ export function posterMaker(library, { colorsOf, extrasOf }) {
   }
 }
 
-/** The picture of a figure whose cells have given areas in a region. */
+/** The picture of a figure with prescribed areas in a region. */
 export function fittedPoster({ region: regionOf, fitAreas }, { colorsOf }) {
   const tokens = readFileSync(`${ROOT}web/style/tokens.css`, 'utf8')
   return (circles, { region: shape, areas, view: [x, y, span] }) => {
@@ -87,7 +87,7 @@ ${tokens}${STYLE}.line { fill: none; stroke: var(--edge); stroke-width: 1.5; vec
   }
 }
 
-/** What the writer does not draw: graphs of centers and samples, and what the method makes on its way. */
+/** Layers that the writer lacks: graphs of centers and samples, and intermediate results of the method. */
 function extraLayers(library, diagram, layers, stepsBetween, extrasOf) {
   const { circles } = diagram
   const parts = []

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures of what the paper's rules find as printed, until they live: drawn by the page's own code.
+// Draws the initial pictures of the printed rules' results with the page's code.
 import { readFileSync } from 'node:fs'
 import { pathToFileURL } from 'node:url'
 import { build } from 'esbuild'
@@ -9,8 +9,8 @@ const SIZE = { width: 360, height: 360 }
 const BUNDLE = `${ROOT}build/printed-picture.mjs`
 
 /**
- * @returns {Promise<(circles: number[][], figure: { rules: string[], view?: number[] }) => { svg: string, sentence: string }>}
- *   of the circles of a figure
+ * @returns {Promise<(circles: number[][], figure: { rules: string[], view?: number[] }) => { svg: string, sentence:
+ * string }>} a function of a figure's circles
  */
 export async function loadPrinted(library) {
   await build({

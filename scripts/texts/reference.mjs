@@ -7,7 +7,7 @@ import { renderMarkdown } from './markdown.mjs'
 
 const FOLDER = `${ROOT}build/api`
 
-/** @returns {import('./page.mjs').Text[]} first the list of all modules, then these, in their order */
+/** @returns {import('./page.mjs').Text[]} the list of all modules, then the modules in their order */
 export function referenceTexts() {
   const files = readdirSync(FOLDER, { recursive: true })
     .filter((file) => file.endsWith('.md'))

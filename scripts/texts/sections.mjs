@@ -20,7 +20,7 @@ export function headingsOf(html) {
  *   empty id and heading, then the text below each of these headings
  */
 export function sectionsOf(page) {
-  // Whole sources, and the buttons of examples, are no text.
+  // Complete sources and the buttons of examples are not text.
   const html = page.replace(/<details id="[^"]*">[\s\S]*?<\/details>|<figure class="example"[\s\S]*?<\/figure>/g, ' ')
   const marks = [...html.matchAll(HEADING)].filter(([, level, id]) => level === '1' || id)
   const starts = [{ id: '', heading: '', from: 0 }]
@@ -34,7 +34,7 @@ export function sectionsOf(page) {
     .filter(({ heading, text }) => heading !== '' || text !== '')
 }
 
-/** What is read of HTML: words alone. */
+/** The words of HTML without tags. */
 export function wordsOf(html) {
   return html
     .replace(/<(?:style|script|annotation)[\s\S]*?<\/(?:style|script|annotation)>/g, ' ')
@@ -47,7 +47,7 @@ export function wordsOf(html) {
 
 /**
  * @param {string} words
- * @returns {string} its first sentence, whole
+ * @returns {string} the complete first sentence
  */
 export function firstSentence(words) {
   const [sentence] = /^.*?[.?!](?=\s|$)(?<!\b(?:e\.g|i\.e|vs)\.)/.exec(words) ?? []

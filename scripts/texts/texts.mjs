@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to be read in the site, with one search for all of it.
+// Builds all texts of the site and one search index over them.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import MiniSearch from 'minisearch'
 import { documentationTexts } from './documentation.mjs'
@@ -9,12 +9,12 @@ import { referenceTexts } from './reference.mjs'
 import { sectionsOf } from './sections.mjs'
 import { tutorialTexts } from './tutorial.mjs'
 
-/** What is searched, section by section; web/reading/search.ts says the same. */
+/** Options of the search index, the same as in web/reading/search.ts. */
 const SEARCHED = { fields: ['title', 'heading', 'text'], storeFields: ['title', 'heading', 'address', 'shown'] }
-/** So many characters of a section of the reference are shown at most; of other pages all may be. */
+/** Length of the excerpts from the reference, in characters. Other pages are stored in full. */
 const SHOWN_OF_REFERENCE = 160
 
-/** Fills the built templates of a site, which are gone then. */
+/** Fills the built templates of a site and removes them. */
 export async function buildTexts(site) {
   const texts = [...(await tutorialTexts(site)), ...(await documentationTexts(site)), ...referenceTexts()]
   const templates = { tutorial: 'tutorial/page.html', docs: 'docs/page.html', api: 'docs/page.html' }
@@ -32,7 +32,7 @@ export async function buildTexts(site) {
   writeFileSync(`${site}/search.json`, JSON.stringify(search))
 }
 
-/** The sections of a page, as the search knows them. */
+/** The index entries of a page. */
 function entriesOf({ folder, file, title, html }) {
   return sectionsOf(html).map(({ id: place, heading, text }) => {
     const address = `${folder}/${file}${place === '' ? '' : `#${place}`}`

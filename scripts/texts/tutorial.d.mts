@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** A block of a chapter, with the names that some kinds of it have. */
+/** A block of a chapter, with the properties of some kinds. */
 export interface Spec {
   readonly name: string
   readonly caption?: string
@@ -10,9 +10,9 @@ export interface Spec {
   readonly dataSet?: string
   readonly layers?: Readonly<Record<string, unknown>>
   readonly check?: unknown
-  /** Of a figure of the kind `printed` the rules that are as printed. */
+  /** The rules that a figure of the kind `printed` applies as printed. */
   readonly rules: readonly ('side' | 'third' | 'crossing' | 'inside')[]
-  /** Of a figure of the kind `drawn` how it is drawn (web/tutorial/drawn). */
+  /** The drawing of a figure of the kind `drawn` (web/tutorial/drawn). */
   readonly kind?: string
   readonly point?: readonly [number, number]
   readonly view?: readonly [number, number, number]
@@ -26,7 +26,7 @@ export interface Chapter {
   readonly file: string
   readonly isChapter: boolean
   readonly title: string
-  /** The figure and the line that the contents show of a chapter. */
+  /** The figure and the line that represent a chapter in the contents. */
   readonly shown: string | undefined
   readonly line: string | undefined
   readonly markdown: string

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tutorial's texts from web/tutorial/chapters, with a picture of each figure by the library's own writer.
+// Builds the tutorial's texts from web/tutorial/chapters, and draws each figure with the library's writer.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { ROOT } from '../run.mjs'
 import { blockRenderer, paperFigures } from './blocks.mjs'
@@ -10,7 +10,7 @@ import { fittedPoster, posterMaker } from './poster.mjs'
 import { loadPrinted } from './printed.mjs'
 
 const CHAPTERS = `${ROOT}web/tutorial/chapters`
-/** A link that a text has into the playground: `playground:figure-14`. */
+/** Matches a text's link into the playground, such as `playground:figure-14`. */
 const PLAYGROUND_LINK = /playground:([\w:-]+)/g
 /** The figure on the page of contents. */
 const HERO = {
@@ -22,9 +22,9 @@ const HERO = {
 }
 /** The kinds of blocks that the tutorial draws itself. */
 const DRAWN = ['drawn', 'cones']
-/** Of the paper. */
+/** The number of figures in the paper. */
 const FIGURES = 16
-/** Of figures; those beside what rules find as printed are squares (web/tutorial/tutorial.css). */
+/** Aspect ratio of figures. Figures beside results of printed rules are squares (web/tutorial/tutorial.css). */
 const ASPECT = 8 / 5
 
 /**
@@ -36,14 +36,14 @@ const ASPECT = 8 / 5
  * @property {object} [drawing] what the tutorial draws itself, with the file of its picture
  */
 
-/** The chapters in their order, then what is not one of them, each with its figures and questions. */
+/** The chapters in their order, then the other pages, each with its figures and questions. */
 export function readBook() {
   return readdirSync(CHAPTERS)
     .sort()
     .map((name) => {
       const markdown = readFileSync(`${CHAPTERS}/${name}`, 'utf8')
       const { title, blocks } = renderMarkdown(markdown, { block: () => '' })
-      // What the contents show of a chapter: the picture of this figure, and this line.
+      // The picture and the line for a chapter in the contents.
       const [, shown, line] = /^<!-- ([\w-]+): (.*) -->\n/.exec(markdown) ?? []
       return { file: name.replace(/\.md$/, '.html'), isChapter: /^\d/.test(name), markdown, title, shown, line, blocks }
     })
@@ -51,8 +51,7 @@ export function readBook() {
 
 /**
  * Writes the pictures of figures.
- *
- * @param {string} folder of the built site
+ * @param {string} folder the folder of the built site
  * @returns {Promise<import('./page.mjs').Text[]>}
  */
 export async function tutorialTexts(folder) {
@@ -69,7 +68,7 @@ export async function tutorialTexts(folder) {
 
   const picture = (diagram, { view, rules }) => {
     const bounds = view && frameOf(view, rules === undefined ? ASPECT : 1)
-    // As exactly as can be seen.
+    // Uses a tolerance below visibility.
     const [minX, minY, maxX, maxY] = bounds ?? boundsOf(diagram.circles)
     const tolerance = Math.max(maxX - minX, maxY - minY) / 2000
     const digits = Math.max(0, Math.ceil(-Math.log10(tolerance)))
@@ -88,7 +87,7 @@ export async function tutorialTexts(folder) {
       return poster
     }
     const { picture, ...others } = drawing.draw(spec, circles)
-    // The most telling place of its slider is not always the first one.
+    // The most telling place of a slider is not always the first one.
     const tile = spec.tile && put(`${spec.name}-tile`, drawing.draw({ ...spec, at: spec.tile }, circles).picture)
     return { ...others, poster: put(spec.name, picture), tile }
   }
@@ -140,7 +139,7 @@ export async function tutorialTexts(folder) {
   ]
 }
 
-/** What a figure shows at first. */
+/** The part of the plane that a figure shows at first. */
 function frameOf([x, y, span], aspect) {
   const half = { x: (aspect * span) / 2, y: span / 2 }
   return [x - half.x, y - half.y, x + half.x, y + half.y]
@@ -174,7 +173,7 @@ ${tiles.join('\n')}
   return { folder: 'tutorial', file: 'index.html', title: 'Contents', html, isOpen: true, isFound: false }
 }
 
-/** Where each figure of the paper is alive. */
+/** A page that links each figure of the paper to its interactive version. */
 function paperPage(book) {
   const title = "The paper's figures"
   const rows = Array.from({ length: FIGURES }, (_, k) => {

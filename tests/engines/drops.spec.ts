@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables that are dropped while the start picture moves: their rows stay as they are written, in each engine.
+// Tables that are dropped while the start picture moves: rows keep their values in each engine.
 import { expect, test } from '@playwright/test'
 import { decodeLink } from '../../web/lib/link.ts'
 import { type Engine, until } from './engine.ts'
 import { ENGINES } from './engines.ts'
 
-/** How many tables are dropped on a page of their own; more of them fall evenly into the first seconds. */
+/** The number of dropped tables, each on a page of its own. The drops are spread evenly over the first seconds. */
 const DROPS = Number(process.env.DROPS ?? 2)
 const SECONDS = DROPS > 2 ? 10 : 1
 
 type Evaluate = Pick<Engine, 'open' | 'evaluate'>
 
-/** Rows that a drop numbers, so that no two tables are the same: eight near one another, or a survey with large numbers. */
+/**
+ * Rows that depend on the drop's number, so that no two tables are the same: eight close together, or a survey with
+ * large numbers.
+ */
 function rowsOf(drop: number): number[][] {
   const isSurvey = drop % 2 === 1
   return Array.from({ length: isSurvey ? 400 : 8 }, (_, k) =>
@@ -21,10 +24,11 @@ function rowsOf(drop: number): number[][] {
   )
 }
 
-/** Drops tables on new pages, and compares the circles that each page then keeps with the rows. */
+/** Drops tables on new pages, and compares the saved circles with the rows. */
 async function dropTables(baseURL: string, { open, evaluate }: Evaluate): Promise<void> {
   for (let drop = 0; drop < DROPS; drop++) {
-    // Without what the last page has kept, this one begins with the start picture. A text is shown without scripts.
+    // Clears the storage, so that the page begins with the start picture. This address shows text without running
+    // scripts.
     await open(`${baseURL}/service-worker.js`)
     await evaluate(() => {
       localStorage.clear()
@@ -47,7 +51,7 @@ async function dropTables(baseURL: string, { open, evaluate }: Evaluate): Promis
       `x,y,r\n${rows.map((row) => row.join()).join('\n')}`,
       wait,
     )
-    // The start picture may be kept first, by its name.
+    // The start picture may be saved first, by its name.
     const keptCircles = async () => {
       const hash = await evaluate(() => location.hash)
       return hash === '' ? undefined : (await decodeLink(hash)).circles

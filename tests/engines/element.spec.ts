@@ -15,7 +15,7 @@ test.beforeAll(async () => {
 })
 test.afterAll(() => server.close())
 
-/** Waits until the first figure of a page shows its circles, and says which they are and where. */
+/** Waits until the first figure of a page shows its circles, and returns their values and positions. */
 function shown(engine: Engine) {
   return engine.evaluate(async () => {
     await customElements.whenDefined('circle-voronoi')
@@ -32,7 +32,7 @@ function shown(engine: Engine) {
 const circlesOf = (engine: Engine) =>
   engine.evaluate(() => [...(document.querySelector('circle-voronoi') as Element).circles])
 
-/** Drags the third circle, and takes that back by a key. */
+/** Drags the third circle, and reverts the drag by a key. */
 async function expectToBeLive(engine: Engine): Promise<void> {
   const { circles, box, buttons } = await shown(engine)
   const room = { top: buttons === 0 ? 16 : buttons + 12, right: 16, bottom: 16, left: 16 }

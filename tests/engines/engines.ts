@@ -2,7 +2,7 @@
 import { openFirefox } from './firefox.ts'
 import { openWebKit } from './webkit.ts'
 
-/** Those that are tested beside Chromium. */
+/** The engines that are tested beside Chromium. */
 export const ENGINES = [
   ['Firefox', openFirefox],
   ['WebKit', openWebKit],

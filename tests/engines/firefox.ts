@@ -12,11 +12,11 @@ export async function openFirefox(): Promise<Engine> {
     browser: 'firefox',
     executablePath: process.env.FIREFOX_PATH ?? '/usr/bin/firefox-esr',
     headless: true,
-    // The time limit of the test is enough.
+    // The test's own time limit is enough.
     timeout: 0,
     protocolTimeout: 0,
     defaultViewport: { width: 1280, height: 800 },
-    // In a folder that is named.
+    // Saves downloads in the given folder.
     extraPrefsFirefox: { 'browser.download.folderList': 2, 'browser.download.dir': downloads },
   })
   const page = await browser.newPage()
@@ -26,7 +26,7 @@ export async function openFirefox(): Promise<Engine> {
     async open(url) {
       await page.goto(url)
     },
-    // Its types know plain functions alone.
+    // Its types accept only plain functions.
     evaluate: (call, ...args) => page.evaluate(call as never, ...args),
     async drag([first, ...others]) {
       const { x, y } = first as Point

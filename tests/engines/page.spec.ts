@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page in engines other than Chromium: what of it everybody needs.
+// The essential functions of the page in engines other than Chromium.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
@@ -55,7 +55,7 @@ class Page {
     return this.engine.evaluate(() => location.href)
   }
 
-  /** Where a point of the plane is while all of these circles are seen. */
+  /** The position of a point of the plane while all given circles are visible. */
   async locate(circles: Float64Array, point: Point): Promise<Point> {
     // In a low window the tools have two columns.
     const { rail, ...size } = await this.engine.evaluate(() => ({
@@ -66,7 +66,10 @@ class Page {
     return toScreen(fitted(boundingBox(circles), size, { ...PADDING, left: rail + 16 }), size, point)
   }
 
-  /** Clicks the button with this name once it is visible. The driver finds its place: a download bar may make the window smaller. */
+  /**
+   * Clicks the button with a name once it is visible. The driver locates it, because a download bar may shrink the
+   * window.
+   */
   async click(name: string): Promise<void> {
     const find = (name: string) => {
       const nameOf = (button: Element) => button.getAttribute('aria-label') ?? button.textContent?.trim()
@@ -77,14 +80,14 @@ class Page {
     await until(`button ${name}`, () => this.engine.click(find, name), Boolean)
   }
 
-  /** Gives a file to the input of files that fits a selector, once it is there. */
+  /** Chooses a file in the file input that matches a selector, once it exists. */
   async choose(selector: string, path: string): Promise<void> {
     const isThere = (selector: string) => document.querySelector(selector) !== null
     await until(selector, () => this.engine.evaluate(isThere, selector), Boolean)
     await this.engine.choose(selector, path)
   }
 
-  /** The colors that are painted at these pixels: red, green, blue. */
+  /** The painted colors at these pixels: red, green, blue. */
   colors(points: readonly Point[]): Promise<readonly (readonly number[])[]> {
     return this.engine.evaluate((points) => {
       const canvas = document.querySelector('#figure canvas') as HTMLCanvasElement
@@ -103,7 +106,7 @@ for (const [name, openEngine] of ENGINES) {
         const page = new Page(engine)
         await engine.open(`${baseURL}/#${BRONZE_LINK}`)
         await page.says('#status', '678 circles · 1,339 vertices · 2,016 edges')
-        // It is painted: a circle has another color than the paper.
+        // The page is painted when a circle's color differs from the paper.
         const center = (i: number) =>
           page.locate(BRONZE, { x: BRONZE[3 * i] as number, y: BRONZE[3 * i + 1] as number })
         const from = await center(650)
@@ -112,7 +115,7 @@ for (const [name, openEngine] of ENGINES) {
 
         await engine.drag([from, { x: from.x + 5, y: from.y }, { x: from.x + 9, y: from.y - 4 }])
         await page.says('#inspector', 'Circle 650')
-        // That of the circle where it was dropped.
+        // The address contains the circle where it was dropped.
         const isLinked = (address: string) => address.includes('#v1.') && !address.endsWith(BRONZE_LINK)
         const link = await until('linked', () => page.address(), isLinked)
         const { dataSet, edits } = await decodeLink(new URL(link).hash)
@@ -145,7 +148,7 @@ for (const [name, openEngine] of ENGINES) {
         await page.click('Copy link')
         await page.says('#toast', 'The link is in the clipboard.')
 
-        // It is where it was dragged to. What was saved may have made the window smaller.
+        // The circle is where it was dragged to. A download bar may have shrunk the window.
         await engine.open('about:blank')
         await engine.open(link)
         await page.says('#status', '678 circles')
@@ -160,14 +163,14 @@ for (const [name, openEngine] of ENGINES) {
   })
 }
 
-// Other engines run the modules of a page once its style sheets are there.
+// Other engines run modules only once the style sheets are loaded.
 test('WebKit paints in the colors of style sheets that come after the page has begun', async ({ baseURL }) => {
   let hasBegun = () => {}
   const begun = new Promise<void>((resolve) => {
     hasBegun = resolve
   })
   const server = createServer(async ({ url = '/' }, response) => {
-    // The first thing that the page's own script asks for.
+    // This is the first request of the page's own script.
     if (url.endsWith('.csv')) hasBegun()
     if (url.endsWith('.css')) await begun
     const answer = await fetch(baseURL + url, { headers: { 'Accept-Encoding': 'identity' } })

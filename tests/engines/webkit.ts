@@ -5,7 +5,7 @@ import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import type { Engine } from './engine.ts'
 
-/** What the protocol calls the keys that are no letters. */
+/** The protocol's names of keys that are not letters. */
 const KEYS: Readonly<Record<string, string>> = {
   Backspace: '\uE003',
   Tab: '\uE004',
@@ -22,13 +22,13 @@ const KEYS: Readonly<Record<string, string>> = {
 }
 const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf'
 
-/** WebKitGTK, which is what Safari draws and runs pages with, over WebDriver. */
+/** Opens WebKitGTK, the engine of Safari, over WebDriver. */
 export async function openWebKit(): Promise<Engine> {
   const home = mkdtempSync(`${tmpdir()}/webkit-`)
   const display = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
   })
-  // Also where a test is stopped because it takes too long.
+  // Also runs if a test is stopped by its time limit.
   process.once('exit', () => display.kill())
   const number = await firstLine(display)
   const port = await freePort()
@@ -72,7 +72,7 @@ export async function openWebKit(): Promise<Engine> {
     const { sessionId } = await send('POST', '/session', { capabilities: { alwaysMatch } })
     const session = `/session/${sessionId}`
     const post = (path: string, body: object) => send('POST', `${session}/${path}`, body)
-    // The time limit of the test is enough.
+    // The test's own time limit is enough.
     await post('timeouts', { script: null })
     await post('window/rect', { x: 0, y: 0, width: 1280, height: 900 })
 
@@ -93,7 +93,7 @@ export async function openWebKit(): Promise<Engine> {
         const [first, ...others] = points.map(({ x, y }) => ({
           type: 'pointerMove',
           duration: 16,
-          // Whole pixels are all that it takes.
+          // The protocol accepts whole pixels only.
           x: Math.round(x),
           y: Math.round(y),
         }))
@@ -127,7 +127,7 @@ export async function openWebKit(): Promise<Engine> {
   }
 }
 
-/** The newest browser of the packages of WebKitGTK, which are in a folder named for the machine. */
+/** The newest browser among the packages of WebKitGTK, which are in a folder named for the machine. */
 function miniBrowser(): string {
   const folder = `/usr/lib/${readdirSync('/usr/lib').find((name) => name.endsWith('-linux-gnu'))}`
   const browsers = readdirSync(folder)
@@ -140,12 +140,12 @@ function miniBrowser(): string {
   return newest
 }
 
-/** What its name says: of `webkit2gtk-4.1` 4.1, which is older than `webkitgtk-6.0`. */
+/** The version in a package's name: 4.1 for `webkit2gtk-4.1`, which is older than `webkitgtk-6.0`. */
 function versionOf(name: string): number {
   return Number(name.slice(name.lastIndexOf('-') + 1))
 }
 
-/** What a program writes first to its fourth stream. */
+/** The first line that a program writes to its fourth stream. */
 function firstLine(child: ChildProcess): Promise<string> {
   return new Promise((resolve, reject) => {
     child.once('error', reject)
@@ -163,7 +163,7 @@ function freePort(): Promise<number> {
   })
 }
 
-/** On a busy machine it may take long to start. */
+/** A busy machine may take long to start it. */
 async function listening(port: number): Promise<void> {
   for (let attempt = 0; attempt < 500; attempt++) {
     const answer = await fetch(`http://127.0.0.1:${port}/status`).catch(() => undefined)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GeoJSON of 135,233 cities, read back by d3-geo in the plane.
+// Reads GeoJSON of 135,233 cities back with d3-geo in the plane.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
@@ -50,7 +50,7 @@ for (const input of realData().filter((file) => basename(file).startsWith('citie
     it('has polygons whose areas are those of the box and of the cells', () => {
       const [[minX, minY], [maxX, maxY]] = path.bounds({ type: 'FeatureCollection', features })
       const box = (maxX - minX) * (maxY - minY)
-      // The box is that of the circles, with a twentieth of the longer side around it.
+      // The box of the circles has a margin of a twentieth of its longer side.
       const left = circles.reduce((least, { x, r }) => Math.min(least, x - r), Number.POSITIVE_INFINITY)
       const right = circles.reduce((most, { x, r }) => Math.max(most, x + r), Number.NEGATIVE_INFINITY)
       assert.ok(Math.abs((maxX - minX) / (right - left) - 1.1) < 1e-9)
@@ -59,7 +59,7 @@ for (const input of realData().filter((file) => basename(file).startsWith('citie
       for (const feature of features) {
         if (feature.geometry === null) continue
         const area = path.area(feature)
-        // Between the polygon and the cell there is at most the tolerance along the perimeter.
+        // The polygon deviates from the cell by at most the tolerance along the perimeter.
         const tolerance = 1e-5 * Math.max(maxX - minX, maxY - minY)
         assert.ok(Math.abs(area - feature.properties.area) <= tolerance * path.measure(feature))
         assert.ok(feature.properties.area > 0)
@@ -91,7 +91,10 @@ for (const input of realData().filter((file) => basename(file).startsWith('citie
   })
 }
 
-/** Positive counter-clockwise, from the first point, so that small rings far from the origin keep their digits. */
+/**
+ * The signed area, positive if counter-clockwise, relative to the first point, so that small distant rings keep their
+ * digits.
+ */
 function signedArea(ring) {
   let twice = 0
   for (let k = 2; k < ring.length - 1; ++k) twice += turn(ring[0], ring[k - 1], ring[k])
@@ -113,7 +116,7 @@ function isSimple(ring) {
   return true
 }
 
-/** Whether the inner parts of two segments have one point in common. */
+/** Whether the interiors of two segments intersect. */
 function cross(p, q, r, s) {
   return turn(p, q, r) * turn(p, q, s) < 0 && turn(r, s, p) * turn(r, s, q) < 0
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options and their values have one name in TypeScript, for the core, and on the command line, which has those of
-// cpp/options/option_names.h; tests/cpp/cli_documentation_test.cpp holds the manual against the command line.
+// Options and their values have the same names in TypeScript, in the core, and on the command line, which takes them
+// from cpp/options/option_names.h. tests/cpp/cli_documentation_test.cpp compares the manual with the command line.
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
@@ -17,7 +17,7 @@ const HELP = execFileSync(
 )
 const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 
-// Tables that lack a name of the types, or have another, do not compile.
+// These tables do not compile if a name is missing or superfluous.
 const OPTIONS: Record<keyof Options, unknown> = {
   weights: true,
   method: 'touching-disc',
@@ -50,17 +50,17 @@ const FLAWS: Record<Flaw, true> = {
 }
 const FILE_OPTIONS: Record<keyof DiagramFileOptions, string | undefined> = {
   format: '--format',
-  // Where a polygon would do as well, in what draws, the name is that of the region and not of the box.
+  // Drawing functions accept a polygon, so that the option is called `region` there.
   bounds: '--bounds',
   region: '--region',
   maxDistance: '--max-distance',
   tolerance: '--tolerance',
   digits: '--digits',
-  // On the command line they are those of the input.
+  // The command line takes attributes from the input.
   attributes: undefined,
 }
 
-/** The words that an option takes. */
+/** The words that an option accepts. */
 function choicesOf(option: string): string[] {
   return new RegExp(`^  ${option} [A-Z]+:\\{([^}]*)\\}`, 'm').exec(HELP)?.[1]?.split(',').sort() ?? []
 }
@@ -74,7 +74,7 @@ function messageOf(act: () => unknown): string {
   return ''
 }
 
-/** The names that an error lists after some words. */
+/** The names in an error message after some words. */
 function listedAfter(words: string, message: string): string[] {
   expect(message).toContain(words)
   return message.slice(message.indexOf(words) + words.length, -1).split(/, | and | or /)
@@ -83,7 +83,7 @@ function listedAfter(words: string, message: string): string[] {
 it('the options of compute are those of the command line and of the core, with the same values', () => {
   const unknown = messageOf(() => library.compute(CIRCLES, { sample: 1 } as object))
   expect(listedAfter('its options are ', unknown)).toEqual(Object.keys(OPTIONS))
-  // Told on the command line, a stage is a line.
+  // On the command line, each stage of progress is a line.
   for (const name of Object.keys(OPTIONS)) expect(HELP).toMatch(new RegExp(`^  --${name}[ \\n]`, 'm'))
   for (const [name, values] of Object.entries({ method: METHODS, candidates: CANDIDATES })) {
     expect(choicesOf(`--${name}`)).toEqual(Object.keys(values).sort())
@@ -94,7 +94,7 @@ it('the options of compute are those of the command line and of the core, with t
       expect(library.compute(CIRCLES, options).stats).toMatchObject({ [name]: value })
     }
   }
-  // The core takes them all.
+  // The core accepts all of them.
   expect(library.compute(CIRCLES, OPTIONS as Options)).toMatchObject({
     weights: true,
     stats: { candidates: 'dynamic' },
@@ -104,7 +104,7 @@ it('the options of compute are those of the command line and of the core, with t
 it('flaws and ways in results are those of the C++ headers', () => {
   const header = (name: string) =>
     readFileSync(new URL(`../../cpp/include/circle_voronoi/${name}.h`, import.meta.url), 'utf8')
-  /** The values of an enumeration, without what is said of them. */
+  /** The values of an enumeration, without their descriptions. */
   const valuesOf = (name: string, text: string) =>
     (new RegExp(`enum class ${name} \\{([^}]*)\\}`).exec(text)?.[1] ?? '')
       .replace(/\/\/.*/g, '')
@@ -114,7 +114,7 @@ it('flaws and ways in results are those of the C++ headers', () => {
   const hyphenated = (name: string) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
   expect(Object.keys(FLAWS)).toEqual(valuesOf('Flaw', header('certificate')))
   expect(Object.keys(WAYS)).toEqual(valuesOf('Way', header('method')).map(hyphenated))
-  // Where they come from: a diagram that is right, and one that is not.
+  // A valid diagram and an invalid one produce these values.
   const diagram = library.compute(CIRCLES)
   expect(WAYS[diagram.stats.way as Way]).toBe(true)
   expect(library.edit(CIRCLES).snapshot().stats).toMatchObject({ method: 'auto', way: 'edit', candidates: '' })

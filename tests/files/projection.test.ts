@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `--project`: longitude and latitude with radii in meters, held against distances on the ellipsoid (T. Vincenty 1975).
+// `--project` with longitude, latitude and radii in meters, compared with distances on the ellipsoid (T. Vincenty
+// 1975).
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -68,12 +69,13 @@ function pointsOf({ geometry }: Cell): readonly Position[] {
 }
 
 describe.each(KINDS)('--project %s', (kind) => {
-  // Within 30 km of the middle, circles of some hundred meters: so many meters off. Mercator's scale differs by 0.4 % there.
+  // Error limits in meters for circles of some hundred meters within 30 km of the center, where Mercator's scale
+  // differs by 0.4 %.
   const error = { local: 0.5, 'equal-area': 0.5, mercator: 60 }[kind]
 
   it('has cells whose points are as near to one circle as to its neighbor, in meters', () => {
     const cells = cellsOf(['compute', FILE, '--project', kind])
-    // The cells of the outer two meet far away.
+    // The cells of the outer two circles meet far away.
     expect(cells.map(({ properties }) => properties.neighbors.length)).toEqual([2, 2, 2])
     const near = cellsOf(['compute', FILE, '--project', kind, '--bounds', '148.9,-35.6,149.4,-35.1'])
     expect(near.map(({ properties }) => properties.neighbors.length)).toEqual([2, 1, 1])
@@ -102,7 +104,7 @@ describe.each(KINDS)('--project %s', (kind) => {
     expect(common).toHaveLength(1)
     const vertex = common[0]?.split(',').map(Number) as unknown as Position
     const distances = CIRCLES.map(([x, y, r]) => distance(vertex, [x, y]) - r)
-    // It is 94 km from them, where Mercator's scale differs by 0.65 %.
+    // The center is 94 km away, where Mercator's scale differs by 0.65 %.
     const most = { local: 2, 'equal-area': 2, mercator: 600 }[kind]
     expect(Math.max(...distances) - Math.min(...distances)).toBeLessThan(most)
   })
@@ -129,7 +131,7 @@ describe.each(KINDS)('--project %s', (kind) => {
     writeFileSync(script, '# none\n')
     const edit = ['edit', '-', '--script', script]
     expect(JSON.parse(run(edit, stdout).stdout)).toMatchObject({ collection, circles })
-    // The editor has edges in other directions, and an area is summed up along them.
+    // The editor's edges have other directions, along which areas are summed.
     const areas = cellsOf(['convert', '-'], stdout).map(({ properties }) => properties.area)
     const edited = cellsOf(edit, stdout)
     expect(edited).toHaveLength(areas.length)
@@ -154,7 +156,7 @@ describe.each(KINDS)('--project %s', (kind) => {
     ] as const) {
       expect(Math.abs(got - wanted)).toBeLessThan(1e-8)
     }
-    // A half of a degree of longitude and of latitude there, on the ellipsoid: 2,523 square kilometers.
+    // An area of half a degree of longitude and latitude on the ellipsoid: 2,523 square kilometers.
     const area = cells.reduce((sum, { properties }) => sum + properties.area, 0)
     expect(Math.abs(area / areaOfBox(148.9, -35.6, 149.4, -35.1) - 1)).toBeLessThan(
       { local: 1e-4, 'equal-area': 1e-6, mercator: 0.02 }[kind],
@@ -181,7 +183,7 @@ describe.each(KINDS)('--project %s', (kind) => {
   })
 })
 
-/** Of a box of degrees on the ellipsoid, by the trapezoidal rule over parallels. */
+/** The area of a box of degrees on the ellipsoid, by the trapezoidal rule over parallels. */
 function areaOfBox(west: number, south: number, east: number, north: number): number {
   const [a, f, parts] = [6378137, 1 / 298.257223563, 2000]
   const square = f * (2 - f)

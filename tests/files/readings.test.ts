@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One table of texts for every reader of circles: the program, the module for files, and the small reader of the element and
-// of the page. Each gives the same circles, to the bit, or refuses the same line or circle.
+// One table of texts for every reader of circles: the program, the module for files, and the small reader of the
+// element and the page. All return the same circles, to the bit, or reject the same line or circle.
 import { spawnSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
@@ -13,12 +13,12 @@ interface Reading {
   readonly what: string
   readonly text: string
   readonly circles?: readonly number[]
-  /** The line, or the circle, that is refused; neither: the text as a whole. */
+  /** The rejected line or circle. Without either, the text as a whole is rejected. */
   readonly line?: number
   readonly circle?: number
 }
 
-/** The circles, or what is refused. */
+/** The circles, or the rejected line or circle. */
 type Outcome = { readonly circles: Float64Array } | { readonly line?: number; readonly circle?: number }
 
 const PROGRAM = new URL('../../build/native/circle-voronoi', import.meta.url).pathname
@@ -30,7 +30,7 @@ function expected({ circles, line, circle }: Reading): Outcome {
   return { ...(line !== undefined && { line }), ...(circle !== undefined && { circle }) }
 }
 
-/** Of an error of the library what the reading says. */
+/** Converts an error of the library to the form of a reading. */
 function refused(reading: Reading, message: string, circle: number | undefined): Outcome {
   const line = Number(/^[^:]*:(\d+): /.exec(message)?.[1])
   return { ...(reading.line !== undefined && { line }), ...(reading.circle !== undefined && { circle }) } as Outcome
@@ -47,7 +47,7 @@ const readers: Readonly<Record<string, (reading: Reading) => Outcome>> = {
       return { circles: Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r])) }
     }
     expect([status, stderr]).toEqual([2, expect.stringMatching(/^circle-voronoi: standard input:\d+: .+\n$/)])
-    // The program says lines alone, of JSON too.
+    // The program reports only lines, also for JSON.
     return refused(reading, stderr.slice(stderr.indexOf(' ') + 1), reading.circle)
   },
   files: (reading) => {
@@ -65,7 +65,7 @@ const readers: Readonly<Record<string, (reading: Reading) => Outcome>> = {
     } catch (error) {
       expect(error).toBeInstanceOf(TextProblem)
       const { line, circle } = error as TextProblem
-      // Of an empty text it says no line.
+      // The program reports no line for an empty text.
       return { ...(reading.line !== undefined && { line: line ?? 1 }), ...(circle !== undefined && { circle }) }
     }
   },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Round trips of every format, in JavaScript and through the native program, which gets and gives the same bytes.
+// Round trips of every format, in JavaScript and through the native program, which must read and write the same bytes.
 import { execFileSync } from 'node:child_process'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
@@ -25,7 +25,7 @@ const anyNumbers = fc
 
 type Ring = readonly string[]
 
-/** The rings of each circle's cell, their points as they are written, `x y`; the first one again at the end. */
+/** The rings of each circle's cell. Points are text `x y`, and the first one is repeated at the end. */
 const readers: Record<'geojson' | 'geojsonl' | 'wkt' | 'obj', (text: string) => Ring[][]> = {
   geojson: (text) => ringsOfFeatures(text.slice(text.indexOf('\n') + 1, text.lastIndexOf('\n]}')).split(',\n')),
   geojsonl: (text) => ringsOfFeatures(text.trimEnd().split('\n')),
@@ -52,7 +52,7 @@ const readers: Record<'geojson' | 'geojsonl' | 'wkt' | 'obj', (text: string) => 
   },
 }
 
-/** As text, so that no number is rounded. */
+/** Keeps numbers as text, so that none is rounded. */
 function ringsOfFeatures(features: readonly string[]): Ring[][] {
   return features.map((feature) => {
     const geometry = feature.slice(feature.indexOf('"geometry":'))
@@ -68,7 +68,7 @@ describe('circles are read as they were written', () => {
         fc.property(anyNumbers, (circles) => {
           const text = files.writeCircles(circles, { format })
           expect(files.readCircles(text)).toEqual(circles)
-          // The other way, and back, through the native program.
+          // Converts in the other direction and back with the native program.
           const there = native(['convert', '-', '--format', format], files.writeCircles(circles, { format: 'json' }))
           expect(there).toBe(text)
         }),

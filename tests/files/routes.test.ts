@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which attributes survive which route: the table of docs/shell.md, cell by cell, in the program and in JavaScript. A cell that
-// says "no" is tested as well.
+// The attributes that survive each conversion: the table of docs/shell.md, cell by cell, in the program and in
+// JavaScript. Cells that say "no" are tested, too.
 import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -14,7 +14,7 @@ const folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-routes-'))
 afterAll(() => rmSync(folder, { recursive: true }))
 const files = await loadFiles()
 
-/** Three stores, in no order that a program would choose, with everything that may be said of a circle. */
+/** Three stores in an arbitrary order, with all attributes of circles. */
 const STORES = JSON.stringify({
   type: 'FeatureCollection',
   name: 'stores',
@@ -38,7 +38,7 @@ const STORES = JSON.stringify({
 }).replaceAll('"count":1', '"count":12345678901234567890')
 const REGION = 'POLYGON ((148 -37, 151 -37, 151 -34, 148 -34))'
 
-/** What of the stores is there after a route. */
+/** The attributes that remain after a conversion. */
 type Survival = Readonly<Record<(typeof ATTRIBUTES)[number], boolean>>
 const ATTRIBUTES = ['columns', 'type', 'digits', 'nested', 'id', 'height', 'collection', 'order'] as const
 
@@ -86,7 +86,7 @@ const region = file('region.wkt', REGION)
 const points = ['convert', '-', '--format', 'geojson']
 const cells = (more: readonly string[]) => ['--format', 'geojson', ...more]
 
-/** The routes, as the table calls them. The last step of each gives GeoJSON. */
+/** The conversions by their names in the table. The last step of each gives GeoJSON. */
 const routes: Readonly<Record<string, () => string>> = {
   '`convert` to `csv`': () => program(points, program(['convert', '-', '--format', 'csv'], STORES)),
   '`convert` to `json`': () => program(points, program(['convert', '-', '--format', 'json'], STORES)),
@@ -132,7 +132,7 @@ function circlesThrough(format: 'csv' | 'json' | 'geojson'): string {
   return files.writeCircles(read.circles, { format: 'geojson', attributes: read.attributes })
 }
 
-/** The table of the document: for each route what it says of each attribute. */
+/** The document's table: each conversion with its attributes. */
 function documented(): ReadonlyMap<string, Survival> {
   const text = readFileSync(new URL('../../docs/shell.md', import.meta.url), 'utf8')
   const lines = text.split('\n').filter((line) => line.startsWith('|'))

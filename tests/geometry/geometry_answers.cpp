@@ -32,10 +32,10 @@
 namespace circle_voronoi {
 namespace {
 
-/// Places asked about, along each side of the box.
+/// Query points along each side of the box.
 constexpr int kPlaces = 7;
 
-/// One line, written when it ends: a question, then its numbers.
+/// One line of output, written by the destructor: a question, then its numbers.
 class Answer {
  public:
   explicit Answer(const std::string& question) : text_(question + ':') {}
@@ -275,7 +275,7 @@ Result<Diagram> diagramOf(const std::vector<Circle>& circles, std::string_view m
   return Error{ErrorCode::badOption, -1, "There is no such metric."};
 }
 
-/// Answers one request; false if it is wrong.
+/// Answers one request. Returns false if the request is invalid.
 bool answer(const std::vector<std::string>& words) {
   constexpr std::size_t kWords = 7;
   if (words.size() != kWords) return false;

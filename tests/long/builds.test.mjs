@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The element in the tools that tutorials are written with, without any configuration of it: built for production, and with the
-// development servers of those that bundle what they serve. Each figure has a region, and a circle is dragged.
+// The element in the tools that tutorials are written with, in their default configuration: built for production, and
+// with development servers that bundle. Each figure has a region, and a circle is dragged.
 import assert from 'node:assert/strict'
 import { cpSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -21,9 +21,9 @@ import {
 } from './tool-project.mjs'
 
 const BLOCKS = blocksRunBy('tests/long/builds.test.mjs')
-/** The files that docs/put-it-into.md shows for a tool. */
+/** The files that docs/put-it-into.md gives for a tool. */
 const recipe = (tool) => recipeOf(BLOCKS, tool)
-/** A component as the page shows it, which tells of changes. */
+/** A component in the page, with a listener for changes. */
 const telling = (code) => code.replace(' />', " onCirclesChange={() => { document.title = 'changed' }} />")
 const IMPORT = "import 'circle-voronoi/element'\n"
 const page = (script, figure = FIGURE) =>
@@ -122,7 +122,7 @@ export default function Page() { return <main><h1>Circles</h1><Figure /></main> 
 
 it('Docusaurus 3.9', async () => {
   const packages = ['@docusaurus/core@3.9.2', '@docusaurus/preset-classic@3.9.2', 'react@19.2.0', 'react-dom@19.2.0']
-  // Its progress bar does not know newer ones.
+  // The progress bar does not support newer versions of webpack.
   packages.push('webpack@5.102.1')
   const folder = projects.create('docusaurus', packages, {
     'package.json': JSON.stringify({ private: true }),
@@ -150,7 +150,7 @@ it('MkDocs, with a table in Markdown between the tags', async () => {
   const files = recipe('MkDocs')
   const folder = projects.create('mkdocs', [], {
     ...files,
-    // The theme fetches its highlighter from elsewhere.
+    // The theme would fetch its highlighter from another site.
     'mkdocs.yml': `${files['mkdocs.yml']}theme: { name: mkdocs, highlightjs: false }\n`,
     'docs/table.md': `# Circles\n\n<circle-voronoi region="${REGION}">\n\n${table}\n\n</circle-voronoi>\n`,
   })
@@ -171,7 +171,7 @@ it('Observable Framework 1.13', async () => {
   await withFiles(join(folder, 'dist'), useFigure)
 })
 
-/** At two sizes of the window, to which slides are scaled. */
+/** Two sizes of the window, to which slides are scaled. */
 const WINDOWS = [
   { width: 1500, height: 1000 },
   { width: 700, height: 500 },

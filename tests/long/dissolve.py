@@ -32,7 +32,7 @@ def rounded(polygon, digits):
 
 
 def boxes(random):
-    """Boxes on a grid, which share sides, whole or in part, and corners."""
+    """Boxes on a grid that share corners, and sides or parts of sides."""
     for _ in range(random.randint(2, 12)):
         x, y = random.randint(0, 9), random.randint(0, 9)
         yield box(x, y, x + random.randint(1, 4), y + random.randint(1, 4))
@@ -49,7 +49,7 @@ def stars(random):
 
 
 def holes(random):
-    """Boxes with holes that other boxes fill, exactly, in part or nearly."""
+    """Boxes with holes that other boxes fill exactly, partly or nearly."""
     for _ in range(random.randint(1, 4)):
         x, y = random.randint(0, 6), random.randint(0, 6)
         hole = box(x + 1, y + 1, x + 3, y + 2 + random.randint(0, 1))
@@ -61,7 +61,7 @@ def holes(random):
 
 
 def slivers(random):
-    """Fields of a map whose borders are off by a digit."""
+    """Fields of a map whose borders deviate in the last digit."""
     near = lambda value: value + random.choice([0, 0, 1, -1, 3]) * 2.0**-50 * max(1, value)
     step = random.choice([1, 0.1, 1 / 3])
     for i in range(random.randint(1, 4)):
@@ -71,7 +71,7 @@ def slivers(random):
 
 
 def same(random):
-    """A polygon several times, from another first corner and in the other direction."""
+    """A polygon repeated with other first corners and directions."""
     polygon = star(random, lambda: random.uniform(0, 9))
     corners = list(polygon.exterior.coords)[:-1]
     for _ in range(random.randint(2, 4)):
@@ -81,7 +81,7 @@ def same(random):
 
 
 def needles(random):
-    """Long and thin ones, nearly parallel."""
+    """Long and thin polygons that are nearly parallel."""
     for _ in range(random.randint(2, 6)):
         y = random.uniform(0, 1e-3)
         yield Polygon([(0, y), (1000, random.uniform(0, 1e-3)), (1000, random.uniform(2e-3, 3e-3)), (0, y + 1e-3)])
@@ -91,7 +91,7 @@ KINDS = [boxes, integers, stars, holes, slivers, same, needles]
 
 
 def dissolved(folder, polygons):
-    """The region as the cell of one circle in it."""
+    """Writes the region as the cell of one circle in it."""
     with open(f"{folder}/region.geojson", "w", encoding="utf-8") as file:
         json.dump(MultiPolygon(polygons).__geo_interface__, file)
     command = [PROGRAM, "compute", f"{folder}/circle.csv", "--region", f"{folder}/region.geojson", "--dissolve"]

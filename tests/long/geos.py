@@ -9,7 +9,7 @@ from shapely.geometry import Polygon
 from shapely.ops import unary_union
 from shapely.validation import explain_validity
 
-# What rounding may move, as a share of the square of the extent.
+# Allowance for rounding, relative to the square of the extent.
 ROUNDING = 1e-11
 
 clips = Counter()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GEOS finds the polygons of 5,000 clips valid, without overlaps, and their union the region.
+// GEOS finds the polygons of 5,000 clips valid and free of overlaps, and their union equal to the region.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { text } from 'node:stream/consumers'
@@ -11,7 +11,7 @@ const SEED = 20
 
 test(`polygons of clips are valid for GEOS (seed ${SEED})`, async () => {
   const clips = spawn(`${ROOT}build/native/tests/cpp/circle_voronoi_print_clips`, [CLIPS_OF_A_FAMILY, SEED].map(String))
-  // Debian's own Python has Debian's shapely.
+  // Debian's Python has Debian's shapely.
   const judge = spawn('/usr/bin/python3', [`${ROOT}tests/long/geos.py`])
   clips.stdout.pipe(judge.stdin)
   const ended = (child) => new Promise((resolve) => child.once('close', resolve))

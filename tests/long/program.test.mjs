@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program in WebAssembly passes what else of the native program's tests asks something of it, and makes each family.
+// The program in WebAssembly passes the remaining tests of the native program, and generates each family.
 import { execFileSync } from 'node:child_process'
 import { describe } from 'node:test'
 import { AT_ONCE, generatesTheSame, NATIVE, passesNativeTests } from '../wasm/native-program.mjs'
 
-// Those of its documents ask nothing of it but what --help prints, and what only reads the command line, or converts, is the
-// same code (tests/wasm/program.test.mjs: what is wrong, what is converted).
+// These tests need not be repeated. Tests of documents use only the output of --help. Parsing the command line and
+// converting is the same code, which tests/wasm/program.test.mjs covers.
 const SAME_CODE = [
   'CliDocumentation.*',
   'CliConvert.*',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run reproduce -- --quick`: the paper's Table 1 exactly, and whether each of its claims holds as far as is known.
+// `npm run reproduce -- --quick` gives the paper's Table 1 exactly, and the known outcome of each claim.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { readdirSync, readFileSync } from 'node:fs'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm start`: what is asked for before it is built is answered once it is.
+// `npm start` answers requests for files that are still being built once they are built.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { after, it } from 'node:test'
@@ -8,13 +8,13 @@ import { fileURLToPath } from 'node:url'
 const started = spawn(process.execPath, ['scripts/start.mjs'], {
   cwd: fileURLToPath(new URL('../..', import.meta.url)),
   env: { ...process.env, PORT: '0' },
-  // All that it starts can then be ended with it.
+  // A process group of its own, so that all its children can be ended with it.
   detached: true,
   stdio: ['ignore', 'pipe', 'inherit'],
 })
 after(() => process.kill(-started.pid))
 
-/** Once it is served. */
+/** Waits until the page is served. */
 const address = await new Promise((resolve, reject) => {
   let output = ''
   started.stdout.setEncoding('utf8').on('data', (text) => {

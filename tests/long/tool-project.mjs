@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Projects of other tools that use the packed package, and what a reader does with the figure in their pages.
+// Projects of other tools that use the packed package, and the actions of a reader on the figure in their pages.
 import assert from 'node:assert/strict'
 import { execFileSync, spawn } from 'node:child_process'
 import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
@@ -13,7 +13,7 @@ import sirv from 'sirv'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 
-/** All that these tests write: the packed package, and a folder for each tool. */
+/** The files of these tests: the packed package, and a folder for each tool. */
 export class ToolProjects {
   #folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-tools-'))
 
@@ -42,7 +42,7 @@ export class ToolProjects {
   }
 }
 
-/** Environment of the tools: no questions, no colors, nothing sent home. */
+/** The environment of the tools: no questions, no colors, no telemetry. */
 const ENV = {
   ...process.env,
   CI: 'true',
@@ -56,7 +56,7 @@ const ENV = {
   NG_CLI_ANALYTICS: 'false',
 }
 
-/** What a program prints. Programs of the project's own packages are found by their names. */
+/** Returns a program's output. Programs of the project's own packages are found by name. */
 export function run(folder, program, args) {
   const PATH = `${join(folder, 'node_modules/.bin')}:${process.env.PATH}`
   try {
@@ -66,7 +66,7 @@ export function run(folder, program, args) {
   }
 }
 
-/** Serves a folder as a server of files does, while `use` runs. `single`: all addresses are those of one page. */
+/** Serves a folder like a plain file server while `use` runs. `single` serves one page at all addresses. */
 export async function withFiles(folder, use, { single = false } = {}) {
   const files = sirv(folder, { dev: true, extensions: ['html'], single })
   const server = createHttpServer((request, response) => files(request, response, () => response.writeHead(404).end()))
@@ -79,14 +79,14 @@ export async function withFiles(folder, use, { single = false } = {}) {
   }
 }
 
-/** Runs a server of a tool while `use` runs. `args`: its arguments, of a port. */
+/** Runs a tool's server while `use` runs. `args` maps a port to its arguments. */
 export async function withServer(folder, program, args, use) {
   const port = await freePort()
   const PATH = `${join(folder, 'node_modules/.bin')}:${process.env.PATH}`
   const server = spawn(program, args(port), {
     cwd: folder,
     env: { ...ENV, PATH },
-    // It and all that it starts are ended together.
+    // Its children can be ended together with it.
     detached: true,
     stdio: ['ignore', 'pipe', 'pipe'],
   })
@@ -106,7 +106,7 @@ export async function withServer(folder, program, args, use) {
     try {
       process.kill(-server.pid)
     } catch {
-      // It has ended already.
+      // The process has ended already.
     }
   }
 }
@@ -133,7 +133,7 @@ async function answering(address, server, output) {
 
 export const CIRCLES = '[[2,2,0.5],[6,3,1],[4,6,0.7]]'
 export const REGION = 'POLYGON ((0 0, 9 0, 9 8, 0 8))'
-/** The figure of all recipes. */
+/** The figure in all recipes. */
 export const FIGURE = `<circle-voronoi circles="${CIRCLES}" region="${REGION}"></circle-voronoi>`
 
 let browser
@@ -146,14 +146,15 @@ export async function launchBrowser() {
 export const closeBrowser = () => browser.close()
 
 /**
- * Opens a page with the figure of all recipes: it is drawn inside its region, a drag moves a circle, and nothing is missing.
- * `isTouch`: by a finger. `hasKeys`: an arrow key moves it, too. `afterwards`: what else is to be checked.
+ * Opens a page with the figure of all recipes. Expects that the figure is drawn inside its region, that a drag moves a
+ * circle, and that nothing is missing. `isTouch` drags by finger, `hasKeys` also tests an arrow key, and `afterwards`
+ * runs further checks.
  */
 export async function useFigure(address, options = {}) {
   try {
     await useFigureOnce(address, options)
   } catch (error) {
-    // Servers of Vite open a page again once they have found what it imports.
+    // Vite's servers reload a page once they have found its imports.
     if (!error.message.includes('Execution context was destroyed')) throw error
     await useFigureOnce(address, options)
   }
@@ -176,7 +177,7 @@ async function useFigureOnce(address, options) {
     await moves(figure, () => drag(page, [x, y], [x + 60, y + 10]))
     if (hasKeys) await moves(figure, () => page.keyboard.press('ArrowRight'))
     await afterwards?.(page)
-    // Where a site has no icon, browsers ask for one; and themes fetch fonts from elsewhere, also without a network.
+    // Browsers request icons that a site lacks, and themes fetch fonts from other sites, also without a network.
     assert.deepEqual(
       problems.filter((problem) => !/favicon|404 \(Not Found\)$|ERR_NAME_NOT_RESOLVED/.test(problem)),
       [],
@@ -189,7 +190,7 @@ async function useFigureOnce(address, options) {
   }
 }
 
-/** Waits until what is done moves circle 0 to the right. */
+/** Expects that an action moves circle 0 to the right. */
 async function moves(figure, act) {
   const x = () => figure.evaluate((element) => element.circles[0])
   const before = await x()
@@ -202,7 +203,7 @@ async function moves(figure, act) {
   }
 }
 
-/** Waits for the figure, and checks that its cells are cut to its region and its layers come from all modules. */
+/** Waits for the figure. Expects that its cells are clipped to its region and that its layers use all modules. */
 async function settled(figure) {
   await figure.waitFor({ state: 'attached' })
   await figure.scrollIntoViewIfNeeded()
@@ -219,7 +220,7 @@ async function settled(figure) {
   })
 }
 
-/** Where the center of circle 0 is on the page, however the figure is scaled. */
+/** The position of circle 0's center on the page, at any scale of the figure. */
 async function placeOfCircle(figure) {
   return figure.evaluate(async (element) => {
     const [middle, span] = [{ x: 4.5, y: 4 }, 10]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What StrykerJS asks which changes to leave out: all but a share, drawn by a seed. Of what is left out it says that it
-// does not compile, and does not count it. Whether a change is in the sample depends on itself alone.
+// A checker for StrykerJS that leaves out all changes except a random share, drawn by a seed. It reports the others as
+// not compiling, so that they are not counted. Whether a change is in the sample does not depend on other changes.
 // @ts-check
 import { createHash } from 'node:crypto'
 import { CheckStatus } from '@stryker-mutator/api/check'
@@ -11,7 +11,7 @@ const SEED = process.env.CIRCLE_VORONOI_SEED
 
 /** @param {import('@stryker-mutator/api/core').Mutant} mutant */
 function isInSample({ fileName, mutatorName, replacement, location }) {
-  // Wherever the repository is.
+  // Makes the path independent of the repository's place.
   const file = fileName.replaceAll('\\', '/').replace(/.*\/(?=web\/)/, '')
   const text = JSON.stringify([SEED, file, mutatorName, replacement, location])
   return createHash('sha256').update(text).digest().readUInt32BE() < SHARE * 2 ** 32
@@ -30,7 +30,7 @@ const sample = {
       ]),
     )
   },
-  /** All at once: nothing has to be compiled. */
+  /** Checks all changes at once, because nothing has to be compiled. */
   async group(mutants) {
     return [mutants.map(({ id }) => id)]
   },

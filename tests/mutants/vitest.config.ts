@@ -5,7 +5,7 @@ export default defineConfig({
   test: {
     include: ['tests/web/**/*.test.ts'],
     setupFiles: ['tests/mutants/same-random-numbers.ts'],
-    // Counting what runs takes time.
+    // Measuring coverage takes time.
     testTimeout: 300_000,
   },
 })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All code that the site shows, block by block, and which test runs each: a test takes its blocks from here.
+// Lists all code blocks of the site, and the test that runs each. Tests take their blocks from here.
 import { readdirSync, readFileSync } from 'node:fs'
 import MarkdownIt from 'markdown-it'
 import { BLOCKS as FIGURES } from '../../scripts/texts/markdown.mjs'
@@ -7,7 +7,7 @@ import { BLOCKS as FIGURES } from '../../scripts/texts/markdown.mjs'
 const ROOT = new URL('../../', import.meta.url)
 const CHAPTERS = 'web/tutorial/chapters'
 const MANUAL_PAGE = 'cpp/cli/circle-voronoi.1'
-/** Of Markdown in the site: the texts that scripts/texts/documentation.mjs takes, and the chapters. */
+/** Markdown files of the site: the texts of scripts/texts/documentation.mjs, and the chapters. */
 const MARKDOWN = [
   ...['README.md', 'ARCHITECTURE.md', 'public/data/README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'],
   ...[
@@ -39,7 +39,10 @@ const TOOLS = 'tests/long/builds.test.mjs'
 const PYTHON = 'cpp/python/tests/test_documentation.py'
 const COMMENTS = 'tests/wasm/examples.test.mjs'
 
-/** Who runs the blocks of a file, below a heading if one is named. `what`, where it is not code to be run as it stands. */
+/**
+ * The test that runs the blocks of a file, or of a section if a heading is given. `what` is the kind of a block that
+ * does not run as it stands.
+ */
 const RUN_BY = [
   { by: PACKAGE, file: 'README.md', heading: 'In JavaScript' },
   { by: NATIVE, file: 'README.md', heading: 'In C++' },
@@ -107,7 +110,7 @@ const RUN_BY = [
  * @property {readonly string[]} headings that it stands below, from the title on
  */
 
-/** @returns {Block[]} all that the site shows */
+/** @returns {Block[]} all blocks of the site */
 export function blocks() {
   const comments = ['lib', 'element', 'view'].flatMap((folder) =>
     readdirSync(new URL(`web/${folder}`, ROOT), { recursive: true })
@@ -124,7 +127,7 @@ export function blocks() {
   ]
 }
 
-/** Who runs it: of `RUN_BY` all that fit. */
+/** The entries of `RUN_BY` that match a block. */
 export function runnersOf({ file, language, headings }) {
   return RUN_BY.filter(
     (runner) =>
@@ -134,7 +137,7 @@ export function runnersOf({ file, language, headings }) {
   )
 }
 
-/** The blocks that a test has to run, each with `what` it is. Throws if there are none. */
+/** The blocks that a test has to run, each with its kind `what`. Throws if there are none. */
 export function blocksRunBy(test) {
   const own = blocks().flatMap((block) => {
     const runner = runnersOf(block).find(({ by }) => by === test)
@@ -150,7 +153,7 @@ function read(file) {
   return readFileSync(new URL(file, ROOT), 'utf8')
 }
 
-/** As the site reads it. */
+/** Parses Markdown like the site. */
 export function blocksOfMarkdown(file, text) {
   const tokens = new MarkdownIt({ html: true }).parse(text, {})
   const found = []
@@ -181,7 +184,10 @@ function blocksOfManual(mdoc) {
   return found
 }
 
-/** Fenced blocks in doc comments. What follows `@example` without a fence is found by its name (tests/wasm/examples.test.mjs). */
+/**
+ * Fenced blocks in doc comments. Code after `@example` without a fence is tested by name
+ * (tests/wasm/examples.test.mjs).
+ */
 function blocksOfComments(file, source) {
   const fenced = /^( *(?:\*|\/\/\/?) ?)(?:```(\w*)|@code)\n((?:\1?.*\n)*?)\1(?:```|@endcode)$/gm
   return [...source.matchAll(fenced)].map(({ index, 2: language = '', 3: code }) => ({

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code for the shell and for C++ in the documentation and in the manual page, run as a reader would, with the program and the
-// library installed from build/native.
+// Runs the shell and C++ code of the documentation and the manual page like a reader, with the program and the library
+// installed from build/native.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
@@ -14,7 +14,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 
 const BLOCKS = blocksRunBy('tests/readme/native.test.mjs')
 const below = (heading) => BLOCKS.filter(({ headings }) => headings.includes(heading))
-/** Texts with commands; the later ones use files that the earlier ones write. */
+/** Texts with commands. Later texts use files that earlier ones write. */
 const WITH_COMMANDS = [
   'README.md',
   'docs/shell.md',
@@ -53,11 +53,11 @@ for (const file of WITH_COMMANDS) {
   })
 }
 
-/** What a command prints, or what it writes, is what it should be. */
+/** Checks the output of a command, or the file that it writes. */
 function check(command, printed) {
   const output = / -o (\S+)/.exec(command)?.[1]
   if (command.includes(' tile ')) return assert.ok(readdirSync(join(folder, output)).length > 2)
-  // An input of the commands that follow.
+  // The command writes an input of later commands.
   if (/ > \S+$/.test(command)) return assert.equal(printed, '')
   const text = output === undefined ? printed : readFileSync(join(folder, output), 'utf8')
   if (command.includes('stats')) assert.equal(JSON.parse(text).certificate.certified, true)
@@ -72,7 +72,7 @@ function check(command, printed) {
   else assert.match(text, command.includes('--bounds') ? /^<svg [^>]*viewBox="0 -50 50 50"/ : /^<svg /)
 }
 
-/** Whole cells that fill the box, a table of contacts, or a drawing. */
+/** Checks complete cells that fill the box, a table of contacts, or a drawing. */
 function checkRepeated(output, text) {
   if (output.endsWith('.svg')) return assert.match(text, /^<svg [\s\S]*clipPath/)
   if (output.endsWith('.csv')) return assert.match(text, /^circle,neighbor,shift_a,shift_b,length,gap,area,/)
@@ -82,7 +82,7 @@ function checkRepeated(output, text) {
   assert.ok(Math.abs(sum / 1600 - 1) < 1e-12)
 }
 
-/** Cells whose areas are in the ratio of their people, with the attributes of their towns. */
+/** Checks that areas are proportional to populations, and that the attributes of towns are kept. */
 function checkAreas({ features }) {
   assert.deepEqual(
     features.map(({ properties }) => properties.name),
@@ -100,7 +100,7 @@ describe('More circles than fit into memory', () => {
     const levels = readdirSync(join(folder, 'forest')).map((level) => join(folder, 'forest', level, 'parts'))
     const parts = levels.flatMap((level) => readdirSync(level).map((name) => readFileSync(join(level, name), 'utf8')))
     const count = (type) => parts.reduce((sum, text) => sum + text.split(`\n${type},`).length - 1, 0)
-    assert.equal(count('edge') - count('vertex'), 100_000 - 1) // Euler
+    assert.equal(count('edge') - count('vertex'), 100_000 - 1) // By Euler's formula.
   })
 })
 

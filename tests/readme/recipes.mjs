@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recipes of docs/cookbook.md: pages and scripts, with a picture each. What they import is in a folder `node_modules`.
+// The recipes of docs/cookbook.md: pages and scripts, with a picture each. They import from a folder `node_modules`.
 import { existsSync, mkdirSync, readFileSync, symlinkSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -7,10 +7,10 @@ import { slugOf } from '../../scripts/texts/markdown.mjs'
 import { blocksOfMarkdown } from './blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
-/** What recipes use besides this library. */
+/** Further libraries that recipes use. */
 const OTHERS = ['d3-delaunay', 'd3-selection', 'leaflet']
 
-/** @returns {(import('./blocks.mjs').Block & { title: string, picture: string })[]} `picture`: its file */
+/** @returns {(import('./blocks.mjs').Block & { title: string, picture: string })[]} `picture` is its file */
 export function recipes() {
   return blocksOfMarkdown('docs/cookbook.md', readFileSync(`${ROOT}docs/cookbook.md`, 'utf8')).map((block) => {
     const title = block.headings.at(-1)
@@ -18,7 +18,7 @@ export function recipes() {
   })
 }
 
-/** Puts what recipes import into a project's folder; the library itself only where it is not installed. */
+/** Links the imports of recipes into a project's folder, and the library unless it is installed. */
 export function addModules(folder) {
   const modules = join(folder, 'node_modules')
   mkdirSync(modules, { recursive: true })
@@ -28,16 +28,16 @@ export function addModules(folder) {
   for (const name of ['dist', 'package.json']) symlinkSync(join(ROOT, name), join(modules, 'circle-voronoi', name))
 }
 
-/** A whole page around a recipe. */
+/** Completes a recipe to a page. */
 export function pageOf(code) {
   return `<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>Recipe</title><body style="margin: 0">\n${code}`
 }
 
-/** What a notebook shows, with the element of the folder's own modules. */
+/** Replaces the element in a notebook's output by that of the folder's own modules. */
 export function withOwnElement(html) {
   return html.replace('https://example.com/circle-voronoi/', './node_modules/circle-voronoi/')
 }
 
-/** Pages may have styles in attributes, as Leaflet and these recipes do. */
+/** Allows style attributes, which Leaflet and these recipes use. */
 export const POLICY =
   "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"

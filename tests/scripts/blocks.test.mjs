@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing in the site is code that no test runs: each block has a test that runs it, and each test takes its blocks from
-// tests/readme/blocks.mjs. What cannot be run in a test, commands that take hours among it, is checked here for what it names.
+// All code in the site is tested: each block has a test that runs it, and each test takes its blocks from
+// tests/readme/blocks.mjs. Blocks that a test cannot run, such as commands that take hours, are checked here for the
+// names that they use.
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { TEXTS } from '../../scripts/texts/documentation.mjs'
@@ -48,7 +49,7 @@ it('finds fenced and indented blocks below their headings, and not what chapters
   ])
 })
 
-/** Which file opens, builds or runs each example, or the first folder of its path. */
+/** Maps examples, by the first part of their path, to the file that opens, builds or runs them. */
 const EXAMPLES = {
   bouncing: 'tests/e2e/examples.spec.ts',
   districts: 'tests/pack/areas.spec.ts',
@@ -65,7 +66,7 @@ it.each(readGallery().map(({ folder }) => folder))('the example %s has a test', 
 
 const { scripts } = JSON.parse(read('package.json'))
 const presets = JSON.parse(read('CMakePresets.json'))
-/** Where options are read: by scripts, by what these start, and by StrykerJS. */
+/** The programs that parse options: scripts, the programs that they start, and StrykerJS. */
 const PROGRAMS = [
   ...['scripts', 'scripts/results', 'cpp/bench', 'tests/soak', 'tests/mutants'].flatMap((folder) =>
     readdirSync(new URL(folder, ROOT))

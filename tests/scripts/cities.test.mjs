@@ -20,6 +20,6 @@ it('has as many of them as the chapter says, London first, 932 km from Berlin', 
     .map((line) => line.split(',').slice(0, 3).map(Number))
   expect(cities).toHaveLength(580)
   const [[x, y], [u, v]] = cities
-  // On a map of true areas distances are right to some thousandths here.
+  // Distances on an equal-area map are right to some thousandths here.
   expect(Math.hypot(x - u, y - v) / 932).toBeCloseTo(1, 2)
 })

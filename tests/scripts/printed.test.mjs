@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures of what rules find as printed, as they are without scripts.
+// The initial pictures of the printed rules' results, which are shown without scripts.
 import { expect, it } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { loadPrinted } from '../../scripts/texts/printed.mjs'

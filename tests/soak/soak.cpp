@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random inputs of every family, for as long or as many as one likes: each diagram certified and the same as the exact
-// one; and random edits, after which a diagram is that of the circles as they are then. Prints how to repeat each
-// failure and its shrunk input; the exit status is 1 if there was any.
+// Random inputs of every family, for a given time or number. Each diagram is certified and compared with the exact one;
+// after random edits, a diagram must equal that of the current circles. Prints how to repeat each failure, with its
+// shrunk input; the exit status is 1 if there was any.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <atomic>
@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kManyCircles = 100'000;
 constexpr std::uint64_t kRoundsBetweenMany = 50;
 
-/// Of the last two families the exact graph would take hours.
+/// The exact graph would take hours for the last two families.
 struct Many {
   Family family;
   bool isCompared;
@@ -45,7 +45,7 @@ class Soak {
   Soak(std::uint64_t seed, std::uint64_t rounds, bool editsAlone, Clock::time_point end)
       : seed_(seed), rounds_(rounds), editsAlone_(editsAlone), end_(end) {}
 
-  /// One worker of several.
+  /// The loop of one worker thread.
   void work() {
     for (std::uint64_t i = round_++; i < rounds_ && Clock::now() < end_; i = round_++) round(seed_ + i);
   }
@@ -82,7 +82,7 @@ class Soak {
       std::vector<Circle> circles = kind.make(3 + random.below(60), random);
       disturb(circles, Disturbance{static_cast<int>(random.below(kDisturbances))}, random);
       attempt("ties, " + std::string(kind.name), "--seed " + std::to_string(seed), circles, tryCertified);
-      // Subnormal squares of slacks are where a search for hiders may go wrong.
+      // Subnormal squares of slacks may mislead a search for hiding circles.
       const auto tiny = besideFarPoint(kind.make(3 + random.below(20), random), random);
       attempt("ties, " + std::string(kind.name) + ", beside a far point", "--seed " + std::to_string(seed), tiny,
               [](std::span<const Circle> some) { return tryTiny(some, true); });
@@ -159,6 +159,6 @@ int main(int argumentCount, char** arguments) {
   Soak soak(seed, rounds, editsAlone, isTimed ? Clock::now() + limit : Clock::time_point::max());
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < threads; ++i) workers.emplace_back([&] { soak.work(); });
-  workers.clear();  // waits for them
+  workers.clear();  // Waits for the workers.
   return soak.report();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drivers in examples/tiles: what all tiles write together is what one computation of the whole writes, line by
-// line, whatever is killed on the way.
+// The drivers in examples/tiles: all tiles together write the same lines as one computation of the whole, whatever is
+// killed on the way.
 import assert from 'node:assert/strict'
 import { execFileSync, spawn } from 'node:child_process'
 import {
@@ -25,7 +25,7 @@ const NATIVE = `${ROOT}build/native/circle-voronoi`
 const PLANE = '-inf,-inf,inf,inf'
 const FAMILIES = ['uniform', 'log-uniform', 'clustered', 'intersecting', 'hidden', 'grid-columns']
 const EACH = 1700
-/** Far off, huge, at the corner of a tile, and twice the same. */
+/** Distant circles, huge ones, one at the corner of a tile, and a duplicate. */
 const SINGLES = ['4e6,3,10', '-1e7,-1e7,0', '60,-4000,3960', '20000,30,19700', '25,25,0', '100,100,1', '100,100,1']
 const SIZE = 25
 const HALO = 8
@@ -57,7 +57,7 @@ function input() {
   return ['x,y,r', ...lines, ...SINGLES].join('\n')
 }
 
-/** The lines of a table without its header, in a fixed order. */
+/** The lines of a table without its header, in a canonical order. */
 const rowsOf = (...texts) => texts.flatMap((text) => text.trimEnd().split('\n').slice(1)).sort()
 
 function filesIn(directory) {
@@ -75,7 +75,7 @@ function assertWhole(files) {
   assert.ok(rows.every((row, i) => row === whole[i]))
 }
 
-/** A program in place of circle-voronoi that waits before it computes, once some parts are there, until it is let go on. */
+/** A wrapper of circle-voronoi that waits before it computes, once some parts exist, until it is released. */
 function waiting(output) {
   const [program, gate, isOpen] = ['waiting', 'gate', 'open'].map((name) => `${output}-${name}`)
   execFileSync('mkfifo', [gate])
@@ -88,7 +88,7 @@ function waiting(output) {
   writeFileSync(program, `${lines.join('\n')}\n`, { mode: 0o755 })
   const goOn = () => {
     writeFileSync(isOpen, '')
-    // It stays open, with a line for each that waits or is about to.
+    // The file stays open, with a line for each process that waits or will wait.
     const end = openSync(gate, 'r+')
     writeSync(end, '\n'.repeat(100))
     return () => closeSync(end)
@@ -99,11 +99,11 @@ function waiting(output) {
 function dask(output, ...options) {
   const script = `${ROOT}examples/tiles/tiles.py`
   const args = [script, circles, output, '--size', SIZE, '--halo', HALO, '--workers', 2, ...options].map(String)
-  // A group of its own, to be killed as a whole.
+  // A process group of its own, to be killed as a whole.
   return spawn('/usr/bin/python3', args, { detached: true, stdio: ['ignore', 'ignore', 'pipe'] })
 }
 
-/** Waits for a program to end, and returns its status and what it said on standard error. */
+/** Waits for a program to end, and returns its status and its output on standard error. */
 async function end(child) {
   let said = ''
   child.stderr.setEncoding('utf8').on('data', (text) => {
@@ -128,7 +128,7 @@ const doneOf = (output) => {
   }
 }
 
-/** The processes that have started a script of this name, which is not yet another program. */
+/** The processes that have started a script of this name and have not yet become another program. */
 function parentsOf(program) {
   const processes = readdirSync('/proc').filter((name) => /^\d+$/.test(name))
   return processes.flatMap((process) => {
@@ -137,7 +137,7 @@ function parentsOf(program) {
       const status = readFileSync(`/proc/${process}/status`, 'utf8')
       return [Number(/^PPid:\s*(\d+)/m.exec(status)[1])]
     } catch {
-      return [] // it has ended meanwhile
+      return [] // The process has ended already.
     }
   })
 }
@@ -160,7 +160,7 @@ describe('tiles of ten thousand circles', () => {
     assert.equal(count, FAMILIES.length * EACH + SINGLES.length)
     assert.equal(counts[2], hidden)
     assert.ok(hidden > 100)
-    assert.equal(counts[1] - counts[0], count - hidden - 1) // Euler
+    assert.equal(counts[1] - counts[0], count - hidden - 1) // By Euler's formula.
   })
 
   it('are cut in memory that does not grow with their number', () => {
@@ -226,7 +226,7 @@ describe('tiles of ten thousand circles', () => {
     await ended
     const done = doneOf(output).map((file) => [file, statSync(file).mtimeMs])
     assert.ok(done.length < 60)
-    // As a program leaves it that is killed while it writes.
+    // Leaves a file like a program that is killed while it writes.
     writeFileSync(join(output, '0', 'parts', '.circle-voronoi-begun'), readFileSync(done[0][0]))
     const { status, said } = await end(dask(output, '--program', NATIVE))
     assert.equal(status, 0, said)

@@ -23,7 +23,7 @@ for (const fixture of readdirSync(`${ROOT}tests/fixtures`).filter((name) => name
       run(['certify', '-'], text),
       `certified: ${diagram.circles.length / 3} circles, ${hidden.length / 2} of them hidden; ${vertices.length / 3} vertices, ${edges.length / 4} edges\n`,
     )
-    // Judged by the program, as nothing else is believed.
+    // The program judges the diagram, because it trusts no input.
     const { certificate, ...stats } = JSON.parse(run(['convert', '-', '--format', 'stats'], text))
     assert.equal(certificate.certified, true)
     assert.deepEqual(stats, diagram.stats)

@@ -17,7 +17,7 @@ const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 const folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
 after(() => rmSync(folder, { recursive: true }))
 
-/** The library, and the memory of its module. */
+/** Loads the library, and returns the memory of its module, too. */
 async function loadWithMemory() {
   const { instantiate } = WebAssembly
   let memory
@@ -88,7 +88,7 @@ describe('the memory of editors', () => {
     let grown
     for (let i = 0; i < 60; i++) {
       registry.register(library.edit(circles))
-      // Finalizers run in turns of the event loop, that of the editor next to this one.
+      // Finalizers run in turns of the event loop, so that other editors are finalized next to this one.
       while (forgotten <= i) {
         collectGarbage()
         await new Promise(setImmediate)
@@ -177,7 +177,7 @@ describe('the same changes and bits as the native program', () => {
 describe('an editor in a worker', () => {
   const worker = createWorker()
   after(() => worker.dispose())
-  /** What is to be equal of two diagrams of the same editor. */
+  /** The arrays that must be equal for two diagrams of the same editor. */
   const arraysOf = ({ circles, vertices, vertexCircles, edges, hidden, hull }) => [
     ...[circles, vertices, vertexCircles, edges, hidden, hull],
   ]
@@ -219,7 +219,7 @@ describe('an editor in a worker', () => {
     const drag = places.map((circle) => editor.replace(1, circle))
     const other = editor.replace(2, [0, 9, 1])
     const results = await Promise.all([...drag, other])
-    // The first has begun; of the others of each circle the last is left.
+    // The first edit has begun. Of the others, the last one of each circle remains.
     assert.equal(changes.length, 3)
     assert.deepEqual(results.slice(1, 500), Array(499).fill(changes[1]))
     assert.deepEqual(await editor.circle(1), { x: 6 + 499 / 500, y: 0, r: 1 })
@@ -242,7 +242,7 @@ describe('an editor in a worker', () => {
     assert.deepEqual(after_.value, { x: 8, y: 0, r: 1 })
     assert.deepEqual([...removed.value.removed], [1])
     assert.equal(late.reason.code, 'unknownCircle')
-    // Removed before the replacement has begun: it is not made.
+    // The circle is removed before its replacement has begun, which is then dropped.
     const replaced = [editor.insert([3, 3, 1]), editor.replace(0, [1, 1, 1]), editor.remove(0)]
     const [, one, two] = await Promise.all(replaced)
     assert.equal(one, two)
@@ -263,7 +263,7 @@ describe('an editor in a worker', () => {
     editor.onchange = () => {
       throw new RangeError('mine')
     }
-    // What a listener throws goes to whoever hears of uncaught errors.
+    // Errors of listeners become uncaught errors.
     const reported = []
     t.mock.method(globalThis, 'queueMicrotask', (report) => reported.push(report))
     assert.deepEqual([...(await editor.remove(0)).removed], [0])

@@ -36,7 +36,7 @@ describe(`equal radii against d3-delaunay, seed ${SEED}`, () => {
   }
 })
 
-/** Sorted texts of triangles, each from its smallest corner; d3's are clockwise where y goes up. */
+/** Triangles as sorted text, each from its smallest corner. d3's triangles are clockwise if y points up. */
 function triangles(corners, clockwise = false) {
   const result = []
   for (let t = 0; t < corners.length; t += 3) {

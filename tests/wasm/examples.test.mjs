@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The examples in the doc comments of web/lib, on the built package: each function, class and constant has one, and it gives
-// what stands behind it; those of methods run.
+// The examples in the doc comments of web/lib, on the built package. Each function, class and constant has an example
+// whose result stands behind it. Examples of methods are run without comparison.
 import assert from 'node:assert/strict'
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -11,7 +11,7 @@ import { blocksRunBy } from '../readme/blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const MODULES = ['index', 'worker', 'files']
-/** What all of them begin with, as the module's own comment says. */
+/** The common beginning of the examples, as the module's own comment gives it. */
 const BEGIN = `
 const library = await loadCircleVoronoi()
 const diagram = library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
@@ -27,7 +27,7 @@ const imports = MODULES.map((name) => `import { ${names[name]} } from '${ROOT}di
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 after(() => rmSync(folder, { recursive: true }))
 
-/** The code of the example of an exported name, or undefined. */
+/** The example code of an exported name, or `undefined`. */
 function exampleOf(name) {
   const declaration = new RegExp(
     `/\\*\\*((?:(?!\\*/)[^])*)\\*/\\nexport (?:async )?(?:function|class|const) ${name}\\b`,
@@ -70,7 +70,7 @@ describe('the code in a comment', () => {
     it(`${file}:${line} runs, and what it asks to be told it is told`, async () => {
       const module = `${folder}/${file.replaceAll('/', '-')}-${line}.mjs`
       const given = ['library', 'diagram', 'editor', 'worker', 'circles', 'redraw', 'canvas']
-      // Names that it makes itself are other ones, of an inner block.
+      // An inner block allows the example to redeclare names.
       const made = [...code.matchAll(/^const (?:\[id\]|\{ (\w+) \}|(\w+)) = /gm)].flatMap(([, ...names]) =>
         names.filter(Boolean),
       )

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a tile is final, in WebAssembly and by the native program.
+// The final parts of a tile, in WebAssembly and by the native program.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
@@ -98,7 +98,7 @@ describe('finalCells', () => {
   })
 })
 
-/** The lines that the native program writes, though not all is final. */
+/** The lines of the native program, whose exit status says that some parts are not final. */
 function finalLines(args) {
   try {
     return execFileSync(NATIVE, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] })

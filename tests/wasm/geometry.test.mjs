@@ -41,15 +41,15 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const NATIVE = `${ROOT}build/native/circle-voronoi`
 const ANSWERS = `${ROOT}build/native/tests/geometry/circle_voronoi_geometry_answers`
 const LARGEST_OUTPUT = 2 ** 28
-/** Places asked about, along each side of the box. */
+/** Query points along each side of the box. */
 const PLACES = 7
-/** What goes through an arctangent, which differs between platforms. */
+/** Results of an arctangent, which differs between platforms. */
 const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 
 const library = await loadCircleVoronoi()
 const { computeComparison } = await library.loadComparison()
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
-/** Answers one request after the other. */
+/** Answers requests in order. */
 const child = spawn(ANSWERS, { stdio: ['pipe', 'pipe', 'inherit'] })
 const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]()
 after(() => {
@@ -73,7 +73,10 @@ const scaled = ['waka.csv', 'missed-antipodal-disc-mixed-6.csv'].flatMap((name) 
     circles: fixtures.find((fixture) => fixture.name === name).circles.map((value) => value * 2 ** exponent),
   })),
 )
-/** A point that touches a circle from inside but for 1e-100 of its radius, and vertices far out on both sides of their edge. */
+/**
+ * A point that touches a circle from inside up to 1e-100 of its radius, and distant vertices on both sides of their
+ * edge.
+ */
 const needles = [1e-120, 1, 1e134].map((scale) => ({
   name: `a needle thinner than rounding at the scale ${scale}`,
   circles: Float64Array.of(-1e-100, 0, 1, 1, 0, 0, 1, 1, 0.01).map((value) => value * scale),
@@ -103,7 +106,7 @@ for (const { name, circles } of [...fixtures, ...scaled, ...needles]) {
 
 async function compare(diagram, metric) {
   const box = exportBox(diagram.circles)
-  // Some cells are cut by it, and some are not.
+  // The distance clips some cells but not all.
   const maxDistance = Math.max(box.maxX - box.minX, box.maxY - box.minY) / 40
   const ours = answersOf(diagram, box, maxDistance)
   const theirs = await native(diagram.circles, metric, box, maxDistance)
@@ -121,7 +124,7 @@ async function compare(diagram, metric) {
   })
 }
 
-/** What the native program says: questions with their numbers. */
+/** The native program's answers: questions with their numbers. */
 async function native(circles, metric, { minX, minY, maxX, maxY }, maxDistance) {
   const file = `${folder}/circles.csv`
   const rows = Array.from({ length: circles.length / 3 }, (_, i) => circles.subarray(3 * i, 3 * i + 3).join())
@@ -142,7 +145,7 @@ function numberOf(text) {
   return Number(text)
 }
 
-/** The same of the TypeScript. */
+/** The answers of TypeScript. */
 function answersOf(diagram, box, maxDistance) {
   const answers = []
   const say = (question, ...numbers) => answers.push([question, numbers.map(Number)])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program in WebAssembly beside the native one, and the tests of that.
+// Runs the program in WebAssembly next to the native one, and the native program's tests.
 import assert from 'node:assert/strict'
 import { execFile, execFileSync, spawn } from 'node:child_process'
 import { availableParallelism } from 'node:os'
@@ -13,7 +13,7 @@ const WASM = `${ROOT}dist/cli/circle-voronoi.js`
 const NATIVE_TESTS = `${ROOT}build/native/tests/cpp/circle_voronoi_tests`
 export const AT_ONCE = { concurrency: availableParallelism() }
 
-/** What a program prints, but for the times that it took. */
+/** The output of a program, without the measured times. */
 async function outcomeOf(program, args, input) {
   const child = spawn(program, args)
   child.stdin.on('error', () => {}).end(input)
@@ -22,14 +22,14 @@ async function outcomeOf(program, args, input) {
   return { status: await ended, stdout: stdout.replace(/"seconds": \{[^}]*\}/g, ''), stderr }
 }
 
-/** What both print, which is the same. */
+/** Expects the same output of both programs, and returns it. */
 export async function both(args, input = '') {
   const [native, wasm] = await Promise.all([NATIVE, WASM].map((program) => outcomeOf(program, args, input)))
   assert.deepEqual(wasm, native, args.join(' '))
   return native
 }
 
-/** Runs tests of the native program, those that a filter of GoogleTest names, with the program in WebAssembly. */
+/** Runs tests of the native program, selected by a GoogleTest filter, with the program in WebAssembly. */
 export function passesNativeTests(filter) {
   const list = execFileSync(NATIVE_TESTS, ['--gtest_list_tests', `--gtest_filter=${filter}`], { encoding: 'utf8' })
   const names = [...list.matchAll(/^(\w+\.)\n((?: {2}.*\n)+)/gm)].flatMap(([, suite, tests]) =>
@@ -51,7 +51,7 @@ export function passesNativeTests(filter) {
   })
 }
 
-/** Both write the same circles of a family. */
+/** Expects that both programs write the same circles of a family. */
 export function generatesTheSame(family) {
   it(`circles of the family ${family}`, async () => {
     assert.equal((await both(['generate', family, '60', '--seed', '5'])).status, 0)

@@ -28,7 +28,7 @@ const { region, fitAreas } = await library.loadRegions()
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 after(() => rmSync(folder, { recursive: true }))
 const fixtures = readdirSync(`${ROOT}tests/fixtures`, { recursive: true }).filter(
-  // Sites for fits have no radii.
+  // The sites of fits have no radii.
   (name) => name.endsWith('.csv') && !name.startsWith('fits/'),
 )
 
@@ -114,7 +114,7 @@ describe('the same bits as the native program, in a region', () => {
   }
 })
 
-/** A star with a hole and an island in it, in a box: its text as GeoJSON, and as a region. */
+/** A star with a hole and an island in it, in a box, as the text of GeoJSON and as a region. */
 function regionAround({ minX, minY, maxX, maxY }) {
   const corners = 60
   const at = (radius, k) => {
@@ -146,7 +146,7 @@ function printed(...args) {
   return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
 }
 
-/** As GeoJSON has it. */
+/** Converts to a geometry of GeoJSON. */
 function geometryOf(polygons) {
   if (polygons === undefined) return null
   if (polygons.length === 1) return { type: 'Polygon', coordinates: polygons[0] }
@@ -166,11 +166,11 @@ function compare(file, options) {
 function nativeDiagram(file, options) {
   const flags = Object.entries(options).flatMap(([name, value]) => [`--${name}`, String(value)])
   const output = printed('compute', file, ...flags)
-  // JSON has no sign of zero to lose: `-0` is read as -0, and deepStrictEqual tells the two apart.
+  // JSON.parse reads `-0` as -0, and deepStrictEqual distinguishes it from 0.
   return JSON.parse(output)
 }
 
-/** The parts of a diagram that the native program prints, but for the circles and the time they took. */
+/** The parts of a diagram that the native program prints, without the circles and the time. */
 function asJson(diagram) {
   const { vertices, vertexCircles, edges, hidden, hull, certificate } = diagram
   const { seconds: _, ...stats } = diagram.stats

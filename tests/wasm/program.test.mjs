@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program in WebAssembly: it passes the tests of the native program, and prints the same bytes. Here is what is of its
-// own, how Node reads and writes; tests/long/program.test.mjs has the rest.
+// The program in WebAssembly passes the tests of the native program and prints the same bytes. These tests are about
+// reading and writing in Node; tests/long/program.test.mjs has the rest.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'

@@ -10,7 +10,7 @@ import { createWorker } from '../../dist/lib/worker.js'
 const CLIENT = new URL('../../dist/lib/worker.js', import.meta.url).href
 const WASM = new URL('../../dist/lib/generated/circle-voronoi.wasm', import.meta.url)
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
-/** Enough circles for a computation that is still going on when something else happens. */
+/** Enough circles for a computation that is still running when something else happens. */
 const MANY = Float64Array.from({ length: 3 * 40_000 }, (_, k) => {
   const i = Math.floor(k / 3)
   return [i % 200, Math.floor(i / 200), (i % 7) / 20][k % 3]
@@ -131,7 +131,7 @@ describe('fitAreas', () => {
     assert.deepEqual(steps.there, steps.here)
     assert.ok(steps.here.length > 2)
     assert.deepEqual(there.diagram.cellAreas({ region: hall }), here.areas)
-    // What did not converge has the weights of its last step.
+    // A fit that does not converge returns the weights of its last step.
     await assert.rejects(worker.fitAreas(sites, shares, { region: hall, shares: true, maxSteps: 2 }), (error) => {
       assert.equal(error.code, 'notConverged')
       assert.deepEqual(error.weights, steps.here[2].weights)

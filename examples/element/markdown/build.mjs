@@ -5,7 +5,7 @@ import markdownIt from 'markdown-it'
 
 const here = (name) => new URL(name, import.meta.url)
 
-/** Writes the page. `module`: the address of circle-voronoi/element. */
+/** Writes the page. `module` is the address of circle-voronoi/element. */
 export function buildSite(folder, module) {
   mkdirSync(folder, { recursive: true })
   copyFileSync(here('trees.csv'), `${folder}/trees.csv`)

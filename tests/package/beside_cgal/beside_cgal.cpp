@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's own triangulations and the library's diagrams in one program: each must be what it is without the other.
+// Uses CGAL's own triangulations and the library's diagrams in one program. Each must work as it does alone.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
@@ -76,7 +76,7 @@ int main() {
   expect(delaunay.is_valid() && triplesOf(delaunay) == triplesOf(points, circle_voronoi::compute(points).value()),
          "the diagram of points is the dual of CGAL's Delaunay triangulation");
 
-  // On a grid every sign is a tie or next to one.
+  // On a grid every sign is zero or close to zero.
   std::vector<Circle> grid;
   for (int i = 0; i < 400; ++i) grid.push_back({0.1 * (i % 20), 0.1 * (i / 20), 0});
   CGAL::Delaunay_triangulation_2<Kernel> gridDelaunay;
