@@ -189,7 +189,7 @@ std::string text(const char* format, double value, bool isOver) {
   return (isOver ? "> " : "") + std::string(digits);
 }
 
-/// How many times longer one method takes than another; empty if that cannot be told.
+/// The ratio of two methods' times; empty if it cannot be determined.
 std::string ratio(const Measurements& measured, const std::string& slow, const std::string& fast) {
   const auto numerator = measured.find(slow);
   const auto denominator = measured.find(fast);

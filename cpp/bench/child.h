@@ -10,7 +10,7 @@
 #include <optional>
 #include <type_traits>
 
-/// What came of a function in a process of its own.
+/// The outcome of a function that ran in a process of its own.
 template <class Value>
 struct ChildResult {
   std::optional<Value> value;  ///< empty if it failed, or was stopped

@@ -69,7 +69,7 @@ double uniformSeconds(std::size_t size, unsigned limitSeconds) {
   return seconds[1];
 }
 
-/// What is measured at one number of circles after another.
+/// The measurements for increasing numbers of circles.
 class Row {
  public:
   Row(std::string name, bool isDegenerate) : name_(std::move(name)), isDegenerate_(isDegenerate) {}

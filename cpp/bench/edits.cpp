@@ -241,7 +241,7 @@ struct WorstEdit {
   Edit edit;
 };
 
-/// As in scripts/bench-edits.mjs.
+/// The edits of scripts/bench-edits.mjs.
 std::vector<WorstEdit> worstEdits(const Circles& circles) {
   Point low = {circles[0].x, circles[0].y};
   Point high = low;

@@ -9,7 +9,7 @@
 
 namespace circle_voronoi::reference {
 
-/// What CGAL takes for the same circles. Each returns a number of vertices, so that nothing is optimized away.
+/// CGAL's constructions for the same circles. Each returns a number of vertices, so that nothing is optimized away.
 
 /// Delaunay_triangulation_2 of the centers.
 [[gnu::visibility("default")]] std::size_t delaunay(std::span<const Circle> circles);

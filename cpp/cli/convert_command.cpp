@@ -46,7 +46,7 @@ void convertDiagram(const CLI::App& command, ConvertArguments& arguments, const 
     return writeCircles(arguments.output, name, diagram.circles, progress);
   }
   progress.show(stageName(Stage::certify));
-  // What is written is drawn from the diagram, so it has to be one, whatever its file says.
+  // The output is drawn from the diagram, so the diagram must be valid whatever its file claims.
   const auto certificate = certify(diagram);
   if (!certificate) throw Failure{kBadInput, name + ": " + certificate.error().message};
   diagram.certificate = certificate.value();

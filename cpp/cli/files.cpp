@@ -61,7 +61,7 @@ class Input {
   std::vector<char> piece_ = std::vector<char>(1 << 20);
 };
 
-/// What a name stands for; nothing if there is no such file.
+/// The status of the file behind a name; nothing if there is no such file.
 std::optional<struct stat> statusOf(const std::string& file, int standardStream) {
   struct stat status {};
   const bool exists = (file == kStandardStream ? fstat(standardStream, &status) : stat(file.c_str(), &status)) == 0;

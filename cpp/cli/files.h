@@ -12,7 +12,7 @@ namespace circle_voronoi::cli {
 /// The name of standard input and standard output on the command line.
 inline constexpr const char* kStandardStream = "-";
 
-/// What an input is called in an error.
+/// The name of an input in errors.
 std::string inputName(const std::string& file);
 
 /// All of a file or of standard input. Throws Failure.
@@ -29,7 +29,7 @@ struct NamedOutput {
 };
 
 /// Throws Failure if an output is an input or another output, by whatever names: to write it would destroy what is read
-/// or written. What is no regular file can be both; standard output can be one output.
+/// or written. A file that is not regular can be both; standard output can be a single output.
 void refuseSharedFiles(std::initializer_list<std::string> inputs, std::initializer_list<NamedOutput> outputs);
 
 /// Has `write` write to standard output, or to a file, which is replaced once all is written (output_file.h). Throws

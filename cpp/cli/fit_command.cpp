@@ -47,7 +47,7 @@ Error withFlags(Error error) {
   return error;
 }
 
-/// How far a fit is on the way of its error from the first one to the tolerance, by orders of magnitude.
+/// The progress of a fit: how far its error has come from the first one to the tolerance, by orders of magnitude.
 double partDone(double first, double error, double tolerance) {
   if (!(first > tolerance) || !(error > tolerance)) return 1;
   return std::clamp(std::log(first / error) / std::log(first / tolerance), 0.0, 1.0);

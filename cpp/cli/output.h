@@ -19,7 +19,7 @@
 
 namespace circle_voronoi::cli {
 
-/// What to write, how and where: the options that commands share.
+/// The format, the parts and the destination of the output: options that several commands share.
 struct Output {
   std::string file = kStandardStream;
   std::string format;           ///< empty until `settle` chooses it

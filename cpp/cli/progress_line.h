@@ -21,7 +21,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  /// What is being done, and the part of it that is: 0 to 1, 0 also where that is not known.
+  /// The current stage and the part of it that is done: 0 to 1, and 0 if that is unknown.
   void show(std::string_view stage, double done = 0);
 
   /// Erases the line for good.

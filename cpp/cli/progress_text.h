@@ -9,13 +9,13 @@
 
 namespace circle_voronoi::cli {
 
-/// What a progress line writes to a terminal. It depends on what it is told and on the times that it is given, so that
-/// a test is its clock. web/cli/progress-line.ts is the same in JavaScript.
+/// The text that a progress line writes to a terminal. It depends on what it is told and on the times that it is given,
+/// so that a test is its clock. web/cli/progress-line.ts is the same in JavaScript.
 class ProgressText {
  public:
   using Elapsed = std::chrono::milliseconds;
 
-  /// How long work takes before the line is shown that was not asked for.
+  /// Delay before the line is shown, unless it was requested.
   static constexpr Elapsed kDelay{1000};
 
   /// Returns after how long a line is first shown, or nothing if it is not shown. `when` is `auto`, `always` or

@@ -45,7 +45,7 @@ std::string textOf(double value) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-/// What of a tile is final.
+/// The final part of a tile.
 class FinalPart {
  public:
   FinalPart(const Tile& tile, const Diagram& diagram, const FinalCells& cells, const Box& core)
@@ -60,7 +60,7 @@ class FinalPart {
     }
   }
 
-  /// Of each circle whether what it owns is written.
+  /// For each circle, whether everything that it owns is written.
   const std::vector<std::uint8_t>& isOwner() const { return isOwner_; }
 
   /// The tile with what is now done, and of each circle whether the cells that are left need it: those of the core that

@@ -11,7 +11,7 @@
 
 namespace circle_voronoi::cli {
 
-/// What `compute` is told of the circles outside a tile; each as the user gave it, empty if not.
+/// The options about the circles outside a tile, as the user gave them; empty if not given.
 struct TilePart {
   std::string known;
   std::string core;

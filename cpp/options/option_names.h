@@ -10,7 +10,7 @@
 
 namespace circle_voronoi {
 
-// What the options of `compute` and their values are called outside C++: in JavaScript, on the command line (--NAME),
+// The names of the options of `compute` and of their values outside C++: in JavaScript, on the command line (--NAME),
 // in files and in the documentation.
 
 template <class Value>

@@ -18,7 +18,7 @@ constexpr double kTurn = 4;
 constexpr double kNear = 0x1p-30;
 constexpr int kNothing = -1;
 
-/// How far `angle` is counter-clockwise of `from`: from 0 to below a turn, and 0 if the two are the same.
+/// The counter-clockwise angle from `from` to `angle`: at least 0, less than a full turn, and 0 if the two are equal.
 double turnTo(double from, double angle) {
   double turn = angle - from;
   if (turn < 0) turn += kTurn;
@@ -169,7 +169,7 @@ class Printed {
     return cross(along, to) <= kNear * length(along) * length(to);
   }
 
-  /// How far along the border on the right of a directed edge the center of a disc lies.
+  /// The position of a disc's center along the border on the right of a directed edge.
   double along(const PrintedEdge& de, const Vertex& disc) const {
     return parameterAt(bisector(circle(de.b), circle(de.a)), {disc.x, disc.y});
   }

@@ -38,7 +38,7 @@ struct PrintedResult {
   std::vector<PrintedEdge> leftover;
 };
 
-/// Which rules are as printed; the others are as they have to be. Each alone makes a difference.
+/// The rules to apply as printed; the others are applied as corrected. Each alone makes a difference.
 struct AsPrinted {
   /// A three-touch disc continues a directed edge if its center lies on the right side, not if it comes later along the
   /// border than where the edge begins.

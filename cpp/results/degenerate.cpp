@@ -18,7 +18,7 @@ constexpr std::size_t kColumns = 10;  ///< of the grids
 
 constexpr std::string_view kCases[] = {"15a", "15b", "15d", "15e", "15f"};
 
-/// How many merged vertices have each degree.
+/// The number of merged vertices of each degree.
 std::map<std::string, int> degreesOf(const MergedDiagram& merged) {
   std::map<std::string, int> degrees;
   for (std::size_t v = 0; v + 1 < merged.firstCircle.size(); ++v) {
@@ -27,7 +27,7 @@ std::map<std::string, int> degreesOf(const MergedDiagram& merged) {
   return degrees;
 }
 
-/// How far apart the vertices are whose disc is about the reference disc.
+/// The spread of the vertices whose disc is close to the reference disc.
 double spreadOf(const Diagram& diagram, double reference) {
   double most = 0;
   for (const Vertex& v : diagram.vertices) {

@@ -10,7 +10,7 @@ namespace circle_voronoi::results {
 
 using Json = nlohmann::ordered_json;
 
-/// What the experiments are run on; each takes what it needs.
+/// The parameters of the experiments; each uses those that it needs.
 struct Parameters {
   std::vector<std::size_t> sizes = {100, 1000};  ///< numbers of circles
   std::uint64_t seed = 1;                        ///< of the first input; others follow it
@@ -28,10 +28,11 @@ Json countDiscs(const Parameters& parameters);
 /// Figure 6: with how many samples a circle each way of sampling leads to the right diagram, by family.
 Json neededSamples(const Parameters& parameters);
 
-/// How often the touching disc method differs from the exact diagram, by family and way.
+/// The rate at which the touching disc method differs from the exact diagram, by family and way.
 Json correctness(const Parameters& parameters);
 
-/// How often Algorithms 2 and 3 as printed do, and the smallest circles for which they fail, which it draws.
+/// The rate at which Algorithms 2 and 3 as printed differ, and the smallest circles for which they fail, which it
+/// draws.
 Json printedRules(const Parameters& parameters);
 
 /// Figure 15: the degrees of merged vertices, the quasi-triangulation, and section 8.1: three-touch discs of circles

@@ -21,7 +21,7 @@ int samplesOn(const Samples& samples, int circle) {
   return static_cast<int>(std::ranges::count(samples.circles, circle));
 }
 
-/// How many edges of the Delaunay graph of the centers lead from circle 0 to circle 1.
+/// The number of edges of the Delaunay graph of the centers between circle 0 and circle 1.
 int stepsBetweenCenters(std::span<const Circle> circles) {
   const auto edges = delaunayEdges(centersOf(circles)).edges;
   std::vector<bool> reached(circles.size(), false);

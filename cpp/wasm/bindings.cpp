@@ -27,7 +27,7 @@ using emscripten::val;
 /// Thrown by a callback: the computation is to end.
 struct Stopped {};
 
-// What an option is given as, into its field; what is wrong with it, or nothing.
+// Converts an option's value into its field; returns the error, or an empty text.
 
 std::string take(const val& given, std::string_view, bool& field) {
   field = given.as<bool>();
@@ -122,7 +122,7 @@ val traceValue(const val& coordinates, const val& options) {
   });
 }
 
-// In what follows `value` is a diagram as `compute` in web/lib returns it.
+// In the following functions, `value` is a diagram as `compute` in web/lib returns it.
 
 val certifyValue(const val& value) {
   return valueOf([&] {

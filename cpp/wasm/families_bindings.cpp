@@ -47,7 +47,7 @@ val generateValue(const std::string& name, double count, double seed) {
   return float64Array(generate(*family, static_cast<std::size_t>(count), static_cast<std::uint64_t>(seed)));
 }
 
-/// Likewise.
+/// x, y and r of each circle of a figure, or undefined: there is no such figure.
 val figureValue(const std::string& name) {
   for (const Figure& figure : figures()) {
     if (figure.name == name) return float64Array(circlesOf(figure));

@@ -119,7 +119,7 @@ std::optional<Error> judge(Diagram& diagram) {
   return std::nullopt;
 }
 
-/// Those of a power diagram have no certificate, but are diagrams to be kept.
+/// Power diagrams have no certificate, but are valid diagrams to keep.
 bool isJudged(const Diagram& diagram) { return diagram.metric != Metric::power; }
 
 /// Text of all entries, a line each: no entry has a line end. Empty if there are none.

@@ -16,7 +16,7 @@ mergeInto(LibraryManager.library, {
           if (isNew) Module['madeFile'](undefined);
           throw error;
         }
-        // What is no file has no place to write at.
+        // Only a regular file has a position to write at.
         stream.seekable = fs.fstatSync(stream.nfd).isFile();
         return stream;
       };
@@ -54,7 +54,7 @@ mergeInto(LibraryManager.library, {
       };
     },
 
-    /** What a system call returns: what `operation` does, or the number of its error. */
+    /** The result of a system call: the value of `operation`, or the number of its error. */
     result: function (operation) {
       try {
         return operation();
@@ -114,7 +114,7 @@ mergeInto(LibraryManager.library, {
     });
   },
 
-  // Of node_program.cpp.
+  // Called by node_program.cpp.
   circle_voronoi_umask: function () {
     return process.umask();
   },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of the program is not the same in Node: the line that says how far the work is, which web/cli writes from
-// another thread, and the permissions of new files.
+// The parts of the program that differ in Node: the progress line, which web/cli writes from another thread, and the
+// permissions of new files.
 #include <sys/stat.h>
 
 #include <memory>

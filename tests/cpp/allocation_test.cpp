@@ -238,7 +238,7 @@ TEST(Allocation, MayFailInComparisons) {
   }
 }
 
-/// Of a function that gives the error `code` while memory lasts.
+/// Calls `failEachAllocation` with a function that gives the error `code` while memory lasts.
 template <class Function>
 void failEachAllocationBefore(ErrorCode code, Function function) {
   failEachAllocation(

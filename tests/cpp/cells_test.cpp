@@ -68,7 +68,7 @@ ConvexPolygon randomPolygon(const Box& box, Random& random) {
   return ConvexPolygon::from(corners).value();
 }
 
-/// Loops are closed without gaps, and their areas add up to the region's. None is negative but for rounding.
+/// Loops are closed without gaps, and their areas add up to the region's. No area is negative except for rounding.
 void expectPartition(const Diagram& diagram, const ConvexPolygon& region, double rounding = 1e-12) {
   double sum = 0;
   for (std::size_t i = 0; i < diagram.circles.size(); ++i) {

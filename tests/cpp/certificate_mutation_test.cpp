@@ -321,7 +321,7 @@ const std::vector<Corruption> kCorruptions = {
     {"sides not linked", forgetSides, {Flaw::adjacency}, true},
 };
 
-/// What became of one kind of corruption.
+/// The outcome of one kind of corruption.
 struct Outcome {
   int refused = 0;
   int stillRight = 0;

@@ -21,7 +21,7 @@ const std::vector<Circle> kNested = {{9, 9, 9}, {0, 10, 2}, {11, 6, 5}};
 
 Diagram diagramOf(std::span<const Circle> circles) { return compute(circles).value(); }
 
-/// What is said of a diagram, as it is or for other circles.
+/// The certificate of a diagram for its own circles or for others.
 Certificate judged(std::span<const Circle> circles, Diagram diagram) {
   diagram.circles.assign(circles.begin(), circles.end());
   linkSides(diagram);

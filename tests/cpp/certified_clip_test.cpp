@@ -42,7 +42,7 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
   return most;
 }
 
-/// How many clips of each family are tried: a few, or CIRCLE_VORONOI_CLIPS.
+/// The number of clips of each family: a few, or CIRCLE_VORONOI_CLIPS.
 int trials() {
   const char* count = std::getenv("CIRCLE_VORONOI_CLIPS");
   return count == nullptr ? 60 : std::atoi(count);
@@ -208,7 +208,7 @@ TEST_P(ClipFamilies, DoNotDependOnOrderAndPlace) {
               }
               if (isExact) expectSame(circles, rings, areas, "another place");
 
-              // Of identical circles the first has the cell.
+              // Among identical circles, the first has the cell.
               if (!diagram.hidden.empty()) return;
               std::vector<std::size_t> order(input.circles.size());
               std::iota(order.begin(), order.end(), std::size_t{0});

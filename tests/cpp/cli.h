@@ -47,7 +47,7 @@ class Cli : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// Where the standard error of a program goes.
+/// The target of a program's standard error.
 enum class Said { toTerminal, toPipe };
 
 /// A program that runs until it gets its standard input, which is when the test says, however long it takes to start.

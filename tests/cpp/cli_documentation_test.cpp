@@ -57,7 +57,7 @@ class CliDocumentation : public test::Cli {
     return begin == std::string::npos ? "" : manual_.substr(begin, end - begin);
   }
 
-  /// What bash offers for the last of some words.
+  /// The completions that bash offers for the last of some words.
   Words completions(const std::string& words) const {
     const std::string script =
         write("complete.sh", "source '" CIRCLE_VORONOI_PROGRAM_SOURCES

@@ -68,7 +68,7 @@ TEST_F(CliEdit, EndsWithTheDiagramOfTheCirclesThatAreLeft) {
   const std::string left = "-9,0,2\n0,8,1\n3.5,4,1.5\n-9,0,0.25\n";
   EXPECT_EQ(partsOf(out), partsOf(textOf("compute -", left)));
   EXPECT_EQ(textOf("certify -", out), "certified: 4 circles, 1 of them hidden; 1 vertices, 3 edges\n");
-  // The same of a diagram, in another format, and from standard input.
+  // Edits a diagram alike, in another format, and from standard input.
   textOf("compute " + circles_ + " -o " + path("diagram.json"));
   EXPECT_EQ(
       textOf("edit " + path("diagram.json") + " --format svg --script - --bounds=-20,-20,20,20", readFile(script)),

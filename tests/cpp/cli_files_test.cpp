@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of the files that the program writes, and of those that were there before.
+// The fate of the files that the program writes, and of files that existed before.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -21,7 +21,7 @@ class CliFiles : public test::Cli {
 
   std::string folder() const { return fs::path(path("file")).parent_path().string(); }
 
-  /// How many files begin as those that are written beside others do.
+  /// The number of temporary files that are written beside others.
   int filesBeside() const {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(folder())) {
@@ -40,7 +40,7 @@ class CliFiles : public test::Cli {
 
 TEST_F(CliFiles, AFullDiskLeavesTheOldFile) {
   const std::string file = write("kept.csv", "before");
-  // As if the disk had room for a few thousand bytes.
+  // Simulates a disk with room for a few thousand bytes.
   expectFailure(shell("ulimit -f 8; " + program_ + " generate uniform 20000 -o " + file), 1,
                 "kept.csv: File too large");
   EXPECT_EQ(readFile(file), "before");

@@ -51,7 +51,7 @@ TEST_F(CliFit, TakesSharesOrAreasFromAColumn) {
   expectAreas(shares);
   EXPECT_EQ(Json::parse(shares)["features"][1]["properties"]["name"], "south");
   expectAreas(textOf(sites_ + " --areas 'square meters' --format geojson" + region_));
-  // The same from standard input, and as a file whose ending names the format.
+  // Standard input, and a file whose ending names the format, give the same result.
   EXPECT_EQ(textOf("- --areas people --shares --format geojson" + region_, kSites), shares);
   const std::string file = path("fitted.geojson");
   EXPECT_EQ(textOf(sites_ + " --areas people --shares -o " + file + region_), "");

@@ -160,7 +160,7 @@ TEST_F(CliPeriodic, JsonIsADiagramWithShifts) {
   ASSERT_EQ(json["neighbors"].size(), 3U);
   EXPECT_GE(json["neighbors"][0].size(), 3U);
   EXPECT_TRUE(json["neighbors"][2].empty());
-  // What reads a diagram reads it, too.
+  // Commands that read diagrams can read it, too.
   const std::string file = write("diagram.json", text);
   EXPECT_EQ(run("certify " + file).status, 0);
   EXPECT_TRUE(readDiagram(text, "text"));

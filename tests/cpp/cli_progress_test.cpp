@@ -21,7 +21,7 @@ class CliProgress : public test::Cli {
   }
 };
 
-/// What a terminal shows after `text`: each carriage return begins the line again.
+/// The contents of a terminal after `text`: each carriage return begins the line again.
 std::string shown(const std::string& text) {
   std::string line;
   std::size_t at = 0;

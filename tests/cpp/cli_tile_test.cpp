@@ -95,7 +95,7 @@ TEST_F(CliTile, WhatIsDoneStaysDoneInWhatIsOpen) {
       "compute - --known=-20,-20,20,3.75 --max-radius 0 --core=2.5,1.5,4.5,3.5 --format csv --open " + path("open.csv"),
       tile);
   EXPECT_EQ(part.status, 3) << part.err;
-  // Those of the upper row are not final; below, the one on the left is done now, and its neighbor was before.
+  // The circles of the upper row are not final. Below, the circle on the left is done now, and its neighbor was before.
   EXPECT_EQ(readFile(path("open.csv")), "id,x,y,r,done\n17,3,2,0,1\n18,4,2,0,1\n24,3,3,0,0\n25,4,3,0,1\n");
 }
 

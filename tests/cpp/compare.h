@@ -22,7 +22,7 @@ std::string difference(const Diagram& actual, const Diagram& expected);
 /// away to matter are infinity. For circles in degenerate position, where the trivalent vertices may be chosen freely.
 std::string differenceAfterMerging(const Diagram& actual, const Diagram& expected, std::span<const Circle> circles);
 
-/// What is wrong with a diagram: its structure, or where it differs from the exact one.
+/// The problem of a diagram: its structure, or its difference from the exact one.
 std::string problemInGeneralPosition(const Diagram& diagram, const Diagram& exact, std::span<const Circle> circles);
 std::string problemInDegeneratePosition(const Diagram& diagram, const Diagram& exact, std::span<const Circle> circles);
 

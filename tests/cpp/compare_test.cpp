@@ -16,7 +16,7 @@ namespace {
 
 class Compare : public testing::Test {
  protected:
-  /// What the comparison says after damage to a right diagram.
+  /// The result of the comparison after damage to a right diagram.
   std::string after(const std::function<void(Diagram&)>& damage) const {
     Diagram diagram = diagram_;
     damage(diagram);

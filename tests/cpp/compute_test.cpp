@@ -32,7 +32,7 @@ Diagram diagramOf(const std::vector<Circle>& circles, Method method) {
   return diagram.value();
 }
 
-/// What must hold for each method.
+/// Properties of every method.
 class Compute : public testing::TestWithParam<Method> {
  protected:
   Diagram diagramOf(const std::vector<Circle>& circles) const { return circle_voronoi::diagramOf(circles, GetParam()); }
@@ -181,7 +181,7 @@ TEST(ComputeOptions, AllPairsOfTooManyCirclesAreRefused) {
   const auto diagram = compute(circles, options);
   ASSERT_FALSE(diagram);
   EXPECT_EQ(diagram.error().code, ErrorCode::tooManyCircles);
-  // As many as there may be are not: it begins.
+  // The largest number of circles is accepted, so the computation begins.
   circles.pop_back();
   struct Begun {};
   options.progress = [](Stage, double) { throw Begun{}; };

@@ -78,7 +78,7 @@ TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
   }
 }
 
-/// How many signs were asked for.
+/// The number of signs that were requested.
 std::int64_t decisions(const Counts& counts) {
   return counts.filtered + counts.refined + counts.inCircle + counts.exact;
 }

@@ -26,7 +26,7 @@ namespace {
 using Circles = std::vector<Circle>;
 using Corners = std::vector<Point>;
 
-/// How many inputs of each family.
+/// The number of inputs of each family.
 int trialCount() {
   const char* text = std::getenv("CIRCLE_VORONOI_CONVEX_TRIALS");
   return text == nullptr ? 60 : std::atoi(text);
@@ -36,8 +36,8 @@ ConvexPolygon polygonOf(const Corners& corners) { return ConvexPolygon::from(cor
 
 double lengthBetween(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
 
-/// What a row of points of a grid in a polygon says: of each circle the share of the points nearest to it and not
-/// farther away than a distance, and the point farthest from all circles.
+/// Statistics of the grid points in a polygon: for each circle the share of the points that are nearest to it and
+/// within a distance, and the point farthest from all circles.
 struct Count {
   std::vector<double> shares;
   double farthest = -1e300;
@@ -109,7 +109,7 @@ bool expectRight(const Circles& circles, const ConvexPolygon& polygon, int rows 
                         lengthBetween(polygon.corners()[1], polygon.corners()[2]);
   double farthest = 0;
   for (const Circle& c : circles) farthest = std::max(farthest, lengthBetween({c.x, c.y}, polygon.corners()[0]) + c.r);
-  // What rounding of coordinates changes.
+  // Tolerance for the rounding of coordinates.
   const double rounding = 1e-12 * whole + 1e-14 * extent * std::max(size, farthest);
   // A point of the grid next to a border may be counted for either side.
   const double coarse = 0.03 * whole + 3 * rounding;
@@ -213,7 +213,7 @@ Circles circlesOf(Random& random) {
   }
 }
 
-/// What touches the diagram: a vertex, a point of an edge, and the direction of the edge there.
+/// A contact with the diagram: a vertex, a point of an edge, and the direction of the edge there.
 struct Touch {
   Point point;
   Vector along;

@@ -19,7 +19,7 @@ namespace {
 
 double distanceBetween(Point p, Point q) { return length({p.x - q.x, p.y - q.y}); }
 
-/// How far a point is from being at the same distance from both circles, relative to the largest number involved.
+/// The difference of a point's distances from both circles, relative to the largest number involved.
 double residual(const Circle& left, const Circle& right, Point p) {
   const double scale = std::max({std::abs(left.x), std::abs(left.y), left.r, std::abs(right.x), std::abs(right.y),
                                  right.r, std::abs(p.x), std::abs(p.y)});

@@ -25,7 +25,7 @@ namespace {
 using Triple = std::array<std::int32_t, 3>;
 constexpr Triple kUnbounded = {kNone, kNone, kNone};
 
-/// What a diagram says, without numbers of vertices and edges.
+/// The contents of a diagram, without numbers of vertices and edges.
 struct Content {
   std::vector<std::tuple<Triple, double, double, double>> vertices;
   std::vector<std::tuple<std::int32_t, std::int32_t, Triple, Triple>> edges;
@@ -229,7 +229,7 @@ std::string Mirror::difference(const Diagram& snapshot, const std::vector<Circle
 
 /// The sides to infinity go around the hull once.
 std::string Mirror::hullDifference(const Diagram& snapshot, const std::vector<CircleId>& ids) const {
-  // Who has no edges, or one cell, has a hull without sides.
+  // A diagram without edges, or with one cell, has a hull without sides.
   std::vector<CircleIndex> hull;
   if (!hullSides_.empty()) {
     std::int32_t side = hullSides_.begin()->first;

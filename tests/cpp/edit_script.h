@@ -15,7 +15,7 @@ namespace circle_voronoi::test {
 /// A diagram that is kept by what an editor says has changed, as a page or a worker would.
 class Mirror {
  public:
-  /// What in a change contradicts the changes before; empty: nothing.
+  /// The contradiction between a change and the changes before; empty if there is none.
   std::string apply(const Change& change);
 
   /// How the diagram differs from a snapshot, whose circles are those of `ids`; empty: not at all.
@@ -49,7 +49,7 @@ struct ScriptResult {
 /// that come and go. After each tenth the snapshot is certified and that of `compute`; at the end it is the exact one.
 ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, std::uint64_t seed);
 
-/// How often edits were done in each way, by family; a Markdown table.
+/// The number of edits done in each way, by family, as a Markdown table.
 class EditTable {
  public:
   void add(const std::string& family, const ScriptResult& result);

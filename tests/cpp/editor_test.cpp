@@ -162,7 +162,7 @@ TEST(Editor, HandsOverWhatACircleHid) {
   EXPECT_EQ(change.shown, std::vector<CircleId>{4});
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{0, 3}));
   expectRight(editor);
-  // What it had handed over is no longer its own when it comes back.
+  // The circles that it handed over are not in its list any more when it comes back.
   EXPECT_EQ(changeOf(editor.replace(0, {-2, 0, 4})).way, EditWay::local);
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 4}));
   expectRight(editor);
@@ -295,7 +295,7 @@ TEST(Editor, ABatchIsOneChange) {
   EXPECT_EQ(mirror.apply(change), "");
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
   expectRight(editor);
-  // So many that everything is computed.
+  // Enough edits that everything is recomputed.
   std::vector<Edit> many;
   for (CircleId id = 100; id < 300; ++id) many.push_back({Edit::Kind::remove, id, {}});
   for (int i = 0; i < 50; ++i) many.push_back({Edit::Kind::insert, kNone, {i * 0.01, i * 0.02, 0.001}});

@@ -35,7 +35,7 @@ bool hide(const Circle& a, const Circle& b) { return coneOf({a, b}, {a, b}) <= 0
 double part(const Real& exact, double value, double error) {
   return std::isfinite(error) ? static_cast<double>(abs(Real(exact - value)) / error) : 0;
 }
-/// The same, but for the rounding that does not change the sign.
+/// Ignores rounding that does not change the sign.
 double part(const Real& exact, const Estimate& estimate) {
   if (!std::isfinite(estimate.error)) return 0;
   const Real wrong = abs(Real(exact - estimate.value)) - kUnitRoundoff * abs(Real(estimate.value));
@@ -119,7 +119,7 @@ ExactDisc exactRefinedDisc(const Exact& a, const Exact& b) {
   return {turn * (-d.s * d.x - root * d.y), turn * (-d.s * d.y + root * d.x), turn * (d.x * d.x + d.y * d.y), turn * w};
 }
 
-/// Of the directions and distances to a disc from all its circles.
+/// Checks the directions and distances to a disc from all its circles.
 template <CornerDisc (*find)(const Circle&, const Circle&, const Circle&),
           ExactDisc (*exactly)(const Exact&, const Exact&)>
 double discPart(const Circles& c) {
@@ -187,7 +187,7 @@ double refinedDirectionPart(const Circles& c) {
   });
 }
 
-/// Of the parts of refinedTurn.
+/// Checks the parts of refinedTurn.
 template <Estimate RefinedTurn::*kPart>
 double turnPartOf(const Circles& c) {
   return worstOfTurns(c, [](const exact::Face& first, const exact::Face& second, const Circle& from) {

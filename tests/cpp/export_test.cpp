@@ -163,7 +163,7 @@ TEST(Export, PolygonsAreSimpleWhereTheBoxMeetsVertices) {
   }
 }
 
-/// How many digits after its point a number is written with.
+/// The number of digits after the decimal point of a number.
 std::size_t placesOf(const std::string& number) {
   const std::size_t point = number.find('.');
   return point == std::string::npos ? 0 : number.size() - point - 1;

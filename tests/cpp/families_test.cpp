@@ -29,7 +29,7 @@ std::uint64_t hashOf(const std::vector<Circle>& circles) {
   return hash;
 }
 
-/// By how much two circles overlap, in units of the smaller radius.
+/// The overlap of two circles, in units of the smaller radius.
 double overlap(const Circle& a, const Circle& b) {
   const double depth = a.r + b.r - length(between(a, b));
   return depth <= 0 ? 0 : depth / std::min(a.r, b.r);

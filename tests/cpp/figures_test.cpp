@@ -23,7 +23,7 @@ bool areNeighbors(const Diagram& diagram, int i, int j) {
       diagram.edges, [&](const Edge& e) { return std::min(e.left, e.right) == i && std::max(e.left, e.right) == j; });
 }
 
-/// How many edges of the Delaunay graph of the centers lead from circle 0 to circle 1.
+/// The number of edges of the Delaunay graph of the centers between circle 0 and circle 1.
 int stepsBetweenCenters(std::string_view name) {
   const auto circles = circlesOf(figureOf(name));
   const auto edges = delaunayEdges(centersOf(circles)).edges;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is called final stays, whatever lies outside.
+// Parts that are called final stay, whatever lies outside.
 #include "circle_voronoi/final_cells.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ double inside(const Box& box, double x, double y) {
 /// Whether a circle may lie outside.
 bool mayBeOutside(const Known& known, const Circle& c) { return inside(known.box, c.x, c.y) + c.r <= known.maxRadius; }
 
-/// Those of a set of circles that are known, and the others.
+/// A set of circles divided into known ones and others.
 struct Split {
   Circles known;
   std::vector<std::int32_t> ids;  ///< of the known ones their indices in the set
@@ -65,7 +65,7 @@ Split split(const Circles& circles, const Known& known) {
   return result;
 }
 
-/// All that a diagram says, by ids: comparable part by part.
+/// The parts of a diagram by ids, for comparison.
 class Parts {
  public:
   Parts(const Diagram& diagram, const std::vector<std::int32_t>& ids) {

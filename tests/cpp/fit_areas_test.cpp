@@ -353,7 +353,7 @@ TEST(AreaFit, StartsFromTheRadii) {
   expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
 }
 
-/// How far sites are from the centers of mass of their cells, as a root of the mean square.
+/// The root mean square of the distances between sites and the centers of mass of their cells.
 double distanceFromCentroids(const AreaFit& fit, const Region& region) {
   const std::vector<Point> centroids = ClippedDiagram::from(fit.diagram, region).value().centroids();
   double sum = 0;

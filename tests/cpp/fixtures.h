@@ -11,7 +11,7 @@ namespace circle_voronoi::test {
 /// The names of all files of tests/fixtures that hold circles, without folder and extension, sorted.
 std::vector<std::string> fixtureNames();
 
-/// Where the file of a fixture is.
+/// The path of a fixture's file.
 std::string pathOfFixture(const std::string& name);
 
 std::vector<Circle> readFixture(const std::string& name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is counted in place of time: signs and flips grow as n log n on every family, and on each with an outlier, with
-// duplicates and in two far clusters. CIRCLE_VORONOI_SEED chooses other inputs.
+// Counts replace times: signs and flips grow as n log n on every family, and on each with an outlier, with duplicates
+// and in two distant clusters. CIRCLE_VORONOI_SEED chooses other inputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kFew = 1000;
 constexpr std::size_t kMany = 4 * kFew;
 
-/// What n log n grows by from the few to the many is 4.8; random inputs differ by more than that leaves.
+/// The factor of n log n between the two sizes is 4.8; random inputs vary by more than that leaves.
 constexpr double kMostGrowth = 6;
 /// A circle's signs, discs and flips, of which uniform circles take 19; and of these signs, those in integers.
 struct Limits {
@@ -55,14 +55,14 @@ TEST(Growth, OfEveryFamilyIsThatOfNLogN) {
       SCOPED_TRACE(name);
       const Work few = workOn(variant.make(family.family, kFew, seed));
       const Work many = workOn(variant.make(family.family, kMany, seed));
-      // Where nearly all circles are hidden there may be next to nothing to do.
+      // If nearly all circles are hidden, there may be next to nothing to do.
       const double growth = many.steps / std::max(few.steps, static_cast<double>(kFew));
       const double steps = many.steps / kMany;
       const double exact = many.exact / kMany;
       std::cout << std::setw(40) << std::left << name << std::right << std::setw(8) << steps << std::setw(8) << exact
                 << std::setw(8) << growth << "  " << wayName(many.way) << '\n';
       const Limits& limits = family.isDegenerate ? kDegenerate : kGeneral;
-      // What the search for hidden circles does, which insertion takes over from, is not counted.
+      // The work of the search for hidden circles, from which insertion takes over, is not counted.
       if (few.way == many.way) {
         EXPECT_LE(growth, kMostGrowth);
       }

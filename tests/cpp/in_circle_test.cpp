@@ -48,7 +48,7 @@ void compare(std::array<Point, 4> p) {
   EXPECT_EQ(inCircle(p[0], p[1], p[2], p[3]), inCircleOf(p).sign());
 }
 
-/// The same of points near one another, where products underflow.
+/// Repeats the comparison for close points, where products underflow.
 void compareScaledDown(std::array<Point, 4> points, Random& random) {
   const int exponent = -20 - static_cast<int>(random.below(1000));
   for (Point& p : points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};

@@ -94,7 +94,7 @@ class BruteForce {
         if (distance > 0) least = std::min(least, distance);
       }
     }
-    // What lies on a border counts as if the region were moved by this.
+    // A border counts as if the region were moved by this distance.
     const Real step = std::max(Real(least * sqrt(rounding)), Real(rounding * (size_ + farthest) * 1000));
     shift_ = {step, step * Real(0.7)};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program relies on that uses the library: results, errors, and indices as keys.
+// Properties that programs with the library rely on: results, errors, and indices as keys.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What files say about circles beyond x, y and r, and which columns, properties and members these are.
+// Data of files about circles beyond x, y and r, and the columns, properties and members that hold it.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

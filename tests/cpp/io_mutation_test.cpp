@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kTrials = 10000;
 
-/// What is likely to mean something to a reader.
+/// Pieces of text that are likely to mean something to a reader.
 constexpr auto kPieces = std::to_array<std::string_view>({"{",           "}",
                                                           "[",           "]",
                                                           ",",           ":",

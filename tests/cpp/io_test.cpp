@@ -234,7 +234,7 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("[[1,2,3] \xC3\xA9"), "test:1: bad JSON: expected , or ], not \"\xC3\xA9\".");
 }
 
-/// What another parser says of an error as a JSON string, which has to be UTF-8.
+/// Whether another parser accepts an error as a JSON string, which must be UTF-8.
 testing::AssertionResult isUtf8(const std::string& error) {
   try {
     (void)nlohmann::json(error).dump();

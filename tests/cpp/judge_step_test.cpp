@@ -30,7 +30,7 @@ bool flipEdge(EditState& state, int h) {
   return true;
 }
 
-/// What the judge of the whole says.
+/// The verdict of the judge of the whole dual.
 bool isWholeRight(EditState& state) {
   return judge(std::span(state.circles).first(static_cast<std::size_t>(state.visibleCount)), state.dual,
                state.predicates)

@@ -157,7 +157,7 @@ std::vector<Point> pointsOf(const OutlinePiece& piece, double tolerance) {
   return points;
 }
 
-/// How often a loop goes around a point.
+/// The winding number of a loop around a point.
 int windings(const Outline& outline, Point p, double tolerance) {
   int count = 0;
   for (const Loop& loop : outline) {
@@ -460,7 +460,7 @@ TEST(MaxDistance, IsTheSameAtEveryScaleAndOfWeights) {
   }
 }
 
-// Of the diagram of the centers a cell is cut at that distance from its center.
+// In the diagram of the centers, a cell is cut at that distance from its center.
 TEST(MaxDistance, OfTheCentersIsCutAroundThese) {
   const Circles circles = {{0, 0, 1}, {4, 0, 0.5}};
   const Diagram diagram = computeComparison(circles, Metric::centers).value();
@@ -561,7 +561,7 @@ TEST(MaxDistance, FilesEndWhereCirclesAreHardlySeenFromTheOrigin) {
       options.tolerance = tolerance * radius;
       std::ostringstream out;
       EXPECT_TRUE(writeWkt(out, diagram, options));
-      // What rounding of its points can make is no area.
+      // An area that rounding of its points can produce counts as none.
       EXPECT_TRUE(out.str().starts_with(radius > 1000 ? "POLYGON ((" : "POLYGON EMPTY")) << radius;
       EXPECT_LT(out.str().size(), 20'000'000U) << radius;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not change the diagram, or must change it in a known way. Where the arithmetic of the change is exact the
-// outcome is compared exactly: circles are multiples of 2^-10 below 2^10, so that shifts and powers of two
-// lose no bit. What adding to all radii leaves as it is stands in weights_test.cpp.
+// Changes of the input that must not change the diagram, or must change it in a known way. Where the arithmetic of the
+// change is exact the outcome is compared exactly: circles are multiples of 2^-10 below 2^10, so that shifts and powers
+// of two lose no bit. weights_test.cpp tests adding a constant to all radii.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often the touching disc method differs from the exact diagram, by family and number of samples.
+// The rate at which the touching disc method differs from the exact diagram, by family and number of samples.
 //
 // Dynamic sampling may miss an antipodal disc; the table says how often. Samples added where the certificate failed
 // mend all but a few of these. With every pair as a candidate, and by the automatic way, nothing may differ. The

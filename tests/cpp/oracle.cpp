@@ -26,7 +26,7 @@ using Graph = CGAL::Apollonius_graph_hierarchy_2<Traits>;
 class Indices {
  public:
   explicit Indices(std::span<const Circle> circles) {
-    // Of identical circles the first stays visible.
+    // Among identical circles, the first stays visible.
     for (std::size_t i = 0; i < circles.size(); ++i) {
       const Circle& c = circles[i];
       indices_.emplace(Key{c.x, c.y, c.r}, static_cast<int>(i));

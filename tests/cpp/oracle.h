@@ -19,7 +19,7 @@ namespace circle_voronoi::oracle {
 [[gnu::visibility("default")]] Diagram exactDiagram(std::span<const Circle> circles);
 
 /// The faces of CGAL's Delaunay triangulation with exact decisions, kNone for the point at infinity, each beginning
-/// with its smallest corner, sorted. Of equal points the first is the corner.
+/// with its smallest corner, sorted. Among equal points, the first is the corner.
 [[gnu::visibility("default")]] std::vector<std::array<int, 3>> delaunayFaces(std::span<const Point> points);
 
 }  // namespace circle_voronoi::oracle

@@ -60,7 +60,7 @@ Neighbors neighborsOf(const PeriodicDiagram& periodic, CircleIndex circle) {
   return rotated(std::move(result));
 }
 
-/// The same, with shifts from where the circles of the diagram lie.
+/// The same neighbors, with shifts relative to the positions of the diagram's circles.
 Neighbors placedNeighborsOf(const PeriodicDiagram& periodic, CircleIndex circle) {
   Neighbors result;
   for (const CircleIndex other : neighbors(periodic.diagram, circle)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever stage of a predicate decides, the sign is that of integer arithmetic.
+// The sign of a predicate is that of integer arithmetic, whichever stage decides.
 #include "predicates.h"
 
 #include <gtest/gtest.h>
@@ -147,7 +147,7 @@ FilterCounts compare(std::span<const Circle> circles) {
 }
 
 /// Compares all predicates of circles and of a point among them that is far away, each circle multiplied by a power of
-/// two of its own or all by the same one. Those that another contains are left out.
+/// two of its own or all by the same one. Circles that another one contains are left out.
 FilterCounts compareAtScales(std::vector<Circle> circles, Random& random) {
   const bool isCommon = random.below(2) == 0;
   const auto exponent = [&] { return -static_cast<int>(random.below(1060)); };

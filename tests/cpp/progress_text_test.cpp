@@ -11,7 +11,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// What erases a line of so many characters.
+/// The text that erases a line of a number of characters.
 std::string erased(std::size_t size) { return "\r" + std::string(size, ' ') + "\r"; }
 
 TEST(ProgressText, SaysEachStageAtOnceItsPartAndTheSeconds) {

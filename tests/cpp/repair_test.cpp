@@ -32,7 +32,7 @@ std::int64_t repairOnce(std::span<const Circle> circles, Dual& dual, int reach, 
   return repair(dual, discs, wrong, reach, solver);
 }
 
-/// How many signs were asked for.
+/// The number of signs that were requested.
 std::int64_t decisions(const Predicates& predicates) {
   const FilterCounts& counts = predicates.counts();
   return counts.filtered + counts.refined + counts.inCircle + counts.exact;
@@ -84,7 +84,7 @@ TEST(Repair, RightsWhatRandomFlipsBroke) {
   EXPECT_GE(repaired, broken * 49 / 50);
 }
 
-// What repair keeps between its rounds is what a look at the whole dual would find.
+// The state that repair keeps between its rounds equals the result of examining the whole dual.
 TEST(Repair, KeepsDiscsAndWrongFacesInStep) {
   const std::uint64_t seed = test::seedOr(1);
   int rounds = 0;

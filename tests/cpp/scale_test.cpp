@@ -32,7 +32,7 @@ std::vector<Circle> coarse(std::vector<Circle> circles, double size) {
   return circles;
 }
 
-/// What geometry tells of some circles, numbers with their dimension: 0 a number, 1 a length, 2 an area.
+/// Results of the geometry, with their dimension: 0 for a number, 1 for a length, 2 for an area.
 struct MeasuresOfCells {
   std::vector<double> numbers;
   std::vector<int> dimensions;
@@ -156,7 +156,7 @@ TEST_P(Scale, GeometryIsTheSameAtEverySize) {
 // 2^498 is the largest power below kCoordinateLimit.
 INSTANTIATE_TEST_SUITE_P(Exponents, Scale, testing::Values(-900, -700, -400, -255, -100, 100, 255, 300, 498));
 
-/// Where numbers have no more bits to lose than the circles have.
+/// At this scale numbers have just as many bits as the circles need.
 TEST(Scale, SmallestNumbersAreRoundedOnly) {
   const double scale = 0x1p-1060;
   const auto circles = coarse(generate(Family::intersecting, 20, 3), 64);

@@ -63,7 +63,7 @@ Diagram inAnotherOrder(const Circles& circles, Random& random) {
   return diagram;
 }
 
-/// How many edges of length zero a diagram of visible circles has, and whether each is the one of the two possible that
+/// The number of edges of length zero in a diagram of visible circles, and whether each is the one of two choices that
 /// does not begin or end at the greatest of the four circles around it.
 struct Ties {
   int count = 0;

@@ -50,7 +50,7 @@ TEST(Step, ANudgeLeavesThoseAloneThatStayHidden) {
   Circle nudged = circles.back();
   nudged.x += nudged.r / 50;
   EXPECT_EQ(steps.stepper.replace(steps.state->ids.slotOf(3000), steps.scaled(nudged)), EditWay::local);
-  // Those that come, go, or are beside them in the list.
+  // Only circles that are inserted, removed, or next to these in the list are logged.
   EXPECT_LT(steps.state->siteLog.size(), hidden / 4);
 }
 

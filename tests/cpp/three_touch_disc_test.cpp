@@ -10,7 +10,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// How far a disc is from touching a circle from outside.
+/// The distance of a disc from touching a circle from outside.
 double gap(const Vertex& disc, const Circle& c) { return length({disc.x - c.x, disc.y - c.y}) - c.r - disc.r; }
 
 TEST(ThreeTouchDisc, OfEqualCirclesIsCenteredInTheCircumcenter) {

@@ -22,7 +22,7 @@ struct TieKind {
 /// touching one another inside; on a line, equal; radii growing from column to column.
 std::span<const TieKind> tieKinds();
 
-/// How exact ties are disturbed.
+/// Ways of disturbing exact ties.
 enum class Disturbance {
   none,
   lastPlace,  ///< a few numbers moved to the next double

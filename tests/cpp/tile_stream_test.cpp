@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMiB = std::size_t{1} << 20;
 
-/// What a stream reads of a text in pieces of a size: the tile, or the error.
+/// The tile, or the error, that a stream reads from a text in pieces of a given size.
 Result<Tile> readInPieces(std::string_view text, std::size_t size) {
   Tile all;
   TileStream stream("test");

@@ -147,7 +147,7 @@ TEST(TouchRules, ADirectedEdgeStandsForTheAntipodalDiscOfItsCircles) {
   EXPECT_EQ(solved.diagram.edges.size(), 3U);
 }
 
-/// What became of the antipodal disc of circles 0 and 1.
+/// The fate of the antipodal disc of circles 0 and 1.
 TraceKind fateOfFirstPair(const std::vector<Circle>& circles) {
   std::optional<TraceKind> fate;
   touch(circles, pairAll(static_cast<int>(circles.size())), [&](const TraceEvent& event) {
@@ -197,7 +197,7 @@ TEST(Touch, TellsEveryEvent) {
   EXPECT_EQ(count(TraceKind::branchDisc) + count(TraceKind::threeTouchDiscStale), counts.threeTouchDiscs);
   EXPECT_EQ(counts.events, counts.antipodalDiscs + counts.threeTouchDiscs);
   EXPECT_EQ(count(TraceKind::segmentFinished), count(TraceKind::directedEdgeDeleted));
-  // What is left of the DEs is the hull.
+  // The remaining DEs are the hull.
   EXPECT_EQ(count(TraceKind::directedEdgePlaced) - count(TraceKind::directedEdgeDeleted),
             static_cast<int>(solved.diagram.hull.size()));
 }

@@ -30,7 +30,7 @@ inline Triple turned(Triple circles) {
   return circles;
 }
 
-/// What events say is there.
+/// The state of the triangulation according to the events.
 class Replay {
  public:
   void see(const TraceEvent& event) {
@@ -157,7 +157,7 @@ class Replay {
   int waiting_ = 0;
 };
 
-/// Of the circles of a diagram that has no others.
+/// The ids of the circles of a new diagram: 0, 1, and so on.
 inline std::vector<CircleId> firstIds(std::size_t count) {
   std::vector<CircleId> ids(count);
   for (std::size_t i = 0; i < count; ++i) ids[i] = static_cast<std::int32_t>(i);

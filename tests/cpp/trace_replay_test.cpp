@@ -87,7 +87,7 @@ TEST(TraceReplay, GivesTheDiagramAfterEachEdit) {
       replay.expectDiagram(editor.snapshot().value(), editor.ids());
       if (testing::Test::HasFailure()) FAIL() << "edit " << k << " of " << test::describe(circles);
     }
-    // What is refused is never told.
+    // Refused edits cause no events.
     const std::vector<Edit> refused = {{Edit::Kind::insert, kNone, circles[0]}, {Edit::Kind::remove, 1000000, {}}};
     const int told = seen[TraceKind::circleInserted];
     EXPECT_FALSE(editor.apply(refused).ok());

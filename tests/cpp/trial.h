@@ -15,7 +15,7 @@
 
 namespace circle_voronoi::test {
 
-/// What became of one input.
+/// The outcome of one input.
 struct TrialResult {
   std::string problem;  ///< empty: certified, and the same as the exact diagram
   std::string way;      ///< the construction that made the diagram
@@ -25,17 +25,18 @@ struct TrialResult {
 /// position after merging.
 TrialResult tryAutomatic(std::span<const Circle> circles, bool isDegenerate);
 
-/// The same without the comparison, which takes too long for many circles in degenerate position.
+/// Leaves out the comparison, which takes too long for many circles in degenerate position.
 TrialResult tryCertified(std::span<const Circle> circles);
 
-/// The same of circles that are tiny beside their coordinates: certified, hidden circles compared with those by
-/// definition, and an editor's snapshot the same; in general position compared with the exact diagram, too.
+/// Tests circles that are tiny relative to their coordinates: the diagram is certified, hidden circles equal those by
+/// definition, and an editor's snapshot is the same. In general position the diagram is compared with the exact one,
+/// too.
 TrialResult tryTiny(std::span<const Circle> circles, bool isDegenerate);
 
-/// As few of the circles as still fail, by leaving out ever smaller parts.
+/// A minimal subset of the circles that still fails, found by leaving out ever smaller parts.
 std::vector<Circle> shrink(std::vector<Circle> circles, const std::function<bool(std::span<const Circle>)>& fails);
 
-/// How often each construction made the result, by family; a Markdown table.
+/// The number of results by each construction, by family, as a Markdown table.
 class WayTable {
  public:
   void add(const std::string& family, const TrialResult& result);

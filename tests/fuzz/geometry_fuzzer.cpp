@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A libFuzzer target over what is asked of a finished diagram. Any bytes are an input: six say which metric, at which
-// scale and in which box, the rest are circles (fuzz_input.h). Whatever they are,
+// scale and in which box, the rest are circles (fuzz_input.h). For all inputs,
 // - every call ends, under libFuzzer within a time, and what it gives is finite;
 // - an arc is no shorter than its chord and no longer than its control polygon;
 // - a nearest circle is found, and its cell contains the place, up to rounding;
@@ -32,11 +32,11 @@ namespace {
 
 /// Of processor time, for each call: a hundred times what most take, under sanitizers.
 [[maybe_unused]] constexpr double kMostSeconds = 0.05;
-/// Of the largest length around.
+/// Relative to the largest length involved.
 constexpr double kRounding = 1e-9;
-/// Of lengths that are subnormal themselves.
+/// For lengths that are subnormal themselves.
 constexpr double kLeastRounding = 4 * std::numeric_limits<double>::denorm_min();
-/// How much larger than the box anything may be for its rounding not to show in the box.
+/// Largest size relative to the box for which rounding does not show in the box.
 constexpr double kMostRange = 0x1p16;
 
 void require(bool holds, const std::string& what) {
@@ -238,7 +238,7 @@ class Checker {
     return apart(height(p, q, u), height(p, q, v)) && apart(height(u, v, p), height(u, v, q));
   }
 
-  /// How far inside the box a point is.
+  /// The distance by which a point is inside the box.
   double depthOf(Point p) const {
     return std::min({p.x - box_.minX, p.y - box_.minY, box_.maxX - p.x, box_.maxY - p.y});
   }

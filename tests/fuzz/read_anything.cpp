@@ -65,7 +65,7 @@ std::optional<std::string> tryCircles(std::string_view text) {
   return std::nullopt;
 }
 
-/// What a stream reads of a text in pieces of a size: the circles, or those before the error, which is set.
+/// The circles that a stream reads from a text in pieces of a given size, up to the error, which is set.
 Tile readInPieces(std::string_view text, std::size_t size, std::optional<Error>& error) {
   Tile all;
   TileStream stream{std::string(kName)};

@@ -2,7 +2,7 @@
 // A libFuzzer target over regions and diagrams in them. Any bytes are an input: three say which metric, how many points
 // the region has and whether they are sorted; two for each point take it from a grid, from the vertices of the diagram,
 // from the centers of circles, from the middles between neighbors, or from one rounding step beside these; the rest are
-// circles (fuzz_input.h). Whatever they are,
+// circles (fuzz_input.h). For all inputs,
 // - rings are a region, or an error says in one sentence why not;
 // - the region is clipped to;
 // - the outlines of the cells are closed, and cells beside each other share the pieces of their edges to the bit;

@@ -2,7 +2,7 @@
 // A libFuzzer target over what makes regions: readRegion, and the union of polygons. The first byte says which. With an
 // even one the rest is the text of a file. With an odd one each two bytes are a point of a ring, on a small grid, so
 // that sides are shared and touch, or a rounding step beside it; a byte of 255 ends a ring, one of 254 a polygon.
-// Whatever they are,
+// For all inputs,
 // - a text is a region, or an error says so on one line;
 // - polygons with `dissolve` are a region, or have no area;
 // - a union is valid, is its own union, and contains the points that its polygons contain, but for those on a side.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers questions about circles of files with the library's geometry. tests/wasm/geometry.test.mjs asks web/lib the same
-// questions. Each line of the input is a request, of words separated by tabs:
+// Answers questions about circles of files with the library's geometry. tests/wasm/geometry.test.mjs asks web/lib
+// the same ones. Each line of the input is a request, of words separated by tabs:
 //
 //     FILE circles|weights|centers|power MINX MINY MAXX MAXY MAX_DISTANCE
 //

@@ -3,7 +3,7 @@
 
 #include <cstddef>  // the standard library's own macros
 
-// What a program and the library must have in common. Every public header includes this one.
+// The properties that a program and the library must have in common. Every public header includes this one.
 
 /// Makes the names of a namespace visible outside a shared library.
 #define CIRCLE_VORONOI_API [[gnu::visibility("default")]]

@@ -8,7 +8,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What a file says about its circles beyond x, y and r. Each list is empty or has an entry for each circle.
+/// The data of a file about its circles beyond x, y and r. Each list is empty or has an entry for each circle.
 struct CircleAttributes {
   /// The other columns, properties or members: members of a JSON object, without braces and on one line.
   std::vector<std::string> properties = {};

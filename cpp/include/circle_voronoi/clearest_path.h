@@ -18,10 +18,10 @@ struct ClearestPath {
   /// The edges to follow, in order. The path joins the first one at `entry` and leaves the last one at `exit`. If the
   /// path goes around everything, an edge that leads to infinity is followed by one that comes back.
   std::vector<EdgeIndex> edges;
-  /// Where the path from p meets the first edge. It gets there straight away from the center of the circle nearest to
-  /// p. Empty if that leads straight to infinity.
+  /// The point where the path from p meets the first edge. It gets there straight away from the center of the circle
+  /// nearest to p. Empty if that leads straight to infinity.
   std::optional<Point> entry;
-  /// Where the path leaves the last edge for q. Empty if q is reached straight from infinity.
+  /// The point where the path leaves the last edge for q. Empty if q is reached straight from infinity.
   std::optional<Point> exit;
   /// With a region (region_queries.h), the curves of the whole path from p to q. Each ends where the next one starts.
   /// Parts of edges are arcs, and the others are straight. Otherwise empty.

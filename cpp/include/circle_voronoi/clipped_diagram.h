@@ -23,7 +23,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The parts of cells in a region, as flat arrays. Row k belongs to the k-th cell that was asked for.
 ///
-/// Piece p runs from (x[p], y[p]) to the start of the next piece of its loop. What it is, one of its indices says:
+/// Piece p runs from (x[p], y[p]) to the start of the next piece of its loop. One of its indices determines its kind:
 /// `side` is not kNone on an arc of an edge, `regionSide` is not kNone on a side of the region, and `r` is positive on
 /// an arc of a circle around the center of the cell (OutlinePiece).
 struct ClippedCells {

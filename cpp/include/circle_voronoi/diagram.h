@@ -28,9 +28,9 @@ struct Edge {
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
-/// A circle without a cell, and a visible circle `by` that contains it: |c - c_by| <= r_by - r. Of identical circles
-/// the first stays visible. If several visible circles contain the circle, `by` is the largest of them, and the first
-/// of equally large ones.
+/// A circle without a cell, and a visible circle `by` that contains it: |c - c_by| <= r_by - r. Among identical
+/// circles, the first stays visible. If several visible circles contain the circle, `by` is the largest of them, and
+/// the first of equally large ones.
 struct HiddenCircle {
   CircleIndex circle = {};
   CircleIndex by = {};
@@ -83,7 +83,7 @@ struct Diagram {
   Links links;
   /// Whether the data above are proven to be right.
   Certificate certificate;
-  /// How the diagram was made.
+  /// Statistics of the computation.
   Stats stats;
 
   /// Returns whether a circle has a cell. Hidden circles have none.

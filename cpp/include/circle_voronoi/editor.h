@@ -22,7 +22,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// The id of a circle in an editor, from 0. A new circle gets the next id. Ids are never reused.
 using CircleId = CircleIndex;
 
-/// How an edit was done. The result is certified in each case.
+/// The way in which an edit was done. The result is certified in each case.
 enum class EditWay {
   local,  ///< by changes around the circles concerned
   patch,  ///< where flips did not suffice, by splicing in a diagram of the circles around
@@ -37,7 +37,7 @@ struct HullSide {
   friend bool operator==(const HullSide&, const HullSide&) = default;
 };
 
-/// What an edit, or a batch of edits, did to a diagram.
+/// The effect of an edit, or of a batch of edits, on a diagram.
 ///
 /// In an editor, circles have ids, and each vertex and edge has a number that it keeps until it disappears. Here and in
 /// SnapshotNumbers, a CircleId is an id, VertexIndex and EdgeIndex are such numbers, and side 2 e or 2 e + 1 belongs to
@@ -74,7 +74,7 @@ struct Change {
   std::vector<HullSide> hullSides;  ///< the sides to infinity whose next side has changed
 };
 
-/// What the indices of a snapshot stand for.
+/// Maps the indices of a snapshot to ids and numbers.
 struct SnapshotNumbers {
   std::vector<CircleId> circles;      ///< the id of each circle
   std::vector<VertexIndex> vertices;  ///< the number of each vertex
@@ -131,8 +131,8 @@ class DiagramEditor {
   Result<Change> apply(std::span<const Edit> edits);
 
   /// Sets an observer. It is first called for all faces, as a round, and then for each edit once that is done
-  /// (trace.h). If an edit computes the whole diagram, a round with all faces begins. An empty observer ends this. So
-  /// does an edit that runs out of memory. Exceptions of the observer pass through; the edit is then done. Errors:
+  /// (trace.h). If an edit computes the whole diagram, a round with all faces begins. An empty observer ends this. An
+  /// edit that runs out of memory does so, too. Exceptions of the observer pass through; the edit is then done. Errors:
   /// tooManyCircles if memory runs out.
   Result<void> observe(const Observer& observer);
 

@@ -12,7 +12,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What went wrong. Hidden, duplicate and tangent circles are results, not errors.
+/// The kind of an error. Hidden, duplicate and tangent circles are results, not errors.
 /// The names are the same in TypeScript (`errorCodeName`, `web/lib/base/errors.ts`).
 enum class ErrorCode {
   nonFinite,           ///< a coordinate or a radius is NaN or infinite
@@ -32,7 +32,7 @@ enum class ErrorCode {
 /// Returns the name of a code, as in the enumeration. Past the last code the name is empty.
 [[nodiscard]] std::string_view errorCodeName(ErrorCode code);
 
-/// What went wrong and where. The message is one sentence; it is empty if there was no memory left for it.
+/// An error with its kind, place and message. The message is one sentence; it is empty if no memory was left for it.
 struct Error {
   ErrorCode code = ErrorCode::badInput;
   std::int64_t circle = kNone;  ///< the index of the circle, or its id in an editor; kNone if no circle is to blame

@@ -41,13 +41,13 @@ struct ExportOptions {
   /// as the tolerance requires. With this option rounding may move points by more than the tolerance, and the default
   /// box grows to coordinates with that many digits.
   std::optional<int> digits = {};
-  /// What GeoJSON features say about their circles beside the properties of their own (readCircleFile): other
-  /// properties, the id of the feature, the height as the property `z`, and the members of the collection. A property
-  /// with a name that `writeGeoJson` uses itself, such as area, gets `input_` in front. It must outlive the call.
+  /// Data of GeoJSON features beside their own properties (readCircleFile): other properties, the id of the feature,
+  /// the height as the property `z`, and the members of the collection. A property with a name that `writeGeoJson` uses
+  /// itself, such as area, gets `input_` in front. It must outlive the call.
   const CircleAttributes* attributes = nullptr;
-  /// What `writeGeoJson`, `writeGeoJsonLines` and `writeWkt` write for a point of the plane, such as its longitude and
-  /// latitude. Long sides of polygons get more points, so that they stay within the tolerance. Polygons of neighbors
-  /// still share their points. Empty: the point itself.
+  /// Maps a point of the plane to the one that `writeGeoJson`, `writeGeoJsonLines` and `writeWkt` write, such as its
+  /// longitude and latitude. Long sides of polygons get more points, so that they stay within the tolerance. Polygons
+  /// of neighbors still share their points. Empty: the point itself.
   std::function<Point(Point)> place = {};
 };
 
@@ -55,9 +55,9 @@ struct ExportOptions {
 [[nodiscard]] Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
 
 // The functions below write a certified diagram to a stream. The polygons of cells are counter-clockwise and do not
-// cross themselves. Those of neighbors share their points bit for bit. A cell that is narrower than the rounding of its
-// vertices may have a polygon that crosses itself, or none. Such cells occur between circles that are tangent inside up
-// to rounding.
+// cross themselves. Polygons of neighbors share their points bit for bit. A cell that is narrower than the rounding of
+// its vertices may have a polygon that crosses itself, or none. Such cells occur between circles that are tangent
+// inside up to rounding.
 //
 // Coordinates have as many decimals as the tolerance requires. Their last place is the largest power of ten for which
 // rounding uses up at most a tenth of the tolerance. The following keep all their digits: points on the box, arcs of
@@ -65,9 +65,9 @@ struct ExportOptions {
 // numbers in CSV. Reading these back gives the same bits. With ExportOptions::digits, areas are rounded, and points on
 // the box are rounded along it.
 //
-// Errors: notCertified if the diagram is not certified; badInput if the arrays do not fit together;
-// badOption if an option is out of range; notWritten if the stream fails; tooManyCircles if memory runs out. After the
-// last two the stream may hold a part of the text. If the stream throws, its exception passes through.
+// Errors: notCertified if the diagram is not certified; badInput if the arrays do not fit together; badOption if an
+// option is out of range; notWritten if the stream fails; tooManyCircles if memory runs out. After the last two the
+// stream may hold a part of the text. If the stream throws, its exception passes through.
 
 /// Writes a drawing that fits the box, with y pointing up and nothing outside the box. It has the groups cells, dual,
 /// circles, edges, vertices and hull, which are also classes, and a style sheet. Curves are cubic Bezier curves, and
@@ -88,7 +88,7 @@ struct SvgLayer {
 /// A drawing with more, or less, than a diagram has.
 struct SvgFigure {
   ExportOptions frame;
-  /// Which groups of `writeSvg` are drawn.
+  /// The groups that `writeSvg` draws.
   std::vector<std::string> groups = {"cells", "dual", "circles", "edges", "vertices", "hull"};
   std::vector<SvgLayer> layers = {};  ///< drawn above the groups, in this order
   std::string style;                  ///< rules of a style sheet, after those of `writeSvg`

@@ -12,9 +12,9 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What is known about the circles that are missing from a diagram: their centers lie outside the box, and their radii
-/// are at most maxRadius. More generally, let inside(p) be the smallest signed distance of p from the lines of the
-/// box's sides, positive on the side of the box. Then each missing circle has
+/// The known properties of the circles that are missing from a diagram: their centers lie outside the box, and their
+/// radii are at most maxRadius. More generally, let inside(p) be the smallest signed distance of p from the lines of
+/// the box's sides, positive on the side of the box. Then each missing circle has
 ///
 ///     inside(center) + radius <= maxRadius.
 ///

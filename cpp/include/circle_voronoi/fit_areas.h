@@ -13,7 +13,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What `fitAreas` has reached.
+/// The state of a fit after a step.
 struct AreaFitStep {
   int step = 0;                     ///< the number of steps so far, those before sites last moved included
   double error = 0;                 ///< the largest relative error of an area
@@ -28,8 +28,8 @@ struct AreaFitOptions {
   double tolerance = 1e-9;
   /// The largest number of steps, 1 or more.
   int maxSteps = 500;
-  /// How often all sites move to the centers of mass of their cells, after which the areas are fitted again. Cells
-  /// become rounder each time. The diagram of the result has the sites where they have come to.
+  /// The number of times that all sites move to the centers of mass of their cells, after which the areas are fitted
+  /// again. Cells become rounder each time. The diagram of the result has the sites where they have come to.
   int relax = 0;
   /// Called before the first step, after each one, and after sites have moved. To cancel, throw: the exception passes
   /// through `fitAreas`.

@@ -57,7 +57,7 @@ struct std::hash<circle_voronoi::Index<Kind>> {
   std::size_t operator()(circle_voronoi::Index<Kind> index) const noexcept { return std::hash<std::int32_t>()(index); }
 };
 
-// So that the algorithms of std::ranges compare indices with integers.
+// Lets the algorithms of std::ranges compare indices with integers.
 template <class Kind>
 struct std::common_type<circle_voronoi::Index<Kind>, std::int32_t> {
   using type = std::int32_t;

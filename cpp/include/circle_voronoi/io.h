@@ -25,8 +25,8 @@ enum class Radii {
   none,      ///< 0 for all circles; a column that is called r is one like others
 };
 
-/// Which circles a file has. Names of columns are also those of properties of GeoJSON points and of members of JSON
-/// objects. Upper and lower case are the same.
+/// Selects the circles of a file. Names of columns are also those of properties of GeoJSON points and of members of
+/// JSON objects. Upper and lower case are the same.
 struct ReadOptions {
   bool weights = false;  ///< whether radii may be negative (Options::weights)
   Radii radii = Radii::needed;

@@ -8,14 +8,14 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// How to build a diagram.
+/// The method for building a diagram.
 enum class Method {
   automatic,     ///< the fastest construction that leads to a certified diagram (ARCHITECTURE.md)
   touchingDisc,  ///< the paper's method: candidate pairs, then the event loop
   flip,          ///< edge flips from the Delaunay triangulation of the centers
 };
 
-/// Which pairs of circles get an antipodal disc in the touching disc method.
+/// The pairs of circles that get an antipodal disc in the touching disc method.
 enum class Candidates {
   dynamic,   ///< neighbors in the Delaunay graph of dynamically chosen samples (paper, section 5)
   uniform,   ///< neighbors in the Delaunay graph of equally spaced samples on every circle (paper, section 4.1)

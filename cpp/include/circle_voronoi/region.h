@@ -97,7 +97,7 @@ class Region {
   static Region valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                       std::span<const std::int32_t> polygonOffsets);
 
-  /// What a run of sides one after the other spans, for contains().
+  /// The bounding box of a run of consecutive sides, for contains().
   struct Run {
     double minX, minY, maxX, maxY;
   };

@@ -12,7 +12,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// How much each stage had to do.
+/// The work of each stage.
 struct Counts {
   std::int64_t circles = 0;          ///< circles of the input
   std::int64_t hidden = 0;           ///< hidden circles among them
@@ -44,7 +44,7 @@ struct Seconds {
   double total = 0;
 };
 
-/// How a diagram was made. A member is empty if it does not apply or is not known.
+/// Statistics of a computation. A member is empty if it does not apply or is not known.
 struct Stats {
   std::optional<Method> method;          ///< the method asked for
   std::optional<Way> way;                ///< the construction that made the result

@@ -519,12 +519,12 @@ class _Editor:
 
 
 class AreaFit(NamedTuple):
-    """What `fit_areas` found.
+    """The result of `fit_areas`.
 
-    `weights` has the weight of each point, the least one 0. `diagram` is the certified diagram of the points with the
-    weights as radii. `areas` are the areas of its cells inside the region, and `error` is the largest relative error of
-    an area. `steps` is the number of Newton steps.
-    """
+    `weights` has the weight of each point, the least one 0. `diagram` is the certified diagram of the points with
+    the weights as radii. `areas` are the areas of its cells inside the region, and `error` is the largest relative
+    error of an area. `steps` is the number of Newton steps.
+"""
 
     weights: Floats
     diagram: Diagram

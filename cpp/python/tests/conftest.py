@@ -23,7 +23,7 @@ def random_circles(count, seed, size=100.0):
 
 
 def program(*arguments):
-    """What the program prints."""
+    """The output of the program."""
     run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, check=True)
     return run.stdout
 

@@ -7,7 +7,7 @@
 
 namespace circle_voronoi {
 
-/// How many steps ahead a loop over edges or faces asks for what it reads in an order that is not theirs.
+/// Number of steps by which a loop over edges or faces prefetches data that it reads in another order.
 inline constexpr std::size_t kPrefetchAhead = 16;
 
 /// Asks for an item's memory, which is read soon.

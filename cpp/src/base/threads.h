@@ -24,8 +24,8 @@ class Threads {
 
   int count() const { return kHasThreads ? count_ : 1; }
 
-  /// Calls task(i) for each i below `count`, each in one of the threads, and returns when all have ended. What a task
-  /// throws is thrown here; then not all need have been called.
+  /// Calls task(i) for each i below `count`, each in one of the threads, and returns when all have ended. An exception
+  /// of a task is rethrown here; some tasks may not have been called then.
   void run(std::size_t count, const std::function<void(std::size_t)>& task) const;
 
   /// Into how many ranges `forRanges` divides so many items. For one thread it is one.

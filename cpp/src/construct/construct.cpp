@@ -38,7 +38,7 @@ Verdict judged(Dual& dual, Proof proof, std::span<const Circle> circles, Journal
   Predicates predicates(circles);
   Verdict verdict = judge(circles, dual, predicates, std::move(proof), threads);
   settleTies(dual, verdict, circles, predicates);
-  // How much is looked at before a flaw is found is up to the threads.
+  // The amount of work before a flaw is found depends on the threads.
   if (verdict.isRight()) addCounts(predicates, journal.stats.counts);
   return verdict;
 }
@@ -251,7 +251,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       Verdict verdict = flippedAndJudged(dual, sites, false, teller, journal, threads);
       if (verdict.isRight()) return {std::move(dual), std::move(verdict)};
     }
-    // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
+    // A missing edge may lie farther off than the flaw that shows it: from the third try on, sample everywhere.
     if (round >= 2) {
       for (int& count : angular) count = std::clamp(4 * count + 3, 15, kMaxSamples);
       if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostAngularSamples) return result;

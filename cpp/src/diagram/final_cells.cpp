@@ -20,7 +20,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// What is known, in the units of the scaled circles.
+/// The known properties, in the units of the scaled circles.
 class Outside {
  public:
   Outside(std::span<const HalfPlane> known, double maxRadius, double unit) : reach_(maxRadius / unit) {
@@ -141,7 +141,7 @@ FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram,
     result.edges.push_back(isFinal(edge.start) && isFinal(edge.end));
   }
   for (const CircleIndex i : diagram.hull) need(i, outside.isNothing() ? -kInfinite : kInfinite);
-  // What hides circle i has a distance of at most -r_i at its center.
+  // A circle that hides circle i has a signed distance of at most -r_i at its center.
   for (const HiddenCircle& hidden : diagram.hidden) {
     const Circle& c = circles[static_cast<std::size_t>(hidden.circle)];
     need(hidden.circle, outside.excess({c.x, c.y, -c.r}, 0));

@@ -207,7 +207,7 @@ class Inserter : private DualKeeper {
     arrivals_.clear();
   }
 
-  /// The same of those at one edge to the new circle and at the two beside it.
+  /// Settles the waiting circles at one edge to the new circle and at the two edges beside it.
   void settleBeside(int i, int toNew) {
     const int a = dual_.origin[toNew];
     const int right = dual_.aroundClockwise(toNew);
@@ -242,7 +242,7 @@ class Inserter : private DualKeeper {
     double nearness;
   };
 
-  /// Of two edges of a cell the one that the ray through the center of circle j meets first.
+  /// Returns which of two edges of a cell the ray through the center of circle j meets first.
   Met nearer(const Met& first, const Met& second, int j) const {
     if (first.nearness != second.nearness) return first.nearness > second.nearness ? first : second;
     // A bisector that it never meets, or two parts of one bisector.
@@ -257,7 +257,7 @@ class Inserter : private DualKeeper {
     const int first = edgeOf_[i];
     int spoke = first;
     do {
-      // Where one sector ends the next begins.
+      // The next sector begins where this one ends.
       const int next = dual_.around(spoke);
       sectors_.push_back({pseudoAngle(discs_.direction(spoke)), next, bisectorOf(next)});
       spoke = next;

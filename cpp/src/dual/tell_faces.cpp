@@ -146,7 +146,7 @@ void FaceTeller::tellReason(int f, int g) {
     } else if (c == kPointAtInfinity || d == kPointAtInfinity) {
       tellEvent(TraceKind::tangentNotClear, kNoDisc, a, b, std::max(c, d));
     } else {
-      // The disc that reaches farther over the rim of the circle opposite. Where a flip is taken back none does.
+      // The disc that reaches farther over the rim of the circle opposite. No disc does if a flip is reverted.
       const bool isFirst =
           !second.hasDisc() || (first.hasDisc() && depth(first.disc, circles_[d]) >= depth(second.disc, circles_[c]));
       const Vertex& disc = isFirst ? first.disc : second.disc;

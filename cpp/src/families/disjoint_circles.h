@@ -22,7 +22,8 @@ class DisjointCircles {
   /// Adds a circle, unless it meets one of the set.
   bool insert(const Circle& circle);
 
-  /// How far a point is from the nearest circle, at most `limit`, which must not exceed `finest`; negative inside.
+  /// The distance of a point from the nearest circle, capped at `limit`, which must not exceed `finest`; negative
+  /// inside.
   double room(Point point, double limit) const;
 
   std::vector<Circle> take() && { return std::move(circles_); }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr Circle kUnitCircle = {0, 0, 1};
 
-/// The center at a distance from a circle's center. What is drawn for it is drawn before: compilers differ in the order
-/// in which they find arguments.
+/// The center at a distance from a circle's center. Random arguments are drawn before the call, because compilers
+/// evaluate arguments in different orders.
 Point at(const Circle& circle, double distance, Vector direction) {
   return {circle.x + distance * direction.x, circle.y + distance * direction.y};
 }

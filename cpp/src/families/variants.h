@@ -12,7 +12,7 @@
 
 namespace circle_voronoi {
 
-/// What makes circles of any family harder: exactly `count` of them.
+/// Variants that make circles of any family harder: exactly `count` of them.
 struct Variant {
   std::string_view name;  ///< what is added to the family's; empty for the family as it is
   std::vector<Circle> (*make)(Family family, std::size_t count, std::uint64_t seed);

@@ -91,9 +91,9 @@ class Fitter {
   }
 
  private:
-  /// How near the areas come before sites move.
+  /// Accuracy of the areas before sites move.
   static constexpr double kWhileMoving = 1e-3;
-  /// How near the areas come before the background fades.
+  /// Accuracy of the areas before the background fades.
   static constexpr double kRoughly = 0.1;
   static constexpr double kFading = 0.5;
   /// A cell keeps at least that share of the least area, so that the next step finds it.
@@ -110,7 +110,7 @@ class Fitter {
   /// Where that is not enough, all weights are multiplied by this, until they are level.
   static constexpr double kScaling = 0.25;
   static constexpr double kLeastScale = 0.01;
-  /// So many steps without better areas end a fit that is nearly there.
+  /// A fit that is nearly done ends after this number of steps without better areas.
   static constexpr int kPatience = 6;
   static constexpr double kNearlyThere = 0.01;
   /// Where Newton's method ends within that many times what the last bits of weights change, single bits go on, as long

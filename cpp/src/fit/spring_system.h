@@ -22,8 +22,8 @@ class SpringSystem {
   SpringSystem(SpringSystem&&) noexcept;
   SpringSystem& operator=(SpringSystem&&) noexcept;
 
-  /// Returns x for springs of other stiffness in the same places. Whatever a component's forces sum to is taken from
-  /// its cells in equal shares first. Returns nothing if rounding leaves no solution.
+  /// Returns x for springs of other stiffness in the same places. The sum of a component's forces is first subtracted
+  /// from its cells in equal shares. Returns nothing if rounding leaves no solution.
   std::vector<double> solve(std::span<const double> stiffness, std::span<const double> forces);
 
   /// For each cell the number of its component, counted from 0.

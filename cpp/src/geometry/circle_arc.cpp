@@ -13,7 +13,7 @@ namespace {
 /// They make kFinestPolyline of any arc, of half a turn at most.
 constexpr int kMostHalvings = 16;
 
-/// An arc by half its angle h: sin h and cos h, and R_F and R_D of (cos^2 h, 1, 1). With these
+/// An arc by half its angle h: sin h and cos h, and R_F and R_D of (cos^2 h, 1, 1), for which
 ///
 ///     h = sin h R_F,        h - sin h cos h = 2 / 3 sin^3 h R_D,
 ///

@@ -12,7 +12,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Where the ray from a cell's center through a point leaves the cell.
+/// The point where the ray from a cell's center through a point leaves the cell.
 struct Exit {
   EdgeIndex edge;        ///< kNone: never
   double parameter = 0;  ///< on the curve of the edge

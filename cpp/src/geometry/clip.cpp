@@ -80,8 +80,8 @@ CurvePart boundedPart(const EdgeCurve& whole, const ConvexPolygon& region) {
   return part;
 }
 
-// Which ends are inside is decided by the points that pieces share. A root only says where: it is moved to the end that
-// it should not be beyond. So rounding moves an end by as little as the line, and the pieces of a loop stay linked.
+// The points that pieces share decide which ends are inside. A root only says where: it is moved to the end that it
+// should not be beyond. So rounding moves an end by as little as the line, and the pieces of a loop stay linked.
 std::size_t cutPart(const CurvePart& part, const HalfPlane& half, std::array<CurvePart, 2>& kept) {
   const EdgeCurve& curve = part.curve;
   const double first = half.height(curve.start);

@@ -15,7 +15,7 @@ constexpr double kSmallestParameter = 1e-300;
 constexpr double kLargestParameter = 1e300;
 /// Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray.
 constexpr double kSmallestB = 0x1p-50;
-/// What is nearer to each other than this share of where it is seen from, is seen as one.
+/// Points closer to each other than this fraction of their distance from the viewpoint count as one.
 constexpr double kFinest = 0x1p-900;
 /// The line of equal power may lie beyond all numbers.
 constexpr double kFarthestApex = 1e300;
@@ -111,8 +111,8 @@ double parameterAt(const Bisector& bisector, Point p) {
   const double sine = dot(toPoint, bisector.across) / bisector.b;
   if (bisector.a == 0) return exponentialOf(sine);
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
-  // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
-  // two says whether the distance is the one.
+  // changes faster. For a narrow branch, this is the distance. Its height may be off by any factor, as b is: each of
+  // the two says whether the distance is the one.
   const double c = bisector.apex + std::abs(bisector.a);
   const double rise = std::max((lengthOf(toPoint) - bisector.apex) / c, 0.0);
   const double size = std::max(std::abs(sine), std::sqrt(rise) * std::sqrt(rise + 2));

@@ -34,7 +34,7 @@ void turnOnce(std::vector<HullArc>& arcs) {
     HullArc& arc = excess > 0 ? widest() : *std::ranges::max_element(arcs, {}, &HullArc::r);
     arc.angle = excess > 0 ? 0 : kFullTurn;
   }
-  // What the arcs now lack is what rounding made of others that hardly turn.
+  // The missing angle belongs to arcs with hardly any turn, whose angles rounding has changed.
   widest().angle += kFullTurn - sum();
 }
 

@@ -60,7 +60,7 @@ std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, cons
   return largest.best();
 }
 
-// What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
+// The part of the diagram outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
 // from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
 //   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
 //   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie

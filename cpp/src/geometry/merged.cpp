@@ -29,7 +29,7 @@ class Sets {
     parent_[std::max(i, j)] = std::min(i, j);
   }
 
-  /// Of each index the one that stands for its set.
+  /// For each index, the representative of its set.
   std::vector<std::int32_t> first() && {
     for (std::int32_t& parent : parent_) parent = parent_[parent];  // of a smaller index, and so done before
     return std::move(parent_);

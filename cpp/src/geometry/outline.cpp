@@ -20,13 +20,14 @@ namespace {
 constexpr std::array<Vector, 4> kAxes = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 /// Where there is no side to say how far outside is far, as a multiple of the distance of the region.
 constexpr double kFarOut = 64;
-/// Where a line is nearly tangent to a curve, rounding moves their crossing by the root of itself. As a share of what
-/// is cut.
+/// Where a line is nearly tangent to a curve, rounding moves their crossing by the root of itself. Tolerance relative
+/// to the size of the part that is clipped.
 constexpr double kSlack = 0x1p-20;
 /// Where branches are narrow, rounding may exchange the order of directions as near as this (radians).
 constexpr double kNear = 0x1p-20;
 
-/// A piece of a loop. What an edge has is in its direction, so that both cells of the edge cut it alike, to the bit.
+/// A piece of a loop. The pieces of an edge follow its direction, so that both cells of the edge cut it alike, to the
+/// bit.
 struct CutPiece {
   CurvePart part;             ///< of a segment or an arc of a circle only the ends count
   SideIndex side = {};        ///< kNone: a segment, or an arc
@@ -60,7 +61,7 @@ struct Chain {
   Point exit;
 };
 
-/// How far from a line's side chains extend, about.
+/// The approximate extent of the chains from the line of a side.
 double extentOf(const std::vector<Chain>& chains, const HalfPlane& half) {
   double extent = 0;
   for (const Chain& chain : chains) {
@@ -190,8 +191,8 @@ class LoopCutter {
     loops_.push_back(std::move(loop));
   }
 
-  /// How far a side turns around the center. From the apex of a branch that bends around it, it turns by less than half
-  /// a turn to either side.
+  /// The angle that a side covers around the center. From the apex of a branch that bends around it, it turns by less
+  /// than half a turn to either side.
   double sweepOf(const CutPiece& piece) const {
     const auto& [bisector, from, to, start, end] = piece.part.curve;
     const Vector u = vectorTo(center(), piece.start());
@@ -388,7 +389,7 @@ class LoopCutter {
 /// An area of less than this share of the square around it is but rounding.
 constexpr double kRoundingOfArea = 0x1p-44;
 /// Cells between circles that touch from inside are as narrow as the rounding of their vertices, which is the root of
-/// that of numbers. As a share of the region.
+/// that of numbers. Tolerance relative to the region.
 constexpr double kRoundingOfCells = 0x1p-20;
 /// Rounding of coordinates, as a share of the largest.
 constexpr double kRoundingOfSliver = 0x1p-48;

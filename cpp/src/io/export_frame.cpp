@@ -136,7 +136,7 @@ void addPlaces(const ExportFrame& frame, Point from, Point to, Point fromPlace, 
   constexpr int kMostHalvings = 16;
   const Point middle = {(from.x + to.x) / 2, (from.y + to.y) / 2};
   const Point middlePlace = frame.place(middle);
-  // How far the place of the middle lies from the segment of places, in the unit of the plane.
+  // The distance of the middle's place from the segment of places, in the unit of the plane.
   const double off =
       std::hypot(middlePlace.x - (fromPlace.x + toPlace.x) / 2, middlePlace.y - (fromPlace.y + toPlace.y) / 2);
   const double placeSize = std::hypot(toPlace.x - fromPlace.x, toPlace.y - fromPlace.y);

@@ -24,7 +24,8 @@ Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& 
 /// Returns the diagram in the region of the options, if there is one.
 Result<std::optional<ClippedDiagram>> clipFor(const Diagram& diagram, const ExportOptions& options);
 
-/// What every writer of a drawing needs: the diagram, the region, and how closely curves and coordinates are written.
+/// The data that every writer of a drawing needs: the diagram, the region, and the tolerances of curves and
+/// coordinates.
 struct ExportFrame {
   /// `itsRegion` is that of `exportRegion`, `itsClip` what `clipFor` returns.
   ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion,

@@ -140,7 +140,7 @@ class Judge {
     return kPointAtInfinity;
   }
 
-  /// Proves an edge, given by its second half. What comes after the first that is wrong is not looked at.
+  /// Proves an edge, given by its second half. Edges after the first wrong one are not examined.
   void checkEdge(int t, FaceProver& prover, Findings& found) {
     const std::size_t check = 4 * static_cast<std::size_t>(t / 3) + 1 + static_cast<std::size_t>(t % 3);
     if (check > found.check) return;

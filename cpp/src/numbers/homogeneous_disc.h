@@ -83,9 +83,9 @@ inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
 }
 
 /// The disc of three circles in counter-clockwise order, relative to the circle with the index `corner` (0 to 2).
-/// `discOf` takes the corner opposite the longest side, because both differences from it are short. Of several such
-/// corners it takes the one whose center is least by x and then y. So the disc has the same bits whichever circle is
-/// passed first.
+/// `discOf` takes the corner opposite the longest side, because both differences from it are short. If several such
+/// corners exist, it takes the one with the smallest center, by x and then y. So the disc has the same bits whichever
+/// circle is passed first.
 struct CornerDisc {
   HomogeneousDisc disc;
   int corner = 0;
@@ -111,7 +111,6 @@ inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d
 ///
 /// Let A and B be the differences from the corner o, C = B - A, <.,.> the cone product, ' negate the third component,
 /// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The center, with
-/// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. Of the two
 /// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. Of the two
 /// solutions, the one of the counter-clockwise disc is
 ///   -sign(k) (g22 (g11 - g12) A' + g11 (g22 - g12) B' + N S) / w,  w = 2 |k|.

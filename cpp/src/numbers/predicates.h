@@ -19,7 +19,7 @@
 
 namespace circle_voronoi {
 
-/// How often each stage of a predicate decided.
+/// The number of decisions by each stage of a predicate.
 struct FilterCounts {
   std::int64_t filtered = 0;  ///< by floating point with an error bound
   std::int64_t refined = 0;   ///< by floating point with twice the digits (refined.h)

@@ -46,7 +46,7 @@ struct BoxOfCircles {
   }
 };
 
-/// How fast circles grow along a direction. A circle that hides circle c reaches at least as far against any direction:
+/// The growth of circles along a direction. A circle that hides circle c reaches at least as far against any direction:
 /// r - u . center >= c.r - u . c.center for any unit vector u. With the direction in which the circles grow, this
 /// decides where a box does not: if most circles almost hide one another, as circles do that touch one common circle.
 class Slope {

@@ -13,8 +13,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// How far a computed distance may be off, relative to the numbers that it comes from: some ten times what a few sums
-/// and a root round. A disc that touches a circle within it may meet the circle.
+/// Relative error of a computed distance: about ten times the rounding of a few sums and a root. A disc that touches a
+/// circle within it may meet the circle.
 constexpr double kDistanceError = 0x1p-46;
 
 struct AntipodalDisc {
