@@ -2,8 +2,10 @@
 #include "diagram_of.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "certificate_message.h"
 #include "predicates.h"
@@ -73,20 +75,24 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
     const std::vector<VertexIndex> vertices = verticesOf(dual, threads);
     const auto isVertex = [](VertexIndex vertex) { return vertex != kNone; };
     diagram.vertices.resize(static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), isVertex)));
-    const std::size_t beyond = threads.firstWhere(vertices.size(), [&](std::size_t face) {
-      if (!isVertex(vertices[face])) return false;
+    std::vector<std::uint8_t> isMissing(vertices.size());
+    threads.forEach(vertices.size(), [&](std::size_t face) {
+      if (!isVertex(vertices[face])) return;
       const auto vertex =
           vertexOf(cornersOf(dual, 3 * static_cast<int>(face)), discs.empty() ? FaceDisc{} : discs[face]);
       diagram.vertices[vertices[face]] = vertex.value_or(Vertex{});
-      return !vertex && verdict.isRight();
+      isMissing[face] = !vertex;
     });
-    if (beyond < vertices.size()) {
-      Triple corners = cornersOf(dual, 3 * static_cast<int>(beyond));
+    const auto missing = std::find(isMissing.begin(), isMissing.end(), 1);
+    if (missing != isMissing.end() && verdict.isRight()) {
+      Triple corners = cornersOf(dual, 3 * static_cast<int>(missing - isMissing.begin()));
       beginAt(corners, firstOf(corners, sites.indices));
       const auto& [i, j, k] = corners;
       return vertexBeyondDoubles({sites.indices[i], sites.indices[j], sites.indices[k]});
     }
-    verdict.proof = {};  // which frees memory before more is needed
+    // Frees memory before more is needed.
+    isMissing = {};
+    verdict.proof = {};
     threads.forEach(dual.origin.size(), [&](std::size_t h) {
       if (int& corner = dual.origin[h]; corner != kPointAtInfinity) corner = sites.indices[corner];
     });
