@@ -55,13 +55,13 @@ const DRAWN_OPTIONS = ['bounds', 'region', 'maxDistance', 'tolerance'] as const
 export interface CircleFileOptions {
   /** `csv` with a header, `json` objects, or `geojson` points with a property r. Default: `csv`. */
   readonly format?: (typeof CIRCLE_FORMATS)[number] | undefined
-  /** What else the file says about the circles. `csv` and `json` have no place for `collection`. Default: nothing. */
+  /** Further data of the file about the circles. `csv` and `json` have no place for `collection`. Default: nothing. */
   readonly attributes?: CircleAttributes | undefined
 }
 
 /**
- * What a file says about its circles beyond x, y and r. Each list is empty or has an entry for each circle. Entries are
- * the text of JSON values, so that no number loses digits: `JSON.parse(attributes.properties[i]).name`.
+ * The data of a file about its circles beyond x, y and r. Each list is empty or has an entry for each circle. Entries
+ * are the text of JSON values, so that no number loses digits: `JSON.parse(attributes.properties[i]).name`.
  *
  * @category Files
  */
@@ -128,7 +128,7 @@ export interface DiagramFileOptions {
    * fail certification. Default: enough digits for a tenth of the tolerance; all digits in `json` and `csv`.
    */
   readonly digits?: number | undefined
-  /** What else the file says about the circles, in `json`, `geojson` and `geojsonl`. Default: nothing. */
+  /** Further data about the circles, for `json`, `geojson` and `geojsonl`. Default: nothing. */
   readonly attributes?: CircleAttributes | undefined
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The Voronoi diagram of circles: `loadCircleVoronoi`, then `compute`, then the methods of `Diagram`. What is not needed
- * for every diagram is a function of its own. In the examples, `library` and `diagram` are those of these two lines.
+ * The Voronoi diagram of circles: `loadCircleVoronoi`, then `compute`, then the methods of `Diagram`. Functions that
+ * few programs need are exported one by one. In the examples, `library` and `diagram` are those of these two lines.
  *
  * ```js
  * const library = await loadCircleVoronoi()

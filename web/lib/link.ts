@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands after the `#` of a link to the page: circles or a data set, edits, what is looked at. It is compressed, and
+// The part after the `#` of a link to the page: circles or a data set, edits, and the view. It is compressed, and
 // whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
 import { isRecord, refuseArgument, shown } from './base/check.ts'
 import { packed, packedAtOnce, unpacked } from './base/compressed-text.ts'
@@ -62,7 +62,7 @@ export interface LinkView {
 export interface LinkFrame {
   /** The title of the figure, at most 200 letters long. */
   readonly title?: string | undefined
-  /** What readers are asked to do, at most 2000 letters long. */
+  /** The task for readers, at most 2000 letters long. */
   readonly question?: string | undefined
   /** The condition that the circles must meet. Circle `i` of the link has the id `i`. */
   readonly check?: Check | undefined
@@ -75,8 +75,8 @@ export interface LinkFrame {
 }
 
 /**
- * What a file says about its circles beyond x, y and r. Each list is empty or has an entry for each circle. Entries are the texts
- * of JSON values, at most 10,000 letters long.
+ * The data of a file about its circles beyond x, y and r. Each list is empty or has an entry for each circle. Entries
+ * are the texts of JSON values, at most 10,000 letters long.
  *
  * @category Links
  */
@@ -101,7 +101,7 @@ export interface LinkState extends LinkFrame {
   readonly circles?: Float64s | undefined
   /** The name of each circle in `circles`, at most 200 letters long. An empty text means that the circle has no name. */
   readonly names?: readonly string[] | undefined
-  /** What a file says about each circle in `circles`, as `CircleAttributes` of circle-voronoi/files. */
+  /** The data of a file about each circle in `circles`, as `CircleAttributes` of circle-voronoi/files. */
   readonly attributes?: LinkAttributes | undefined
   /** The name of a data set, instead of circles. */
   readonly dataSet?: string | undefined
@@ -257,7 +257,7 @@ export function frameOf(state: LinkFrame): LinkFrame {
   return Object.fromEntries(FRAME_FIELDS.flatMap((name) => (state[name] === undefined ? [] : [[name, state[name]]])))
 }
 
-/** What is written: lists of numbers. */
+/** The encoded form of a link, with lists of numbers. */
 interface Said extends LinkFrame {
   readonly circles?: readonly number[] | undefined
   readonly names?: readonly string[] | undefined
@@ -317,7 +317,7 @@ function editOf([kind, ...numbers]: Exclude<Said['edits'], undefined>[number]): 
   return kind === '-' ? { kind: 'remove', id } : { kind: 'replace', id, circle: { x, y, r } }
 }
 
-/** How many numbers an edit has, and whether the first one is an id. */
+/** The number of values of an edit, and whether the first one is an id. */
 const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> = {
   '+': [3, false],
   '-': [1, true],

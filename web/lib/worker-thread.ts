@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs in the worker of `createWorker`.
+// The entry point of the worker of `createWorker`.
 import { answerRequests } from './threads/answer-requests.ts'
 
 answerRequests()

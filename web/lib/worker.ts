@@ -132,7 +132,7 @@ interface Job {
   readonly onAbort: () => void
 }
 
-/** What a caller wants to be told, and its signal. */
+/** The listeners of a caller, and its signal. */
 interface Observer {
   readonly tell: (reply: Reply) => void
   readonly signal: AbortSignal | undefined
@@ -252,7 +252,7 @@ class Client implements CircleVoronoiWorker {
   }
 
   #startThread(module: CompiledWasm): Thread {
-    // What a thread says after it has been ended is not listened to.
+    // Messages of a thread that has been ended are ignored.
     const ifCurrent = (action: () => void) => this.#thread === thread && action()
     const thread = startThread({
       onReply: (reply) => ifCurrent(() => this.#receive(reply)),

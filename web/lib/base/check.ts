@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What callers of JavaScript may give in place of what the types ask for: it is refused, in one sentence.
+// Checks of arguments whose types JavaScript does not enforce. An invalid one is refused in one sentence.
 
 import { REGION_LIMIT, REGION_LIMIT_TEXT } from './coordinate-limits.ts'
 import { CircleVoronoiError } from './errors.ts'

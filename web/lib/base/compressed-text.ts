@@ -39,7 +39,7 @@ function lettersOf(bytes: Uint8Array): string {
 }
 
 /**
- * What `packed` or `packedAtOnce` has packed.
+ * Reverses `packed` and `packedAtOnce`.
  *
  * @param most so many bytes it may have
  * @throws whatever is wrong with it; `undefined`: there is more of it
@@ -60,7 +60,7 @@ function streamOf(name: 'CompressionStream' | 'DecompressionStream'): Transforma
   return new Stream('deflate-raw') as Transformation
 }
 
-/** What comes out of a stream, or its beginning, longer than `most`: a small text may unpack to one that fills the memory. */
+/** Reads a stream up to a length just over `most`. A small text may unpack to one that fills the memory. */
 async function through(
   bytes: Uint8Array<ArrayBuffer>,
   stream: Transformation,

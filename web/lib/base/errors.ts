@@ -108,7 +108,7 @@ export function receivedError({ code, message, ...details }: PostedError): Circl
   return new CircleVoronoiError(code, message, details)
 }
 
-/** What a caught value says, to be put into a sentence. */
+/** The message of a caught value, for use in a sentence. */
 export function reasonOf(cause: unknown): string {
   return (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '')
 }
@@ -118,7 +118,10 @@ export function workerFailure(cause: unknown): CircleVoronoiError {
   return new CircleVoronoiError('internal', `The worker failed: ${reasonOf(cause)}.`, { cause })
 }
 
-/** Calls a listener. Whatever it throws becomes an uncaught error, as with events, so it cannot make its caller fail. */
+/**
+ * Calls a listener. An error of the listener becomes an uncaught error, as with events, so it cannot make its caller
+ * fail.
+ */
 export function callListener<Event>(listener: ((event: Event) => void) | undefined, event: Event): void {
   try {
     listener?.(event)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** What waits for its turn, and who waits for its answer. */
+/** A pending piece of work, with the callbacks of its caller. */
 export interface Queued<Work, Answer> {
   work: Work
   readonly askers: { resolve(answer: Answer): void; reject(reason: unknown): void }[]
@@ -12,7 +12,7 @@ export interface Queued<Work, Answer> {
  */
 export class NewestQueue<Work, Answer> {
   #waiting: Queued<Work, Answer>[] = []
-  /** What a newer one may take the place of. */
+  /** Pending work that newer work of the same key replaces. */
   readonly #newest = new Map<unknown, Queued<Work, Answer>>()
   #current: Work | undefined
   #isBusy = false
@@ -32,13 +32,13 @@ export class NewestQueue<Work, Answer> {
     })
   }
 
-  /** What waits stays as it is, whatever comes: of one key, or all. */
+  /** Keeps pending work from being replaced: of one key, or all. */
   settle(key?: unknown): void {
     if (key === undefined) this.#newest.clear()
     else this.#newest.delete(key)
   }
 
-  /** What is under way by `drain`, and what waits. */
+  /** The work that `drain` is running, and the pending work. */
   get works(): readonly Work[] {
     const waiting = this.#waiting.map(({ work }) => work)
     return this.#current === undefined ? waiting : [this.#current, ...waiting]

@@ -45,7 +45,7 @@ export function lengthOf({ x, y }: Vector): number {
   return hypotenuse(x, y)
 }
 
-/** The same of its coordinates. */
+/** The hypotenuse of a vector by its coordinates. */
 export function hypotenuse(x: number, y: number): number {
   const square = x * x + y * y
   if (isSafe(square)) return Math.sqrt(square)

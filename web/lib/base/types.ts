@@ -204,7 +204,7 @@ export type Candidates = (typeof CANDIDATES)[number]
 export type Way = (typeof WAYS)[number]
 
 /**
- * How a diagram was computed. A name is empty if it does not apply or is not known.
+ * Statistics of a computation. A name is empty if it does not apply or is not known.
  *
  * @category Diagrams
  */

@@ -141,7 +141,7 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
     sink.lineTo(curve.end.x, curve.end.y)
     return
   }
-  // Of the rest of the arc.
+  // The excess of the rest of the arc.
   let excess = excessOf(from, last)
   let error = chordError(bisector.a, bisector.b, from, last, excess)
   const limit = atLeast(1e-12, curve, error, tolerance)

@@ -53,7 +53,7 @@ const SMALLEST_PARAMETER = 1e-300
 const LARGEST_PARAMETER = 1e300
 /** Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray. */
 const SMALLEST_B = 2 ** -50
-/** What is nearer to each other than this share of where it is seen from, is seen as one. */
+/** Points closer to each other than this fraction of their distance from the viewpoint count as one. */
 const FINEST = 2 ** -900
 /** The line of equal power may lie beyond all numbers. */
 const FARTHEST_APEX = 1e300
@@ -182,8 +182,8 @@ export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const sine = (dx * across.x + dy * across.y) / b
   if (a === 0) return exponentialOf(sine)
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
-  // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
-  // two says whether the distance is the one.
+  // changes faster. For a narrow branch, this is the distance. Its height may be off by any factor, as b is: each of
+  // the two says whether the distance is the one.
   const c = apex + Math.abs(a)
   const rise = Math.max((hypotenuse(dx, dy) - apex) / c, 0)
   const size = Math.max(Math.abs(sine), Math.sqrt(rise) * Math.sqrt(rise + 2))

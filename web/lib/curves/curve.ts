@@ -122,7 +122,7 @@ export function returnCurve(): void {
   borrowers -= 1
 }
 
-/** How far an end is, along one axis; 0 at infinity. */
+/** The distance of an end along one axis; 0 at infinity. */
 function reachOf(origin: Point, end: Point | undefined): number {
   return end === undefined ? 0 : Math.max(Math.abs(end.x - origin.x), Math.abs(end.y - origin.y))
 }

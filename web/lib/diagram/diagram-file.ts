@@ -116,7 +116,7 @@ export function dataFrom(json: unknown): DiagramData {
     hidden: Int32Array.from(
       listOf(hidden, 'hidden').flatMap((item, i) => {
         const { circle, by } = itemOf(item, `hidden[${i}]`)
-        // Of a power diagram a hidden circle need have nobody that hides it.
+        // A hidden circle of a power diagram need not have a hiding circle.
         return [
           ...indicesOf([circle], 1, 0, circleCount, `circle of hidden[${i}]`),
           ...indicesOf([by], 1, metric === 'power' ? NONE : 0, circleCount, `by of hidden[${i}]`),
@@ -190,7 +190,7 @@ function indicesOf(value: unknown, size: number | undefined, first: number, coun
   return list as number[]
 }
 
-/** As far as they are there: what is missing or makes no sense is empty, as on the command line. */
+/** Reads the fields that exist. Missing and invalid ones are empty, as on the command line. */
 export function statsOf(value: unknown): Stats {
   const part = (item: unknown, name: string): unknown => Object(item)[name]
   const nameOf = <Name extends string>(list: string, known: readonly Name[]): Name | '' =>

@@ -6,7 +6,7 @@ import type { DiagramData, Float64s, Int32s, SnapshotNumbers } from '../base/typ
 import type { Change } from './change.ts'
 import { before } from './link-sides.ts'
 
-/** What a change leaves of a diagram's arrays. */
+/** The arrays of a diagram after a change. */
 export type PatchedArrays = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats' | 'numbers'> & {
   readonly numbers: SnapshotNumbers
 }
@@ -26,7 +26,7 @@ export class DiagramPatch {
   readonly #edges: Growing<Int32s>
   readonly #nextSide: Growing<Int32s>
   readonly #edgeNumbers: Growing<Int32s>
-  /** Of each id or number its place in the arrays. */
+  /** Maps each id or number to its index in the arrays. */
   readonly #circleOfId: Places
   readonly #vertexOf: Places
   readonly #edgeOf: Places
@@ -209,7 +209,7 @@ export class DiagramPatch {
     for (let k = 0; k < hullSides.length; k += 2) {
       const side = this.#sideOf(at(hullSides, k))
       this.#nextSide.list[side] = this.#sideOf(at(hullSides, k + 1))
-      // All that is left of a cell may be a side of an edge that has not changed.
+      // A cell may have no other side left than one of an unchanged edge.
       this.#noteSide(side)
     }
   }
@@ -271,7 +271,7 @@ export class DiagramPatch {
       }
       const circle = this.#circleOf(side)
       if (at(this.#firstSide.list, circle) === side) this.#firstSide.list[circle] = name
-      // So that the twin finds it, and a cell of this one side, too.
+      // Lets the twin find the side, also for a cell with this side only.
       nextSide[name] = at(nextSide, side)
       this.#edges.list[4 * to + parity] = circle
       this.#edges.list[4 * to + 2 + parity] = vertex
@@ -376,7 +376,7 @@ class Growing<List extends Float64s | Int32s> {
     this.#view = list
   }
 
-  /** What there is now. */
+  /** The current contents. */
   get view(): List {
     if (this.#view.length !== this.length || this.#view.buffer !== this.list.buffer) {
       this.#view = this.list.subarray(0, this.length) as List
@@ -393,7 +393,7 @@ class Growing<List extends Float64s | Int32s> {
   }
 }
 
-/** Where what has a number is. */
+/** Maps numbers to indices. */
 class Places {
   count: number
   #places: Int32Array
@@ -480,7 +480,7 @@ function withChanges(hidden: Int32s, changes: HidingChange[]): Int32s {
   return result.slice(0, written)
 }
 
-/** Where the first pair of this circle or a later one is. */
+/** The index of the first pair of this circle or a later one. */
 function placeOf(hidden: Int32s, circle: number): number {
   let low = 0
   let high = hidden.length >> 1

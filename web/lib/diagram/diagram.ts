@@ -120,7 +120,7 @@ export class Diagram implements DiagramData {
   #patch: DiagramPatch | undefined
   #lastLimits: Limits | undefined
   #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
-  /** How many cells have been clipped one by one since the last change. */
+  /** The number of cells clipped one by one since the last change. */
   #alone = 0
 
   /** Wraps the arrays of `data` without copying them. */
@@ -602,7 +602,7 @@ export class Diagram implements DiagramData {
     return CELLS_FOR_ONE * this.#alone <= this.circles.length / 3 && this.cells.sides(i).length > 0
   }
 
-  /** What the bounds and the distance of options keep: the last limits, if these are the same. */
+  /** The limits by the options' bounds and distance. Returns the last limits if they are the same. */
   #limitsOf(caller: string, { bounds, maxDistance }: BoundsOptions): Limits {
     checkMaxDistance(this, caller, maxDistance)
     const last = this.#lastLimits
@@ -635,10 +635,10 @@ function isBoxOf({ isBox, box }: ConvexPolygon, bounds: Bounds): boolean {
   return bounds[0] === minX && bounds[1] === minY && bounds[2] === maxX && bounds[3] === maxY
 }
 
-/** So many cells are clipped together in the time of one alone. */
+/** Number of cells that are clipped together in the time of one alone. */
 const CELLS_FOR_ONE = 64
 
-/** How to compute the diagrams again that `compute` made here. */
+/** The functions that repeat a computation of `compute`. */
 const recomputations = new WeakMap<Diagram, (circles: Float64s) => DiagramData>()
 
 /** Has `update` compute a diagram again with `recompute`, and returns the diagram. */

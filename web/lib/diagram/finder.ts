@@ -14,7 +14,7 @@ const ROUNDING = 2 ** -49
 const SMALL = 1e-140
 /** Circles for each bucket of the grid, on average. */
 const PER_BUCKET = 2
-/** So many times as many circles, and a few, need another grid. */
+/** Growth of the number of circles, as a factor and a constant, after which the grid is rebuilt. */
 const MOST_GROWTH = 4
 const FEW_CIRCLES = 16
 
@@ -22,10 +22,10 @@ const FEW_CIRCLES = 16
  * Finds the nearest circle by a walk through the cells.
  *
  * From cell i the walk goes on to a neighbor that is nearer to p, until there is none. That cannot end too early: the
- * cells are star-shaped around their centers, so if p is outside cell i, the segment from c_i to p leaves it across a side,
- * and from there on it is nearer to the neighbor across that side (the points nearer to i than to j are star-shaped around
- * c_i too). Of a cell with many sides that one is found by bisection. For the metric `power` cells are intersections of
- * half-planes, one for each neighbor, and one of them excludes p.
+ * cells are star-shaped around their centers, so if p is outside cell i, the segment from c_i to p leaves it across a
+ * side, and from there on it is nearer to the neighbor across that side (the points nearer to i than to j are
+ * star-shaped around c_i too). In a cell with many sides, the side is found by bisection. For the metric `power` cells
+ * are intersections of half-planes, one for each neighbor, and one of them excludes p.
  *
  * A grid of starting circles makes the walk short: for circles spread evenly a step or two.
  */
@@ -41,7 +41,7 @@ export class Finder {
   readonly #starts: Int32Array
   /** The sides of cells with more than `FEW_SIDES`; of those that have changed, and may have fewer, not yet. */
   readonly #manySides: Map<number, Int32Array | undefined>
-  /** How many circles the grid was made for. */
+  /** The number of circles that the grid was made for. */
   readonly #circleCount: number
   /** A circle that was found last, where a start is gone. */
   #last: number = 0
@@ -238,7 +238,7 @@ export class Finder {
     return this.#cells.lead(circle, other, x, y)
   }
 
-  /** How many sides of a cell begin before the direction of a point, counted from where the first begins. */
+  /** The number of sides of a cell before the direction of a point, counted from the start of the first side. */
   #sidesUpTo(sides: Int32Array, circle: number, x: number, y: number): number {
     const { circles } = this.#cells.diagram
     const toPoint = { x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) }
@@ -293,8 +293,8 @@ function plainDistance(circles: Float64Array, circle: number, x: number, y: numb
 }
 
 /**
- * Whether a lead that was found by plain distances is right in its sign. What rounding may decide, here or beyond the range of
- * squares, is to be asked with care.
+ * Whether a lead that was found by plain distances is right in its sign. Comparisons that rounding may decide, here or
+ * beyond the range of squares, need care.
  */
 function isClear(lead: number, toCenter: number, r: number, toOther: number, otherR: number): boolean {
   return Math.abs(lead) > ROUNDING * (toCenter + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL

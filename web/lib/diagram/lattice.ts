@@ -16,7 +16,7 @@ export interface Lattice {
 }
 
 /**
- * How many times each period is added.
+ * The multiples of both periods in a translation.
  *
  * @category Periodic diagrams
  */

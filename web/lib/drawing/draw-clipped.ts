@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies in a region, from the flat arrays of its module.
+// Draws the parts inside a region, from the flat arrays of its module.
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData, PathSink, Point } from '../base/types.ts'
 import { addArc } from '../curves/bezier.ts'

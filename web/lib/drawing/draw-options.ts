@@ -127,7 +127,10 @@ export function checkDrawOptions(options: object, caller: string, known: readonl
   checkOptionNames(options, caller, known)
 }
 
-/** So that rounding moves no point by more than a tenth of a tolerance: by the root of 1/2 in the last digit. */
+/**
+ * The number of digits for which rounding moves no point by more than a tenth of a tolerance: by the root of 1/2 in the
+ * last digit.
+ */
 function digitsFor(tolerance: number): number {
   return Math.max(0, Math.ceil(-Math.log10(0.14 * tolerance)))
 }

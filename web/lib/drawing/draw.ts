@@ -53,7 +53,7 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: L
   drawOutline(sink, outlineOf(cells, circle, limits), tolerance)
 }
 
-/** The same of a cell that lies inside the region, without cutting it: most cells of a view do. */
+/** Draws a cell that lies inside the region, without cutting it: most cells of a view do. */
 function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: number): void {
   const { vertices, firstSide, nextSide } = cells.diagram
   const first = at(firstSide, circle)

@@ -87,8 +87,9 @@ export function clearestPath(
     }
     return pathInside(diagram, p, q, outlinesIn(diagram, given))
   }
-  // To move straight away from the nearest center until an edge is met never loses clearance. As that carries every path
-  // onto the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
+  // To move straight away from the nearest center until an edge is met never loses clearance. Every path can be carried
+  // onto the edges in this way, infinity included. Therefore some path along edges is as clear as any: that of greatest
+  // bottleneck (Dijkstra).
   const fromCircle = diagram.find(p.x, p.y)
   const toCircle = diagram.find(q.x, q.y)
   const from = exitOf(diagram, fromCircle, p)
@@ -113,7 +114,7 @@ function outlinesIn(diagram: Diagram, region: Region | ConvexPolygon): Outline[]
   return indices.map((i) => clippedOutline(diagram, [cells, i]))
 }
 
-/** Where the ray from a cell's center through a point leaves the cell. */
+/** The point where the ray from a cell's center through a point leaves the cell. */
 interface Exit {
   readonly edge: number
   /** On the curve of the edge. */

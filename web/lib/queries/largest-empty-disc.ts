@@ -98,8 +98,8 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram, ...others: read
     return largest.best
   }
 
-  // What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
-  // from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
+  // The part of the diagram outside the hull, beyond the tangent segment from circle i to circle j, is a tree that
+  // hangs from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
   //   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
   //   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
   //     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;

@@ -241,7 +241,7 @@ class Graph {
   }
 }
 
-/** Where the ray from a center meets a piece. */
+/** The points where the ray from a center meets a piece. */
 function crossingsOf(
   { curve, edge }: Piece,
   center: Circle,

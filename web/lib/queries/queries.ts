@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
+// Queries about the circles of a diagram of the metric `circles`, each in linear time except for sorting. The dual's
 // triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
 import { checkData, checkMetric, checkNoOptions } from '../base/check.ts'
 import { at, circleOf } from '../base/diagram-data.ts'

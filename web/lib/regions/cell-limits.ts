@@ -6,7 +6,7 @@ import { curveOf } from '../curves/curve.ts'
 import { boundedPart, type Part, partNear, partsInside } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 
-/** What is kept of cells and edges: what lies inside a region and, if there is one, up to a distance from the nearest circle. */
+/** The limits of cells and edges: the inside of a region and, if there is one, a distance from the nearest circle. */
 export interface Limits {
   readonly region: ConvexPolygon
   readonly maxDistance: number | undefined

@@ -133,7 +133,7 @@ export function boundedPart(whole: EdgeCurve, region: ConvexPolygon): Part {
 /**
  * Cuts a bounded part of a curve. Returns the parts in the half-plane, in order.
  *
- * Which ends are inside is decided by the points that pieces share. A root only says where: it is moved to the end that it
+ * The points that pieces share decide which ends are inside. A root only says where: it is moved to the end that it
  * should not be beyond. So rounding moves an end by as little as the line, and the pieces of a loop stay linked.
  */
 export function cutPart(part: Part, half: HalfPlane): readonly Part[] {
@@ -209,7 +209,7 @@ export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
 }
 
 /**
- * Where a branch crosses the line through `p` along a direction.
+ * The point where a branch crosses the line through `p` along a direction.
  *
  * With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
  * (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex along).

@@ -4,7 +4,7 @@ import { between, cross } from '../base/point.ts'
 import { largestOf, lengthOf } from '../base/scale.ts'
 import type { Float64s, Point } from '../base/types.ts'
 
-/** What is thinner than this share of its length has no area worth the name. */
+/** A cell thinner than this fraction of its length counts as having no area. */
 const LEAST_WIDTH = 1e-9
 
 /**

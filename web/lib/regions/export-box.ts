@@ -4,7 +4,7 @@ import { at } from '../base/diagram-data.ts'
 import type { Box } from '../base/types.ts'
 
 const MARGIN = 0.05
-/** Of the farthest coordinate. */
+/** Relative to the farthest coordinate. */
 const LEAST_MARGIN = 2 ** -50
 const TOLERANCE = 1e-5
 
@@ -37,7 +37,7 @@ export function exportBox(circles: Float64Array, maxDistance = 0): Box {
   }
   const size = Math.max(maxX - minX, maxY - minY)
   const farthest = Math.max(-minX, -minY, maxX, maxY)
-  // So that rounding leaves something of it.
+  // The minimum keeps the margin from being lost by rounding.
   const margin = Math.max(size > 0 ? MARGIN * size : 1, LEAST_MARGIN * farthest)
   return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
 }

@@ -92,7 +92,7 @@ export function convexHull(diagram: DiagramData, ...others: readonly unknown[]):
   return { arcs, length: perimeter, area }
 }
 
-/** By how much circles grow that have a hull: 0, unless weights on the hull are negative. */
+/** The growth of circles for their hull: 0, unless weights on the hull are negative. */
 export function hullGrowth({ circles, hull }: DiagramData): number {
   return hull.reduce((growth, circle) => Math.max(growth, -at(circles, 3 * circle + 2)), 0)
 }
@@ -121,7 +121,7 @@ function turnedOnce(angles: readonly number[], radii: readonly number[]): number
   for (let excess = Math.round(turns) - 1; excess !== 0; excess -= Math.sign(excess)) {
     result[excess > 0 ? widest() : radii.indexOf(largest)] = excess > 0 ? 0 : FULL_TURN
   }
-  // What the arcs now lack is what rounding made of others that hardly turn.
+  // The missing angle belongs to arcs with hardly any turn, whose angles rounding has changed.
   ;(result[widest()] as number) += FULL_TURN - sum()
   return result
 }

@@ -19,8 +19,8 @@ import type { Outline, OutlinePiece } from './outline-piece.ts'
 /** An area of less than this share of the square around it is but rounding. */
 const ROUNDING_OF_AREA = 2 ** -44
 /**
- * Cells between circles that touch from inside are as narrow as the rounding of their vertices, which is the root of that of
- * numbers. As a share of the bounds.
+ * Cells between circles that touch from inside are as narrow as the rounding of their vertices, which is the root of
+ * that of numbers. Tolerance relative to the bounds.
  */
 const ROUNDING_OF_CELLS = 2 ** -20
 /** Rounding of coordinates, as a share of the largest. */

@@ -26,7 +26,8 @@ const AXES: readonly Vector[] = [
 /** Where there is no side to say how far outside is far, as a multiple of the distance of the region. */
 const FAR_OUT = 64
 /**
- * Where a line is nearly tangent to a curve, rounding moves their crossing by the root of itself. As a share of what is cut.
+ * Where a line is nearly tangent to a curve, rounding moves their crossing by the root of itself. Tolerance relative to
+ * the size of the part that is clipped.
  */
 const SLACK = 2 ** -20
 /** Where branches are narrow, rounding may exchange the order of directions as near as this (radians). */
@@ -64,13 +65,16 @@ function refuseOutline(circle: number): never {
   throw new CircleVoronoiError('notCertified', `The outline of cell ${circle} does not close.`, { circle })
 }
 
-/** A piece of a loop. What an edge has is in its direction, so that both cells of the edge cut it alike, to the bit. */
+/**
+ * A piece of a loop. The pieces of an edge follow its direction, so that both cells of the edge cut it alike, to the
+ * bit.
+ */
 interface CutPiece {
-  /** Of a segment or an arc of a circle only the ends count. */
+  /** For a segment or an arc of a circle, only the ends count. */
   readonly part: Part
   /** `NONE`: a segment, or an arc. */
   readonly side: number
-  /** Of an arc. */
+  /** The radius of an arc. */
   readonly r: number
   /** The side of the region on whose line a segment lies; `NONE`: far outside. */
   readonly line: number
@@ -104,7 +108,7 @@ function isPointOf(piece: CutPiece): boolean {
   return isPoint(piece.part) || (isSegment(piece) && isSame(startOf(piece), endOf(piece)))
 }
 
-/** What stands for the bisector of pieces that have none. */
+/** A placeholder for pieces without a bisector. */
 const NO_BISECTOR = segment({ x: 0, y: 0 }, { x: 1, y: 0 }).bisector
 
 function pieceBetween(start: Point, end: Point, r: number, line: number): CutPiece {
@@ -151,7 +155,7 @@ function quarterOf({ x, y }: Vector): number {
   return x < 0 ? 2 : 3
 }
 
-/** How far from a line's side chains extend, about. */
+/** The approximate extent of the chains from the line of a side. */
 function extentOf(chains: readonly Chain[], half: HalfPlane): number {
   let extent = 0
   for (const { pieces } of chains) {
@@ -276,8 +280,8 @@ class LoopCutter {
   }
 
   /**
-   * How far a side turns around the center. From the apex of a branch that bends around it, it turns by less than half a turn
-   * to either side.
+   * The angle that a side covers around the center. From the apex of a branch that bends around it, it turns by less
+   * than half a turn to either side.
    */
   #sweepOf(piece: CutPiece): number {
     const { bisector, from, to } = piece.part.curve

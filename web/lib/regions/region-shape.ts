@@ -11,10 +11,10 @@ import type { Float64s, Int32s, Point } from '../base/types.ts'
 export type RingShape = readonly (readonly number[] | Point)[]
 
 /**
- * What a region can be made from: GeoJSON (a `Polygon`, `MultiPolygon`, `GeometryCollection`, `Feature` or
- * `FeatureCollection`), or a list of rings of points `[x, y]` or `{ x, y }`. Rings run in either direction, and the last
- * point may repeat the first one. In a list of rings, a ring inside another one is a hole. A `MultiPolygon` with the member
- * `dissolve` is the union of its polygons, as with the option of this name.
+ * The sources of a region: GeoJSON (a `Polygon`, `MultiPolygon`, `GeometryCollection`, `Feature` or
+ * `FeatureCollection`), or a list of rings of points `[x, y]` or `{ x, y }`. Rings run in either direction, and the
+ * last point may repeat the first one. In a list of rings, a ring inside another one is a hole. A `MultiPolygon` with
+ * the member `dissolve` is the union of its polygons, as with the option of this name.
  *
  * @category Regions
  */

@@ -47,7 +47,7 @@ export interface ClippedPolygons {
   readonly points: Float64s
 }
 
-/** What a region asks of its module. */
+/** The functions of the module that a region calls. */
 export interface RegionModule {
   contains(x: number, y: number): boolean
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
@@ -112,7 +112,7 @@ export class Region {
     return this.#module.contains(x, y)
   }
 
-  /** @internal What clips diagrams, for the methods of `Diagram`. */
+  /** @internal The module that clips diagrams, for the methods of `Diagram`. */
   get module(): RegionModule {
     return this.#module
   }

@@ -21,7 +21,7 @@ import type {
   Start,
 } from './worker-messages.ts'
 
-/** What Node's parent port and the global scope of a browser's worker have in common. */
+/** The common interface of Node's parent port and the global scope of a browser's worker. */
 interface Port {
   onmessage: ((event: { readonly data: Start | Request | EditorCalls }) => void) | null
   postMessage(reply: Reply, transfer?: ArrayBuffer[]): void

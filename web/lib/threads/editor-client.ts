@@ -18,7 +18,7 @@ import type { EditorCall, Reply } from './worker-messages.ts'
 export class EditorClient implements AsyncEditorMethods {
   onchange: ((change: Change) => void) | undefined
   readonly #thread: Thread
-  /** What the thread has been given. */
+  /** The calls that have been posted to the thread. */
   #sent: Queued<EditorCall, unknown>[] = []
   readonly #queue = new NewestQueue<EditorCall, unknown>()
   readonly #weights: boolean
@@ -110,7 +110,7 @@ export class EditorClient implements AsyncEditorMethods {
     this.dispose()
   }
 
-  /** What is asked after what is asked before. */
+  /** Calls a method after all earlier calls. */
   #inOrder<Value>(method: string, ...args: unknown[]): Promise<Value> {
     this.#queue.settle()
     return this.#ask(method, ...args)
@@ -137,7 +137,7 @@ export class EditorClient implements AsyncEditorMethods {
   }
 
   #receive(reply: Reply): void {
-    // What was on its way when it ended has been refused.
+    // Calls that were pending at the end have been rejected.
     if (this.#end !== undefined || !('results' in reply)) return
     const answered = this.#sent
     this.#sent = []

@@ -11,5 +11,5 @@ export function threadFile(): URL | string {
   return new URL('../worker-thread.js', here)
 }
 
-/** What a worker that is made of `threadFile` is called. */
+/** The name of a worker started from `threadFile`. */
 export const THREAD_NAME = 'circle-voronoi'

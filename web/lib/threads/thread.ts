@@ -14,7 +14,7 @@ export interface Thread {
   terminate(): void
 }
 
-/** What is told of a thread. */
+/** The events of a thread. */
 export interface ThreadEvents {
   onReply(reply: Reply): void
   /** It could not be loaded, or broke down. */

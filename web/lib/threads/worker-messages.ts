@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes between a worker's client and its thread: `Start` once, then one `Request` at a time, each followed by any
-// number of `progress` or `step` and one other reply; or, to a thread that edits, one `EditorCalls` at a time, followed by `results`.
+// The messages between a worker's client and its thread: `Start` once, then one `Request` at a time, each followed by
+// any number of `progress` or `step` and one other reply; or, to a thread that edits, one `EditorCalls` at a time,
+// followed by `results`.
 
 import type { PostedError } from '../base/errors.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
@@ -15,7 +16,7 @@ export interface Start {
   readonly module: CompiledWasm
 }
 
-/** What is to be computed, and whether its progress or its steps are told. */
+/** The computation to run, and whether to report its progress or its steps. */
 export type Request = ComputeRequest | FitRequest
 
 export interface ComputeRequest {
@@ -34,7 +35,7 @@ export interface FitRequest {
   readonly tellsProgress: boolean
 }
 
-/** What is asked of an editor: `edit` makes it, the others are its methods. */
+/** A call of an editor: `edit` makes it, the others are its methods. */
 export interface EditorCall {
   readonly method: string
   readonly args: readonly unknown[]
@@ -44,7 +45,7 @@ export interface EditorCalls {
   readonly calls: readonly EditorCall[]
 }
 
-/** What came of a call. */
+/** The result of a call. */
 export type CallResult = { readonly value: unknown } | { readonly error: PostedError }
 
 export type Reply =

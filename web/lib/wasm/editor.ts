@@ -129,7 +129,7 @@ export interface EditorMethods {
  */
 export type DiagramEditor = EditorMethods & Disposal
 
-/** What an editor begins with. */
+/** The initial data of an editor. */
 export interface EditorStart {
   readonly circles: Float64s
   readonly weights: boolean

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What fits take and return, here and in a worker.
+// The arguments and results of fits, here and in a worker.
 import { checkOptionNames, refuseArgument, refuseOption, shown } from '../base/check.ts'
 import {
   type CircleLike,
@@ -32,8 +32,8 @@ export interface FitOptions {
   /** The largest number of steps. Default: 500. */
   readonly maxSteps?: number | undefined
   /**
-   * How often all sites move to the centroids of their cells, after which the areas are fitted again. Cells become rounder
-   * each time. The diagram of the result has the sites where they have come to. Default: 0.
+   * The number of times that all sites move to the centroids of their cells, after which the areas are fitted again.
+   * Cells become rounder each time. The diagram of the result has the sites where they have come to. Default: 0.
    */
   readonly relax?: number | undefined
   /** The weights to start from, for example those of an earlier fit. Default: the radii of the sites. */
@@ -81,7 +81,7 @@ export type SiteLike =
   | readonly [x: number, y: number, r?: number]
   | { readonly x: number; readonly y: number; readonly r?: number }
 
-/** What a fit is made from, checked as far as JavaScript has to. */
+/** The input of a fit, checked as far as JavaScript has to. */
 export interface FitInput {
   /** x, y and the weight to start from of each site. */
   readonly sites: Float64s

@@ -18,7 +18,7 @@ export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' 
  * @throws CircleVoronoiError `badInput`, if one of them, or `weights`, has another type or length
  */
 export function judgedArrays(diagram: Verifiable) {
-  // Of what is no object no array is one.
+  // A value that is not an object has no arrays.
   const { weights = false, circles, ...arrays }: Verifiable = Object(diagram)
   const { vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = arrays
   if (typeof weights !== 'boolean') refuse(`weights is not true or false, but ${shown(weights)}.`)

@@ -26,7 +26,7 @@ import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
 /**
- * What is known about circles that are not part of the input: their centers lie outside the box, whose sides may be
+ * The known properties of circles that are not part of the input: their centers lie outside the box, whose sides may be
  * infinite, and their radii are at most `maxRadius`.
  *
  * @category Loading

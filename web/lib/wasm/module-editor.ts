@@ -44,7 +44,7 @@ export function editorsOf(module: EditorModule): (start: EditorStart) => Editor 
     new Editor(module, registry, weights, unwrap(module.createEditor(circles, weights)).editor)
 }
 
-/** Of `Edit.kind` the numbers that the core has for them. */
+/** The values of `Edit.kind` at the numbers that the core uses. */
 const KINDS = ['insert', 'remove', 'replace']
 const INSERT = 0
 const REMOVE = 1
@@ -90,7 +90,7 @@ export class Editor implements EditorMethods {
     return this.#changed(this.#module.applyEdits(this.#live(), numbersOf(checked)))
   }
 
-  /** The same, told event by event. */
+  /** Applies the edits and returns their events. */
   trace(edits: Iterable<Edit>): TraceArrays {
     const checked = checkedEdits(edits, this.#weights)
     return unwrap(this.#module.traceEdits(this.#live(), numbersOf(checked)))

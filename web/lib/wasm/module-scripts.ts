@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Emscripten has written beside the modules that few programs need: it is loaded when it is asked for.
+// Loads Emscripten's scripts of the modules that few programs need.
 
 export async function loadComparisonScript(): Promise<typeof import('../generated/circle-voronoi-comparison.js')> {
   return import('../generated/circle-voronoi-comparison.js')

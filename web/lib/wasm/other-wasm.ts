@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a page finds what its threads load.
+// The addresses of the files that threads load.
 import { defaultComparisonWasm, defaultRegionsWasm } from './default-wasm.ts'
 
 /** The address of `circle-voronoi-comparison.wasm`; `undefined` if this module has none, or the thread has the bytes. */

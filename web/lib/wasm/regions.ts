@@ -59,7 +59,7 @@ export interface Regions {
   fitAreas(sites: Circles | Iterable<SiteLike>, areas: Float64Array | readonly number[], options: FitOptions): AreaFit
 }
 
-/** What a module of regions can do. */
+/** The functions of a module of regions. */
 export interface RegionsOfModule extends Regions {
   /** Makes a region from its arrays. */
   regionOf(rings: RingArrays): Region
@@ -104,7 +104,7 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
         const few = fewCircles(diagram, [circle])
         const chosen = at(few.chosen, 0)
         const result = module.clipCell(address, few.circles, diagram.weights, chosen, maxDistance)
-        // What is wrong with a few circles, all circles tell better.
+        // Errors for a few circles are dropped, because the computation for all circles reports them better.
         if ('error' in result) return undefined
         const { cells, ...small } = result
         const sides = sidesOfFew(diagram, few, small)

@@ -94,8 +94,8 @@ export interface TraceArrays {
   /** Three numbers for each event: x, y and r of a disc; 0 or NaN if the event has none. */
   readonly discs: Float64s
   /**
-   * Three circles for each event, `NONE` if it has fewer. Those of a three-touch disc are clockwise, like the directed
-   * edges from the first to the second and from the second to the third.
+   * Three circles for each event, `NONE` if it has fewer. The circles of a three-touch disc are clockwise, like the
+   * directed edges from the first to the second and from the second to the third.
    */
   readonly circles: Int32s
   /** For each event the vertex that is made, or where a segment ends; otherwise `NONE`. */
@@ -145,7 +145,7 @@ export interface TraceState {
   readonly edits: Int32Array
 }
 
-/** What changes back and forth, and the event before which it is so. */
+/** The state that changes back and forth, and the event before which it holds. */
 interface Keyframe {
   readonly event: number
   readonly round: number
@@ -201,7 +201,7 @@ export class Trace implements TraceArrays {
     this.circles = circles
     this.vertices = vertices
     this.numbers = numbers
-    // As many keyframes as events between two of them, but for small factors.
+    // The number of keyframes about equals the number of events between two of them.
     this.#spacing = Math.max(1024, 16 * Math.ceil(Math.sqrt(kinds.length)))
   }
 
@@ -282,7 +282,7 @@ export class Trace implements TraceArrays {
     return events
   }
 
-  /** As the queue of the method serves them. */
+  /** Compares discs in the order in which the queue of the method serves them. */
   #compareDiscs(a: number, b: number): number {
     const { discs, numbers } = this
     return (
@@ -306,7 +306,10 @@ export class Trace implements TraceArrays {
   }
 }
 
-/** Those of some numbers in a row that are not `NONE`. Players ask for many, and arrays made of parts take several times as long. */
+/**
+ * The values other than `NONE` in a range of a list. Players ask for many, and arrays made of parts take several times
+ * as long.
+ */
 function known(list: Int32s, first: number, count: number): number[] {
   const numbers: number[] = []
   for (let k = first; k < first + count; k++) {

@@ -45,7 +45,7 @@ interface WasmModule {
 
   createEditor(circles: Float64Array, weights: boolean): WasmError | { readonly editor: number }
   deleteEditor(editor: number): void
-  // What a change is in bytes, cpp/wasm/editor_bindings.cpp says; they are good until the next call.
+  // cpp/wasm/editor_bindings.cpp describes the bytes of a change; they are valid until the next call.
   /** `kind`: 0 insert, 1 remove, 2 replace. */
   editCircle(
     editor: number,
@@ -58,7 +58,7 @@ interface WasmModule {
   ): WasmError | Uint8Array
   /** Of each edit its kind, id, x, y and r. */
   applyEdits(editor: number, edits: Float64Array): WasmError | Uint8Array
-  /** The same, and the events of these edits; the change is not told. */
+  /** Applies edits and returns their events; the change is not reported. */
   traceEdits(editor: number, edits: Float64Array): WasmError | import('./trace.ts').TraceArrays
   nearestCircle(editor: number, x: number, y: number, hint: number): number
   editorSize(editor: number): number
@@ -143,7 +143,7 @@ interface WasmRegionsModule {
       }
 }
 
-/** What is written, as far as it is said. `bounds`: minX, minY, maxX, maxY. */
+/** The options of writers; missing ones have their defaults. `bounds`: minX, minY, maxX, maxY. */
 interface WasmWriteOptions {
   readonly bounds: Float64Array | undefined
   readonly region: import('../regions/region-shape.ts').RingArrays | undefined
@@ -153,7 +153,7 @@ interface WasmWriteOptions {
   readonly attributes: WasmAttributes | undefined
 }
 
-/** Which columns are circles; an empty name stands for the usual ones. */
+/** Selects the columns of circles; an empty name stands for the usual ones. */
 interface WasmReadOptions {
   readonly weights: boolean
   readonly points: boolean
@@ -164,7 +164,7 @@ interface WasmReadOptions {
   readonly id: string
 }
 
-/** What a file says about its circles, in JSON: a line for each circle, or nothing. Objects have no braces. */
+/** The data of a file about its circles, in JSON: a line for each circle, or nothing. Objects have no braces. */
 interface WasmAttributes {
   readonly properties: string
   readonly ids: string

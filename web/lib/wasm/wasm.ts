@@ -18,7 +18,7 @@ export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { 
  */
 export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView | CompiledWasm
 
-/** What a function of the core returns in place of its result. */
+/** The error that a function of the core returns in place of its result. */
 export interface WasmError {
   /** `circle`: -1 if there is none. `weights`: those of a fit that did not converge. */
   readonly error: {
@@ -29,10 +29,13 @@ export interface WasmError {
   }
 }
 
-/** What Emscripten's modules call to get at the WebAssembly. */
+/** The callbacks by which Emscripten's modules find the WebAssembly. */
 export interface EmscriptenOptions {
   instantiateWasm(imports: object, receive: (instance: object) => void): object
-  /** Where a file is. Without it they resolve its name against their own address, which some modules do not have. */
+  /**
+   * Returns the address of a file. Without it they resolve its name against their own address, which some modules do
+   * not have.
+   */
   locateFile(name: string): string
 }
 
