@@ -52,6 +52,7 @@ const FOLDERS = [
   'web/editing',
   'web/element',
   'web/embed',
+  'web/lib',
   'web/picture',
   'web/player',
   'web/reading',
