@@ -95,6 +95,9 @@ TEST(Region, TakesPolygonsWithHoles) {
 TEST(Region, RefusesRingsThatCrossThemselves) {
   EXPECT_EQ(messageOf({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}),
             "Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (1, 1).");
+  // Sides are counted as they are given, with repeated points.
+  EXPECT_EQ(messageOf({{{0, 0}, {0, 0}, {2, 2}, {2, 2}, {2, 0}, {0, 2}}}),
+            "Side 1 of ring 0 of the region and side 4 of ring 0 of the region cross at (1, 1).");
   // Through a corner, and back along a side.
   EXPECT_EQ(messageOf({{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}}),
             "Side 2 of ring 0 of the region and side 5 of ring 0 of the region touch at (2, 2).");
