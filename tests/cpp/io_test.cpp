@@ -314,7 +314,9 @@ TEST(ReadRegion, TakesEachGeoJsonObjectWithPolygons) {
 TEST(ReadRegion, RefusesPositionsOfOneNumberAndListsOfOtherDepth) {
   for (const auto& [coordinates, message] : std::vector<std::pair<std::string, std::string>>{
            {"[[[0, 0], [4], [4, 4]]]", "test:1: a position has fewer than two numbers."},
-           {"[[[], [4, 0], [4, 4]]]", "test:1: the coordinates are not those of a Polygon or a MultiPolygon."},
+           {"[[[], [4, 0], [4, 4]]]", "test:1: a position has fewer than two numbers."},
+           {"[[[0, []], [4, 0], [4, 4]]]", "test:1: a position has fewer than two numbers."},
+           {"[[], [[0, 0], [4, 0], [4, 4]]]", "test:1: a ring of the polygon is empty."},
            {"[[0, 0], [4, 0], [4, 4]]", "test:1: the coordinates are not those of a Polygon."}}) {
     const auto region = readRegion(R"({"type": "Polygon", "coordinates": )" + coordinates + "}", "test");
     ASSERT_FALSE(region) << coordinates;

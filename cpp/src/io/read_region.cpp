@@ -38,6 +38,7 @@ std::optional<int> readCoordinates(JsonReader& reader, Polygons& polygons, int d
   std::optional<int> height;
   Point position;
   int count = 0;
+  bool hasEmpty = false;
   for (; reader.nextItem(); ++count) {
     if (reader.kind() == JsonKind::number && (count == 0 || height == kPositionHeight)) {
       height = kPositionHeight;
@@ -58,7 +59,11 @@ std::optional<int> readCoordinates(JsonReader& reader, Polygons& polygons, int d
       reader.fail("the coordinates are not those of a Polygon or a MultiPolygon.");
     }
     if (below) height = *below + 1;
+    hasEmpty |= !below;
   }
+  // Polygons of a MultiPolygon may be empty.
+  if (hasEmpty && height && *height <= 1) reader.fail("a position has fewer than two numbers.");
+  if (hasEmpty && height == kPolygonHeight) reader.fail("a ring of the polygon is empty.");
   if (height == kPositionHeight) {
     if (count < 2) reader.fail("a position has fewer than two numbers.");
     polygons.points.push_back(position);
