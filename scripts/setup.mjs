@@ -57,6 +57,11 @@ const PURPOSES = {
 /** The browsers for tests and their tools: programs, Debian packages, and names. */
 const BROWSERS = [
   [chromiumPath(), 'chromium', 'Chromium (set CHROMIUM_PATH to its program)'],
+  [
+    chromiumShellPath(),
+    'chromium-headless-shell',
+    'the headless shell of Chromium (set CHROMIUM_SHELL_PATH to its program, or to Chromium)',
+  ],
   [process.env.FIREFOX_PATH ?? '/usr/bin/firefox-esr', 'firefox-esr', 'Firefox (set FIREFOX_PATH to its program)'],
   ['/usr/bin/WebKitWebDriver', 'webkit2gtk-driver', 'WebKitGTK and its WebDriver (WebKitWebDriver)'],
   ['/usr/bin/Xvfb', 'xvfb', 'a screen in memory (Xvfb)'],
@@ -89,6 +94,11 @@ export async function setup(purpose, meanwhile) {
 /** The path of Chromium for tests. */
 export function chromiumPath() {
   return process.env.CHROMIUM_PATH ?? '/usr/bin/chromium'
+}
+
+/** The headless shell of Chromium, for tests of a page alone. Chromium itself can take its place. */
+export function chromiumShellPath() {
+  return process.env.CHROMIUM_SHELL_PATH ?? process.env.CHROMIUM_PATH ?? '/usr/bin/chromium-headless-shell'
 }
 
 function isDebian12OrLater() {

@@ -3,11 +3,16 @@
 import { readdirSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
 import { ROOT } from './run.mjs'
-import { chromiumPath } from './setup.mjs'
+import { chromiumPath, chromiumShellPath } from './setup.mjs'
 
 const BIN = `${ROOT}node_modules/.bin`
 // Disables colors, progress bars and questions of tools.
-export const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
+export const ENV = {
+  CI: 'true',
+  NO_COLOR: '1',
+  CHROMIUM_PATH: chromiumPath(),
+  CHROMIUM_SHELL_PATH: chromiumShellPath(),
+}
 
 /**
  * The suites in their order: the program, its arguments and its environment, so that it writes a JUnit report to a path

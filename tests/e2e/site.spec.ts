@@ -8,7 +8,11 @@ import { fileURLToPath } from 'node:url'
 import { expect, type Page, test } from '@playwright/test'
 import sirv from 'sirv'
 import { writeServiceWorker } from '../../scripts/site.mjs'
+import { CHROMIUM } from '../chromium.ts'
 import { App, dataSet, test as testOfApp } from './page.ts'
+
+test.use({ launchOptions: CHROMIUM })
+testOfApp.use({ launchOptions: CHROMIUM })
 
 const SITE = fileURLToPath(new URL('../../dist/site', import.meta.url))
 const FOLDER = '/some/sub/path/'
