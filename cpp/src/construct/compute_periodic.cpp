@@ -200,12 +200,12 @@ class Images {
   }
 
   /// The parallelogram around all images within `halo`, in the unit of the input.
-  std::array<HalfPlane, 4> sides(double halo) const {
+  std::array<KnownHalfPlane, 4> sides(double halo) const {
     const auto& [a, b, ofA, ofB] = torus_.reduced;
     const Vector acrossA = {-a.y / lengths_.x, a.x / lengths_.x};
     const Vector acrossB = {b.y / lengths_.y, -b.x / lengths_.y};
     const auto side = [&](Vector normal, double place, double height) {
-      return HalfPlane{normal, torus_.inInput(place * height - halo)};
+      return KnownHalfPlane{normal, torus_.inInput(place * height - halo)};
     };
     const auto opposite = [](Vector v) { return Vector{-v.x, -v.y}; };
     return {
@@ -270,7 +270,7 @@ bool hasEqualCirclesApart(const PeriodicDiagram& images) {
 }
 
 /// Returns by how much the halo must grow for all given cells to be final; infinite if that is not known.
-double missingHalo(const PeriodicDiagram& images, std::span<const HalfPlane> sides) {
+double missingHalo(const PeriodicDiagram& images, std::span<const KnownHalfPlane> sides) {
   const Diagram& diagram = images.diagram;
   const auto scaled = validate(diagram.circles, diagram.weights);
   if (!scaled) throw Refusal{scaled.error()};

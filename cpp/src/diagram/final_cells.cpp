@@ -23,7 +23,7 @@ namespace {
 /// The known properties, in the units of the scaled circles.
 class Outside {
  public:
-  Outside(std::span<const HalfPlane> known, double maxRadius, double unit) : reach_(maxRadius / unit) {
+  Outside(std::span<const KnownHalfPlane> known, double maxRadius, double unit) : reach_(maxRadius / unit) {
     // A line that is too far off for a double is as if it were nearer, which is on the safe side.
     constexpr double kFarthest = 0x1p900;
     for (const auto& [normal, offset] : known) {
@@ -51,7 +51,7 @@ class Outside {
   }
 
  private:
-  std::vector<HalfPlane> sides_;
+  std::vector<KnownHalfPlane> sides_;
   double reach_;
 };
 
@@ -97,7 +97,7 @@ bool fits(const Diagram& diagram) {
 
 }  // namespace
 
-FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const HalfPlane> known,
+FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const KnownHalfPlane> known,
                             double maxRadius, bool knowsVertices) {
   const Outside outside(known, maxRadius, scaled.unit);
   const auto& circles = scaled.circles;
@@ -158,7 +158,7 @@ Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
     const auto scaled = validate(diagram.circles, diagram.weights);
     if (!scaled) return scaled.error();
     const auto& [minX, minY, maxX, maxY] = known.box;
-    const HalfPlane sides[] = {{{1, 0}, minX}, {{-1, 0}, -maxX}, {{0, 1}, minY}, {{0, -1}, -maxY}};
+    const KnownHalfPlane sides[] = {{{1, 0}, minX}, {{-1, 0}, -maxX}, {{0, 1}, minY}, {{0, -1}, -maxY}};
     return finalCellsInside(scaled.value(), diagram, sides, known.maxRadius);
   });
 }

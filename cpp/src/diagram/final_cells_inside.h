@@ -12,7 +12,7 @@ namespace circle_voronoi {
 
 /// The points p with normal . p >= offset. The normal has length 1 up to rounding. A half-plane with an infinite offset
 /// is the whole plane.
-struct HalfPlane {
+struct KnownHalfPlane {
   Vector normal;
   double offset = 0;
 };
@@ -21,7 +21,7 @@ struct HalfPlane {
 /// normal . p - offset, and the theorem and its proof stay the same. The largest radius may be negative here.
 /// `knowsVertices`: the vertices are those that `compute` has just made, so their discs need not be computed anew.
 /// Precondition: the indices of the diagram exist, and `scaled` are its circles.
-FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const HalfPlane> known,
+FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const KnownHalfPlane> known,
                             double maxRadius, bool knowsVertices = false);
 
 }  // namespace circle_voronoi

@@ -7,7 +7,7 @@
 
 namespace circle_voronoi {
 
-Rings::Rings(std::span<const Circle> circles, std::span<const Pair> pairs)
+SlotRings::SlotRings(std::span<const Circle> circles, std::span<const Pair> pairs)
     : firstSlot_(circles.size() + 1, 0),
       slots_(2 * pairs.size()),
       occupied_(2 * pairs.size()),
@@ -42,7 +42,7 @@ Rings::Rings(std::span<const Circle> circles, std::span<const Pair> pairs)
   }
 }
 
-std::vector<std::vector<int>> Rings::cycles() const {
+std::vector<std::vector<int>> SlotRings::cycles() const {
   std::vector<std::vector<int>> cycles;
   std::vector<bool> seen(edges_.size(), false);
   for (const Slot& slot : slots_) {

@@ -43,12 +43,12 @@ struct DirectedEdge {
   Vector fromB;
 };
 
-class Rings {
+class SlotRings {
  public:
   /// The slots of a pair, on its first and on its second circle.
   using Slots = std::array<int, 2>;
 
-  Rings(std::span<const Circle> circles, std::span<const Pair> pairs);
+  SlotRings(std::span<const Circle> circles, std::span<const Pair> pairs);
 
   /// The slots of each pair, given away.
   std::vector<Slots> takeSlots() { return std::move(pairSlots_); }

@@ -89,7 +89,7 @@ class Touch {
   // --- antipodal discs (Algorithm 2) ---
 
   void makeDiscs(std::span<const Pair> pairs) {
-    const std::vector<Rings::Slots> slots = rings_.takeSlots();
+    const std::vector<SlotRings::Slots> slots = rings_.takeSlots();
     discs_.reserve(pairs.size());
     for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
       const auto [a, b] = pairs[pair];
@@ -113,7 +113,7 @@ class Touch {
   /// diagram.
   bool isUsed(int i, int slot, int partner, Vector direction) const {
     if (!touched_[i]) return false;
-    const Rings::Arc arc = rings_.arcAt(i, slot);
+    const SlotRings::Arc arc = rings_.arcAt(i, slot);
     if (arc.isUsed()) return true;
     const DirectedEdge& in = rings_.edge(arc.in);
     const DirectedEdge& out = rings_.edge(arc.out);
@@ -135,7 +135,7 @@ class Touch {
   /// for meeting leaves ties to those: two antipodal discs of opposite circles around one disc would cross.
   int meetingCircle(int i, int slot, const Vertex& disc) const {
     if (!touched_[i]) return kNone;
-    const Rings::Arc arc = rings_.arcAt(i, slot);
+    const SlotRings::Arc arc = rings_.arcAt(i, slot);
     for (const int near : {rings_.edge(arc.in).a, rings_.edge(arc.out).b}) {
       const Circle& c = circles_[near];
       const Vector v = {disc.x - c.x, disc.y - c.y};
@@ -273,7 +273,7 @@ class Touch {
 
   std::span<const Circle> circles_;
   const Observer& observer_;
-  Rings rings_;
+  SlotRings rings_;
   std::vector<bool> touched_;
 
   std::vector<AntipodalDisc> discs_;  ///< sorted by radius
