@@ -5,61 +5,6 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { isMain, main, ROOT } from './run.mjs'
 
-/** The folders whose comments are checked. */
-const FOLDERS = [
-  'cpp/bench',
-  'cpp/cgal',
-  'cpp/cli',
-  'cpp/include',
-  'cpp/options',
-  'cpp/printed',
-  'cpp/python',
-  'cpp/results',
-  'cpp/src/base',
-  'cpp/src/comparison',
-  'cpp/src/construct',
-  'cpp/src/diagram',
-  'cpp/src/dual',
-  'cpp/src/edit',
-  'cpp/src/families',
-  'cpp/src/fit',
-  'cpp/src/geometry',
-  'cpp/src/judge',
-  'cpp/src/numbers',
-  'cpp/src/sites',
-  'cpp/src/touching_disc',
-  'cpp/wasm',
-  'examples',
-  'scripts',
-  'tests/cpp',
-  'tests/e2e',
-  'tests/engines',
-  'tests/files',
-  'tests/fuzz',
-  'tests/geometry',
-  'tests/long',
-  'tests/mutants',
-  'tests/pack',
-  'tests/package',
-  'tests/readme',
-  'tests/scripts',
-  'tests/soak',
-  'tests/tiles',
-  'tests/wasm',
-  'tests/web',
-  'web/cli',
-  'web/docs',
-  'web/editing',
-  'web/element',
-  'web/embed',
-  'web/lib',
-  'web/picture',
-  'web/player',
-  'web/reading',
-  'web/tutorial',
-  'web/view',
-]
-
 const COMMENT = /(?:^|\s)(?:\/\/[/!]?<?|#)(?: (.*)|$)|^\s*(?:\/\*\*?|\*(?!\/))(?: (.*)|$)|\s\/\*\* (.*)$/
 const HEADLESS =
   /^(?:What|Whose|Whom?|Whoever|Whatever|None|Likewise|Nothing but|All that|Whether what|(?:So|How|As) (?:many|much|far|large|long|often|small|few|near|high|it|does|do|is|are|that)|(?:Those|Such|That|The ones?|The same|The others?)(?: (?:of|that|which|who|with|without|in|on|for|as|from)|[,.:;(])|(?:Of|By|For|From|In|On|To|With|At) (?:what|which|whom|whose|that|those|it|these|them|how))(?![-\w])/
@@ -100,14 +45,14 @@ export function isHeadless(sentence) {
   return HEADLESS.test(sentence) || CLAUSE.test(sentence)
 }
 
-function filesOf(folders) {
-  const names = execFileSync('git', ['ls-files', ...folders], { cwd: ROOT, encoding: 'utf8' }).split('\n')
+function sourceFiles() {
+  const names = execFileSync('git', ['ls-files'], { cwd: ROOT, encoding: 'utf8' }).split('\n')
   return names.filter((name) => /\.(?:[cm]?[jt]sx?|cpp|h|py)$/.test(name) && !name.includes('third_party'))
 }
 
 function printCounts() {
   const counts = {}
-  for (const name of filesOf([])) {
+  for (const name of sourceFiles()) {
     const folder = name
       .split('/')
       .slice(0, -1)
@@ -125,7 +70,7 @@ function printCounts() {
 if (isMain(import.meta.url)) {
   await main(() => {
     if (process.argv.includes('--count')) return printCounts()
-    const names = filesOf(FOLDERS)
+    const names = sourceFiles()
     const found = names.flatMap((name) =>
       sentencesOf(readFileSync(ROOT + name, 'utf8'))
         .filter(({ sentence }) => isHeadless(sentence))

@@ -10,15 +10,16 @@ import type { View } from '../view/view.ts'
 import type { PageActions } from './page-actions.ts'
 
 /**
- * Draws a polygon, corner by corner, while the tool is `draw`. Once it is closed it is part of the region: inside of it a hole,
- * outside another polygon. In a region whose polygons are merged it is merged, too. One that cannot be stays to be mended.
+ * Draws a polygon, corner by corner, with the tool `draw`. The closed polygon becomes part of the region: a hole if it
+ * lies inside, otherwise another polygon. If the region's polygons are merged, it is merged, too. An invalid polygon
+ * stays for correction.
  */
 export class RegionPen {
   readonly #store: Store<State>
   readonly #actions: PageActions
   readonly #view: View
   #corners: Point[] = []
-  /** Where the next corner will be. */
+  /** The place of the next corner. */
   #next: Point | undefined
 
   constructor(store: Store<State>, actions: PageActions, view: View) {
@@ -30,7 +31,7 @@ export class RegionPen {
     })
   }
 
-  /** How many corners there are. */
+  /** The number of corners. */
   get count(): number {
     return this.#corners.length
   }
@@ -41,7 +42,10 @@ export class RegionPen {
     else this.close()
   }
 
-  /** Arrow keys move the next corner, Space places it, Backspace takes the last one back, and Enter closes the polygon. */
+  /**
+   * Handles the keys of the tool: arrows move the next corner, Space places it, Backspace removes the last one, and
+   * Enter closes the polygon.
+   */
   key(key: string, step: number): boolean {
     const arrow = ARROWS[key]
     const { x, y } = this.#next ?? this.#corners.at(-1) ?? this.#view.camera
@@ -53,14 +57,14 @@ export class RegionPen {
     return true
   }
 
-  /** Takes back the last corner; false: there is none. */
+  /** Removes the last corner. Returns false if there is none. */
   undo(): boolean {
     if (this.#corners.pop() === undefined) return false
     this.#changed()
     return true
   }
 
-  /** Has the polygon be part of the region. */
+  /** Adds the polygon to the region. */
   async close(): Promise<void> {
     if (this.#corners.length < 3) {
       this.#actions.complain('A polygon needs three corners or more.')
@@ -84,7 +88,7 @@ export class RegionPen {
       return
     }
     this.#next = undefined
-    // A double click has two presses.
+    // A double click consists of two presses.
     if (last === undefined || distance(last, point) > within / 2) this.#corners.push(point)
     this.#changed()
   }
@@ -112,7 +116,7 @@ function distance(one: Point, other: Point): number {
   return Math.hypot(one.x - other.x, one.y - other.y)
 }
 
-/** The region with one ring more: in one whose polygons are merged it is another polygon. */
+/** The region with another ring. If its polygons are merged, the ring is a polygon of its own. */
 function withRing(region: RegionShape | undefined, ring: readonly (readonly [x: number, y: number])[]): RegionShape {
   if (region === undefined || !isDissolved(region)) return [...ringsOf(region), ring]
   const { coordinates } = region as Extract<RegionShape, { type: 'MultiPolygon' }>

@@ -47,8 +47,8 @@ void closeRing(std::vector<Point>& ring) {
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
 }
 
-/// Returns the point for each vertex. Those that are one point get the least of them, by x and then y: it does not
-/// depend on the order of the vertices.
+/// Returns the point for each vertex. Vertices at one point share the least of their places, by x and then y, which
+/// does not depend on the order of the vertices.
 std::vector<Point> sharedPlaces(const Diagram& diagram, const std::vector<std::int32_t>& firstHere) {
   std::vector<Point> places;
   places.reserve(firstHere.size());
@@ -94,7 +94,7 @@ void CellPolygons::roundPoints() {
   const std::vector<Point> exactInner = inner;
   for (Point& p : places) p = frame_.round(p);
   for (Point& p : inner) p = frame_.round(p);
-  // What is taken back is so for the first of the vertices that are one point.
+  // A restored place is recorded for the first of the vertices at one point.
   std::vector<bool> isRestored(places.size(), false);
   const auto firstOf = [&](VertexIndex vertex) { return index(firstHere_[index(vertex)]); };
   const auto restorePlace = [&](VertexIndex vertex) {
@@ -192,7 +192,7 @@ bool CellPolygons::turnsRight(EdgeIndex edge, std::span<const Point> points) con
   return std::ranges::all_of(points, isFar) && std::ranges::adjacent_find(points, isWrong) == points.end();
 }
 
-/// The same of an edge inside the box, as its points are now.
+/// Whether an edge inside the box turns right at its current points.
 bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
   const auto inner = points_.innerOf(edge);
   if (inner.empty()) return turnsRight(edge, std::array{start, end});
@@ -202,7 +202,7 @@ bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
   return turnsRight(edge, points);
 }
 
-/// The same of the parts of another edge, which have to stay in the box.
+/// Whether the parts of another edge turn right; they have to stay in the box.
 bool CellPolygons::partsTurnRight(EdgeIndex edge) const {
   const auto isRight = [&](const CurvePart& part) {
     const Ring points = pointsOfPart(edge, part.curve);
@@ -297,7 +297,7 @@ CellPolygons::Ring CellPolygons::pointsOfArcs(CircleIndex circle, std::span<cons
 /// A loop of the outline of a cell. Where no edge says where it goes, its points are rounded if they are to be.
 CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlinePiece> loop, bool rounds) const {
   const auto isOnCircle = [](const OutlinePiece& piece) { return piece.isOnCircle(); };
-  // So that arcs in a row are one row, unless they are all there is.
+  // Rotates the loop so that consecutive arcs stay together, unless all pieces are arcs.
   std::rotate(loop.begin(), std::find_if_not(loop.begin(), loop.end(), isOnCircle), loop.end());
   // A disc that is hardly larger than what rounding moves.
   if (loop.front().isOnCircle() && loop.front().r < 4 * frame_.grid.error()) rounds = false;

@@ -21,7 +21,7 @@ namespace {
 using Fields = std::span<const CsvField>;
 using Names = std::vector<std::string_view>;
 
-/// What a tile calls the columns of ids and of what is done.
+/// The names of a tile's columns of ids.
 const Names kTileIds = {"id", "fid"};
 const Names kDoneNames = {"done"};
 
@@ -55,7 +55,7 @@ Fields filled(Fields fields) {
   return fields;
 }
 
-/// What is wrong with a field, quoted.
+/// Quotes a field in its problem.
 std::string quoting(const std::string& problem, const CsvField& field) {
   return problem + ": \"" + std::string(field.text) + "\".";
 }
@@ -163,7 +163,7 @@ CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& header
   return layout;
 }
 
-/// What is wrong with a field as a whole number from 0 up to `most`; otherwise nothing, and `value` is set.
+/// Reads a whole number from 0 up to `most` into `value`; returns the problem if the field is not one.
 std::optional<std::string> readCount(const CsvField& field, std::int64_t most, std::int64_t& value) {
   const char* end = field.text.data() + field.text.size();
   const auto [stop, code] = std::from_chars(field.text.data(), end, value);

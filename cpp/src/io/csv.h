@@ -20,7 +20,7 @@ class CsvNumberReader {
  public:
   explicit CsvNumberReader(char separator) : mayBeComma_(separator == ';' || separator == '\t') {}
 
-  /// What is wrong with a field as a number; otherwise nothing, and `value` is set.
+  /// Reads a number into `value`; returns the problem if the field is not one.
   std::optional<std::string> read(const CsvField& field, double& value);
 
   /// The decimal mark of the numbers so far; 0 if they had none.
@@ -35,7 +35,7 @@ class CsvNumberReader {
 /// In place of a column that a table does not have.
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
-/// How a table of circles is laid out.
+/// The layout of a table of circles.
 struct CsvLayout {
   char separator = ',';
   bool hasHeader = false;
@@ -93,7 +93,7 @@ class CsvRowReader {
 /// A field as text: without the doubling of quotation marks.
 std::string textOf(const CsvField& field);
 
-/// What a table says about the circles of its rows. `mark`: the decimal mark of x, y and r, or 0.
+/// The attributes of the circles in a table's rows. `mark`: the decimal mark of x, y and r, or 0.
 CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, char mark,
                               const std::vector<ReadFailure>& skipped);
 

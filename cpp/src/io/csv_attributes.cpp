@@ -31,7 +31,7 @@ bool isStructure(const std::string& text) {
   }
 }
 
-/// What the fields of a column can be, as far as they are read.
+/// The types that a column can still have, given the fields read so far.
 class ColumnType {
  public:
   /// `mayBePoint`, `mayBeComma`: the decimal marks that numbers of the table may have.

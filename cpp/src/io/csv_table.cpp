@@ -59,7 +59,7 @@ void CsvTable::readRecord() {
     if (isAtLineEnd()) return;
     if (separator_ != ' ') ++at_;
   }
-  // What follows the last separator is an empty field, as where one precedes another.
+  // A separator at the end is followed by an empty field, like one before another separator.
   if (separator_ != ' ') fields_.emplace_back();
 }
 

@@ -31,11 +31,11 @@ class CsvTable {
   /// is too long.
   bool next();
 
-  /// Where the text begins that has not been read. After the last record that is the end of a whole text; otherwise
-  /// the beginning of the line that is not over.
+  /// The position of the unread text. After the last record that is the end of a whole text; otherwise the beginning of
+  /// the line that is not over.
   std::size_t rest() const { return at_; }
   std::span<const CsvField> fields() const { return fields_; }
-  /// Where the record begins in the text.
+  /// The position of the record in the text.
   std::size_t offset() const { return begin_; }
   char separator() const { return separator_; }
 

@@ -53,7 +53,7 @@ class ItemReader {
       } catch (ReadFailure& failure) {
         failure.circle = index;
         result_.skipped.push_back(failure);
-        // What is not JSON cannot be skipped.
+        // A text that is not JSON cannot be skipped.
         reader = before;
         reader.skip();
       }

@@ -26,7 +26,7 @@ std::string_view nameOf(JsonKind kind);
 ///     reader.finish();
 ///
 /// Nothing is built and nothing calls itself, so that neither size nor depth of the text costs memory but one bit a
-/// level of what is skipped. What is not JSON, or not of the kind asked for, is a ReadFailure.
+/// level of what is skipped. Invalid JSON, or a value of another kind than requested, is a ReadFailure.
 class JsonReader {
  public:
   explicit JsonReader(std::string_view text) : text_(text) {}
@@ -34,7 +34,7 @@ class JsonReader {
   /// The character that is read next.
   std::size_t offset() const { return at_; }
 
-  /// What the value is that comes next.
+  /// The kind of the next value.
   JsonKind kind() {
     skipSpace();
     if (isAtEnd()) failSyntax("a value");
@@ -50,7 +50,7 @@ class JsonReader {
     (void)kind();  // no comma comes before the end
     return true;
   }
-  /// The same for an object: the key of the next value, valid until the next key or string is read.
+  /// The next key of an object, valid until the next key or string is read.
   std::optional<std::string_view> nextKey();
   /// Goes on to the next key if it is plainly this one, as text of ours has it; if not, reads nothing.
   bool nextKeyIs(std::string_view key);
@@ -79,7 +79,7 @@ class JsonReader {
   /// Reads past a value of any kind and depth.
   void skip();
 
-  /// Nothing but white space may follow.
+  /// Only white space may follow.
   void finish();
 
   /// Ends with a reason of the caller's, at the character last read.

@@ -8,7 +8,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// How many lines end before a place in the text, after another one.
+/// The number of line ends between two places in the text.
 std::size_t lineEndsBetween(std::string_view text, std::size_t from, std::size_t offset) {
   std::size_t count = 0;
   for (std::size_t i = from; i < std::min(offset, text.size()); ++i) {

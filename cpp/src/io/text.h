@@ -45,17 +45,17 @@ Result<std::string_view> contentOf(std::string_view text, std::string_view name)
 Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason,
               std::size_t linesBefore = 0);
 
-/// The same of a failure.
+/// Reports a failure in the same form.
 Error errorAt(std::string_view name, std::string_view text, const ReadFailure& failure, std::size_t linesBefore = 0);
 
-/// The same of failures in the order of their places, in linear time.
+/// Reports failures in the order of their places, in linear time.
 std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadFailure> failures);
 
 /// The error of `validate` with the line of the circle that it is about; `offsets` as those of PlacedCircles.
 Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
              std::size_t linesBefore = 0);
 
-/// How many lines end in the text.
+/// The number of line ends in the text.
 std::size_t lineEnds(std::string_view text);
 
 // Whether the attributes of circles are kept.

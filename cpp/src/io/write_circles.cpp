@@ -109,7 +109,7 @@ class AttributeColumns {
       return value.front() == '{' || value.front() == '[' ? quoted(std::string(value)) : std::string(value);
     JsonReader reader(value);
     std::string text(reader.string());
-    // What would be another value is text only in quotation marks.
+    // A text that would read as another value is quoted.
     return isText(text) ? quoted(text) : "\"" + text + "\"";
   }
 

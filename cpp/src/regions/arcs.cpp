@@ -76,7 +76,7 @@ void Arcs::sortCrossings() {
   orderStart_.push_back(static_cast<std::int32_t>(order_.size()));
 }
 
-/// How much higher the level is at the end of an edge than at its start.
+/// The level at the end of an edge minus the level at its start.
 std::int32_t Arcs::riseAlong(EdgeIndex edge) const {
   const std::int32_t row = rows_[at(edge)];
   if (row == kNone) return 0;

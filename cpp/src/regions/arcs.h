@@ -17,7 +17,7 @@ struct Arc {
   std::int32_t end = kNone;    ///< the crossing where it ends; kNone for the vertex where the edge ends
 };
 
-/// Which parts of the edges lie in a region.
+/// The parts of edges that lie in a region.
 ///
 /// The *level* of a vertex is how often the boundary of the region winds around it: 1 in the region, 0 outside. Levels
 /// follow from the crossings alone. At infinity the level is 0, and along an edge it goes up by 1 at each entry and
@@ -28,7 +28,7 @@ struct Arc {
 class Arcs {
  public:
   Arcs(const Diagram& diagram, const Crossings& crossings);
-  /// The same for the edges of some cells, whose crossings these are.
+  /// Finds the arcs of the edges of some cells, from the crossings of these edges.
   Arcs(const Diagram& diagram, const Crossings& crossings, const Region& region, std::span<const CircleIndex> circles);
 
   bool isCrossed(EdgeIndex edge) const { return rows_[static_cast<std::size_t>(edge)] != kNone; }

@@ -79,7 +79,7 @@ EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {
     curve.to = crossings.all[at(arc.end)].parameter;
     curve.end = crossings.all[at(arc.end)].point;
   }
-  // Of length zero up to rounding.
+  // The parameters may be in the wrong order if the arc has length zero up to rounding.
   if (curve.from > curve.to) curve.from = curve.to = std::sqrt(curve.from) * std::sqrt(curve.to);
   return curve;
 }

@@ -37,7 +37,7 @@ struct Loops {
   }
 };
 
-/// What a ClippedDiagram knows.
+/// The data of a ClippedDiagram.
 class ClippedDiagram::Parts {
  public:
   /// For all cells, or for some. Throws a Refusal if the judge finds a fault (judge_clip.h).

@@ -17,9 +17,9 @@
 namespace circle_voronoi {
 namespace {
 
-/// So many times at most a chord is divided for a corner. The last time it takes the corner itself.
+/// Largest number of divisions of a chord for a corner. The last time it takes the corner itself.
 constexpr int kMostDivisions = 60;
-/// What is as near as this share of the lengths that it is computed from may be one point.
+/// Points closer than this fraction of the lengths that they are computed from may be one point.
 constexpr double kOnePlace = 0x1p-46;
 /// But nothing is that is farther apart than this share of the region.
 constexpr double kOneCorner = 0x1p-24;
@@ -215,8 +215,8 @@ void ClipFlattener::collectCorners() {
   std::ranges::stable_sort(corners_, {}, [](const Corner& corner) { return corner.key(); });
 }
 
-/// How far a point is along the bisector of an edge, seen across it. What lies between an arc and its chord is between
-/// the ends of both.
+/// The position of a point along the bisector of an edge, seen across it. All points between an arc and its chord have
+/// positions between those of the ends.
 double ClipFlattener::heightOn(EdgeIndex edge, Point p) const {
   const Edge& ends = clipped_.diagram().edges[at(edge)];
   const Point left = centerOf(clipped_.diagram(), ends.left);

@@ -256,7 +256,7 @@ class Walk {
       clearance_ = std::min(clearance_, atEnd);
       if (length < atEnd) continue;
       const double atStart = signs_.compare(sectors_.cell(), neighbor, start).least;
-      // What is nearer to a circle than to a larger one is convex.
+      // The region of points nearer to a circle than to a larger one is convex.
       const bool isConvex = diagram_.metric != Metric::circles || c.r <= diagram_.circles[at(neighbor)].r;
       stays = stays && (isConvex ? atStart > 0 : atStart + atEnd > length);
     }

@@ -17,14 +17,15 @@ struct Crossing {
   RegionSideIndex side = {};  ///< the side of the region
   Point point;
   double parameter = 0;  ///< of the point, on the edge
-  /// How far along the side the point is, from 0 at the smaller of its two ends, by x and then y, to 1 at the other.
+  /// The position of the point along the side, from 0 at the smaller of its two ends, by x and then y, to 1 at the
+  /// other.
   double share = 0;
   /// Whether the edge enters the region here, seen in its own direction: the boundary goes from its left cell to its
   /// right cell.
   bool isEntry = false;
 };
 
-/// How the boundary of a region runs through a diagram.
+/// The course of a region's boundary through a diagram.
 ///
 /// It goes from cell to cell: each ring is a closed path in the dual. Which edges it crosses, and in which order, is
 /// decided by exact signs for a region that is moved by a tiny shift (shifted_signs.h).
@@ -43,8 +44,8 @@ struct Crossings {
 /// crossed, and in the circles to find the first cell. The diagram has a circle.
 Crossings crossingsOf(const Diagram& diagram, const Region& region);
 
-/// The same for some cells only: follows the boundary where it is near them, and returns crossings of their edges.
-/// Takes linear time in what is near.
+/// Follows the boundary only where it is near some cells, and returns the crossings of their edges. Takes linear time
+/// in what is near.
 Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
 
 }  // namespace circle_voronoi

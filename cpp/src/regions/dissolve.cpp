@@ -384,7 +384,7 @@ class Faces {
       do {
         isDone[h] = true;
         const std::int32_t origin = originOf(h);
-        // What returns to a point of the path is a ring by itself.
+        // A part that returns to a point of the path is a ring by itself.
         if (placeOnPath[at(origin)] != -1) end(at(placeOnPath[at(origin)]));
         placeOnPath[at(origin)] = static_cast<std::int32_t>(path.size());
         path.push_back(origin);

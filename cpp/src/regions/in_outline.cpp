@@ -28,8 +28,9 @@ bool isBeyondChord(const OutlinePiece& arc, Point p) {
   return lengthOf(vectorTo(center, p)) < arc.r;
 }
 
-/// The same of an arc of a bisector. What the branch bends around is convex, so the chord cuts off what lies between,
-/// and that lies between the ends seen across the axis, too: this keeps to arcs whose chord is mostly rounding.
+/// Whether a point lies between an arc of a bisector and its chord. The branch bends around a convex set, so the chord
+/// cuts off the points between. These also lie between the ends seen across the axis, which restricts the test to arcs
+/// whose chord is mostly rounding.
 bool isBeyondChord(const EdgeCurve& curve, Point p) {
   const Bisector& bisector = curve.bisector;
   const int side = orientation(curve.start, curve.end, p);

@@ -56,7 +56,8 @@ class Judge {
   }
 
   bool haveArcs() const {
-    // How often a crossing is an end of an arc, and how many arcs begin and end at vertices, by edge.
+    // The number of arcs that end at each crossing, and for each edge the number of arcs that begin and end at
+    // vertices.
     std::vector<std::int32_t> ends(clip_.crossings.all.size(), 0);
     std::vector<std::int32_t> atVertices(clip_.diagram.edges.size(), 0);
     std::vector<std::uint8_t> isCrossed(clip_.diagram.edges.size(), 0);

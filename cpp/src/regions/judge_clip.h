@@ -12,7 +12,7 @@
 
 namespace circle_voronoi {
 
-/// What the judge sees of a clip.
+/// The parts of a clip that the judge examines.
 struct ClipRecord {
   const Diagram& diagram;
   const Region& region;

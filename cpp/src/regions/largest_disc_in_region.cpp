@@ -36,7 +36,7 @@ DiscPlace crossOf(const DiscPlace& u, const DiscPlace& v) {
 }
 double dotOf(const DiscPlace& u, const DiscPlace& v) { return u.x * v.x + u.y * v.y + u.r * v.r; }
 
-/// What a disc may touch: a circle, a corner (a circle of radius 0) or the line of a side.
+/// An object that a disc may touch: a circle, a corner (a circle of radius 0) or the line of a side.
 struct Touchable {
   Point point;    ///< the center, or a point of the line
   Vector inward;  ///< of a line: the unit normal to the side of the region; otherwise (0, 0)

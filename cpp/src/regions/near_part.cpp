@@ -117,7 +117,7 @@ class DiscClipper {
 
   bool isInDisc(Point p) const { return lengthOf(vectorTo({disc_.x, disc_.y}, p)) <= disc_.r; }
 
-  /// How far a point of the circle lies inside the part of the cell in the region, about; negative outside.
+  /// The approximate depth of a point of the circle inside the part of the cell in the region; negative outside.
   double depth(Point p) const {
     double least = kInfinite;
     for (const SideIndex side : parts_.diagram.sides(circle_)) {

@@ -29,7 +29,7 @@ constexpr std::size_t kRunsOfRun = 4;
 /// The way out of an error about several polygons.
 constexpr const char* kAdvice = " Set `dissolve` to merge them.";
 
-/// What a region is made of, as it is given.
+/// The input from which a region is made.
 struct Given {
   std::span<const Point> points;
   std::span<const std::int32_t> ringOffsets;

@@ -56,7 +56,7 @@ class Ring {
   double placeNear(Point p, std::optional<std::int32_t> side = std::nullopt) const;
 
   /// The parts of elements from one place to another, which may be up to two rounds ahead, with the given ends for
-  /// these places. None has length zero.
+  /// these places. No element has length zero.
   std::vector<Element> between(double from, double to, Point start, Point end) const;
 
  private:

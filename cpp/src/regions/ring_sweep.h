@@ -21,7 +21,7 @@ struct Rings {
   std::vector<std::int32_t> offsets;
 };
 
-/// How rings lie to each other that neither cross nor overlap.
+/// The nesting of rings that neither cross nor overlap.
 struct RingOrder {
   /// For each ring the smallest ring around it, or -1.
   std::vector<std::int32_t> parent;

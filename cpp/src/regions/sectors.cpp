@@ -70,7 +70,7 @@ int Sectors::turn(const Ray& ray, Point corner) const {
   return signs_.turnFromEnd(side, ray.to == Ray::To::target, corner);
 }
 
-/// On which side of a line the border of the cell lies where a ray meets it.
+/// The side of a line on which a ray meets the border of the cell.
 int Sectors::sideOf(const Ray& ray, const Line& line) const {
   const SideIndex side = sides_[ray.side];
   if (ray.to == Ray::To::neighbor) return signs_.sideOfApex(side, line);

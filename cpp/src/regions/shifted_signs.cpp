@@ -41,7 +41,7 @@ double sizeOf(Vector v) { return std::abs(v.x) + std::abs(v.y); }
 Vector vectorFrom(const Circle& c, Point p) { return {p.x - c.x, p.y - c.y}; }
 int signOfNumber(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// What a tiny shift of a line with this direction does to the side of a point on it.
+/// The effect of a tiny shift of a line with this direction on the side of a point on it.
 int sideAfterShift(const ShiftedSigns::Line& line) {
   if (line.to.y != line.from.y) return line.to.y > line.from.y ? 1 : -1;
   return line.to.x > line.from.x ? -1 : 1;
@@ -340,7 +340,7 @@ bool ShiftedSigns::hasApex(SideIndex side) const {
   const Circle& own = circle(diagram_.circleOf(side));
   const Circle& other = circle(diagram_.neighborOf(side));
   if (own.r > other.r) return false;
-  // Of a straight line that does not span half a turn the apex does not count.
+  // The apex of a straight line that does not span half a turn does not count.
   if (own.r == other.r && (diagram_.originOf(side) != kNone || diagram_.targetOf(side) != kNone)) return false;
   return turnFromEnd(side, false, centerPointOf(other)) > 0 && turnFromEnd(side, true, centerPointOf(other)) < 0;
 }

@@ -28,7 +28,7 @@ class ShiftedSigns {
 
   explicit ShiftedSigns(const Diagram& diagram);
 
-  /// How much farther a corner is from another circle than from its own.
+  /// The difference of a corner's distances from another circle and from its own.
   struct Comparison {
     int sign = 0;
     double least = 0;  ///< a lower bound, in terms of distances from the corner to the bisector: negative if unknown
@@ -48,7 +48,7 @@ class ShiftedSigns {
   /// Returns 1 if a corner lies counter-clockwise from the end of a side, -1 if it lies clockwise from it, by less than
   /// half a turn.
   int turnFromEnd(SideIndex side, bool isTarget, Point corner) const;
-  /// The same for the direction to the neighbor.
+  /// Returns 1 if a corner lies counter-clockwise from the direction to the neighbor, -1 if it lies clockwise from it.
   int turnFromNeighbor(SideIndex side, Point corner) const;
   /// Returns whether the direction to the neighbor lies between the ends of a side whose neighbor is not smaller.
   bool hasApex(SideIndex side) const;

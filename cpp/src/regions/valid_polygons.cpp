@@ -42,7 +42,7 @@ void cleanRing(PointRing& ring) {
     dropTip(p);
     if (kept.empty() || kept.back() != p) kept.push_back(p);
   }
-  // Where the ring closes.
+  // The point where the ring closes.
   std::size_t first = 0;
   for (bool isClean = false; !isClean && kept.size() >= first + 3;) {
     isClean = false;

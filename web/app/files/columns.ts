@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of other programs: which of their columns are centers and radii.
+// Finds the columns of centers and radii in tables of other programs.
 import { type DataColumn, NO_ATTRIBUTES } from '../../editing/attributes.ts'
 import type { NamedCircles } from '../csv.ts'
 
-/** A table of texts. */
+/** A table of text fields. */
 export interface Rows {
-  /** The names of the columns; numbers, if the table has none. */
+  /** The names of the columns; numbers if the table has no header. */
   readonly heading: readonly string[]
   readonly hasHeading: boolean
   readonly rows: readonly (readonly string[])[]
   readonly hasDecimalCommas: boolean
 }
 
-/** Which columns circles are made of; a radius may be the same for all. */
+/** The columns of centers and radii; all circles may share one radius. */
 export interface Columns {
   readonly x: number
   readonly y: number
@@ -27,12 +27,12 @@ const NAMES: Readonly<Record<'x' | 'y' | 'r' | 'd' | 'name', RegExp>> = {
   d: /^(d|diam|diameter|durchmesser|dbh|bhd)$/,
   name: /^(name|label|title|id|ort|stadt|city|place|bezeichnung|beschriftung)$/,
 }
-/** Separators by how surely they are one. */
+/** Separators by decreasing reliability. */
 const SEPARATORS = ['\t', ';', '|', ','] as const
-/** More lines are not looked at to find the separator. */
+/** Number of lines that determine the separator. */
 const LOOKED_AT = 50
 
-/** A text as a table, if it is one: at least two columns of numbers in most of its rows. */
+/** Parses text as a table, if most of its rows have at least two columns of numbers. */
 export function rowsOf(text: string): Rows | undefined {
   const lines = text
     .replace(/^\uFEFF/, '')
@@ -50,7 +50,7 @@ export function rowsOf(text: string): Rows | undefined {
   return heading.filter((_, k) => isNumeric(valuesIn(found, k))).length < 2 ? undefined : found
 }
 
-/** The columns beside those of centers and radii. A column has one type: numbers, if all of its fields are numerals. */
+/** The columns besides centers and radii. A column has a single type: numbers if all of its fields are numbers. */
 export function otherColumns(rows: Rows, used: readonly (number | undefined)[]): DataColumn[] {
   return rows.heading.flatMap((name, k) => (used.includes(k) ? [] : [{ name, values: jsonIn(rows, k) }]))
 }
@@ -67,7 +67,7 @@ function valuesIn({ rows, hasDecimalCommas }: Rows, column: number): number[] {
   return rows.map((row) => numberOf(row[column] ?? '', hasDecimalCommas))
 }
 
-/** Whether most of these are numbers. */
+/** Whether most of the values are numbers. */
 export function isNumeric(values: readonly number[]): boolean {
   return values.filter(isNumber).length > values.length / 2
 }
@@ -76,7 +76,7 @@ function isNumber(value: number): boolean {
   return !Number.isNaN(value)
 }
 
-/** The columns that the names tell, where they do. */
+/** Guesses the columns from their names, where possible. */
 export function guessedColumns({
   heading,
 }: Pick<Rows, 'heading'>): Partial<Columns> & { readonly isDiameter?: boolean } {
@@ -101,7 +101,7 @@ export function guessedColumns({
   }
 }
 
-/** @throws Error that names the first row which is no circle */
+/** @throws Error that names the first invalid row */
 export function circlesFrom(rows: Rows, columns: Columns, isDiameter: boolean, file: string): NamedCircles {
   const circles = new Float64Array(3 * rows.rows.length)
   const { x, y, r } = columns
@@ -131,7 +131,7 @@ function separatorOf(lines: readonly string[]): string | undefined {
   return lines.length === 0 ? undefined : SEPARATORS.find(isEven)
 }
 
-/** Of one line; a separator in quotes is none. */
+/** Splits a line. Separators in quotation marks belong to a field. */
 function fieldsOf(line: string, separator: string): string[] {
   const fields: string[] = []
   let field = ''

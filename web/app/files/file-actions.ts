@@ -26,16 +26,16 @@ import { type ReadsRegion, regionOfFile, regionOfText } from './region-file.ts'
 import { elementCode, embedCode, save } from './saving.ts'
 import { withLink, withTable } from './svg-scene.ts'
 
-/** Larger files are none that a browser could show. */
+/** Limit for files, in bytes. Browsers could not show larger ones. */
 const LARGEST_FILE = 2 ** 28
-/** What the reader says of a table whose columns it does not know. */
+/** Matches the reader's errors about a table with unknown columns. */
 const UNKNOWN_COLUMNS = /no column is called|a header has to name|both mean|expected three numbers/
 const READABLE = 'Open CSV, JSON, GeoJSON, well-known text, an SVG that was saved here, or a picture.'
-/** A longer address is none that browsers open. */
+/** Limit for addresses, in characters. Browsers do not open longer ones. */
 const LONGEST_LINK = 2_000_000
-/** What of a sheet of paper is a picture: A3 at 300 dots per inch. */
+/** Size of the picture on a sheet of paper: A3 at 300 dots per inch. */
 const POSTER = { long: 4961, short: 3508 }
-/** Around circles that are all in a picture, in pixels. */
+/** Margin around all circles in a picture, in pixels. */
 const ROOM = 24
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
   csv: ['.csv', 'text/csv'],
@@ -44,19 +44,22 @@ const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string
   cells: ['-cells.geojson', 'application/geo+json'],
 }
 
-/** What a picture shows: as much as the window, or all circles. */
+/** The part that a picture shows: the window's contents, or all circles. */
 export type Part = 'seen' | 'all'
 
-/** The threads of files: for what is saved and linked, for what is opened, and what writes links in the first one. */
+/**
+ * The files threads: the first for saving and linking, another for opening, and the writer of links that uses the
+ * first.
+ */
 export interface FileThreads {
   readonly files: Pick<FilesClient, 'call'>
   readonly reader: Pick<FilesClient, 'call'>
   readonly links: LinkWriter
 }
 
-/** All that a user can do with files and links. */
+/** Everything that a user can do with files and links. */
 export class FileActions {
-  /** Whether polygons of files that share borders or overlap become one region. */
+  /** Whether polygons of a file that share borders or overlap are merged into one region. */
   mergesPolygons = false
   readonly #store: Store<State>
   readonly #editing: Editing
@@ -72,16 +75,16 @@ export class FileActions {
     this.#threads = threads
   }
 
-  /** Opens a file of circles, or of polygons as the region. One that cannot be read changes nothing. */
+  /** Opens a file with circles, or with polygons as the region. An unreadable file changes nothing. */
   async openFile(file: File): Promise<HowOpened> {
     const gesture = this.#actions.beginGesture()
-    // What is too large is not read at all.
+    // Avoids reading a file that is too large.
     const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file)
     if (region !== undefined) return this.#clipTo(region, file.name, gesture)
     return this.#openRead(() => this.#readFile(file))
   }
 
-  /** Opens what is read. If some rows are no circles, the error offers to skip them. */
+  /** Opens circles once they are read. If some rows are invalid, the error offers to skip them. */
   async #openRead(read: () => Promise<Read>): Promise<HowOpened> {
     let invalid: InvalidRows | undefined
     const how = await this.#actions.openRead(() =>
@@ -100,7 +103,7 @@ export class FileActions {
     return how
   }
 
-  /** Clips the cells to the polygons of a file. What cannot be a region changes nothing. */
+  /** Clips the cells to the polygons of a file. An invalid region changes nothing. */
   async openRegion(file: File, gesture = this.#actions.beginGesture()): Promise<HowOpened> {
     if (file.size > LARGEST_FILE) {
       this.#actions.complain(`${file.name}: the file is too large.`)
@@ -132,7 +135,7 @@ export class FileActions {
     toast(`Polygons of ${name} share borders or overlap.`, { label: 'Merge polygons', act })
   }
 
-  /** Takes a text as if it were a file, or a link. Circles of a table are added to those that there are. */
+  /** Opens text like a file, or as a link. Circles of a table are added to the existing ones. */
   async openText(text: string): Promise<HowOpened> {
     const link = /^\S*#(v\d+\.[\w-]+)$/.exec(text.trim())?.[1]
     if (link !== undefined) return this.#actions.openLink(link)
@@ -179,10 +182,10 @@ export class FileActions {
     }
   }
 
-  /** What the library does not know as a table of circles may be one with other names of columns. */
+  /** Reads circles. If the library does not recognize the columns, other names are tried. */
   async #read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
     try {
-      // The thread gets them.
+      // Copies the bytes, because the thread takes them over.
       return await this.#threads.reader.call('read', bytes.slice(), name)
     } catch (error) {
       const { message } = error as Error
@@ -192,10 +195,10 @@ export class FileActions {
       }
       if (isBinary(bytes)) throw new Error(`${name} is not a table of circles. ${READABLE}`)
       const rows = UNKNOWN_COLUMNS.test(message) ? rowsOf(new TextDecoder().decode(bytes)) : undefined
-      // Of three columns without names, a row is wrong, and not the columns.
+      // With three unnamed columns, the error is about a row and not about the columns.
       if (rows === undefined || (rows.heading.length === 3 && !rows.hasHeading)) throw error
       const chosen = await chooseColumns(rows, name)
-      // Whoever has closed the dialog knows.
+      // The user has canceled the dialog and needs no message.
       if (chosen === undefined) throw new Error('')
       return circlesFrom(rows, chosen.columns, chosen.isDiameter, name)
     }
@@ -212,7 +215,10 @@ export class FileActions {
     })
   }
 
-  /** The drawing as it is seen, which opens again: the same, or where there are too many circles for a link, its circles. */
+  /**
+   * Saves the drawing, with a link in it to open it again; if the circles are too many for a link, with a table of
+   * them.
+   */
   async saveDrawing(part: Part): Promise<void> {
     await this.#try(async () => {
       const [drawing, link] = [await this.#view.toSVG(this.#shotOf(part)), await this.#link()]
@@ -221,12 +227,12 @@ export class FileActions {
     })
   }
 
-  /** The picture as it is seen, so many times as large. */
+  /** Saves the picture, enlarged by a factor. */
   async savePicture(part: Part, scale: number): Promise<void> {
     await this.#try(async () => save(await this.#view.toPNG(scale, this.#shotOf(part)), `${this.#name}.png`))
   }
 
-  /** The same for a sheet of paper, which shows a little more on two sides. */
+  /** Saves the picture in the aspect ratio of a sheet of paper, which extends it on two sides. */
   async savePoster(part: Part): Promise<void> {
     const { camera, size } = this.#shotOf(part)
     const isWide = size.width >= size.height
@@ -243,7 +249,7 @@ export class FileActions {
     return { camera: fitted(boxOf(this.#editing.circles.box(), this.#editing.domain), size, room), size }
   }
 
-  /** Reports whether it is in the clipboard. */
+  /** Copies the link to the clipboard. Resolves to whether it succeeded. */
   copyLink(): Promise<boolean> {
     return this.#copy((link) => addressOf(`#${link}`), this.#actions.linkState())
   }
@@ -260,7 +266,7 @@ export class FileActions {
     return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
   }
 
-  /** The code of a frame that asks a question about what is seen, or the address of the frame. */
+  /** Copies the code of a frame with a question about the current state, or the address of the frame. */
   copyQuestion(what: 'code' | 'link', frame: LinkFrame): Promise<boolean> {
     const state = this.#questionState(frame)
     const shape = state.step === undefined ? 'question' : 'player'
@@ -268,9 +274,9 @@ export class FileActions {
     return this.#copy((link) => codeOf(addressOf(`embed.html#${link}`)), state)
   }
 
-  /** Opens the frame in a tab of its own. */
+  /** Opens the frame in a new tab. */
   async openQuestion(frame: LinkFrame): Promise<void> {
-    // Browsers open a tab for a click alone, not for what comes a moment later.
+    // Browsers open a tab only during the click, not a moment later.
     const tab = window.open('', '_blank')
     const isOpened = await this.#try(async () => {
       const link = await this.#shortLink(this.#questionState(frame))
@@ -279,7 +285,7 @@ export class FileActions {
     if (!isOpened) tab?.close()
   }
 
-  /** Saves a SCORM 1.2 file that asks the question in a learning management system. */
+  /** Saves a SCORM 1.2 file with the question for a learning management system. */
   async saveCourse(frame: LinkFrame): Promise<void> {
     await this.#try(async () => {
       const link = await this.#shortLink(this.#questionState(frame))
@@ -290,14 +296,14 @@ export class FileActions {
     })
   }
 
-  /** A check names circles by their places in the link. */
+  /** A check names circles by their indices in the link. */
   #questionState(frame: LinkFrame): LinkInput {
     const { circles } = this.#editing
     const check = frame.check && withIds(frame.check, (number) => circles.countBelow(this.#editing.idOf(number)))
     return { ...this.#wholeState(), ...frame, ...(check && { check }) }
   }
 
-  /** What is seen, with the circles themselves: elsewhere there are no data sets. */
+  /** The current state with the circles themselves, because data sets exist only on this site. */
   #wholeState(): LinkInput {
     const { view, layers, step, method, areas } = this.#actions.linkState() ?? {}
     const { region } = this.#editing.domain
@@ -307,7 +313,7 @@ export class FileActions {
   #copy(textOf: (link: string) => string, state: LinkInput | undefined): Promise<boolean> {
     return this.#try(async () => {
       const text = this.#shortLink(state).then(textOf)
-      // Safari lets only what was asked for within the click into the clipboard, not what comes a moment later.
+      // Safari allows copying only what was requested during the click, so the text is passed as a promise.
       const item = new ClipboardItem({ 'text/plain': text.then((text) => new Blob([text], { type: 'text/plain' })) })
       await Promise.all([text, navigator.clipboard.write([item])])
     })
@@ -321,7 +327,7 @@ export class FileActions {
     return link
   }
 
-  /** Empty if the content is too large for a link. */
+  /** Resolves to an empty text if the state is too large for a link. */
   async #link(state = this.#actions.linkState()): Promise<string> {
     try {
       return await this.#threads.links.linkOf(state ?? {})
@@ -341,7 +347,7 @@ export class FileActions {
     return sourceOf(dataSet) === undefined ? 'circles' : dataSet.replaceAll(':', '-')
   }
 
-  /** Reports whether it was done; if not, a sentence says why. */
+  /** Runs an action and reports its error. Resolves to whether it succeeded. */
   async #try(act: () => Promise<void>): Promise<boolean> {
     try {
       await act()
@@ -353,7 +359,7 @@ export class FileActions {
   }
 }
 
-/** Some rows of a file are no circles. The others can be opened without them. */
+/** Some rows of a file are invalid. The others can be opened without them. */
 class InvalidRows extends Error {
   readonly count: number
   readonly skipping: () => Promise<Read>
@@ -365,7 +371,7 @@ class InvalidRows extends Error {
   }
 }
 
-/** What the cells of a file are cut to, as a sentence. */
+/** Describes the clipping region of a file in a sentence. */
 function cutTo(text: string): string {
   const box = /^\{"type":"FeatureCollection".*?"bbox":(\[[^\]]*\])/.exec(text)?.[1]
   if (box === undefined) return 'The cells are those inside the region.'
@@ -373,12 +379,12 @@ function cutTo(text: string): string {
   return `The cells are cut to the box from ${minX}, ${minY} to ${maxX}, ${maxY}.`
 }
 
-/** Whether these are no text: there is a byte that none has. */
+/** Whether the bytes contain one that does not occur in text. */
 function isBinary(bytes: Uint8Array): boolean {
   return bytes.subarray(0, 4096).includes(0)
 }
 
-/** Where something beside this page is. */
+/** The address of a file next to this page. */
 function addressOf(name: string): string {
   return new URL(name, `${location.origin}${location.pathname}`).href
 }

@@ -4,8 +4,8 @@ import { type RemoteCall, RemoteCalls, type RemoteReply } from '../../view/remot
 import type { FilesCalls } from './files-protocol.ts'
 
 /**
- * Readers, writers and generators, in a thread that begins with the first call. The page has two: what is being opened can be
- * canceled and may take long, while links, saved files and lists neither wait for it nor end with it.
+ * A client of readers, writers and generators in a thread, which starts with the first call. The page has two clients:
+ * opening can be canceled and may take long, while links, saved files and lists neither wait for it nor end with it.
  */
 export class FilesClient {
   readonly #calls = new RemoteCalls<FilesCalls>()
@@ -20,14 +20,14 @@ export class FilesClient {
     return this.#calls.call(name, args, (call: RemoteCall) => worker.postMessage(call))
   }
 
-  /** Ends all calls, which reject. */
+  /** Rejects all calls and ends the thread. */
   cancel(): void {
     this.#end('internal', 'It was canceled.')
   }
 
   #end(code: ErrorCode, message: string): void {
     this.#worker?.terminate()
-    // The next one may work.
+    // A new worker may succeed.
     this.#worker = undefined
     this.#calls.leave(undefined, { code, circle: undefined, message })
   }

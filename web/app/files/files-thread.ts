@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
+// The worker of `FilesClient`: readers, writers and generators, loaded on demand.
 import { columnsOf } from '../../editing/attributes.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
@@ -20,7 +20,7 @@ const port = globalThis as unknown as {
   postMessage(message: RemoteReply, transfer?: Transferable[]): void
 }
 
-/** The same picture becomes the same circles. */
+/** A fixed seed, so that a picture always gives the same circles. */
 const STIPPLED = 1
 
 const files = loadedOnce(async () => (await import('../../lib/files.ts')).loadFiles())
@@ -97,7 +97,7 @@ async function write(
   }
 }
 
-/** The cells inside a box around all circles as GeoJSON, which says as `bbox` which one that is. */
+/** Writes the cells inside a box around all circles as GeoJSON, with the box as `bbox`. */
 function cellsInBox(diagram: Diagram, writeDiagram: Files['writeDiagram'], attributes?: LinkAttributes): string {
   const { minX, minY, maxX, maxY } = boundingBox(diagram.circles)
   const margin = Math.max(maxX - minX, maxY - minY) / 20 || 1

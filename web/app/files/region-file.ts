@@ -3,21 +3,21 @@ import { isRecord } from '../../lib/base/check.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import { isRegionText, readRegion, regionOfJson } from '../../view/region-text.ts'
 
-/** So much of a file says whether it may be one of polygons, in bytes. */
+/** Number of bytes that decide whether a file may contain polygons. */
 const HEAD = 4096
 const GEOJSON = /"type"\s*:\s*"(FeatureCollection|Feature|GeometryCollection|(Multi)?Polygon)"/
 const RINGS = /^\s*\[\s*\[\s*[[{]/
 
-/** Reads a region from what was parsed. @throws CircleVoronoiError as `readRegion` */
+/** Converts parsed text to a region. @throws CircleVoronoiError as `readRegion` */
 export type ReadsRegion = () => RegionShape
 
-/** The region of a file that has polygons and no points, which are circles; `undefined`: it has none. */
+/** The region of a file with polygons and without points, which are circles; `undefined` for other files. */
 export async function regionOfFile(file: Blob): Promise<ReadsRegion | undefined> {
   if (file.type.startsWith('image/')) return undefined
   return mayBeRegion(await file.slice(0, HEAD).text()) ? regionOfText(await file.text()) : undefined
 }
 
-/** The same of a text. JSON is parsed once. */
+/** The region of a text, as in `regionOfFile`. JSON is parsed once. */
 export function regionOfText(text: string): ReadsRegion | undefined {
   if (!mayBeRegion(text.slice(0, HEAD))) return undefined
   if (!/^\s*[[{]/.test(text)) return () => readRegion(text)
@@ -28,7 +28,7 @@ export function regionOfText(text: string): ReadsRegion | undefined {
     const isRegion = Array.isArray(shape) || (hasAny('Polygon') && !hasAny('Point'))
     return isRegion ? () => regionOfJson(shape) : undefined
   } catch {
-    // Readers say what is wrong with it.
+    // The readers of circles report the error.
     return undefined
   }
 }

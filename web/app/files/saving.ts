@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Has the browser save a file. */
+/** Saves a file through the browser. */
 export function save(content: Blob, name: string): void {
   const link = document.createElement('a')
   link.href = URL.createObjectURL(content)
   link.download = name
   link.click()
-  // Once the browser has begun to read it.
+  // Waits until the browser has begun to read it.
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000)
 }
 
-/** HTML that shows the circles of a link in another page: two lines, with the module that is beside this page. */
+/** The HTML that shows a link's circles in another page: two lines, with the module next to this page. */
 export function elementCode(module: string, link: string, controls: string): string {
   return `<script type="module" src="${module}"></script>\n<circle-voronoi src="#${link}" ${controls}></circle-voronoi>`
 }
 
-/** The shape of a frame that its page does not resize: with a question there is a text above the figure, with the player one below. */
+/** The layout of a frame of fixed size: a question adds text above the figure, the player adds text below. */
 export type FrameShape = 'figure' | 'question' | 'player'
 const SHAPES: Readonly<Record<FrameShape, string>> = { figure: '3 / 2', question: '4 / 3', player: '1' }
 
 /**
- * HTML that shows a page in another one, as wide as there is room. The attributes width and height are for sites that remove
- * styles.
+ * The HTML that embeds a page at the available width. The attributes width and height are for sites that remove styles.
  */
 export function embedCode(address: string, title = 'Voronoi diagram of circles', shape: FrameShape = 'figure'): string {
   const style = `width: 100%; height: auto; aspect-ratio: ${SHAPES[shape]}; max-height: 90vh; border: 0`

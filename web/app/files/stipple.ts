@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture as circles: many and large ones where it is dark, none that overlap.
+// Converts a picture to disjoint circles: many large ones in dark parts.
 import type { Float64s } from '../../lib/index.ts'
 
-/** How many circles a picture becomes, and the most pixels that are looked at. */
+/** The number of circles, and the largest number of pixels that are analyzed. */
 const CIRCLES = 1800
 const PIXELS = 60_000
-/** How often all circles move to the middle of what is theirs. */
+/** Number of iterations in which all circles move to the centroids of their cells. */
 const ROUNDS = 14
-/** Light parts have so much of the weight of black ones. */
+/** Weight of light parts relative to black ones. */
 const LEAST = 0.03
-/** Circles fill so much of the room to the nearest other one. */
+/** Radius relative to the room up to the nearest other circle. */
 const FILLED = 0.94
 
-/** Grey values, rows from the top, 0 white to 1 black. */
+/** Gray values, rows from the top, from 0 (white) to 1 (black). */
 export interface Tones {
   readonly width: number
   readonly height: number
   readonly tones: Float32Array
 }
 
-/** @throws Error, if the browser cannot read it as a picture */
+/** @throws Error if the browser cannot read the picture */
 export async function tonesOf(picture: Blob): Promise<Tones> {
   const bitmap = await createImageBitmap(picture)
   const scale = Math.min(Math.sqrt(PIXELS / (bitmap.width * bitmap.height)), 1)
@@ -28,7 +28,7 @@ export async function tonesOf(picture: Blob): Promise<Tones> {
     Math.max(Math.round(bitmap.height * scale), 1),
   ]
   const context = new OffscreenCanvas(width, height).getContext('2d') as OffscreenCanvasRenderingContext2D
-  // What can be looked through is paper.
+  // Transparent parts count as white paper.
   context.fillStyle = 'white'
   context.fillRect(0, 0, width, height)
   context.drawImage(bitmap, 0, 0, width, height)
@@ -41,7 +41,10 @@ export async function tonesOf(picture: Blob): Promise<Tones> {
   return { width, height, tones }
 }
 
-/** Circles that show a picture, in pixels with y upwards: weighted Voronoi stippling (Secord, 2002). `random`: from 0 to 1. */
+/**
+ * Converts gray values to circles by weighted Voronoi stippling (Secord, 2002), in pixels with y upward. `random`
+ * returns numbers from 0 to 1.
+ */
 export function stippled({ width, height, tones }: Tones, random: () => number, count = CIRCLES): Float64s {
   const weights = tones.map((tone) => LEAST + (1 - LEAST) * tone * tone)
   const x = new Float64Array(count)
@@ -91,7 +94,7 @@ export function stippled({ width, height, tones }: Tones, random: () => number, 
   return circles
 }
 
-/** Points in squares, for the nearest one of a place. */
+/** Points sorted into squares, for nearest-point queries. */
 class Buckets {
   readonly #x: Float64Array
   readonly #y: Float64Array
@@ -114,13 +117,13 @@ class Buckets {
     }
   }
 
-  /** The nearest point that is not `but`. */
+  /** The nearest point other than `but`. */
   nearest(px: number, py: number, but: number): number {
     const [column, row] = [Math.floor(px / this.#side), Math.floor(py / this.#side)]
     let best = -1
     let least = Number.POSITIVE_INFINITY
     for (let ring = 0; ring <= Math.max(this.#columns, this.#rows); ring++) {
-      // What lies in rings farther out is farther away.
+      // Rings farther out contain only more distant points.
       if (least < ((ring - 1) * this.#side) ** 2) break
       for (let r = Math.max(row - ring, 0); r <= Math.min(row + ring, this.#rows - 1); r++) {
         const isEdge = Math.abs(r - row) === ring

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings that open again: the page's own by the link or the table in their metadata, those of the program by their circles.
+// Reads drawings back: the page's own by the link or the table in their metadata, those of the program by their
+// circles.
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Read } from './files-protocol.ts'
 
 const LINK = /<metadata id="circle-voronoi">(v\d+\.[\w-]+)<\/metadata>/
 const TABLE = /<metadata id="circle-voronoi-circles">([^<]*)<\/metadata>/
 const CIRCLES = /<g id="circles" class="circles">([\s\S]*?)<\/g>/
-// As they are written: circles, and those of radius 0 as points.
+// The markup of circles, and of points for radius 0.
 const CIRCLE = /<circle data-circle="(\d+)"[^<>]* cx="([^"]+)" cy="([^"]+)" r="([^"]+)"\/>/y
 
-/** A drawing that says what it shows, in a link. */
+/** Adds a link with the drawing's state. */
 export function withLink(svg: string, link: string): string {
   return withMetadata(svg, 'circle-voronoi', link)
 }
 
-/** A drawing with its circles as CSV, which are too many for a link. */
+/** Adds the circles as CSV, if they are too many for a link. */
 export function withTable(svg: string, csv: string): string {
   return withMetadata(svg, 'circle-voronoi-circles', `\n${csv}`)
 }
@@ -23,7 +24,7 @@ function withMetadata(svg: string, id: string, text: string): string {
   return svg.replace('>\n', () => `>\n<metadata id="${id}">${text}</metadata>\n`)
 }
 
-/** The circles that a drawing has as CSV. */
+/** The CSV in a drawing. */
 export function tableOfSvg(text: string): string | undefined {
   return TABLE.exec(text)?.[1]?.trimStart()
 }
@@ -38,7 +39,7 @@ export function circlesOfSvg(text: string, name: string): Read {
   for (const [k, line] of lines.entries()) {
     CIRCLE.lastIndex = 0
     const [, i, ...numbers] = CIRCLE.exec(line) ?? []
-    // Where some are missing, as outside the box of the drawing, the rest is something else.
+    // If some circles are missing, for example outside the drawing's box, the rest is not the original set.
     if (Number(i) !== k) refuse(name)
     circles.set(numbers.map(Number), 3 * k)
   }

@@ -14,19 +14,19 @@ import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 import { toast } from './toast.ts'
 
-/** What areas may be by: numbers above 0. */
+/** The choices for areas, as numbers above 0. */
 const BY = { equal: 'equal', radius: 'by radius', disc: 'by disc area' } as const
 const FREE = 'free'
 const OWN = 'own'
-/** Before the name of a column. */
+/** Prefix of a column's name among the choices. */
 const COLUMN = 'column:'
 
-/** What cells are cut to, and which areas they have there. */
+/** The panel for the region and the areas. */
 export function mountRegion(store: Store<State>, actions: PageActions, files: FileActions, pen: RegionPen): void {
   const figure = byId('figure', HTMLElement)
   const draw = () => panel.render(() => body(store.get()))
   const panel = panelOf(byId('region', HTMLElement), 'Region', draw)
-  /** What areas are by that were chosen, also once they come back by undo. */
+  /** The choice that each list of areas came from, for when undo restores the areas. */
   const chosen = new WeakMap<readonly number[], string>()
 
   const begin = () => {
@@ -37,7 +37,7 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     const input = target as HTMLInputElement
     const file = input.files?.[0]
     if (file !== undefined) await files.openRegion(file)
-    // The same file may be chosen once more.
+    // Allows choosing the same file again.
     input.value = ''
   }
   const merge = async ({ target }: Event) => {
@@ -57,7 +57,7 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     const { areas } = store.get().domain
     if (Array.isArray(areas) && !chosen.has(areas)) chosen.set(areas, value)
     draw()
-    // What was refused is not chosen.
+    // Resets a refused choice.
     select.value = chosenOf(areas)
   }
 

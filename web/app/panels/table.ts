@@ -13,12 +13,12 @@ import type { CircleGrid } from '../table/circle-grid.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 
-/** The numbers of all circles, loaded when they are looked at for the first time. */
+/** The panel with the table of all circles. The table is loaded when the panel opens for the first time. */
 export function mountTable(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
   const panel = byId('table', HTMLElement)
   let grid: CircleGrid | undefined
   let problem = ''
-  /** The names and the types of the columns of the file. */
+  /** The names and types of the file's columns. */
   let shownColumns = ''
 
   const draw = () => {
@@ -30,7 +30,7 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
     }
   }
   const folded = panelOf(panel, 'Table', draw)
-  /** Of the element that is there then. */
+  /** Reads the element at the time of the call, because drawing may replace it. */
   const fill = async () => {
     try {
       const { CircleGrid } = await import('../table/circle-grid.ts')
@@ -61,7 +61,7 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
       grid?.update(state)
       return
     }
-    // A grid has the columns that it began with.
+    // The columns of a grid are fixed, so it is created again.
     shownColumns = columns
     grid?.dispose()
     grid = undefined
