@@ -8,7 +8,7 @@ declare const playing: PlayerPage
 
 const test = testOf('player-page', (page) => expect(page.getByRole('slider', { name: 'Step' })).toBeVisible())
 
-const stepOf = (page: Page) => page.evaluate(() => playing.player.step)
+const stepOf = (page: Page) => page.evaluate(() => playing.stepOf() as number)
 
 test('plays the method by keys and by mouse', async ({ opened: page }) => {
   const slider = page.getByRole('slider', { name: 'Step' })
@@ -38,7 +38,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
 
   // Playback stops at a breakpoint.
   await page.getByRole('button', { name: 'Breakpoint: stop here when playing' }).click()
-  await page.evaluate((step) => playing.player.stepTo(step - 4), vertex)
+  await page.evaluate((step) => playing.stepTo(step - 4), vertex)
   await page.getByRole('combobox', { name: 'Speed' }).selectOption('30 / s')
   await page.getByRole('button', { name: 'Play', exact: true }).click()
   await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible()
@@ -69,11 +69,11 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
 }) => {
   await test.step('a button that has nothing left to do gives the focus to the slider', async () => {
     const slider = page.getByRole('slider', { name: 'Step' })
-    await page.evaluate(() => playing.player.stepTo(1))
+    await page.evaluate(() => playing.stepTo(1))
     await page.getByRole('button', { name: 'Previous step' }).click()
     expect(await stepOf(page)).toBe(0)
     await expect(slider).toBeFocused()
-    await page.evaluate(() => playing.player.stepTo(playing.player.steps - 2))
+    await page.evaluate(() => playing.stepTo(playing.player.steps - 2))
     await page.getByRole('button', { name: 'Next step', exact: true }).press('Enter')
     await expect(page.locator('.sentence')).toContainText('The judge proves the diagram.')
     await expect(slider).toBeFocused()
@@ -84,7 +84,7 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
   })
   await test.step('it plays from the start once the end is reached', async () => {
     await page.evaluate(() => {
-      playing.player.stepTo(playing.player.steps - 1)
+      playing.stepTo(playing.player.steps - 1)
       playing.seen.length = 0
     })
     await page.getByRole('button', { name: 'Play', exact: true }).click()
@@ -95,13 +95,13 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
   })
   await test.step('it stops nowhere in the trace of edited circles, whose steps are others', async () => {
     const stop = page.getByRole('button', { name: 'Breakpoint: stop here when playing' })
-    await page.evaluate(() => playing.player.stepTo(3))
+    await page.evaluate(() => playing.stepTo(3))
     await stop.click()
     await expect(stop).toHaveAttribute('aria-pressed', 'true')
     const steps = await page.evaluate(() => playing.player.steps)
     await page.evaluate(() => playing.view.apply([{ kind: 'remove', id: 3 }]))
     await expect.poll(() => page.evaluate(() => playing.player.steps)).not.toBe(steps)
-    await page.evaluate(() => playing.player.stepTo(3))
+    await page.evaluate(() => playing.stepTo(3))
     await expect(stop).toHaveAttribute('aria-pressed', 'false')
   })
 })

@@ -17,28 +17,19 @@ beforeEach(() => {
 })
 afterEach(() => vi.unstubAllGlobals())
 
-/**
- * A loaded player at step 0. `report` reports a step like the player, `asked` records the steps requested from the
- * player, and `told` those that listeners received.
- */
+/** A loaded player of nine steps. `go` changes the step like the player, and `told` records the steps that listeners received. */
 async function played() {
   const store = createStore<State>({ ...INITIAL_STATE, step: 0, edited: {} as State['edited'] })
-  const [asked, told]: [number[], number[]] = [[], []]
-  let report = (_: number) => {}
+  const told: number[] = []
+  let options: PlayerOptions | undefined
   const [dispose, play] = [vi.fn(), vi.fn()]
-  vi.mocked(mountPlayer).mockImplementation((_, { onstep }: PlayerOptions) => {
-    let shown = 0
-    report = (step) => {
-      shown = step
-      onstep(step, 9)
-    }
-    const stepTo = (step: number) => {
-      asked.push(step)
-      if (step !== shown) report(step)
-    }
-    return { ready: Promise.resolve(), stepTo, dispose, play } as unknown as Player
+  vi.mocked(mountPlayer).mockImplementation((_, given: PlayerOptions) => {
+    options = given
+    const follow = () => given.onstep(Math.min(given.place().step as number, 8), 9)
+    return { ready: Promise.resolve(), follow, dispose, play } as unknown as Player
   })
-  const showStep = (step: number | undefined) => store.update((state) => ({ ...state, step }))
+  const showStep = (step: number | undefined, method?: string, stage?: string) =>
+    store.update((state) => ({ ...state, step, method, stage }))
   const stepping = new Stepping({
     container: {} as HTMLElement,
     view: {} as View,
@@ -48,40 +39,45 @@ async function played() {
     onstep: (step) => told.push(step),
   })
   await stepping.whenReady()
-  const fakes = { dispose, play, stepping }
-  return { stepOf: () => store.get().step, showStep, report: (step: number) => report(step), asked, told, ...fakes }
+  told.length = 0
+  const { place, go } = options as unknown as PlayerOptions
+  return { stepOf: () => store.get().step, showStep, place, go, told, dispose, play, stepping }
 }
 
-it('the step that the player shows becomes the step of the state', async () => {
-  const { stepOf, report, asked, told } = await played()
-  report(4)
-  expect([stepOf(), asked, told]).toEqual([4, [], [4]])
-})
-
-it('a new step of the state is kept if the player reports another step before it hears of the new one', async () => {
-  const { stepOf, showStep, report, asked, told } = await played()
+it('the step that the player goes to is the step of the state, and the player asks for no other', async () => {
+  const { stepOf, go, place, showStep } = await played()
+  go(4)
+  expect([stepOf(), place().step]).toEqual([4, 4])
   showStep(3)
-  report(0)
-  expect([stepOf(), asked, told]).toEqual([3, [3], [3]])
-  frame()
-  expect([stepOf(), asked, told]).toEqual([3, [3], [3]])
+  expect(place().step).toBe(3)
+  go(place().step as number)
+  expect(stepOf()).toBe(3)
 })
 
-it('listeners hear of a step that the player reaches before it hears that the state names it', async () => {
-  const { stepOf, showStep, report, told } = await played()
-  showStep(1)
-  report(1)
+it('the player shows a new step of the state with the next frame', async () => {
+  const { showStep, told } = await played()
+  showStep(3)
+  expect(told).toEqual([])
   frame()
-  expect([stepOf(), told]).toEqual([1, [1]])
+  expect(told).toEqual([3])
 })
 
-it('a closed player does not open again if it reports a step before it hears that it is closed', async () => {
-  const { stepOf, showStep, report, dispose } = await played()
+it('the stage of changed circles is forgotten once another step is wanted', async () => {
+  const { go, place, showStep } = await played()
+  go(4, 'discs' as never)
+  expect(place()).toMatchObject({ step: 4, stage: 'discs' })
+  showStep(4)
+  expect(place().stage).toBeUndefined()
+})
+
+it('a player that is closed stays closed', async () => {
+  const { stepOf, showStep, dispose, stepping, told } = await played()
   showStep(undefined)
-  report(0)
+  stepping.restart()
   frame()
   expect(stepOf()).toBeUndefined()
   expect(dispose).toHaveBeenCalledOnce()
+  expect(told).toEqual([])
 })
 
 it('a player that is closed while it plays does not play when it is opened again', async () => {

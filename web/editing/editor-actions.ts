@@ -173,7 +173,7 @@ export class EditorActions implements Hands {
       this.useTool('select')
       this.select([])
       const isPlayed = this.#store.get().step !== undefined
-      if ('step' in opened) this.#store.update((state) => ({ ...state, step, method }))
+      if ('step' in opened) this.#store.update((state) => ({ ...state, step, method, stage: undefined }))
       else this.showStep(isPlayed ? 0 : undefined)
       return 'opened'
     } catch (error) {
@@ -300,9 +300,12 @@ export class EditorActions implements Hands {
     this.#editing.cancel(gesture)
   }
 
-  /** Plays a method from a step on; `undefined` ends playback. */
-  showStep(step: number | undefined, method = this.#store.get().method): void {
-    this.#store.update((state) => (state.step === step && state.method === method ? state : { ...state, step, method }))
+  /** Shows a step of a method; `undefined` ends playback. `stage` is that of the state. */
+  showStep(step: number | undefined, method = this.#store.get().method, stage?: string): void {
+    this.#store.update((state) => {
+      const isSame = state.step === step && state.method === method && state.stage === stage
+      return isSame ? state : { ...state, step, method, stage }
+    })
   }
 
   useTool(tool: Tool): void {

@@ -35,8 +35,10 @@ export interface State {
   readonly layers: Layers
   /** Results for layers that depend on all circles, once computed. */
   readonly found: Found | undefined
-  /** The step of playback; `undefined` if no method is played. */
+  /** The step of playback, which the player shows and changes here; `undefined` if no method is played. */
   readonly step: number | undefined
+  /** The program line of the step, while the trace of changed circles is loading and the step has no number yet. */
+  readonly stage: string | undefined
   /** The method of playback; `undefined` for the usual one. */
   readonly method: string | undefined
   readonly tool: Tool
@@ -72,6 +74,7 @@ export const INITIAL_STATE: State = {
   layers: DEFAULT_LAYERS,
   found: undefined,
   step: undefined,
+  stage: undefined,
   method: undefined,
   tool: 'select',
   isSnapping: false,

@@ -528,7 +528,9 @@ export class CircleVoronoiElement extends Base {
   }
 
   set step(step: number | undefined | null) {
-    this.#reflect('step', step)
+    // An attribute that is not there does not change.
+    if (!isSet(step) && !this.hasAttribute('step')) this.#play(undefined)
+    else this.#reflect('step', step)
   }
 
   /** The method of `compute()` (default: `auto`) and of the player (default: `touching-disc`). */

@@ -19,13 +19,23 @@ import { concerns, nextStep, programOf, type Step, sortOf, stepsOf } from './ste
 import { drawTimeline } from './timeline.ts'
 import { ENGLISH_PLAYER, type Goal, type PlayerWords } from './words.ts'
 
+/** The step to show. */
+export interface PlayerPlace {
+  /** The number of the step, which is clamped to the existing ones; `undefined` if the player is about to close. */
+  readonly step: number | undefined
+  /** The program line of the step, while its number in a new trace is unknown. */
+  readonly stage?: string | undefined
+}
+
 export interface PlayerOptions {
   /** The view that shows the circles. Its diagram is hidden until the last step; the player draws an overlay on it. */
   readonly view: View
   /** The trace to play: the touching disc method, flips (`method: 'auto'`), or `edits`. */
   readonly options: TraceOptions
-  /** The step to begin with. */
-  readonly step?: number | undefined
+  /** Returns the current step. The player keeps none of its own. */
+  place(): PlayerPlace
+  /** Changes the current step. `stage` is that of `PlayerPlace`. */
+  go(step: number, stage?: Line): void
   /** Called with each step shown and the number of steps. */
   onstep(step: number, steps: number): void
   /** Returns the player's texts, at each redraw. Default: English. */
@@ -38,14 +48,13 @@ export interface Player {
    * promise.
    */
   readonly ready: Promise<void>
-  readonly step: number
   /** The number of steps; 0 while no trace is loaded. */
   readonly steps: number
   /** Starts playback, from the beginning if the last step is shown. */
   play(): void
   pause(): void
-  /** Shows a step, clamped to the existing ones. */
-  stepTo(step: number): void
+  /** Shows the current step. */
+  follow(): void
   /** Redraws the player after a change that it cannot observe, such as another language. */
   redraw(): void
   /** Removes the player and shows the diagram again. */
@@ -71,6 +80,8 @@ class MethodPlayer implements Player {
   readonly #root: HTMLElement
   readonly #view: View
   readonly #options: TraceOptions
+  readonly #placeNow: () => PlayerPlace
+  readonly #setPlace: (step: number, stage?: Line) => void
   readonly #onstep: (step: number, steps: number) => void
   readonly #wordsNow: () => PlayerWords | undefined
   readonly #watching = new AbortController()
@@ -79,8 +90,8 @@ class MethodPlayer implements Player {
   /** Read from the style sheet on first use. */
   #colors: Colors | undefined
   #run = 0
-  /** The step to show once the trace is loaded; `undefined` if the trace matches the circles. */
-  #wanted: number | Line | undefined
+  /** Whether the trace of the current circles is loading. */
+  #isLoading = false
   ready: Promise<void>
 
   #given: Pick<Traced, 'circles' | 'ids'> | undefined
@@ -88,7 +99,8 @@ class MethodPlayer implements Player {
   #problem = ''
   #steps: readonly Step[] = []
   #program: Program = 'touching'
-  #step = 0
+  /** The step in the picture. While a trace is loading, it is a step of the previous trace. */
+  #shown = 0
   readonly #playback = new Playback(() => this.#next())
   #isPlaying = false
   #goal: Goal = 'stage'
@@ -98,10 +110,12 @@ class MethodPlayer implements Player {
   #answer: { readonly step: number; readonly question: Question; readonly chosen: number } | undefined
   #score = { right: 0, asked: 0 }
 
-  constructor(container: HTMLElement, { view, options, step, onstep, words }: PlayerOptions) {
+  constructor(container: HTMLElement, { view, options, place, go, onstep, words }: PlayerOptions) {
     this.#root = container
     this.#view = view
     this.#options = options
+    this.#placeNow = place
+    this.#setPlace = go
     this.#onstep = onstep
     this.#wordsNow = words ?? (() => undefined)
     container.classList.add('cv-player')
@@ -124,11 +138,7 @@ class MethodPlayer implements Player {
     this.#resized = new ResizeObserver(() => this.#drawTimeline())
     this.#resized.observe(container)
     this.#draw()
-    this.ready = this.#load(step ?? 0, 0)
-  }
-
-  get step(): number {
-    return this.#step
+    this.ready = this.#load(0)
   }
 
   get steps(): number {
@@ -136,10 +146,9 @@ class MethodPlayer implements Player {
   }
 
   play(): void {
-    const isLoading = this.#wanted !== undefined
-    if ((this.#steps.length === 0 && !isLoading) || this.#isPlaying) return
+    if ((this.#steps.length === 0 && !this.#isLoading) || this.#isPlaying) return
     this.#isPlaying = true
-    if (!isLoading) this.#go()
+    if (!this.#isLoading) this.#start()
     this.#draw()
   }
 
@@ -149,19 +158,13 @@ class MethodPlayer implements Player {
     this.#draw()
   }
 
-  stepTo(step: number): void {
-    if (!Number.isFinite(step)) return
-    if (this.#wanted !== undefined) this.#wanted = step
-    if (this.#wanted !== undefined || this.#steps.length === 0) return
-    const last = this.#steps.length - 1
-    const next = Math.min(Math.max(Math.round(step), 0), last)
-    if (next === this.#step) return
-    this.#showsResult(next === last)
-    this.#step = next
-    // The feedback on an answer stays while the next step is shown.
-    if (this.#answer !== undefined && next !== this.#answer.step + 1) this.#answer = undefined
-    this.#draw()
-    this.#onstep(next, this.#steps.length)
+  follow(): void {
+    const { step } = this.#placeNow()
+    // A trace that is loading will be shown at the step that is current by then.
+    if (step === undefined || this.#isLoading || this.#steps.length === 0) return
+    const next = this.#nearest(step)
+    if (next !== step) this.#setPlace(next)
+    if (next !== this.#shown) this.#show(next)
   }
 
   redraw(): void {
@@ -183,17 +186,20 @@ class MethodPlayer implements Player {
 
   /** Plays the changed circles from the same stage. Steps within a stage have no counterpart after an edit. */
   #playAnew(): void {
-    const current = this.#steps[this.#step]
-    const isStage = current !== undefined && sortOf(current) === 'stage'
-    const step = this.#wanted ?? (isStage ? current.line : 0)
+    const { step } = this.#placeNow()
+    if (!this.#isLoading && step !== undefined && this.#steps.length > 0) {
+      const shown = this.#steps[this.#shown] as Step
+      if (sortOf(shown) === 'stage') this.#setPlace(step, shown.line)
+      else this.#setPlace(0)
+    }
     this.pause()
-    this.ready = this.#load(step, REST)
+    this.ready = this.#load(REST)
   }
 
   /** Loads the trace once `rest` milliseconds pass without another request. The old explanation stays until then. */
-  #load(step: number | Line, rest: number): Promise<void> {
+  #load(rest: number): Promise<void> {
     this.#run += 1
-    this.#wanted = step
+    this.#isLoading = true
     this.#view.above = []
     const loaded = this.#loaded(this.#run, rest)
     // Callers that need the reason await `ready`; other callers must not cause an unhandled rejection.
@@ -202,6 +208,8 @@ class MethodPlayer implements Player {
   }
 
   async #loaded(run: number, rest: number): Promise<void> {
+    // A player that is about to close has no step.
+    let isWanted = false
     try {
       if (rest > 0) await new Promise((resolve) => setTimeout(resolve, rest))
       if (run !== this.#run) return
@@ -217,15 +225,19 @@ class MethodPlayer implements Player {
       this.#breakpoints.clear()
       this.#answer = undefined
       this.#score = { right: 0, asked: 0 }
-      this.#step = this.#stepOf(this.#wanted ?? 0)
-      this.#wanted = undefined
-      this.#showsResult(this.#step === this.#steps.length - 1)
-      if (this.#isPlaying) this.#go()
+      this.#isLoading = false
+      const { step, stage } = this.#placeNow()
+      const wanted = stage === undefined ? step : this.#steps.findIndex(({ line }) => line === stage)
+      this.#shown = this.#nearest(wanted ?? 0)
+      isWanted = step !== undefined
+      if (isWanted) this.#setPlace(this.#shown)
+      this.#showsResult(this.#shown === this.#steps.length - 1)
+      if (this.#isPlaying) this.#start()
     } catch (error) {
       if (run !== this.#run) return
       this.#trace = undefined
       this.#steps = []
-      this.#wanted = undefined
+      this.#isLoading = false
       this.#isPlaying = false
       this.#showsResult(true)
       this.#problem = this.#words.told?.(error as Error) ?? (error as Error).message
@@ -233,12 +245,11 @@ class MethodPlayer implements Player {
     } finally {
       if (run === this.#run) this.#draw()
     }
-    this.#onstep(this.#step, this.#steps.length)
+    if (isWanted) this.#onstep(this.#shown, this.#steps.length)
   }
 
-  /** Resolves a number to the nearest step, a line to its first step. */
-  #stepOf(wanted: number | Line): number {
-    const step = typeof wanted === 'number' ? wanted : this.#steps.findIndex(({ line }) => line === wanted)
+  /** Clamps a number to the existing steps. */
+  #nearest(step: number): number {
     return Math.min(Math.max(Math.round(step) || 0, 0), this.#steps.length - 1)
   }
 
@@ -247,16 +258,40 @@ class MethodPlayer implements Player {
     this.#view.hasDiagram = isShown
   }
 
-  #go(): void {
-    if (this.#step === this.#steps.length - 1) this.stepTo(0)
+  #start(): void {
+    if (this.#at === this.#steps.length - 1) this.#go(0)
     this.#playback.start()
+  }
+
+  /** The current step. */
+  get #at(): number {
+    return this.#nearest(this.#placeNow().step ?? 0)
+  }
+
+  /** Changes the current step and shows it. */
+  #go(step: number): void {
+    // A player that is about to close shows no other step.
+    if (this.#placeNow().step === undefined || this.#steps.length === 0) return
+    this.#setPlace(this.#nearest(step))
+    this.follow()
+  }
+
+  #show(step: number): void {
+    this.#showsResult(step === this.#steps.length - 1)
+    this.#shown = step
+    // The feedback on an answer stays while the next step is shown.
+    if (this.#answer !== undefined && step !== this.#answer.step + 1) this.#answer = undefined
+    this.#draw()
+    this.#onstep(step, this.#steps.length)
   }
 
   /** Shows the next step during playback. Returns whether to continue. */
   #next(): boolean {
+    // The step may have changed since the last frame.
+    this.follow()
     const isAsked = this.#question() !== undefined
-    if (!isAsked) this.stepTo(this.#step + 1)
-    const isStop = isAsked || this.#step === this.#steps.length - 1 || this.#breakpoints.has(this.#step)
+    if (!isAsked) this.#go(this.#at + 1)
+    const isStop = isAsked || this.#at === this.#steps.length - 1 || this.#breakpoints.has(this.#at)
     if (isStop) this.pause()
     return this.#isPlaying
   }
@@ -269,16 +304,16 @@ class MethodPlayer implements Player {
   }
 
   #now() {
-    return { trace: this.#trace, steps: this.#steps, step: this.#step }
+    return { trace: this.#trace, steps: this.#steps, step: this.#shown }
   }
 
   #reply(question: Question, chosen: number): void {
-    this.#answer = { step: this.#step, question, chosen }
+    this.#answer = { step: this.#shown, question, chosen }
     this.#score = {
       right: this.#score.right + (chosen === question.right ? 1 : 0),
       asked: this.#score.asked + 1,
     }
-    this.stepTo(this.#step + 1)
+    this.#go(this.#shown + 1)
     // The button that had the focus has been removed.
     this.#root.querySelector<HTMLElement>('[data-forth]')?.focus()
   }
@@ -287,7 +322,7 @@ class MethodPlayer implements Player {
     const target = this.#jumpTarget(direction)
     if (target === undefined) return
     this.pause()
-    this.stepTo(target)
+    this.#go(target)
   }
 
   #jumpTarget(direction: 1 | -1): number | undefined {
@@ -315,8 +350,8 @@ class MethodPlayer implements Player {
     const last = this.#steps.length - 1
     const moves: Readonly<Record<string, () => void>> = {
       ' ': () => (this.#isPlaying ? this.pause() : this.play()),
-      ArrowRight: () => this.#user(this.#step + 1),
-      ArrowLeft: () => this.#user(this.#step - 1),
+      ArrowRight: () => this.#user(this.#at + 1),
+      ArrowLeft: () => this.#user(this.#at - 1),
       Home: () => this.#user(0),
       End: () => this.#user(last),
       PageDown: () => this.#jump(1),
@@ -333,7 +368,7 @@ class MethodPlayer implements Player {
   /** Shows a step at the reader's request, which ends playback. */
   #user(step: number): void {
     if (this.#isPlaying) this.pause()
-    this.stepTo(step)
+    this.#go(step)
   }
 
   #colorsNow(): Colors {
@@ -344,7 +379,7 @@ class MethodPlayer implements Player {
   #drawTimeline(): void {
     const canvas = this.#root.querySelector('canvas')
     if (canvas !== null && this.#steps.length > 0) {
-      drawTimeline(canvas, this.#steps, this.#step, this.#breakpoints, this.#colorsNow())
+      drawTimeline(canvas, this.#steps, this.#shown, this.#breakpoints, this.#colorsNow())
     }
   }
 
@@ -378,8 +413,8 @@ class MethodPlayer implements Player {
     render(this.#page(trace, current, state, tested, circleOf), this.#root)
     this.#drawTimeline()
     this.#reveal()
-    // The overlay is empty while the trace belongs to older circles.
-    const isNothing = step === steps.length - 1 || this.#wanted !== undefined
+    // Of circles that are no longer so, nothing is drawn.
+    const isNothing = step === steps.length - 1 || this.#isLoading
     this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
@@ -404,7 +439,7 @@ class MethodPlayer implements Player {
     circleOf: (id: number) => Circle | undefined,
   ): TemplateResult {
     const steps = this.#steps
-    const step = this.#step
+    const step = this.#shown
     const last = steps.length - 1
     const isPlaying = this.#isPlaying
     const words = this.#words
@@ -493,7 +528,7 @@ class MethodPlayer implements Player {
   #questionPart(): TemplateResult | typeof nothing {
     const words = this.#words
     const answered = this.#answer
-    if (answered !== undefined && answered.step + 1 === this.#step) {
+    if (answered !== undefined && answered.step + 1 === this.#shown) {
       const { question, chosen } = answered
       const isRight = chosen === question.right
       const text = isRight ? words.right : words.wrong(question.answers[question.right] as string)

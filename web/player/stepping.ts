@@ -23,7 +23,7 @@ export interface SteppingOptions {
   readonly onproblem?: ((error: Error) => void) | undefined
 }
 
-/** Loads the player when the state names a step, and removes it when the state names none. */
+/** Mounts the player while the state has a step, and loads its code only then. The state alone has the step. */
 export class Stepping {
   readonly #options: SteppingOptions
   #isDisposed = false
@@ -31,8 +31,8 @@ export class Stepping {
   #loading: Promise<void> | undefined
   /** Identifies the current player, so that a player that loads too late is dropped. */
   #turn = 0
-  /** The last step on which player and state agreed. */
-  #known: number | undefined
+  /** Whether a player is mounted or loading. */
+  #isOpen = false
   #method: string | undefined
   #isPlaying = false
 
@@ -58,7 +58,8 @@ export class Stepping {
   /** Starts playback at the current step, or at the beginning. */
   play(): void {
     this.#isPlaying = true
-    if (this.#known === undefined) this.#options.actions.showStep(0)
+    const { store, actions } = this.#options
+    if (store.get().step === undefined) actions.showStep(0)
     this.#player?.play()
   }
 
@@ -67,12 +68,12 @@ export class Stepping {
     this.#player?.pause()
   }
 
-  /** Restarts from the beginning if a trace is playing, because the options may have changed. */
+  /** Restarts playback, if there is any, with the current options. */
   restart(): void {
-    if (this.#known === undefined) return
-    this.#follow(undefined)
+    if (!this.#isOpen || this.#options.store.get().step === undefined) return
+    this.#end()
     this.#options.actions.showStep(0)
-    this.#follow(0)
+    this.#followState()
   }
 
   /** Redraws the player with other texts. */
@@ -82,38 +83,33 @@ export class Stepping {
 
   dispose(): void {
     this.#isDisposed = true
-    this.#follow(undefined)
+    this.#end()
   }
 
   #followState(): void {
     const { step, method, edited } = this.#options.store.get()
     // Without circles there is nothing to play.
     if (edited === undefined || this.#isDisposed) return
-    if (method !== this.#method) this.#follow(undefined)
+    if (this.#isOpen && (step === undefined || method !== this.#method)) this.#end()
     this.#method = method
-    this.#follow(step)
-  }
-
-  #follow(step: number | undefined): void {
-    if (step === this.#known) return
-    const isNew = this.#known === undefined
-    this.#known = step
-    if (step === undefined) this.#end()
-    else if (isNew) this.#loading = this.#load()
-    else this.#player?.stepTo(step)
+    if (step === undefined) return
+    if (this.#isOpen) this.#player?.follow()
+    else this.#loading = this.#load()
   }
 
   #end(): void {
     this.#turn += 1
+    this.#isOpen = false
     this.#isPlaying = false
     this.#player?.dispose()
     this.#player = undefined
   }
 
   async #load(): Promise<void> {
+    this.#isOpen = true
     this.#turn += 1
     const turn = this.#turn
-    const { container, view, actions, options, onstep, words, onproblem = () => {} } = this.#options
+    const { container, view, store, actions, options, onstep = () => {}, words, onproblem = () => {} } = this.#options
     try {
       const { mountPlayer } = await import('./player.ts')
       // The state may have dropped the step while the player loaded.
@@ -121,16 +117,10 @@ export class Stepping {
       const player = mountPlayer(container, {
         view,
         options: options(this.#method),
-        step: this.#known,
+        place: () => store.get(),
+        go: (step, stage) => actions.showStep(step, undefined, stage),
         words,
-        onstep: (step, steps) => {
-          // The state may name another step by now, or none.
-          const wanted = this.#options.store.get().step
-          if (wanted !== this.#known && wanted !== step) return this.#followState()
-          this.#known = step
-          actions.showStep(step)
-          onstep?.(step, steps)
-        },
+        onstep,
       })
       this.#player = player
       if (this.#isPlaying) player.play()

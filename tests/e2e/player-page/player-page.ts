@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { mountPlayer, type Player } from '../../../web/player/player.ts'
+import { mountPlayer, type Player, type PlayerPlace } from '../../../web/player/player.ts'
 import { boundingBox, fitted } from '../../../web/view/camera.ts'
 import { mount } from '../../../web/view/mount.ts'
 import type { View } from '../../../web/view/view.ts'
@@ -10,8 +10,19 @@ const view = mount(by('figure'))
 view.setCamera(fitted(boundingBox(circles), view.size, { top: 16, right: 16, bottom: 16, left: 16 }))
 await view.setCircles(circles)
 const seen: number[] = []
-const play = (options = {}, step?: number) =>
-  mountPlayer(by('player'), { view, options, step, onstep: (k) => seen.push(k) })
+/** The step, which belongs to the page. */
+let place: PlayerPlace = { step: 0 }
+const play = (options = {}, step = 0) => {
+  place = { step }
+  const go = (next: number, stage?: string) => {
+    place = { step: next, stage }
+  }
+  return mountPlayer(by('player'), { view, options, place: () => place, go, onstep: (k) => seen.push(k) })
+}
+const stepTo = (step: number) => {
+  place = { step }
+  playing.player.follow()
+}
 
 /** The interface of the page for the test. */
 export interface PlayerPage {
@@ -19,6 +30,9 @@ export interface PlayerPage {
   player: Player
   seen: number[]
   play: typeof play
+  stepOf(): number | undefined
+  stepTo(step: number): void
 }
 
-Object.assign(globalThis, { playing: { view, seen, play, player: play() } })
+const playing: PlayerPage = { view, seen, play, player: play(), stepOf: () => place.step, stepTo }
+Object.assign(globalThis, { playing })
