@@ -36,6 +36,7 @@ const PURPOSES = {
       'libbenchmark-dev',
       'libgmp-dev',
       'libmpfr-dev',
+      'librsvg2-bin',
       'mkdocs',
       'mypy',
       'nlohmann-json3-dev',

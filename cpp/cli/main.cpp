@@ -19,8 +19,9 @@ int fail(ExitStatus status, const std::string& message) {
   return status;
 }
 
-std::string exitStatuses() {
-  std::string text = "Exit status:";
+std::string footer() {
+  std::string text =
+      "In the npm package, the command picture draws a link or a file as the playground shows it.\n\nExit status:";
   for (const auto& [status, meaning] : kExitMeanings)
     text += "\n  " + std::to_string(status) + "  " + std::string(meaning);
   return text;
@@ -61,7 +62,7 @@ int main(int argumentCount, char** arguments) {
     addFitCommand(program);
     addGenerateCommand(program);
     addTileCommand(program);
-    program.footer(exitStatuses());
+    program.footer(footer());
     checkCommand(program, argumentCount, arguments);
     try {
       program.parse(argumentCount, arguments);

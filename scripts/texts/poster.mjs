@@ -49,7 +49,7 @@ export function posterMaker(library, { colorsOf, extrasOf }) {
     const colors = colorsOf(diagram)
     const left = [...ASKED_FOR, ...USUAL]
       .filter((name) => layers[name] !== true && (ASKED_FOR.includes(name) || layers[name] === false))
-      .reduce((rest, name) => rest.replace(new RegExp(`<g id="${name}"[\\s\\S]*?</g>\n`), ''), svg)
+      .reduce((rest, name) => rest.replace(new RegExp(`<g class="${name}"[\\s\\S]*?</g>\n`), ''), svg)
     const isPale = layers.samples || layers.sampleGraph || layers.delaunay
     const isPlain = layers.cells === 'none'
     const colored = left

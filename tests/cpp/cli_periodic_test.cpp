@@ -168,7 +168,14 @@ TEST_F(CliPeriodic, JsonIsADiagramWithShifts) {
 
 TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   const std::string svg = textOf("compute " + circles_ + " --lattice 1,0,0.25,1 --format svg");
-  EXPECT_NE(svg.find("<clipPath id=\"box\">"), std::string::npos);
+  // Names that other drawings in the same page do not have.
+  const std::string start = "<clipPath id=\"box";
+  const std::size_t from = svg.find(start) + start.size();
+  ASSERT_NE(svg.find(start), std::string::npos);
+  const std::string id = svg.substr(from, svg.find('"', from) - from);
+  EXPECT_GT(id.size(), 8U);
+  const std::string other = textOf("compute " + circles_ + " --lattice 1,0,0.5,1 --format svg");
+  EXPECT_EQ(other.find(id), std::string::npos);
   EXPECT_NE(svg.find("class=\"lattice\""), std::string::npos);
   // Circle 0 is drawn once, and used at its place and at those of its neighbors.
   const auto count = [&](const std::string& part) {
@@ -179,7 +186,7 @@ TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   EXPECT_EQ(count("<circle data-circle=\"0\""), 1);
   EXPECT_EQ(count("<path data-circle=\"0\""), 1);
   for (const std::string place : {"x=\"0\" y=\"0\"", "x=\"1\" y=\"0\"", "x=\"0.25\" y=\"1\"", "x=\"-1\" y=\"0\""}) {
-    EXPECT_EQ(count("<use href=\"#given\" " + place + "/>"), 1) << place;
+    EXPECT_EQ(count("<use href=\"#given" + id + "\" " + place + "/>"), 1) << place;
   }
   // Each border once: six for each visible circle, and each for two.
   EXPECT_EQ(count("<path data-edge="), 6);

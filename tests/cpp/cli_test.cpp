@@ -243,6 +243,7 @@ TEST_F(Cli, BadUsageIsSaidInOneLine) {
   expectFailure(run(""), 2,
                 "A command is missing; the commands are certify, compute, convert, edit, fit, generate and tile.");
   expectFailure(run("picture"), 2, "picture");
+  EXPECT_NE(run("--help").out.find("the command picture draws"), std::string::npos);
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are certify, ");
   expectFailure(run("--draw"), 2, "There is no option --draw; the commands are certify, ");
   expectFailure(run("compute - --draw"), 2, "--draw");

@@ -190,7 +190,7 @@ TEST(Export, CoordinatesHaveTheDigitsOfTheTolerance) {
     EXPECT_GT(static_cast<double>(rounded), 0.85 * static_cast<double>(all)) << "but for the box and short edges";
     const std::string svg = textOf(writeSvg, circles, options);
     const std::string cells =
-        svg.substr(svg.find("<g id=\"cells\""), svg.find("<g id=\"dual\"") - svg.find("<g id=\"cells\""));
+        svg.substr(svg.find("<g class=\"cells\""), svg.find("<g class=\"dual\"") - svg.find("<g class=\"cells\""));
     for (const std::string& number : numbersOf(cells)) EXPECT_LE(placesOf(number), places) << number;
     EXPECT_NE(cells.find('.'), std::string::npos);
   }
@@ -340,7 +340,7 @@ const std::vector<Circle> kLargeArc = {{0, 0, 5}, {6.2, 0, 1}};
 
 TEST(Export, SvgTakesTheLargeArcWhereTheHullTurnsByMoreThanHalf) {
   const std::string svg = textOf(writeSvg, kLargeArc);
-  const std::string hull = svg.substr(svg.find("<g id=\"hull\""));
+  const std::string hull = svg.substr(svg.find("<g class=\"hull\""));
   EXPECT_EQ(countOf(hull, "A5 5 0 1 1 "), 1U) << hull;
   EXPECT_EQ(countOf(hull, "A1 1 0 0 1 "), 1U) << hull;
   const std::string equal = textOf(writeSvg, {{0, 0, 1}, {9, 0, 1}, {4, 6, 1}});
@@ -431,8 +431,13 @@ TEST(Export, SvgHasItsLayers) {
   const auto circles = test::readFixture("bronzefilter");
   const std::string svg = textOf(writeSvg, circles);
   for (const char* name : {"cells", "edges", "dual", "hull", "circles", "vertices"}) {
-    EXPECT_EQ(countOf(svg, "<g id=\"" + std::string(name) + "\""), 1U);
+    EXPECT_EQ(countOf(svg, "<g class=\"" + std::string(name) + "\""), 1U);
   }
+  // In a page with other drawings, no name is there twice, and no rule is for anything else.
+  EXPECT_EQ(svg.find(" id="), std::string::npos);
+  const std::string style = svg.substr(svg.find("<style>\n"), svg.find("</style>") - svg.find("<style>\n"));
+  EXPECT_EQ(countOf(style, ".circle-voronoi "), countOf(style, "{") + countOf(style, ","));
+  EXPECT_NE(svg.find("class=\"circle-voronoi\">"), std::string::npos);
   EXPECT_EQ(countOf(svg, "<g"), countOf(svg, "</g>"));
   EXPECT_EQ(countOf(svg, " r=\"") - countOf(svg, "data-vertex"), circles.size());
   EXPECT_EQ(svg.find("nan"), std::string::npos);
@@ -483,9 +488,9 @@ TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {
   const std::string svg = figureOf(figure);
   EXPECT_NE(svg.find("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\""), std::string::npos);
   EXPECT_NE(svg.find(".samples { stroke: red; }\n</style>"), std::string::npos);
-  EXPECT_EQ(countOf(svg, "<g id="), 5U);
-  EXPECT_EQ(svg.find("id=\"cells\""), std::string::npos);
-  EXPECT_NE(svg.find("<g id=\"samples\" class=\"samples\">\n<path d=\"M1 2h0M3 -4h0\"/>"), std::string::npos);
+  EXPECT_EQ(countOf(svg, "<g class="), 5U);
+  EXPECT_EQ(svg.find("class=\"cells\""), std::string::npos);
+  EXPECT_NE(svg.find("<g class=\"samples\">\n<path d=\"M1 2h0M3 -4h0\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<circle cx=\"5\" cy=\"6\" r=\"0.5\"/>"), std::string::npos);
   // Seven pixels of a tenth: a head of length 0.7 at the end.
   EXPECT_NE(svg.find("<path d=\"M0 0L0 5M-0.28 4.3L0 5L0.28 4.3\"/>"), std::string::npos);

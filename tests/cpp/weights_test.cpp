@@ -329,7 +329,7 @@ TEST(Weights, NegativeOnesAreDrawnAsPoints) {
   for (const std::vector<Circle>& circles : {kNegative, Circles{{1, 2, -3}}}) {
     std::ostringstream hull;
     EXPECT_TRUE(writeSvgFigure(hull, compute(circles, kWeights).value(), figure));
-    EXPECT_NE(hull.str().find("id=\"hull\""), std::string::npos);
+    EXPECT_NE(hull.str().find("class=\"hull\""), std::string::npos);
     EXPECT_EQ(hull.str().find("r=\"-"), std::string::npos) << hull.str();
     EXPECT_EQ(hull.str().find("A-"), std::string::npos) << hull.str();
   }

@@ -195,6 +195,57 @@ test('the program writes SVG, PNG and PDF, and says what is wrong in one sentenc
   rmSync(folder, { recursive: true })
 })
 
+test('rsvg-convert draws as a browser does, in the same size', async ({ page }) => {
+  const folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-picture-'))
+  const link = await encodeLink({ circles: CIRCLES, layers: { cells: 'degree' } })
+  const noBrowser = { CHROMIUM_PATH: join(folder, 'none') }
+  // Without programs, rsvg-convert cannot be found.
+  const noRsvg = { CHROMIUM_PATH: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium', PATH: folder }
+  for (const [name, env] of [
+    ['rsvg', noBrowser],
+    ['browser', noRsvg],
+  ] as const) {
+    for (const format of ['png', 'pdf']) {
+      const path = join(folder, `${name}.${format}`)
+      expect(run('picture', link, '-o', path, '--size', '300x200', env)).toEqual({ status: 0, stdout: '', stderr: '' })
+    }
+  }
+  const difference = await page.evaluate(
+    async (pngs) => {
+      const pixels = await Promise.all(
+        pngs.map(async (png) => {
+          const image = new Image()
+          image.src = `data:image/png;base64,${png}`
+          await image.decode()
+          const canvas = new OffscreenCanvas(image.width, image.height)
+          const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+          context.drawImage(image, 0, 0)
+          return [image.width, image.height, ...context.getImageData(0, 0, image.width, image.height).data]
+        }),
+      )
+      const [one, other] = pixels as [number[], number[]]
+      let sum = 0
+      for (let k = 2; k < one.length; k++) sum += Math.abs((one[k] as number) - (other[k] as number))
+      return { sizes: pixels.map((all) => all.slice(0, 2)), mean: sum / one.length }
+    },
+    ['rsvg', 'browser'].map((name) => readFileSync(join(folder, `${name}.png`)).toString('base64')),
+  )
+  // Twice as many pixels as the size has. Lines are smoothed in different ways.
+  expect(difference.sizes).toEqual([
+    [600, 400],
+    [600, 400],
+  ])
+  expect(difference.mean).toBeLessThan(1)
+  // A pixel is 3/4 of a point.
+  for (const name of ['rsvg', 'browser']) {
+    const box = /\/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)/.exec(readFileSync(join(folder, `${name}.pdf`), 'latin1'))
+    const [width, height] = [Number(box?.[1]), Number(box?.[2])]
+    expect(Math.abs(width - 225), name).toBeLessThan(1)
+    expect(Math.abs(height - 150), name).toBeLessThan(1)
+  }
+  rmSync(folder, { recursive: true })
+})
+
 test('a state that cannot be drawn is one clear error', async () => {
   for (const [state, options, message] of [
     [undefined, {}, 'renderSVG takes a state or a link, not undefined.'],

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // <circle-voronoi> wherever a page puts it: scaled, turned and zoomed, on slides that have gestures and keys of their own.
-import { mkdirSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
+import { centerOfFirst, HEIGHT, onPage, ownPlace, PLACES, WIDTH, whenPlaced, writePlaced } from './places.ts'
 import { ROOT } from './project.mjs'
 import { type Server, serve } from './static-server.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
 
 const PAGES = `build/placed-${process.env.TEST_PARALLEL_INDEX}`
-const VIEW = { x: 5, y: 4, span: 20 }
-/** The size of the picture in its own pixels. */
-const [WIDTH, HEIGHT] = [300, 200]
 
 let server: Server
 test.beforeAll(async () => {
@@ -21,34 +17,12 @@ test.afterAll(() => server.close())
 
 /** Opens a page with a figure of three circles and a known view. */
 async function open(page: Page, around: (figure: string) => string): Promise<void> {
-  const figure = `<circle-voronoi style="width: ${WIDTH}px; height: ${HEIGHT}px" circles="[[0,0,2],[10,0,1],[5,8,1.5]]"
-    view="${Object.values(VIEW).join(' ')}"></circle-voronoi>`
-  mkdirSync(join(ROOT, PAGES), { recursive: true })
-  writeFileSync(
-    join(ROOT, PAGES, 'index.html'),
-    `<!doctype html><html lang="en"><title>Placed</title><link rel="icon" href="data:,">
-    <style>body { margin: 150px }</style><script type="module" src="/dist/element/index.js"></script>${around(figure)}`,
-  )
-  await page.goto(`${server.address}${PAGES}/index.html`)
-  await page.locator('circle-voronoi').evaluate(async (element: Element) => {
-    await element.ready
-    await element.updateComplete
-  })
+  await page.goto(`${server.address}${writePlaced(PAGES, around)}`)
+  await page.evaluate(whenPlaced)
 }
 
-/** The position on the page of a point of the plane. A mark in the figure's own coordinates finds it. */
-function placeOf(page: Page, x: number, y: number): Promise<[number, number]> {
-  const scale = HEIGHT / VIEW.span
-  const own = { left: WIDTH / 2 + (x - VIEW.x) * scale, top: HEIGHT / 2 - (y - VIEW.y) * scale }
-  return page.locator('circle-voronoi').evaluate((element: Element, { left, top }) => {
-    const mark = document.createElement('i')
-    mark.style.cssText = `position: absolute; width: 0; height: 0; left: ${left}px; top: ${top}px`
-    element.shadowRoot?.querySelector('.figure')?.append(mark)
-    const box = mark.getBoundingClientRect()
-    mark.remove()
-    return [box.left, box.top]
-  }, own)
-}
+/** Returns the position of a point of the plane on the page. */
+const placeOf = (page: Page, x: number, y: number) => page.evaluate(onPage, ownPlace(x, y))
 
 async function drag(
   page: Page,
@@ -72,29 +46,7 @@ async function drag(
   await page.mouse.up()
 }
 
-/** The draggable center of circle 0, to a tenth of a pixel. */
-const center = (page: Page) =>
-  page
-    .locator('circle-voronoi')
-    .evaluate((element: Element) => [...element.circles].slice(0, 2).map((value) => Math.round(10 * value) / 10))
-
-const PLACES: readonly (readonly [string, (figure: string) => string])[] = [
-  ['as it is', (figure) => figure],
-  ['made larger', (figure) => `<div style="transform: scale(1.6); transform-origin: 0 0">${figure}</div>`],
-  ['made smaller', (figure) => `<div style="transform: scale(0.6); transform-origin: 0 0">${figure}</div>`],
-  ['turned', (figure) => `<div style="transform: translate(100px, 60px) rotate(35deg)">${figure}</div>`],
-  ['in perspective', (figure) => `<div style="transform: perspective(600px) rotateY(30deg)">${figure}</div>`],
-  ['zoomed', (figure) => `<div style="zoom: 1.5">${figure}</div>`],
-  [
-    'zoomed and made smaller',
-    (figure) => `<div style="zoom: 1.5"><div style="transform: scale(0.7)">${figure}</div></div>`,
-  ],
-  [
-    'zoomed in a shadow root',
-    (figure) =>
-      `<div><template shadowrootmode="open"><div style="zoom: 1.3; transform: rotate(-10deg)">${figure}</div></template></div>`,
-  ],
-]
+const center = (page: Page) => page.evaluate(centerOfFirst)
 
 for (const hasFinger of [false, true]) {
   test.describe(hasFinger ? 'a finger' : 'the mouse', () => {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-'use client'
 /**
  * `<circle-voronoi>` as a component of React 18 and 19, also where pages are rendered on a server. React itself sets properties that
  * are objects, and adds listeners, only to elements that it has created in the browser.
  *
  * @module circle-voronoi/react
  */
+'use client'
+
 import {
   createElement,
   type ForwardRefExoticComponent,
@@ -31,11 +32,11 @@ const LISTENERS = {
   onError: 'error',
 } as const satisfies Record<string, keyof CircleVoronoiEventMap>
 
-type Listeners = {
-  [Name in keyof typeof LISTENERS]?:
-    | ((event: CircleVoronoiEventMap[(typeof LISTENERS)[Name]] & { readonly target: CircleVoronoiElement }) => void)
-    | undefined
-}
+type Listener<Name extends keyof CircleVoronoiEventMap> =
+  | ((event: CircleVoronoiEventMap[Name] & { readonly target: CircleVoronoiElement }) => void)
+  | undefined
+
+type Listeners = { [Name in keyof typeof LISTENERS]?: Listener<(typeof LISTENERS)[Name]> }
 
 /**
  * The properties of `CircleVoronoi`: those of the element, a listener for each of its events, and what any element has.
@@ -43,6 +44,18 @@ type Listeners = {
  * @category Element
  */
 export interface CircleVoronoiComponentProps extends CircleVoronoiProps, Listeners {
+  /** Called with `circleschange`. */
+  onCirclesChange?: Listener<'circleschange'>
+  /** Called with `diagramchange`. */
+  onDiagramChange?: Listener<'diagramchange'>
+  /** Called with `checkchange`. */
+  onCheckChange?: Listener<'checkchange'>
+  /** Called with `selectionchange`. */
+  onSelectionChange?: Listener<'selectionchange'>
+  /** Called with `stepchange`. */
+  onStepChange?: Listener<'stepchange'>
+  /** Called with `error`. */
+  onError?: Listener<'error'>
   /** The content that is visible where there is no figure, a `poster`, or a `caption`. */
   children?: ReactNode
   className?: string | undefined

@@ -23,7 +23,11 @@ import { SceneComputer } from './scene-computer.ts'
 import type { Scheme } from './scheme.ts'
 import { playerColors, themeStyle } from './theme.ts'
 
-/** Options of `renderSVG`. */
+/**
+ * Options of `renderSVG`.
+ *
+ * @category Pictures
+ */
 export interface PictureOptions extends LoadOptions {
   /** The width in pixels. Default: 720. */
   readonly width?: number | undefined
@@ -45,6 +49,7 @@ const LONGEST_SIDE = 100_000
  *   not enough, because its circles are there
  * @throws CircleVoronoiError as `decodeLink` and `compute`; `badArgument`, `badOption`
  *
+ * @category Pictures
  * @example
  * import { renderSVG } from 'circle-voronoi/picture'
  *

@@ -69,15 +69,16 @@ struct ExportOptions {
 // option is out of range; notWritten if the stream fails; tooManyCircles if memory runs out. After the last two the
 // stream may hold a part of the text. If the stream throws, its exception passes through.
 
-/// Writes a drawing that fits the box, with y pointing up and nothing outside the box. It has the groups cells, dual,
-/// circles, edges, vertices and hull, which are also classes, and a style sheet. Curves are cubic Bezier curves, and
-/// arcs of circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of
-/// negative radius have the class point.
+/// Writes a drawing that fits the box, with y pointing up and nothing outside the box. It has the class circle-voronoi,
+/// and groups of the classes cells, dual, circles, edges, vertices and hull. Curves are cubic Bezier curves, and arcs of
+/// circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of negative
+/// radius have the class point. The look of a group is attributes, which a style sheet of yours overrides. Several
+/// drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet.
 Result<void> writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// A group of marks in a figure.
 struct SvgLayer {
-  std::string name;                ///< the id and the class of the group
+  std::string name;                ///< the class of the group
   std::vector<Point> points = {};  ///< strokes of length zero, as wide as the style sheet says
   std::vector<Circle> discs = {};
   std::vector<std::array<Point, 2>> segments = {};

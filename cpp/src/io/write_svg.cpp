@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,19 +29,33 @@ constexpr double kVertexPixels = 1.5;
 constexpr double kPointPixels = 0.5;  ///< a smaller radius is hard to see
 constexpr double kHeadPixels = 7;     ///< the length of an arrowhead
 
+/// Only what no group can pass on to its elements. In a page, the rules do not reach beyond the drawing.
 constexpr std::string_view kStyle = R"(<style>
-path, line, circle { vector-effect: non-scaling-stroke; }
-.cells { fill: #f6f4ee; stroke: none; }
-.edges { fill: none; stroke: #1f4e79; stroke-width: 1.5; }
-.dual { stroke: #a59d8a; stroke-width: 0.75; }
-.hull { fill: none; stroke: #8a6d1d; stroke-width: 1; stroke-dasharray: 6 4; }
-.circles { fill: #d9822b; fill-opacity: 0.35; stroke: #a85a10; stroke-width: 1; }
-.circles .hidden { fill: #8c8c8c; stroke: #6e6e6e; stroke-dasharray: 3 2; }
-.circles .point { stroke-width: 3; stroke-linecap: round; stroke-dasharray: none; }
-.vertices { fill: #1f4e79; stroke: none; }
+.circle-voronoi path, .circle-voronoi line, .circle-voronoi circle { vector-effect: non-scaling-stroke; }
+.circle-voronoi .hidden { fill: #8c8c8c; stroke: #6e6e6e; stroke-dasharray: 3 2; }
+.circle-voronoi .point { stroke-width: 3; stroke-linecap: round; stroke-dasharray: none; }
 )";
+
+/// How the elements of a group look, as attributes: any style sheet has precedence over them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kLooks = {{
+    {"cells", R"(fill="#f6f4ee" stroke="none")"},
+    {"edges", R"(fill="none" stroke="#1f4e79" stroke-width="1.5")"},
+    {"dual", R"(stroke="#a59d8a" stroke-width="0.75")"},
+    {"hull", R"(fill="none" stroke="#8a6d1d" stroke-width="1" stroke-dasharray="6 4")"},
+    {"circles", R"(fill="#d9822b" fill-opacity="0.35" stroke="#a85a10" stroke-width="1")"},
+    {"vertices", R"(fill="#1f4e79" stroke="none")"},
+    {"lattice", R"(fill="none" stroke="#1f4e79" stroke-width="1" stroke-dasharray="6 4")"},
+}};
 /// Cells that are cut end where no edge is.
-constexpr std::string_view kStyleOfCutCells = ".cells { stroke: #1f4e79; stroke-width: 1.5; }\n";
+constexpr std::string_view kLookOfCutCells = R"(fill="#f6f4ee" stroke="#1f4e79" stroke-width="1.5")";
+
+/// Writes the class of a group, and how it looks.
+void writeClass(Writer& out, std::string_view name, bool areCellsCut = false) {
+  out << " class=\"" << name << "\"";
+  const auto* const look = std::ranges::find(kLooks, name, [](const auto& entry) { return entry.first; });
+  if (look == kLooks.end()) return;
+  out << " " << (areCellsCut && name == "cells" ? kLookOfCutCells : look->second);
+}
 
 void writePoint(Writer& out, Point p) { out << p.x << " " << p.y; }
 
@@ -282,15 +299,17 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
     const double height = frame.box.maxY - frame.box.minY;
     const double unit = std::max(width, height) / figure.pixels;  // what a pixel stands for
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
-        << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height << "\">\n"
+        << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height
+        << "\" class=\"circle-voronoi\">\n"
         << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(diagram.circles.size())
         << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
         << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
         << static_cast<std::int64_t>(diagram.edges.size()) << " edges</desc>\n"
-        << kStyle << (frame.limits.maxDistance ? kStyleOfCutCells : "") << figure.style
-        << "</style>\n<g transform=\"scale(1,-1)\">\n";
+        << kStyle << figure.style << "</style>\n<g transform=\"scale(1,-1)\">\n";
     const auto group = [&](std::string_view name, auto write) {
-      out << "<g id=\"" << name << "\" class=\"" << name << "\">\n";
+      out << "<g";
+      writeClass(out, name, frame.limits.maxDistance.has_value());
+      out << ">\n";
       write();
       out << "</g>\n";
     };
@@ -309,9 +328,6 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
   });
 }
 
-constexpr std::string_view kPeriodicStyle = R"(.images { opacity: 0.35; }
-.lattice { fill: none; stroke: #1f4e79; stroke-width: 1; stroke-dasharray: 6 4; }
-)";
 constexpr double kPeriodicMargin = 0.15;
 /// A drawing may repeat the given circles this often.
 constexpr double kMostCopies = 1000;
@@ -358,6 +374,25 @@ std::vector<Vector> copiesIn(const PeriodicDiagram& periodic, const Box& view) {
   return copies;
 }
 
+/// A name that drawings of other circles, or with another box, do not have where they stand in the same page.
+std::string idOf(const PeriodicDiagram& periodic) {
+  std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a, by numbers instead of bytes
+  const auto add = [&](double value) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3U;
+    hash ^= hash >> 32U;  // a product has what differs in its upper half alone
+  };
+  for (const Vector& side : {periodic.lattice.a, periodic.lattice.b}) {
+    add(side.x);
+    add(side.y);
+  }
+  for (const Circle& c : periodic.diagram.circles) {
+    add(c.x);
+    add(c.y);
+    add(c.r);
+  }
+  return std::to_string(hash);
+}
+
 /// Draws the given circles once and uses them wherever an image of them meets the drawing: inside the box, and dimmed
 /// around it.
 void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& periodic) {
@@ -372,8 +407,11 @@ void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& 
   const EdgePoints edges = drawnEdges(frame);
   const Vector a = periodic.lattice.a;
   const Vector b = periodic.lattice.b;
-  const auto writeOutline = [&](std::string_view attributes) {
-    out << "<path" << attributes << " d=\"M0 0";
+  const std::string id = idOf(periodic);
+  const auto writeOutline = [&](auto writeLook) {
+    out << "<path";
+    writeLook();
+    out << " d=\"M0 0";
     for (const Point corner : {Point{a.x, a.y}, Point{a.x + b.x, a.y + b.y}, Point{b.x, b.y}}) {
       writePoint(out, "L", frame.round(corner));
     }
@@ -390,24 +428,30 @@ void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& 
     return given != other ? given < other : shift > Shift{};
   };
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
-      << "\" viewBox=\"" << view.minX << " " << -view.maxY << " " << width << " " << height << "\">\n"
+      << "\" viewBox=\"" << view.minX << " " << -view.maxY << " " << width << " " << height
+      << "\" class=\"circle-voronoi\">\n"
       << "<title>Periodic Voronoi diagram of circles</title>\n<desc>" << std::int32_t{periodic.circleCount}
       << " circles in a box with opposite sides glued together</desc>\n"
-      << kStyle << kPeriodicStyle << "</style>\n<defs>\n<clipPath id=\"box\">";
-  writeOutline("");
-  out << "</clipPath>\n<g id=\"given\">\n<g class=\"cells\">\n";
-  writeCells(out, edges, periodic.circleCount);
-  out << "</g>\n<g class=\"circles\">\n";
-  writeCircles(out, frame, kPointPixels * unit, periodic.circleCount);
-  out << "</g>\n<g class=\"edges\">\n";
-  writeEdges(out, edges, isDrawn);
-  out << "</g>\n</g>\n<g id=\"copies\">\n";
+      << kStyle << "</style>\n<defs>\n<clipPath id=\"box-" << id << "\">";
+  writeOutline([] {});
+  out << "</clipPath>\n<g id=\"given-" << id << "\">\n";
+  const auto group = [&](std::string_view name, auto write) {
+    out << "<g";
+    writeClass(out, name);
+    out << ">\n";
+    write();
+    out << "</g>\n";
+  };
+  group("cells", [&] { writeCells(out, edges, periodic.circleCount); });
+  group("circles", [&] { writeCircles(out, frame, kPointPixels * unit, periodic.circleCount); });
+  group("edges", [&] { writeEdges(out, edges, isDrawn); });
+  out << "</g>\n<g id=\"copies-" << id << "\">\n";
   for (const Vector& move : copies) {
-    out << "<use href=\"#given\" x=\"" << move.x << "\" y=\"" << move.y << "\"/>\n";
+    out << "<use href=\"#given-" << id << "\" x=\"" << move.x << "\" y=\"" << move.y << "\"/>\n";
   }
-  out << "</g>\n</defs>\n<g transform=\"scale(1,-1)\">\n<g class=\"images\"><use href=\"#copies\"/></g>\n"
-      << "<g clip-path=\"url(#box)\"><use href=\"#copies\"/></g>\n";
-  writeOutline(" class=\"lattice\"");
+  out << "</g>\n</defs>\n<g transform=\"scale(1,-1)\">\n<g class=\"images\" opacity=\"0.35\"><use href=\"#copies-" << id
+      << "\"/></g>\n<g clip-path=\"url(#box-" << id << ")\"><use href=\"#copies-" << id << "\"/></g>\n";
+  writeOutline([&] { writeClass(out, "lattice"); });
   out << "</g>\n</svg>\n";
 }
 

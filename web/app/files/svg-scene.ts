@@ -6,7 +6,10 @@ import type { Read } from './files-protocol.ts'
 
 const LINK = /<metadata id="circle-voronoi">(v\d+\.[\w-]+)<\/metadata>/
 const TABLE = /<metadata id="circle-voronoi-circles">([^<]*)<\/metadata>/
-const CIRCLES = /<g id="circles" class="circles">([\s\S]*?)<\/g>/
+// Older drawings of the program also have ids.
+const CIRCLES = /<g (?:id="circles" )?class="circles"[^<>]*>([\s\S]*?)<\/g>/
+// Periodic drawings are refused, because their lattice is not in them.
+const PERIODIC = /<g id="given[^<>]*>/
 // The markup of circles, and of points for radius 0.
 const CIRCLE = /<circle data-circle="(\d+)"[^<>]* cx="([^"]+)" cy="([^"]+)" r="([^"]+)"\/>/y
 
@@ -33,7 +36,7 @@ export function tableOfSvg(text: string): string | undefined {
 export function circlesOfSvg(text: string, name: string): Read {
   const link = LINK.exec(text)?.[1]
   if (link !== undefined) return { link }
-  const group = CIRCLES.exec(text)?.[1] ?? ''
+  const group = (!PERIODIC.test(text) && CIRCLES.exec(text)?.[1]) || ''
   const lines = group.split('\n').filter((line) => line !== '')
   const circles = new Float64Array(3 * lines.length)
   for (const [k, line] of lines.entries()) {

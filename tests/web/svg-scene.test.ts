@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, it } from 'vitest'
+import { circlesOfSvg } from '../../web/app/files/svg-scene.ts'
+
+const CIRCLES = `<circle data-circle="0" cx="0" cy="0" r="2"/>
+<circle data-circle="1" class="hidden" cx="0.5" cy="0" r="1"/>
+<circle data-circle="2" class="point" cx="9" cy="-1" r="0"/>
+`
+
+for (const [name, group] of [
+  ['with styles as attributes', '<g class="circles" fill="#d9822b" stroke="#a85a10">'],
+  ['with ids, as older ones', '<g id="circles" class="circles">'],
+] as const) {
+  it(`circles of a drawing of the program: ${name}`, () => {
+    const read = circlesOfSvg(`<svg>\n<g class="cells">\n</g>\n${group}\n${CIRCLES}</g>\n</svg>`, 'a.svg')
+    expect(read).toEqual({ circles: Float64Array.of(0, 0, 2, 0.5, 0, 1, 9, -1, 0) })
+  })
+}
+
+it('a periodic drawing, whose lattice is not in it, is refused', () => {
+  const text = `<svg>\n<defs>\n<g id="given-12">\n<g class="circles" fill="#d9822b">\n${CIRCLES}</g>\n</g>\n</defs>\n</svg>`
+  expect(() => circlesOfSvg(text, 'a.svg')).toThrow('a.svg: this SVG is none that was saved here')
+})
