@@ -18,13 +18,13 @@ for (const [name, openEngine] of ENGINES) {
   test(`in ${name}: the mouse drags a circle wherever a page puts its figure`, async () => {
     const engine = await openEngine()
     try {
-      for (const [place, around] of PLACES) {
+      for (const [place, around, zoom = 1] of PLACES) {
         const path = writePlaced(`build/placed-${name}`, around)
         await engine.open(`${server.address}${path}`)
         await engine.evaluate(whenPlaced)
         const points: Point[] = []
         for (const k of [0, 1, 2, 3, 4]) {
-          const [x, y] = await engine.evaluate(onPage, ownPlace(0.5 + k, 0.5 + (3 * k) / 4))
+          const [x, y] = await engine.evaluate(onPage, ownPlace(0.5 + k, 0.5 + (3 * k) / 4), zoom)
           points.push({ x, y })
         }
         await engine.drag(points)

@@ -13,21 +13,24 @@ export const VIEW = { x: 5, y: 4, span: 20 }
 /** The size of the picture in its own pixels. */
 export const [WIDTH, HEIGHT] = [300, 200]
 
-export const PLACES: readonly (readonly [string, (figure: string) => string])[] = [
+/** Each with the zoom of the figure. */
+export const PLACES: readonly (readonly [name: string, around: (figure: string) => string, zoom?: number])[] = [
   ['as it is', (figure) => figure],
   ['made larger', (figure) => `<div style="transform: scale(1.6); transform-origin: 0 0">${figure}</div>`],
   ['made smaller', (figure) => `<div style="transform: scale(0.6); transform-origin: 0 0">${figure}</div>`],
   ['turned', (figure) => `<div style="transform: translate(100px, 60px) rotate(35deg)">${figure}</div>`],
   ['in perspective', (figure) => `<div style="transform: perspective(600px) rotateY(30deg)">${figure}</div>`],
-  ['zoomed', (figure) => `<div style="zoom: 1.5">${figure}</div>`],
+  ['zoomed', (figure) => `<div style="zoom: 1.5">${figure}</div>`, 1.5],
   [
     'zoomed and made smaller',
     (figure) => `<div style="zoom: 1.5"><div style="transform: scale(0.7)">${figure}</div></div>`,
+    1.5,
   ],
   [
     'zoomed in a shadow root',
     (figure) =>
       `<div><template shadowrootmode="open"><div style="zoom: 1.3; transform: rotate(-10deg)">${figure}</div></template></div>`,
+    1.3,
   ],
 ]
 
@@ -51,13 +54,15 @@ export function ownPlace(x: number, y: number): { readonly left: number; readonl
 }
 
 /** Where a place of the figure is on the page: found by a mark, which the browser places. It runs in the page. */
-export function onPage({ left, top }: ReturnType<typeof ownPlace>): [number, number] {
+export function onPage({ left, top }: ReturnType<typeof ownPlace>, zoom = 1): [number, number] {
   const mark = document.createElement('i')
   mark.style.cssText = `position: absolute; width: 0; height: 0; left: ${left}px; top: ${top}px`
   placed.element.shadowRoot?.querySelector('.figure')?.append(mark)
   const box = mark.getBoundingClientRect()
   mark.remove()
-  return [box.left, box.top]
+  // WebKit, which lacks the property, counts the places of boxes before zoom, and those of pointers after it.
+  const times = 'currentCSSZoom' in mark ? 1 : zoom
+  return [times * box.left, times * box.top]
 }
 
 /** Ends once the figure is drawn. It runs in the page. */
