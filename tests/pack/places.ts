@@ -5,7 +5,7 @@ import { join } from 'node:path'
 import { ROOT } from './project.mjs'
 
 declare global {
-  /** What `whenPlaced` has found: the figure may be in a shadow root. */
+  /** The figure that `whenPlaced` found, also in a shadow root. */
   var placed: { readonly element: HTMLElementTagNameMap['circle-voronoi'] }
 }
 

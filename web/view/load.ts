@@ -40,8 +40,7 @@ export async function otherModules(options: FigureLoadOptions): Promise<OtherMod
 
 async function sendable(source: WasmSource | Promise<WasmSource> | undefined): Promise<OtherModules['regionsWasm']> {
   const given = await source
-  // Resolves relative to the page, because a thread has another base address.
-  if (typeof given === 'string') return new URL(given, globalThis.document?.baseURI).href
-  if (given instanceof URL) return given.href
+  // Resolves relative to the page, because a thread has another base address. The URLs of Turbopack are relative, too.
+  if (typeof given === 'string' || given instanceof URL) return new URL(given, globalThis.document?.baseURI).href
   return given instanceof Response ? given.arrayBuffer() : given
 }

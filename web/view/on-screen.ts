@@ -45,5 +45,7 @@ function zoomOf(element: Zoomed | null): number {
 /** Returns the element in which another one is drawn, also across shadow roots. */
 function outerOf(element: Element): Element | undefined {
   const { parentNode } = element
-  return element.assignedSlot ?? element.parentElement ?? (parentNode instanceof ShadowRoot ? parentNode.host : undefined)
+  return (
+    element.assignedSlot ?? element.parentElement ?? (parentNode instanceof ShadowRoot ? parentNode.host : undefined)
+  )
 }

@@ -70,10 +70,10 @@ struct ExportOptions {
 // stream may hold a part of the text. If the stream throws, its exception passes through.
 
 /// Writes a drawing that fits the box, with y pointing up and nothing outside the box. It has the class circle-voronoi,
-/// and groups of the classes cells, dual, circles, edges, vertices and hull. Curves are cubic Bezier curves, and arcs of
-/// circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of negative
-/// radius have the class point. The look of a group is attributes, which a style sheet of yours overrides. Several
-/// drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet.
+/// and groups of the classes cells, dual, circles, edges, vertices and hull. Curves are cubic Bezier curves, and arcs
+/// of circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of
+/// negative radius have the class point. The look of a group is attributes, which a style sheet of yours overrides.
+/// Several drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet.
 Result<void> writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// A group of marks in a figure.

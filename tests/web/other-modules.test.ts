@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { afterEach, expect, it, vi } from 'vitest'
+import { otherModules } from '../../web/view/load.ts'
+
+afterEach(() => vi.unstubAllGlobals())
+
+it('addresses for a thread are those that the page would resolve, also the relative URLs of Turbopack', async () => {
+  vi.stubGlobal('document', { baseURI: 'https://example.org/course/' })
+  /** The class of Turbopack's runtime: a URL whose text is relative. */
+  class RelativeURL extends URL {
+    override get href() {
+      return '/media/regions.wasm'
+    }
+    override toString() {
+      return '/media/regions.wasm'
+    }
+  }
+  expect(
+    await otherModules({ regionsWasm: new RelativeURL('x:/media/regions.wasm'), comparisonWasm: 'comparison.wasm' }),
+  ).toEqual({
+    regionsWasm: 'https://example.org/media/regions.wasm',
+    comparisonWasm: 'https://example.org/course/comparison.wasm',
+  })
+})
