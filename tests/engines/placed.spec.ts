@@ -16,6 +16,7 @@ test.afterAll(() => server.close())
 
 for (const [name, openEngine] of ENGINES) {
   test(`in ${name}: the mouse drags a circle wherever a page puts its figure`, async () => {
+    test.setTimeout(120_000 * PLACES.length)
     const engine = await openEngine()
     try {
       for (const [place, around, zoom = 1] of PLACES) {
@@ -29,7 +30,9 @@ for (const [name, openEngine] of ENGINES) {
         }
         await engine.drag(points)
         const center = () => engine.evaluate(centerOfFirst)
-        await until(`dragged where it is ${place}`, center, (at) => String(at) === '4,3')
+        // WebKit's driver rounds to whole pixels, which are up to 1/6 of a unit.
+        const isThere = ([x, y]: readonly number[]) => Math.abs(Number(x) - 4) < 0.2 && Math.abs(Number(y) - 3) < 0.2
+        await until(`dragged where it is ${place}`, center, isThere)
       }
     } finally {
       await engine.close()
