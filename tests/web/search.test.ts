@@ -41,6 +41,24 @@ describe('order', () => {
     expect(addressesOf(sections, 'react')[0]).toBe('docs/b.html')
   })
 
+  it('tries another spelling only of words that no section has', () => {
+    const sections = [
+      section('docs/a.html', 'Speed', '', 'It takes over a second to go over a cover.'),
+      section('docs/b.html', 'Element', '', 'A figure fires an event on hover.'),
+    ]
+    expect(addressesOf(sections, 'hover')).toEqual(['docs/b.html'])
+    expect(addressesOf(sections, 'hovver')).toEqual(['docs/b.html'])
+    expect(addressesOf(sections, 'hover secnd')).toEqual(['docs/b.html', 'docs/a.html'])
+  })
+
+  it('has pages that explain before the changelog', () => {
+    const sections = [
+      section('docs/changelog.html#unreleased', 'Changelog', 'Unreleased', 'array array layout layout'),
+      section('docs/javascript.html#arrays', 'Use it from JavaScript', 'Arrays', 'The layout of each array of a diagram.'),
+    ]
+    expect(addressesOf(sections, 'array layout')[0]).toBe('docs/javascript.html#arrays')
+  })
+
   it('has sections with all words before others', () => {
     const sections = [
       section('docs/a.html', 'Canvas', '', 'canvas canvas canvas'),

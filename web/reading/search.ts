@@ -22,14 +22,17 @@ const MOST_OF_PAGE = 3
 /** Characters of a snippet before the match. */
 const BEFORE = 40
 const LENGTH = 150
-/** Weight of the reference, so that its names rank below pages that explain. */
-const REFERENCE = 0.3
+/** The reference and the changelog name everything; pages that explain come first. */
+const MINOR = /^(?:api\/|docs\/changelog\.html)/
+const MINOR_BOOST = 0.3
+/** Letters that may differ, as a part of a word that the site does not have. */
+const MISSPELLED = 0.2
+const SHORTEST_MISSPELLED = 5
 
 const OPTIONS: SearchOptions = {
   combineWith: 'AND',
   prefix: (term) => term.length > 2,
-  fuzzy: (term) => (term.length > 4 ? 0.2 : false),
-  // An exact word counts more than a prefix or a similar spelling.
+  // A word as the reader wrote it counts more than one that begins like it.
   weights: { prefix: 0.35, fuzzy: 0.1 },
   boost: { title: 4, heading: 4 },
   boostDocument: (_, term, stored) => {
@@ -38,7 +41,7 @@ const OPTIONS: SearchOptions = {
       .toLowerCase()
       .split(/[^\p{L}\p{N}]+/u)
       .includes(term.toLowerCase())
-    return (address.startsWith('api/') ? REFERENCE : 1) * (isNamed ? 2 : 1)
+    return (MINOR.test(address) ? MINOR_BOOST : 1) * (isNamed ? 2 : 1)
   },
 }
 
@@ -46,10 +49,18 @@ export interface Found extends Section {
   readonly snippet: Snippet
 }
 
-/** Returns the sections that contain all words of a query, or else some of them; best first. */
+/**
+ * Returns the sections that have all words of a text, or some of them if none has all; the best first. Other spellings of a word
+ * are tried only if no section has a word that begins like it.
+ */
 export function find(search: MiniSearch<Section>, words: string): readonly Found[] {
-  const all = search.search(words, OPTIONS)
-  const results = all.length > 0 ? all : search.search(words, { ...OPTIONS, combineWith: 'OR' })
+  const isKnown = (term: string) => search.search(term, OPTIONS).length > 0
+  const options: SearchOptions = {
+    ...OPTIONS,
+    fuzzy: (term) => (term.length >= SHORTEST_MISSPELLED && !isKnown(term) ? MISSPELLED : false),
+  }
+  const all = search.search(words, options)
+  const results = all.length > 0 ? all : search.search(words, { ...options, combineWith: 'OR' })
   const ofPage = new Map<string, number>()
   return results
     .filter(({ address }) => {
