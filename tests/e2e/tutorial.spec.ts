@@ -262,12 +262,29 @@ async function corrupt(page: Page): Promise<void> {
   const RIGHT = 'The judge: this diagram is right.'
   await expect(verdict).toHaveText(RIGHT)
   const change = page.getByLabel('Change', { exact: true })
+  const drawn = () =>
+    page.locator('[data-corrupt] circle-voronoi').evaluate(({ layers }: Element) => ({
+      ownEdges: layers.edges,
+      layers: layers.data?.map(({ id, points = [], segments = [], discs = [] }) => ({
+        id,
+        parts: [points.length / 2, segments.length / 4, discs.length / 3],
+      })),
+    }))
   for (const [k, { name, about }] of CORRUPTIONS.entries()) {
     await change.selectOption({ label: name })
     await expect(page.locator('.corrupt p').first(), `${k}`).toHaveText(about)
     await expect(verdict).toHaveText(/^The judge: no\. \w/)
+    // The wrong diagram is drawn in place of the right one, with a mark on its flaw.
+    const { ownEdges, layers = [] } = await drawn()
+    expect(ownEdges, name).toBe(false)
+    expect(
+      layers.map(({ id }) => id),
+      name,
+    ).toEqual(['claimed', 'marked'])
+    for (const { parts } of layers) expect(Math.max(...parts), name).toBeGreaterThan(0)
     await page.getByRole('button', { name: 'Make it right again' }).click()
     await expect(verdict).toHaveText(RIGHT)
+    expect(await drawn()).toEqual({ ownEdges: true, layers: [] })
   }
   await page.getByText('Choose the circles of each vertex yourself').click()
   const choice = page.locator('.corrupt td select').first()
@@ -275,9 +292,8 @@ async function corrupt(page: Page): Promise<void> {
     index: ((await choice.evaluate((select: HTMLSelectElement) => select.selectedIndex)) + 1) % 5,
   })
   await expect(verdict).toHaveText(/^The judge: no\. \w/)
-  // The vertex and the circles that it claims to touch are marked, and all circles have their numbers.
-  const marked = await page.locator('[data-corrupt] circle-voronoi').evaluate((element: Element) => element.layers.data)
-  expect(marked?.map(({ points = [], discs = [] }) => [points.length, discs.length])).toEqual([[2, 9]])
+  // The vertex, its disc and the circles that it should touch are marked.
+  await expect.poll(drawn).toMatchObject({ layers: [{ id: 'claimed' }, { id: 'marked', parts: [1, 0, 4] }] })
   await expect(page.locator('.numbers text')).toHaveText(['0', '1', '2', '3', '4', '5'])
   await page.getByRole('button', { name: 'Make it right again' }).click()
   await expect(verdict).toHaveText(RIGHT)

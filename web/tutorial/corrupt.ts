@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lets the reader corrupt a diagram, and shows the verdict of the judge.
+// A diagram that the reader makes wrong, drawn as it is claimed, and the verdict of the judge.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
-import type { DataLayer } from '../view/layers.ts'
+import { claimedLayer, flawOf, type Marked, markedLayer, markedVertex } from './claimed-diagram.ts'
 import { CORRUPTIONS } from './corruptions.ts'
 import { numberCircles } from './numbers.ts'
 
@@ -13,8 +13,6 @@ interface Place {
   readonly name: string
 }
 
-/** Color of the marked vertex, visible on light and on dark paper. */
-const MARK = '#d2491b'
 const RIGHT = 'This is the right diagram. Choose a change.'
 const OWN = 'You changed a vertex.'
 const IMPOSSIBLE = 'These circles leave nothing to be changed so. Drag a circle and try again.'
@@ -32,6 +30,8 @@ class CorruptFigure {
   readonly #verdict: HTMLOutputElement
   #library: Promise<CircleVoronoi> | undefined
   #diagram: Diagram | undefined
+  /** The part that the judge rejects; `undefined` for the right diagram. */
+  #flaw: Marked | undefined
 
   constructor(page: Document, figure: HTMLElement) {
     this.#page = page
@@ -126,8 +126,7 @@ class CorruptFigure {
       select.addEventListener('change', () => {
         vertexCircles[place.index] = Number(select.value)
         this.#about.textContent = OWN
-        this.#mark(vertex)
-        void this.#judge()
+        void this.#judge(vertex)
       })
       const cell = this.#page.createElement('td')
       cell.append(select)
@@ -136,25 +135,33 @@ class CorruptFigure {
     return row
   }
 
-  /** Marks the chosen vertex and the circles that it claims to touch. */
+  /** Draws the diagram as it is claimed, with a mark on a vertex of the table, or else on the flaw. */
   #mark(vertex: number | undefined): void {
-    const { vertices, vertexCircles, circles } = this.#diagram as Diagram
-    const data: DataLayer[] = []
-    if (vertex !== undefined) {
-      const touched = [...vertexCircles.subarray(3 * vertex, 3 * vertex + 3)]
-      const discs = Float64Array.from(touched.flatMap((i) => [...circles.subarray(3 * i, 3 * i + 3)]))
-      data.push({ id: 'vertex', color: MARK, points: vertices.slice(3 * vertex, 3 * vertex + 2), discs })
-    }
-    this.#figure.layers = { ...this.#figure.layers, data }
+    const diagram = this.#diagram as Diagram
+    const isRight = this.#flaw === undefined
+    const marked = vertex === undefined ? this.#flaw : markedVertex(diagram, vertex)
+    const data = [
+      ...(isRight ? [] : [claimedLayer(diagram)]),
+      ...(marked === undefined ? [] : [markedLayer(diagram, marked)]),
+    ]
+    const { layers } = this.#figure
+    this.#figure.layers = { ...layers, edges: isRight, vertices: isRight, cells: isRight ? 'auto' : 'none', data }
   }
 
-  async #judge(): Promise<void> {
+  /** `vertex`: the vertex of the table that stays marked. */
+  async #judge(vertex?: number): Promise<void> {
     const library = await (this.#library as Promise<CircleVoronoi>)
+    const diagram = this.#diagram as Diagram
     try {
-      const { certified, message } = library.certify(this.#diagram as Diagram)
-      this.#verdict.value = certified ? 'The judge: this diagram is right.' : `The judge: no. ${message}`
+      const certificate = library.certify(diagram)
+      this.#flaw = certificate.certified ? undefined : flawOf(diagram, certificate)
+      this.#verdict.value = certificate.certified
+        ? 'The judge: this diagram is right.'
+        : `The judge: no. ${certificate.message}`
     } catch (error) {
+      this.#flaw = { circles: [], vertices: [], edges: [] }
       this.#verdict.value = `The judge: no. ${(error as Error).message}`
     }
+    this.#mark(vertex)
   }
 }
