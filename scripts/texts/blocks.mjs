@@ -4,6 +4,8 @@ import { escaped } from './page.mjs'
 
 /** The playground's address relative to a chapter. */
 const PLAYGROUND = '../'
+/** Colors of cells that mean no number. */
+const PLAIN_CELLS = [undefined, 'auto', 'none', 'different']
 
 /**
  * @param {ReadonlyMap<string, import('./tutorial.mjs').Made>} made the links and picture files of figures by name, the
@@ -23,12 +25,13 @@ export function blockRenderer(made) {
   return (kind, spec, inline) => renderers[kind](spec, inline)
 
   function figure(spec, inline, more = '') {
-    const { name, caption, layers = {}, sliders = [], hasCounts, stepsBetween } = spec
+    const { name, caption, layers = {}, unit = '', sliders = [], hasCounts, stepsBetween } = spec
     const steps = stepsBetween === undefined ? '' : ` data-steps="${stepsBetween.join(' ')}"`
     const isPale = layers.samples || layers.sampleGraph || layers.delaunay
+    const legend = PLAIN_CELLS.includes(layers.cells) ? '' : `<div class="legend" data-unit="${escaped(unit)}"></div>\n`
     return `<figure id="${name}"${isPale ? ' class="pale"' : ''}${more}${layers.samples ? ' data-rims' : ''}${steps}>
 ${more === '' ? element(spec) : `<div class="numbered">${element(spec)}</div>`}
-${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
+${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}${legend}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
 ${asked(spec, inline)}`
   }

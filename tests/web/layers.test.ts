@@ -15,6 +15,7 @@ import {
 } from '../../web/view/layers.ts'
 import { idOf } from '../../web/view/painter/cell-boxes.ts'
 import { Centers } from '../../web/view/painter/centers.ts'
+import { Clip } from '../../web/view/painter/clip.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
 import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
@@ -161,8 +162,23 @@ describe('what cells are measured by', () => {
     }
   })
 
+  it('is the share of a bounded cell that the circle fills', async () => {
+    const picture = new Picture(library.edit([[0, 0, 1], [2, 0, 1], [-2, 0, 1], [0, 2, 0.5], [0, -2, 1], [0.2, 0, 0.1]]))
+    picture.layers = { ...DEFAULT_LAYERS, cells: 'filled' }
+    const { diagram } = picture
+    const measures = new Measures('filled', diagram)
+    expect(measures.valueOf(0)).toBeCloseTo(Math.PI / diagram.cellArea(0, { bounds: [-9, -9, 9, 9] }), 9)
+    expect(measures.valueOf(1)).toBeNaN()
+    expect(picture.colorOf(1)).toBe(-1)
+    // In a region every cell has an area.
+    const square = (await library.loadRegions()).region([[[-9, -9], [9, -9], [9, 9], [-9, 9]]])
+    picture.clip = new Clip(library, square)
+    expect(picture.colorOf(1)).not.toBe(-1)
+    expect(picture.legend?.measure).toBe('filled')
+  })
+
   it('changes nowhere but in the boxes that are painted anew', () => {
-    for (const cells of ['area', 'degree', 'gap', 'different'] as const) {
+    for (const cells of ['area', 'filled', 'degree', 'gap', 'different'] as const) {
       const picture = new Picture(library.edit(randomCircles(120)))
       picture.layers = { ...DEFAULT_LAYERS, cells }
       const colors = () => {

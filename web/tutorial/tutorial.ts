@@ -24,6 +24,10 @@ if (document.querySelector('output.counts') !== null) {
   // Prepares the counts early, because distant figures become ready late.
   void sayCounts(document)
 }
+if (document.querySelector('.legend') !== null) {
+  const { showLegends } = await import('./legends.ts')
+  showLegends(document)
+}
 if (document.querySelector('figure.printed') !== null) {
   const { followPrinted } = await import('./printed.ts')
   followPrinted(document)

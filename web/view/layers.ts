@@ -5,11 +5,11 @@ import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
 /**
- * The quantity that colors circles and cells. `different`: neighbors differ in color. `gap`: the distance to the
- * nearest other circle. `auto`: `different` for up to `MOST_MAPPED` circles, `radius` for more.
+ * What the color of a circle and its cell says. `different`: no two neighbors have one color. `filled`: the area of the circle
+ * divided by that of its cell. `gap`: how near the nearest other circle is. `auto`: `different` for up to `MOST_MAPPED` circles, `radius` for more.
  */
-export const CELL_COLORS = ['auto', 'none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
-/** One of `CELL_COLORS`: the quantity that colors circles and cells. */
+export const CELL_COLORS = ['auto', 'none', 'radius', 'area', 'filled', 'degree', 'gap', 'index', 'different'] as const
+/** One of `CELL_COLORS`: what the color of a circle and its cell says. */
 export type CellColors = (typeof CELL_COLORS)[number]
 
 /** The largest number of circles for which `auto` gives neighbors different colors. */

@@ -33,6 +33,7 @@ const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
   none: 'none',
   radius: 'by radius',
   area: 'by area of the cell',
+  filled: 'by share filled',
   degree: 'by neighbors',
   gap: 'by nearest distance',
   index: 'by number',

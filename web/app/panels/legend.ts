@@ -4,13 +4,14 @@ import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { Measure } from '../../view/layers.ts'
 import type { Legend } from '../../view/protocol.ts'
-import { readStyle } from '../../view/style.ts'
+import { readStyle, type Style } from '../../view/style.ts'
 import type { View } from '../../view/view.ts'
 import { byId } from './by-id.ts'
 
 const NAMES: Readonly<Record<Measure, string>> = {
   radius: 'Radius of the circle',
   area: 'Area of the cell',
+  filled: 'Share of the cell that the circle fills',
   degree: 'Number of neighbors',
   gap: 'Distance to the nearest circle',
   index: 'Number of the circle',
@@ -25,13 +26,7 @@ export function mountLegend(store: Store<State>, view: View): void {
   const draw = () => {
     place.hidden = legend === undefined || !view.hasDiagram
     if (legend === undefined) return
-    const { ramp, map } = readStyle(byId('figure', HTMLElement))
-    render(legend.categories === undefined ? bodyOf(legend) : categoriesOf(legend, map), place)
-    for (const [k, swatch] of place.querySelectorAll<HTMLElement>('.swatch').entries()) {
-      swatch.style.background = map[k] ?? 'transparent'
-    }
-    const canvas = place.querySelector('canvas')
-    if (canvas !== null) drawRamp(canvas, ramp)
+    drawLegend(place, legend, readStyle(byId('figure', HTMLElement)))
   }
   const ask = async () => {
     const asked = shown
@@ -55,6 +50,16 @@ export function mountLegend(store: Store<State>, view: View): void {
   }
 }
 
+/** Draws a legend in the colors of a figure. `unit`: of the measure. */
+export function drawLegend(place: HTMLElement, legend: Legend, { ramp, map }: Style, unit = ''): void {
+  render(legend.categories === undefined ? bodyOf(legend, unit) : categoriesOf(legend, map), place)
+  for (const [k, swatch] of place.querySelectorAll<HTMLElement>('.swatch').entries()) {
+    swatch.style.background = map[k] ?? 'transparent'
+  }
+  const canvas = place.querySelector('canvas')
+  if (canvas !== null) drawRamp(canvas, ramp)
+}
+
 const isOpening = ({ kind }: State['history']['done'][number]) => kind === 'opening'
 
 /** The title of the legend. */
@@ -69,14 +74,14 @@ function categoriesOf(legend: Legend, map: readonly string[]) {
     <ul class="categories">${texts.map((text) => html`<li><span class="swatch"></span><span title=${text}>${text}</span></li>`)}</ul>`
 }
 
-function bodyOf(legend: Legend) {
+function bodyOf(legend: Legend, unit: string) {
   const { knots, isClipped } = legend
   const texts = knots.map(text)
   // Equal circles have one color.
   const isOne = knots[0] === knots.at(-1)
   const ends = (value: string, k: number) =>
     !isClipped ? value : k === 0 ? `≤ ${value}` : k === texts.length - 1 ? `≥ ${value}` : value
-  return html`<span>${nameOf(legend)}</span>
+  return html`<span>${nameOf(legend)}${unit === '' ? '' : ` (${unit})`}</span>
     <canvas height="1" aria-hidden="true"></canvas>
     <span class="knots">${isOne ? html`<span>${texts[0]}</span>` : texts.map((value, k) => html`<span>${ends(value, k)}</span>`)}</span>`
 }

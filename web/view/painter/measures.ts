@@ -34,7 +34,7 @@ export class Measures {
   #missing: number
   #knots: readonly number[] | undefined
   #isClipped = true
-  /** Caches expensive values by circle id. */
+  /** Areas and gaps, which take long to find, by the circles' ids. */
   #known = new Float64Array()
 
   /** `clip` limits the measured part of a cell. `column` gives the values of the measure `column`. */
@@ -83,14 +83,19 @@ export class Measures {
       this.#known = larger
     }
     if (Number.isNaN(this.#known[id])) this.#find(i)
-    return at(this.#known, id)
+    const value = at(this.#known, id)
+    if (this.measure !== 'filled') return value
+    // An unbounded cell has no share.
+    return value === Number.POSITIVE_INFINITY ? Number.NaN : (Math.PI * at(diagram.circles, 3 * i + 2) ** 2) / value
   }
 
   #find(i: number): void {
     const diagram = this.#diagram
     const id = idOf(diagram, i)
-    if (this.#clip === undefined || this.measure !== 'area') {
-      this.#known[id] = this.measure === 'area' ? cellArea(diagram, i) : gap(diagram, i)
+    if (this.measure === 'gap') {
+      this.#known[id] = gap(diagram, i)
+    } else if (this.#clip === undefined) {
+      this.#known[id] = cellArea(diagram, i)
     } else if (this.#missing < MOST_ALONE) {
       this.#known[id] = this.#clip.areaOf(diagram, i)
     } else {

@@ -147,7 +147,7 @@ export class Picture {
     } else if (!isMeasure(cells)) this.#measures = undefined
     else if (cells === 'area') this.#measures = this.areas()
     else if (cells === 'gap') this.#measures = this.gaps()
-    else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram)
+    else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram, this.#clip)
     if (cells !== 'different' || column !== undefined) this.#coloring = undefined
     else this.#coloring ??= new Coloring(this.#snapshot)
     if (!layers.dual) this.#stars = undefined
@@ -166,6 +166,7 @@ export class Picture {
     // The clip changes the areas.
     this.#areas = undefined
     if (this.#measures?.measure === 'area') this.#measures = this.areas()
+    if (this.#measures?.measure === 'filled') this.#measures = new Measures('filled', this.diagram, clip)
   }
 
   /** Sets the power diagram of the circles. */
@@ -290,7 +291,7 @@ export class Picture {
   #lookOf(ids: readonly number[], cells: Iterable<number>): Box {
     const { dual, nearZero, hidden } = this.#layers
     const { colors } = this
-    const isWide = colors === 'area' || colors === 'degree' || colors === 'gap'
+    const isWide = colors === 'area' || colors === 'filled' || colors === 'degree' || colors === 'gap'
     const all = isWide || dual || hidden || nearZero !== undefined ? [...ids, ...cells] : ids
     return all.reduce((box, id) => union(union(box, this.index.get(id)), this.#stars?.get(id) ?? EMPTY_BOX), EMPTY_BOX)
   }
