@@ -84,7 +84,9 @@ describe('the steps of a trace', () => {
     expect(
       told.some((text) => /is empty: its center \(3, 4\) is a vertex, at distance 4 from all three/.test(text)),
     ).toBe(true)
-    expect(told.at(-1)).toBe('The list is empty. The 3 directed edges left are the hull. The judge proves the diagram.')
+    expect(told.at(-1)).toBe(
+      'The list is empty. The 3 directed edges left over lead once around the hull. The judge proves the diagram.',
+    )
     expect([1234567, 0.000012345, 0, -2.34567, 1234.5678].map(numberOf)).toEqual([
       '1.23e+6',
       '1.23e-5',
@@ -399,10 +401,10 @@ describe('questions', () => {
     expect([...asked].sort()).toEqual([
       'branch: Three edges end',
       'branch: Two edges end, one begins',
-      'notEmpty: It meets another circle',
+      'notEmpty: Another circle reaches into it',
       'place: It is empty',
       'stale: Nothing: one of its edges has ended',
-      'used: A foot point lies on a used arc',
+      'used: A foot lies where another border has already passed',
     ])
   })
 

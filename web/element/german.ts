@@ -180,9 +180,9 @@ const PLAYER: PlayerWords = {
   goals: {
     stage: 'Abschnitt',
     vertex: 'Ecke',
-    edge: 'gesetzte Kante',
+    edge: 'gesetzte Kanten',
     disc: 'Dreiberührscheibe',
-    rejected: 'verworfen',
+    rejected: 'verworfene Scheibe',
     circle: 'Änderung',
     selected: 'des ausgewählten Kreises',
     breakpoint: 'Haltepunkt',
@@ -213,7 +213,7 @@ const PLAYER: PlayerWords = {
   aroundCircle: (id, isSelected) => `Um Kreis ${id}${isSelected ? ', ausgewählt' : ''}`,
   ring: (id, marks) =>
     `Um Kreis ${id}: ${marks.length === 0 ? 'noch keine gerichtete Kante' : marks.map(({ isOut, other }) => `${isOut ? 'zu' : 'von'} ${other}`).join(', ')}.`,
-  ringNote: 'Von rechts gegen den Uhrzeigersinn. Grün: noch nicht benutzt.',
+  ringNote: 'Von rechts gegen den Uhrzeigersinn. Grün: Hier lief noch keine Grenze entlang.',
   titles: {
     prepare: '1 Vorbereiten',
     loop: '2 Schleife',
@@ -231,18 +231,18 @@ const PLAYER: PlayerWords = {
     sampleGraph: 'D ← Delaunay-Graph der Proben',
     pairs: 'L ← eine antipodale Scheibe für je zwei Kreise mit einer Kante in D, nach Radius',
     take: 'solange L nicht leer ist: nimm die kleinste Scheibe',
-    used: 'liegt ein Fußpunkt auf einem benutzten Bogen: verwirf die Scheibe',
-    notEmpty: 'trifft sie einen Kreis neben einem Fußpunkt: verwirf die Scheibe',
+    used: 'liegt ein Fußpunkt, wo schon eine andere Grenze entlanglief: verwirf die Scheibe',
+    notEmpty: 'ragt ein anderer Kreis hinein: verwirf die Scheibe',
     place: 'sonst ist sie leer: setze die gerichteten Kanten a→b und b→a',
     form: 'lege die Dreiberührscheiben mit den nächsten gerichteten Kanten in L',
     stale: 'fehlt a→b oder b→c, oder sind sie nicht mehr benachbart: verwirf die Scheibe',
     branch: 'sonst ist sie leer: ihr Mittelpunkt ist eine Ecke',
-    finish: 'beende die Stücke von a→b, b→c und, wenn es das Dreieck schließt, c→a; lösche diese Kanten',
-    placeThird: 'fehlte c→a: setze a→c an ihre Stelle',
+    finish: 'a→b und b→c enden dort, und c→a, wenn sie dorthin führt',
+    placeThird: 'führt c→a nicht dorthin: a→c beginnt dort',
     formThird: 'lege deren Dreiberührscheiben in L',
     again: 'die Prüfung fand eine falsche Kante: beginne noch einmal mit mehr Proben',
     ties: 'entscheide Gleichstände: wo mehr als drei Kreise eine Scheibe berühren',
-    hull: 'die übrigen gerichteten Kanten sind die Hülle',
+    hull: 'die übrigen gerichteten Kanten führen um die Hülle',
     flipCenters: 'T ← Delaunay-Triangulierung der Mittelpunkte',
     flipDiscs: 'für jedes Dreieck von T: die Scheibe, die seine Kreise berührt',
     flipTest: 'solange die Scheibe neben einer Kante a–b den Kreis gegenüber trifft oder es keine gibt:',
@@ -265,29 +265,29 @@ const PLAYER: PlayerWords = {
   pairs: (count) =>
     `Seine Kanten verbinden ${plural(count, 'Paar', 'Paare')} von Kreisen: Jedes bekommt eine antipodale Scheibe, und alle kommen nach Radius in die Liste.`,
   used: (ids) =>
-    `Ein Fußpunkt der Scheibe ${ofCircles(ids)} liegt auf einem Bogen, der schon benutzt ist: Sie wird verworfen.`,
-  notEmpty: (a, b, c) => `Die Scheibe der Kreise ${a} und ${b} trifft Kreis ${c}: Sie wird verworfen.`,
+    `Ein Fußpunkt der Scheibe ${ofCircles(ids)} liegt, wo schon eine andere Grenze entlanglief: Sie wird verworfen.`,
+  notEmpty: (a, b, c) => `Kreis ${c} ragt in die Scheibe der Kreise ${a} und ${b}: Sie wird verworfen.`,
   place: (a, b, tested) =>
-    `Die Scheibe der Kreise ${a} und ${b} ist leer: Die gerichteten Kanten ${a}→${b} und ${b}→${a} werden gesetzt.${tested.length > 0 ? ` Sie trifft keinen Nachbarn der Fußpunkte: ${list(tested)}.` : ''}`,
+    `Die Scheibe der Kreise ${a} und ${b} ist leer: Die gerichteten Kanten ${a}→${b} und ${b}→${a} werden gesetzt.${tested.length > 0 ? ` Sie überlappt ${circles(tested)} nicht.` : ''}`,
   form: (discs) =>
     `${plural(discs.length, 'Dreiberührscheibe kommt', 'Dreiberührscheiben kommen')} in die Liste: ${discs.join(', ')}.`,
   disc: (name, radius) => `${name} (Radius ${radius})`,
   stale: (name) =>
-    `Die gerichteten Kanten der Scheibe ${name} fehlen oder sind nicht mehr benachbart: Sie wird verworfen.`,
+    `Eine gerichtete Kante der Scheibe ${name} ist zu Ende, oder die beiden sind nicht mehr benachbart: Sie wird verworfen.`,
   branch: (ids, place, radius) =>
     `Die Scheibe ${ofCircles(ids)} ist leer: Ihr Mittelpunkt ${place} ist eine Ecke, ${radius} von allen dreien entfernt.`,
   finish: (edges) =>
     edges.length === 1
-      ? `Dort endet ein Stück: Die gerichtete Kante ${edges[0]} wird gelöscht.`
-      : `Dort enden ${edges.length} Stücke: Die gerichteten Kanten ${edges.join(', ')} werden gelöscht.`,
-  placeThird: (edge) => `Die gerichtete Kante ${edge} tritt an ihre Stelle: Ihr Stück geht von der Ecke aus weiter.`,
+      ? `Die gerichtete Kante ${edges[0]} endet dort.`
+      : `Die gerichteten Kanten ${list(edges)} enden dort.`,
+  placeThird: (edge) => `Die gerichtete Kante ${edge} beginnt dort: Die Grenze geht von der Ecke aus weiter.`,
   again: (round) => `Die Prüfung fand das Diagramm falsch: Runde ${round} beginnt mit mehr Proben.`,
   ties: 'Vier oder mehr Kreise berühren eine Scheibe: Die Lage der Mittelpunkte entscheidet über die Dreiecke.',
   flipDiscs: (count) =>
     `${plural(count, 'Dreieck', 'Dreiecke')}, jedes mit der Scheibe, die seine drei Kreise berührt.`,
   editBegin: (vertices) => `Das Diagramm hat ${plural(vertices, 'Ecke', 'Ecken')}.`,
   hull: (left) =>
-    `Die Liste ist leer. ${left === 1 ? 'Die übrige gerichtete Kante ist' : `Die ${left} übrigen gerichteten Kanten sind`} die Hülle.`,
+    `Die Liste ist leer. ${left === 1 ? 'Die übrige gerichtete Kante führt' : `Die ${left} übrigen gerichteten Kanten führen`} einmal um die Hülle.`,
   flipDone: 'Keine Kante ist mehr zu ersetzen.',
   editDone: 'Das Diagramm ist wieder ganz.',
   proven: 'Die Prüfung beweist das Diagramm.',
@@ -314,7 +314,11 @@ const PLAYER: PlayerWords = {
   discMoves: (ids) => `Die Scheibe von ${list(ids)} bewegt sich.`,
   triangles: (removed, made) => `${plural(removed, 'Dreieck geht', 'Dreiecke gehen')}, ${made} kommen.`,
   askAntipodal: (a, b) => `Was ist mit der Scheibe zwischen den Kreisen ${a} und ${b}?`,
-  antipodalAnswers: ['Sie ist leer', 'Sie trifft einen anderen Kreis', 'Ein Fußpunkt liegt auf einem benutzten Bogen'],
+  antipodalAnswers: [
+    'Sie ist leer',
+    'Ein anderer Kreis ragt hinein',
+    'Ein Fußpunkt liegt, wo schon eine andere Grenze entlanglief',
+  ],
   askThreeTouch: (ids) => `Welche gerichteten Kanten nimmt die Scheibe der Kreise ${ids.join(', ')} weg?`,
   threeTouchAnswers: ['Ihre beiden Kanten gehen, eine kommt', 'Drei Kanten gehen', 'Keine: Eine davon fehlt schon'],
   askFlip: (edge) => `Die Kante ${edge} geht. Welche kommt?`,
