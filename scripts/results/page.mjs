@@ -47,7 +47,7 @@ function head({ machine }) {
 <!-- Written by \`npm run reproduce\`: change scripts/results, not this page. -->
 # The paper's results, run again
 
-This library started from the method of "A dynamic sampling approach towards computing Voronoi diagram of a set of circles".
+This library started from the method of "A dynamic sampling approach towards computing Voronoi diagram of a set of circles"; the copy that we have names no authors.
 \`npm run reproduce\` runs the experiments of that paper again and writes this page. Beside each claim it gives the measurement, and
 if the claim does not hold, the reason.
 

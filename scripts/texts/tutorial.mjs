@@ -186,7 +186,7 @@ function paperPage(book) {
     return `<tr><th scope="row">Figure ${k + 1}</th><td>${places.join('<br>')}</td></tr>`
   })
   const html = `<h1>The paper’s figures</h1>
-<p>Chapters 3 to 5 explain the method of “A dynamic sampling approach towards computing Voronoi diagram of a set of circles”.
+<p>Chapters 3 to 5 explain the method of “A dynamic sampling approach towards computing Voronoi diagram of a set of circles”, which the tutorial calls the paper. The copy that we have names no authors.
 This tutorial has a live version of each of its figures.</p>
 <table>
 <thead><tr><th scope="col">In the paper</th><th scope="col">Here</th></tr></thead>

@@ -6,6 +6,7 @@ import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { edgeCurve, pointAt, rationalBezier } from '../../web/lib/index.ts'
+import { compare, loadPrintedRules } from '../../web/tutorial/printed-rules.ts'
 import { library } from './library.ts'
 
 const RESULTS = readFileSync(new URL('../../docs/results.md', import.meta.url), 'utf8')
@@ -44,7 +45,8 @@ function row(start: string, text = RESULTS): string[] {
 const seconds = (time: string) => Number.parseFloat(time) * (/µs/.test(time) ? 1e-6 : /ms/.test(time) ? 1e-3 : 1)
 
 test('chapter 2: a shorter piece of a hyperbola has a weight nearer to 1, and none less', () => {
-  expectSaid(2, 'for hyperbolas $w$ is above 1, and the shorter a piece of the same hyperbola, the nearer to 1')
+  expectSaid(2, 'For hyperbolas $w$ is above 1')
+  expect(figure('bezier-arc').answer).toMatch(/^It comes nearer to 1/)
   const { bisector } = edgeCurve(
     library.compute([
       [0, 0, 3],
@@ -224,6 +226,37 @@ test('chapter 5: borders begin at vertices in its player, too, and a disc is thr
     follows.some((events) => events.includes('directedEdgePlaced') && !events.includes('antipodalDiscAccepted')),
   ).toBe(true)
   expect(after).toBeGreaterThan(0)
+})
+
+test('chapter 12: four circles without a vertex', () => {
+  expect(figure('exercise-vertices').answer).toContain(
+    'Or put three small circles around a large one, far from each other',
+  )
+  const around = [0, 1, 2].map((k) => [4 * Math.cos((2 * Math.PI * k) / 3), 4 * Math.sin((2 * Math.PI * k) / 3), 0.2])
+  const { vertices, edges } = library.compute([[0, 0, 3], ...around])
+  expect([vertices.length / 3, edges.length / 4]).toEqual([0, 3])
+})
+
+test('chapter 6: the printed rule of the right side can fail where there are two vertices, and not where there is one', async () => {
+  const rules = await loadPrintedRules()
+  const [first, ...others] = circlesOf(figure('forward')) as number[][]
+  const [x = 0, y = 0, r = 0] = first ?? []
+  const seen = new Set<string>()
+  for (let k = 0; k <= 40; k++) {
+    for (const [u, v] of [
+      [-0.45, -0.9],
+      [-0.9, -0.4],
+      [-0.3, -1],
+    ] as const) {
+      const circles = Float64Array.from([x + (u * k) / 20, y + (v * k) / 20, r, ...others.flat()])
+      const diagram = library.compute(circles)
+      const { wrong, missing } = compare(diagram, rules.run(circles, ['side']))
+      seen.add(`${diagram.vertices.length / 3}: ${wrong.length + missing.length > 0 ? 'fails' : 'works'}`)
+    }
+  }
+  expect(seen).toContain('2: fails')
+  expect(seen).toContain('1: works')
+  expect(seen).not.toContain('1: fails')
 })
 
 test('chapter 10: ten billion circles take more than a million megabytes', () => {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { bezierArc } from './bezier.ts'
 import { directedEdges } from './directed.ts'
 import { finalCells } from './final.ts'
 import { growing } from './growing.ts'
@@ -14,6 +15,7 @@ import { weightPlane } from './weight-plane.ts'
 /** The figures that the tutorial draws itself, by the names that chapters use. */
 export const KINDS: Readonly<Record<KindName, Kind>> = {
   nearest: nearestCircle,
+  bezier: bezierArc,
   directed: directedEdges,
   growing,
   walk,
@@ -26,6 +28,7 @@ export const KINDS: Readonly<Record<KindName, Kind>> = {
 }
 export type KindName =
   | 'nearest'
+  | 'bezier'
   | 'directed'
   | 'growing'
   | 'walk'
