@@ -163,7 +163,16 @@ describe('what cells are measured by', () => {
   })
 
   it('is the share of a bounded cell that the circle fills', async () => {
-    const picture = new Picture(library.edit([[0, 0, 1], [2, 0, 1], [-2, 0, 1], [0, 2, 0.5], [0, -2, 1], [0.2, 0, 0.1]]))
+    const picture = new Picture(
+      library.edit([
+        [0, 0, 1],
+        [2, 0, 1],
+        [-2, 0, 1],
+        [0, 2, 0.5],
+        [0, -2, 1],
+        [0.2, 0, 0.1],
+      ]),
+    )
     picture.layers = { ...DEFAULT_LAYERS, cells: 'filled' }
     const { diagram } = picture
     const measures = new Measures('filled', diagram)
@@ -171,7 +180,14 @@ describe('what cells are measured by', () => {
     expect(measures.valueOf(1)).toBeNaN()
     expect(picture.colorOf(1)).toBe(-1)
     // In a region every cell has an area.
-    const square = (await library.loadRegions()).region([[[-9, -9], [9, -9], [9, 9], [-9, 9]]])
+    const square = (await library.loadRegions()).region([
+      [
+        [-9, -9],
+        [9, -9],
+        [9, 9],
+        [-9, 9],
+      ],
+    ])
     picture.clip = new Clip(library, square)
     expect(picture.colorOf(1)).not.toBe(-1)
     expect(picture.legend?.measure).toBe('filled')

@@ -54,7 +54,12 @@ describe('order', () => {
   it('has pages that explain before the changelog', () => {
     const sections = [
       section('docs/changelog.html#unreleased', 'Changelog', 'Unreleased', 'array array layout layout'),
-      section('docs/javascript.html#arrays', 'Use it from JavaScript', 'Arrays', 'The layout of each array of a diagram.'),
+      section(
+        'docs/javascript.html#arrays',
+        'Use it from JavaScript',
+        'Arrays',
+        'The layout of each array of a diagram.',
+      ),
     ]
     expect(addressesOf(sections, 'array layout')[0]).toBe('docs/javascript.html#arrays')
   })
