@@ -38,6 +38,7 @@ export async function recipeDrawings() {
       },
     },
     'Show cells on a MapLibre map': { names: ['data'], draw: ({ data }) => onMap(data) },
+    'Draw cells with d3-geo': { names: ['svg'], draw: ({ svg }) => svg },
     'Show cells with deck.gl': { names: ['data'], draw: ({ data }) => asPolygons(data) },
     'Write a file in Node': { names: ['text'], draw: ({ text }) => text },
     'Compute in a worker, and cancel': {

@@ -15,6 +15,10 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// circles to 40 bits, relative to the larger of the disc and the coordinates. No vertex is right whose disc has a
 /// coordinate or a radius beyond the largest double. Two distinct vertices may have equal coordinates.
 ///
+/// The 36 bits that `compute` promises are another measure: they bound the distance of a vertex from its exact place.
+/// Where three circles nearly share a tangent line, points far from that place touch the circles to 40 bits, too. So 40
+/// bits are what a diagram from any program can be asked for. Vertices of `compute` pass as they are, bit for bit.
+///
 /// `certify` reads everything but `stats` and the diagram's own `certificate`. The links must be those of `linkSides`.
 /// For Metric::centers the radii are ignored. For Metric::power there is no certificate.
 ///

@@ -59,9 +59,9 @@ struct Options {
 /// With `automatic` the result is certified, or there is an error. With the other methods the diagram comes with its
 /// certificate and may be wrong where the certificate says so.
 ///
-/// Vertices are right to 36 bits of the distances between their center and their circles. If three circles lie so
-/// nearly along a line that their vertex lies beyond the largest double (1.8e308), there is an error. This takes
-/// circles whose sizes and distances differ by more than a factor of 1e150.
+/// Vertices are at their exact places to 36 bits of their distances from their circles (certify.h says why it asks for
+/// 40). If a vertex lies beyond the largest double (1.8e308), there is an error. This takes three circles nearly along
+/// a line, whose sizes and distances differ by more than a factor of 1e150.
 ///
 /// Errors: nonFinite, negativeRadius (without `weights`), coordinateTooLarge (these three name the first such circle),
 /// badOption, tooManyCircles, notCertified, badArithmetic, internal.
