@@ -77,16 +77,7 @@ const RUN_BY = [
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
-  ...[
-    'Data flow',
-    'Construction methods',
-    'Editing',
-    'Regions',
-    'The page',
-    'The tutorial and the documentation',
-    'Tiles',
-    'Periodic domains',
-  ].map((heading) => ({
+  ...['The core', 'The page'].map((heading) => ({
     by: LISTED,
     file: 'ARCHITECTURE.md',
     heading,
