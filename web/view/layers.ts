@@ -5,8 +5,9 @@ import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
 /**
- * What the color of a circle and its cell says. `different`: no two neighbors have one color. `filled`: the area of the circle
- * divided by that of its cell. `gap`: how near the nearest other circle is. `auto`: `different` for up to `MOST_MAPPED` circles, `radius` for more.
+ * Meanings of the color of a circle and its cell. `different`: neighbors differ in color. `filled`: the area of the circle
+ * divided by that of its cell. `gap`: the distance to the nearest other circle. `auto`: `different` for up to `MOST_MAPPED`
+ * circles, `radius` for more.
  */
 export const CELL_COLORS = ['auto', 'none', 'radius', 'area', 'filled', 'degree', 'gap', 'index', 'different'] as const
 /** One of `CELL_COLORS`: what the color of a circle and its cell says. */
