@@ -292,7 +292,7 @@ async function corrupt(page: Page): Promise<void> {
     index: ((await choice.evaluate((select: HTMLSelectElement) => select.selectedIndex)) + 1) % 5,
   })
   await expect(verdict).toHaveText(/^The judge: no\. \w/)
-  // The vertex, its disc and the circles that it should touch are marked.
+  // The vertex, its disc and the circles that it claims to touch are marked.
   await expect.poll(drawn).toMatchObject({ layers: [{ id: 'claimed' }, { id: 'marked', parts: [1, 0, 4] }] })
   await expect(page.locator('.numbers text')).toHaveText(['0', '1', '2', '3', '4', '5'])
   await page.getByRole('button', { name: 'Make it right again' }).click()

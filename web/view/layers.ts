@@ -5,12 +5,12 @@ import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
 /**
- * Meanings of the color of a circle and its cell. `different`: neighbors differ in color. `filled`: the area of the circle
+ * The quantity that colors circles and cells. `different`: neighbors differ in color. `filled`: the area of the circle
  * divided by that of its cell. `gap`: the distance to the nearest other circle. `auto`: `different` for up to `MOST_MAPPED`
  * circles, `radius` for more.
  */
 export const CELL_COLORS = ['auto', 'none', 'radius', 'area', 'filled', 'degree', 'gap', 'index', 'different'] as const
-/** One of `CELL_COLORS`: what the color of a circle and its cell says. */
+/** One of `CELL_COLORS`: the quantity that colors circles and cells. */
 export type CellColors = (typeof CELL_COLORS)[number]
 
 /** The largest number of circles for which `auto` gives neighbors different colors. */

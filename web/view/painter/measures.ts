@@ -34,7 +34,7 @@ export class Measures {
   #missing: number
   #knots: readonly number[] | undefined
   #isClipped = true
-  /** Areas and gaps, which take long to find, by the circles' ids. */
+  /** Caches areas and gaps by circle id. */
   #known = new Float64Array()
 
   /** `clip` limits the measured part of a cell. `column` gives the values of the measure `column`. */
