@@ -59,6 +59,7 @@ const RUN_BY = [
     { by: NATIVE, file, language: 'sh' },
   ]),
   { by: NATIVE, file: 'docs/tiles.md' },
+  { by: NATIVE, file: 'docs/cpp.md' },
   { by: PYTHON, file: 'docs/python.md', language: 'python' },
   { by: 'tests/long/python.test.mjs', file: 'docs/python.md', language: 'sh' },
   { by: COOKBOOK, file: 'docs/cookbook.md' },

@@ -3,7 +3,7 @@
 // installed from build/native.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
-import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { delimiter, join } from 'node:path'
 import { after, before, describe, it } from 'node:test'
@@ -119,5 +119,46 @@ describe('In C++', () => {
     run('cmake', '--build', 'build')
     const [, expected] = /\/\/ (.*)$/m.exec(codeOf('cpp'))
     assert.equal(run('build/program'), `${expected}\n`)
+  })
+})
+
+describe('Use it from C++', () => {
+  const blocksOf = (heading, name) =>
+    below('Use it from C++')
+      .filter(({ headings, language }) => headings.includes(heading) && language === name)
+      .map(({ code }) => code)
+  const source = blocksOf('Options, errors, progress and cancelling', 'cpp')[0]
+  const [installed, fetched] = blocksOf('Use it in your project', 'cmake')
+  /** A project in a folder of its own. */
+  const write = (name, lists) => {
+    mkdirSync(join(folder, name))
+    writeFileSync(join(folder, name, 'CMakeLists.txt'), lists)
+    writeFileSync(join(folder, name, 'main.cpp'), source)
+  }
+
+  it('is configured, built and installed by plain commands', () => {
+    const [configure, build, install] = blocksOf('Install it', 'sh')[0].trim().split('\n')
+    symlinkSync(ROOT, join(folder, 'circle-voronoi'))
+    run('sh', '-c', configure)
+    assert.match(readFileSync(join(folder, 'build/CMakeCache.txt'), 'utf8'), /^CIRCLE_VORONOI_BUILD_TESTS:BOOL=OFF$/m)
+    // All tests run with a library that is built and installed in this way.
+    assert.deepEqual([build, install], ['cmake --build build', 'cmake --install build --prefix installed'])
+  })
+
+  it('is found, and prints what the comments say', () => {
+    write('found', installed)
+    const [configure] = blocksOf('Use it in your project', 'sh')
+    run('sh', '-c', `cd found && ${configure.trim().replace('=installed', `=${prefix}`)} -G Ninja`)
+    run('cmake', '--build', 'found/build')
+    const expected = [...source.matchAll(/std::cout << .*; {2}\/\/ (.*)$/gm)].map(([, text]) => `${text}\n`)
+    assert.equal(expected.length, 4)
+    assert.equal(run('found/build/program'), expected.join(''))
+  })
+
+  it('is fetched', () => {
+    write('fetched', fetched)
+    const options = ['-G', 'Ninja', '-D', `FETCHCONTENT_SOURCE_DIR_CIRCLE_VORONOI=${ROOT}`]
+    run('cmake', '-S', 'fetched', '-B', 'fetched/build', ...options)
+    assert.match(run('ninja', '-C', 'fetched/build', '-t', 'targets', 'all'), /^program:/m)
   })
 })

@@ -11,7 +11,7 @@ export interface Algorithm {
   readonly lines: readonly (readonly [line: Line, depth: number])[]
 }
 
-/** The paper's Algorithms 1 to 4, as corrected (ARCHITECTURE.md). */
+/** The paper's Algorithms 1 to 4, as corrected (cpp/src/README.md). */
 const TOUCHING: readonly Algorithm[] = [
   {
     title: 'prepare',
