@@ -1146,7 +1146,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
   const alert = element.getByRole('alert')
   const sentences = {
     layer: /^There is no layer dsic\. The layers are circles, .*disc, /,
-    cells: 'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "typo").',
+    cells: 'The layer cells must be auto, none, radius, area, filled, degree, gap, index or different (got "typo").',
     method: 'The method must be auto, touching-disc or flip (got "magic").',
     controls: 'The controls must be buttons or player, or both (got "buttns").',
     check: 'The check cannot be read: there is no circle 7. The circles have the ids 0 to 2.',

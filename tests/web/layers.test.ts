@@ -579,7 +579,7 @@ describe('layers that are set', () => {
       'The layer path must be two points { from: { x, y }, to: { x, y } } (got {"from":{"x":0,"y":0}}).',
     )
     expect(refusal({ cells: 'red' })).toBe(
-      'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "red").',
+      'The layer cells must be auto, none, radius, area, filled, degree, gap, index or different (got "red").',
     )
     expect(refusal({ candidates: 'red' })).toBe(
       'The layer candidates must be dynamic, uniform or all-pairs (got "red").',
