@@ -77,7 +77,10 @@ describe('attributes', () => {
   )
 
   test.each([
-    ['cells=blue', 'The layer cells must be auto, none, radius, area, filled, degree, gap, index or different (got "blue").'],
+    [
+      'cells=blue',
+      'The layer cells must be auto, none, radius, area, filled, degree, gap, index or different (got "blue").',
+    ],
     ['max-distance=far', 'The layer maxDistance must be a number (got "far").'],
     ['near-zero=-1', 'The layer nearZero must be a number from 0 (got -1).'],
     ['{"dsic": true}', /^There is no layer dsic\. /],
