@@ -307,8 +307,8 @@ const std::vector<ClipFamily>& clipFamilies() {
                                                    {"side along an edge", sideAlongEdge},
                                                    {"side tangent to an arc", tangentSide},
                                                    {"touching holes", touchingHoles},
-                                                   {"inside one cell", insideOneCell, true},
-                                                   {"far away and tiny", farAndTiny, true},
+                                                   {"inside one cell", insideOneCell},
+                                                   {"far away and tiny", farAndTiny},
                                                    {"grid", grid},
                                                    {"anything", anything}};
   return families;

@@ -26,7 +26,6 @@ bool hasPolygons(const ClipInput& input);
 struct ClipFamily {
   const char* name;
   ClipInput (*make)(std::mt19937_64& random);
-  bool isFar = false;  ///< whether the region may be much smaller or larger than the circles
 };
 
 const std::vector<ClipFamily>& clipFamilies();

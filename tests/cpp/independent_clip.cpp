@@ -12,9 +12,12 @@ using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<
 
 using std::abs;
 using std::asinh;
+using std::atan2;
+using std::cos;
 using std::cosh;
 using std::hypot;
 using std::isfinite;
+using std::sin;
 using std::sinh;
 using std::sqrt;
 
@@ -66,8 +69,10 @@ class BruteForce {
   };
 
  public:
-  BruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric, const Real& rounding)
+  BruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric, std::optional<double> maxDistance,
+             const Real& rounding)
       : metric_(metric), areas_(circles.size()) {
+    if (maxDistance) maxDistance_ = Real(*maxDistance);
     const Box box = region.bounds();
     // Relative to a corner of the region.
     origin_ = {Real(region.points()[0].x), Real(region.points()[0].y)};
@@ -103,6 +108,7 @@ class BruteForce {
     for (const Segment& side : sides_) addSide(side);
     for (std::size_t i = 0; i < centers_.size(); ++i) {
       for (std::size_t j = i + 1; j < centers_.size(); ++j) addBisector(i, j);
+      if (maxDistance_) addCircle(i);
     }
     std::vector<double> areas;
     for (const Real& area : areas_) areas.push_back(static_cast<double>(area));
@@ -143,11 +149,20 @@ class BruteForce {
         }
       }
     }
+    for (std::size_t i = 0; maxDistance_ && i < centers_.size(); ++i) {
+      const Spot toStart = side.from - centers_[i];
+      const Real radius = reachOf(i);
+      for (const Real& t : roots(dot(along, along), dot(along, toStart), dot(toStart, toStart) - radius * radius)) {
+        if (t > 0 && t < 1) shares.push_back(t);
+      }
+    }
     std::ranges::sort(shares);
     for (std::size_t k = 1; k < shares.size(); ++k) {
       const Spot from = side.from + shares[k - 1] * along;
       const Spot to = side.from + shares[k] * along;
-      areas_[indices_[nearestTo(half() * (from + to) + shift_)]] += cross(from, to) / 2;
+      const Spot middle = half() * (from + to) + shift_;
+      const std::size_t nearest = nearestTo(middle);
+      if (isNear(nearest, middle)) areas_[indices_[nearest]] += cross(from, to) / 2;
     }
   }
 
@@ -232,6 +247,10 @@ class BruteForce {
     for (const auto& [from, to] : sides_) {
       for (const Real& t : crossings(i, j, from, to - from)) divide(from + t * (to - from));
     }
+    if (maxDistance_) {
+      // The height above the line of centers, of both points at the distance.
+      for (const Spot& p : pointsAtDistance(i, j)) divide(p);
+    }
     std::ranges::sort(parameters);
     for (std::size_t k = 1; k < parameters.size(); ++k) {
       const Real t0 = parameters[k - 1];
@@ -239,7 +258,7 @@ class BruteForce {
       const Spot p = pointAt((t0 + t1) / 2);
       if (!isInRegion(p - shift_)) continue;
       const Spot aside = shift_.x * along;
-      if (nearestTo(p - aside) != i || nearestTo(p + aside) != j) continue;
+      if (nearestTo(p - aside) != i || nearestTo(p + aside) != j || !isNear(i, p - shift_)) continue;
       const Spot from = pointAt(t0);
       const Spot to = pointAt(t1);
       // The chord as seen from the middle, and what the branch adds.
@@ -250,9 +269,64 @@ class BruteForce {
     }
   }
 
+  /// The radius of the disc in which a cell is kept.
+  Real reachOf(std::size_t i) const { return std::max(Real(radii_[i] + *maxDistance_), Real(0)); }
+  bool isNear(std::size_t i, Spot p) const { return !maxDistance_ || lengthOf(p - centers_[i]) <= reachOf(i); }
+
+  /// Where the discs of two circles meet.
+  std::vector<Spot> pointsAtDistance(std::size_t i, std::size_t j) const {
+    const Spot d = centers_[j] - centers_[i];
+    const Real square = dot(d, d);
+    const Real u = reachOf(i);
+    const Real v = reachOf(j);
+    const Real along = (square + u * u - v * v) / (2 * square);
+    const Real across = u * u / square - along * along;
+    if (!(across >= 0)) return {};
+    const Spot middle = centers_[i] + along * d;
+    const Spot aside = Real(sqrt(across)) * turned(d);
+    return {middle + aside, middle - aside};
+  }
+
+  /// The arcs of the circle around the disc in which a cell is kept.
+  void addCircle(std::size_t i) {
+    const Real radius = reachOf(i);
+    if (radius == 0) return;
+    const Real turn = 2 * atan2(Real(0), Real(-1));
+    std::vector<Real> angles;
+    const auto divide = [&](Spot p) {
+      const Real angle = atan2(p.y - centers_[i].y, p.x - centers_[i].x);
+      if (isfinite(angle)) angles.push_back(angle < 0 ? Real(angle + turn) : angle);
+    };
+    for (const auto& [from, to] : sides_) {
+      const Spot along = to - from;
+      const Spot toStart = from - centers_[i];
+      for (const Real& t : roots(dot(along, along), dot(along, toStart), dot(toStart, toStart) - radius * radius)) {
+        divide(from + t * along);
+      }
+    }
+    for (std::size_t j = 0; j < centers_.size(); ++j) {
+      if (j == i) continue;
+      for (const Spot& p : pointsAtDistance(i, j)) divide(p);
+    }
+    if (angles.empty()) angles.push_back(0);
+    std::ranges::sort(angles);
+    angles.push_back(angles.front() + turn);
+    const auto pointAt = [&](const Real& angle) {
+      return centers_[i] + Spot{Real(radius * cos(angle)), Real(radius * sin(angle))};
+    };
+    for (std::size_t k = 1; k < angles.size(); ++k) {
+      const Real swept = angles[k] - angles[k - 1];
+      const Spot p = pointAt((angles[k] + angles[k - 1]) / 2) - shift_;
+      if (!isInRegion(p) || nearestTo(p) != i) continue;
+      areas_[indices_[i]] += cross(pointAt(angles[k - 1]), pointAt(angles[k])) / 2;
+      areas_[indices_[i]] += radius * radius * (swept - sin(swept)) / 2;
+    }
+  }
+
   static Real half() { return Real(1) / 2; }
 
   Metric metric_;
+  std::optional<Real> maxDistance_;
   Spot origin_;
   Real size_ = 0;
   Spot shift_;
@@ -267,9 +341,9 @@ class BruteForce {
 }  // namespace
 
 std::vector<double> areasByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
-                                      bool isLong) {
-  if (isLong) return BruteForce<Long>(circles, region, metric, Long("1e-98")).run();
-  return BruteForce<long double>(circles, region, metric, 1e-18L).run();
+                                      bool isLong, std::optional<double> maxDistance) {
+  if (isLong) return BruteForce<Long>(circles, region, metric, maxDistance, Long("1e-98")).run();
+  return BruteForce<long double>(circles, region, metric, maxDistance, 1e-18L).run();
 }
 
 }  // namespace circle_voronoi::test

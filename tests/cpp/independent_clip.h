@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "circle_voronoi/circle.h"
@@ -12,8 +13,9 @@ namespace circle_voronoi::test {
 /// Computes the areas of the cells of a few circles in a region without a diagram, in long doubles: each side of the
 /// region and each bisector of two circles is divided wherever it may cross anything, and the middle of each piece says
 /// by brute force whose border it is. Takes about n^3 (n + m) steps. Areas are right to about 1e-8 of the square of the
-/// extent, for a region as large as the circles. For others, numbers have 100 digits if `isLong`.
+/// extent, for a region as large as the circles whose sides are not tangent to edges. For others, numbers have 100
+/// digits if `isLong`. With a maximum distance, cells are cut at that distance from their circles.
 std::vector<double> areasByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
-                                      bool isLong = false);
+                                      bool isLong = false, std::optional<double> maxDistance = {});
 
 }  // namespace circle_voronoi::test

@@ -24,6 +24,11 @@ constexpr double kOnePlace = 0x1p-46;
 /// But nothing is that is farther apart than this share of the region.
 constexpr double kOneCorner = 0x1p-24;
 
+/// How far a point that is computed from a center may be off.
+double reachAt(Point p, Point center) {
+  return kOnePlace * (lengthOf(vectorTo(center, p)) + std::abs(p.x) + std::abs(p.y));
+}
+
 std::pair<double, double> placeKey(Point p) { return {p.x, p.y}; }
 
 Point centerOf(const Diagram& diagram, CircleIndex circle) {
@@ -77,8 +82,7 @@ class RoomMaker {
     const bool isBetween = std::min(fromParameter, toParameter) < s && s < std::max(fromParameter, toParameter);
     Point middle = pointAt(bisector_, isBetween ? s : std::sqrt(fromParameter) * std::sqrt(toParameter));
     // Next to a corner the corner itself, so that rounding does not lead around it.
-    const double reach = kOnePlace * (lengthOf(vectorTo(center_, middle)) + std::abs(middle.x) + std::abs(middle.y));
-    const bool isAtCorner = lengthOf(vectorTo(middle, middleCorner)) <= reach;
+    const bool isAtCorner = lengthOf(vectorTo(middle, middleCorner)) <= reachAt(middle, center_);
     if (bisector_.a == 0 || isAtCorner || depth >= kMostDivisions || middle == from || middle == to) {
       middle = middleCorner;
     }
@@ -99,6 +103,12 @@ ClipFlattener::ClipFlattener(const ClippedDiagram& clipped, double tolerance)
     : clipped_(clipped), tolerance_(tolerance) {
   collectPlaces();
   collectCorners();
+}
+
+/// Regions may be smaller than the rounding of vertices.
+double ClipFlattener::mostReach() const {
+  const Box& box = clipped_.parts().bounds;
+  return kOneCorner * std::max(box.maxX - box.minX, box.maxY - box.minY);
 }
 
 void ClipFlattener::collectPlaces() {
@@ -133,9 +143,7 @@ void ClipFlattener::collectPlaces() {
       reach += sizeOf(vectorTo(centerOf(diagram, circle), p));
     return kOnePlace * reach;
   };
-  // Regions may be smaller than the rounding of vertices.
-  const double most =
-      kOneCorner * std::max(parts.bounds.maxX - parts.bounds.minX, parts.bounds.maxY - parts.bounds.minY);
+  const double most = mostReach();
   const auto isNear = [&](Point p, Point q, double reach) { return sizeOf(vectorTo(p, q)) <= std::min(reach, most); };
   for (const Edge& edge : diagram.edges) {
     if (!parts.arcs.isInside(edge.start) && !parts.arcs.isInside(edge.end)) continue;
@@ -223,6 +231,14 @@ double ClipFlattener::heightOn(EdgeIndex edge, Point p) const {
   return cross(vectorTo(left, centerOf(clipped_.diagram(), ends.right)), vectorTo(left, p));
 }
 
+std::span<const ClipFlattener::Corner> ClipFlattener::cornersOn(EdgeIndex edge, CircleIndex cell, double low,
+                                                                double high) const {
+  const auto key = [](const Corner& corner) { return corner.key(); };
+  const auto first = std::ranges::lower_bound(corners_, Corner{edge, cell, low, {}}.key(), {}, key);
+  const auto last = std::ranges::upper_bound(corners_, Corner{edge, cell, high, {}}.key(), {}, key);
+  return first < last ? std::span(first, last) : std::span<const Corner>();
+}
+
 std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part) const {
   const Point start = placeOf(part.start);
   const Point end = placeOf(part.end);
@@ -234,11 +250,21 @@ std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part
   const auto [low, high] = std::minmax({heightOn(edge, part.start), heightOn(edge, part.end)});
   const double rounding = kOnePlace * std::max(std::abs(low), std::abs(high));
   for (const CircleIndex cell : {ends.left, ends.right}) {
-    const auto key = [](const Corner& corner) { return corner.key(); };
-    const auto first = std::ranges::lower_bound(corners_, Corner{edge, cell, low - rounding, {}}.key(), {}, key);
-    const auto last = std::ranges::upper_bound(corners_, Corner{edge, cell, high + rounding, {}}.key(), {}, key);
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+      const Point p = points[k];
+      const double reach = std::min(reachAt(p, part.bisector.origin), mostReach());
+      const double height = heightOn(edge, p);
+      const double slack = reach * lengthOf(vectorTo(part.bisector.left, part.bisector.right)) + rounding;
+      for (const Corner& corner : cornersOn(edge, cell, height - slack, height + slack)) {
+        if (lengthOf(vectorTo(p, corner.point)) <= reach) points[k] = corner.point;
+      }
+    }
+  }
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() == 1) return points;
+  for (const CircleIndex cell : {ends.left, ends.right}) {
     std::vector<Point> its;
-    for (auto corner = first; corner < last; ++corner) its.push_back(corner->point);
+    for (const Corner& corner : cornersOn(edge, cell, low - rounding, high + rounding)) its.push_back(corner.point);
     if (its.empty()) continue;
     if (cell == ends.right) std::ranges::reverse(points);
     points = RoomMaker(part.bisector, centerOf(clipped_.diagram(), cell)).run(points, std::move(its));

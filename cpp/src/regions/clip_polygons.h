@@ -39,9 +39,12 @@ class CIRCLE_VORONOI_API ClipFlattener {
     Point point;
     auto key() const { return std::tuple(std::int32_t{edge}, std::int32_t{cell}, height); }
   };
+  double mostReach() const;
   void collectCorners();
   void collectPlaces();
   double heightOn(EdgeIndex edge, Point p) const;
+  /// The corners in a cell beside an edge between two heights.
+  std::span<const Corner> cornersOn(EdgeIndex edge, CircleIndex cell, double low, double high) const;
   std::vector<Point> pointsOf(EdgeIndex edge, const EdgeCurve& part) const;
 
   const ClippedDiagram& clipped_;

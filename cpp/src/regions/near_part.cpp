@@ -2,18 +2,97 @@
 #include "near_part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "at.h"
 #include "cell_limits.h"
-#include "chains.h"
 #include "in_outline.h"
 #include "scale.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {
+
+/// A part of a segment, by how far its ends are along it: from 0 to 1.
+struct Chord {
+  double from = 0;
+  double to = 1;
+};
+
+/// Returns the part of a segment inside a disc. Whether the ends of the segment are inside has been decided.
+std::optional<Chord> chordOf(Point from, Point to, bool hasFrom, bool hasTo, const Circle& disc) {
+  if (hasFrom && hasTo) return Chord{};
+  const double unit = unitFor(disc.r);
+  const double size = lengthOf(vectorTo(from, to)) / unit;
+  const Vector along = measuredIn(size, measuredIn(unit, vectorTo(from, to)));
+  const Vector toCenter = measuredIn(unit, vectorTo(from, Point{disc.x, disc.y}));
+  const double foot = dot(along, toCenter);
+  const double height = std::abs(cross(along, toCenter));
+  const double r = disc.r / unit;
+  const double half = std::sqrt(std::max((r - height) * (r + height), 0.0));
+  Chord chord;
+  if (!hasFrom) chord.from = std::clamp((foot - half) / size, 0.0, 1.0);
+  if (!hasTo) chord.to = std::clamp((foot + half) / size, 0.0, 1.0);
+  // With no end inside it may pass the disc by.
+  if (!hasFrom && !hasTo && !(height < r && chord.from < chord.to)) return std::nullopt;
+  return chord;
+}
+
+/// The circle around a disc. A place on it is a pseudo-angle: from 0 to 4.
+class Rim {
+ public:
+  static constexpr double kTotal = 4;
+
+  explicit Rim(const Circle& disc) : disc_(disc) {}
+
+  double placeNear(Point p) const {
+    const Vector v = vectorTo({disc_.x, disc_.y}, p);
+    return pseudoAngle(measuredIn(unitFor(largestOf(v)), v));
+  }
+  Point at(double place) const {
+    const double quarter = std::floor(place);
+    const double share = place - quarter;
+    const Vector u = axis(quarter);
+    const Vector w = axis(quarter + 1);
+    const Vector v = {(1 - share) * u.x + share * w.x, (1 - share) * u.y + share * w.y};
+    const double factor = disc_.r / std::sqrt(dot(v, v));
+    return {disc_.x + factor * v.x, disc_.y + factor * v.y};
+  }
+
+  /// Adds the arc from one point to another, in quarters at most, to a loop. `to` may be more than a turn.
+  void addArc(std::vector<OutlinePiece>& loop, Point start, Point end, double from, double to) const {
+    const auto add = [&](Point p) {
+      if (start != p) loop.push_back({segment(start, p), kNone, kNone, disc_.r});
+      start = p;
+    };
+    for (double quarter = std::floor(from) + 1; quarter < to; ++quarter) add(at(quarter));
+    add(end);
+  }
+  std::vector<OutlinePiece> whole() const {
+    std::vector<OutlinePiece> loop;
+    addArc(loop, at(0), at(0), 0, kTotal);
+    return loop;
+  }
+
+ private:
+  static Vector axis(double quarter) {
+    constexpr std::array<Vector, 4> kAxes = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+    return kAxes[static_cast<std::size_t>(quarter) % kAxes.size()];
+  }
+
+  Circle disc_;
+};
+
+/// Pieces of an outline inside the disc that follow each other without a gap, and the places on the circle where they
+/// begin and end.
+struct Chain {
+  std::vector<OutlinePiece> pieces;
+  double entry = 0;
+  double exit = 0;
+};
 
 /// A part of a piece of a loop inside the disc.
 struct DiscPart {
@@ -25,15 +104,15 @@ struct DiscPart {
 class DiscClipper {
  public:
   DiscClipper(const ClippedDiagram::Parts& parts, CircleIndex circle, const Loops& loops, const Circle& disc)
-      : parts_(parts), circle_(circle), loops_(loops), disc_(disc), ring_(nullptr, disc) {}
+      : parts_(parts), circle_(circle), loops_(loops), disc_(disc), rim_(disc) {}
 
   Outline run() {
     for (std::size_t k = 0; k < loops_.isHole.size(); ++k) collectChains(k);
     Outline outer;
     if (!chains_.empty()) {
-      outer = joined(ring_, std::move(chains_), [&](Point p) { return depth(p); });
+      outer = joined();
     } else if (depth(clearestPoint()) > 0) {
-      outer = {wholeLoop(ring_)};
+      outer = {rim_.whole()};
     }
     std::ranges::move(closed_, std::back_inserter(outer));
     // Each hole comes after the loop around it.
@@ -66,10 +145,10 @@ class DiscClipper {
       }
       if (!linked || part->isCutFrom) {
         if (chains.empty()) firstIsAtOrigin = k == 0 && !part->isCutFrom;
-        chains.emplace_back().entry = ring_.placeNear(part->piece.curve.start);
+        chains.emplace_back().entry = rim_.placeNear(part->piece.curve.start);
       }
       chains.back().pieces.push_back(part->piece);
-      chains.back().exit = ring_.placeNear(part->piece.curve.end);
+      chains.back().exit = rim_.placeNear(part->piece.curve.end);
       linked = !part->isCutTo;
     }
     if (linked && firstIsAtOrigin) {
@@ -141,20 +220,95 @@ class DiscClipper {
 
   /// The point of the circle that is farthest from the borders, of a few.
   Point clearestPoint() const {
-    Point best = ring_.at(0);
-    constexpr int kTried = 8;
-    for (int k = 1; k < kTried; ++k) {
-      const Point p = ring_.at(ring_.total() * k / kTried);
+    Point best = rim_.at(0);
+    for (double place = 0.5; place < Rim::kTotal; place += 0.5) {
+      const Point p = rim_.at(place);
       if (std::abs(depth(p)) > std::abs(depth(best))) best = p;
     }
     return best;
+  }
+
+  /// Returns a place in one of the largest gaps between entries and exits: of several places the one that is deepest
+  /// inside or outside. The largest gap alone may lie on the boundary of both the ring and what is cut. In a gap that
+  /// is only rounding, it is not known on which side of the entry or exit a place is.
+  double clearPlace() const {
+    struct Gap {
+      double size;
+      double start;
+    };
+    std::vector<double> places;
+    for (const Chain& chain : chains_) places.insert(places.end(), {chain.entry, chain.exit});
+    std::ranges::sort(places);
+    std::vector<Gap> gaps;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double next = i + 1 < places.size() ? places[i + 1] : places.front() + Rim::kTotal;
+      gaps.push_back({next - places[i], places[i]});
+    }
+    constexpr std::size_t kTried = 4;
+    const auto tried = gaps.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, gaps.size()));
+    std::ranges::partial_sort(gaps, tried, std::ranges::greater(), &Gap::size);
+    double best = -1;
+    double place = 0;
+    for (auto gap = gaps.begin(); gap != tried && (gap == gaps.begin() || gap->size > kRounding * Rim::kTotal); ++gap) {
+      for (const double share : {0.5, 0.3, 0.8}) {
+        const double ahead = gap->start + share * gap->size;
+        const double candidate = ahead < Rim::kTotal ? ahead : ahead - Rim::kTotal;
+        const double difference = std::abs(depth(rim_.at(candidate)));
+        if (difference > best) {
+          best = difference;
+          place = candidate;
+        }
+      }
+    }
+    return place;
+  }
+
+  /// Joins the chains to loops, along the circle. There is at least one chain.
+  ///
+  /// Along the circle exits and entries alternate. To pair the k-th exit with the k-th entry, or the one after it, is
+  /// right wherever rounding confuses the order of an exit and an entry next to each other; it takes a place to begin
+  /// that is neither, and is known to be inside or not.
+  Outline joined() {
+    const double begin = clearPlace();
+    const bool beginsInside = depth(rim_.at(begin)) > 0;
+    const auto ahead = [&](double place) { return place < begin ? place + Rim::kTotal : place; };
+    const std::size_t count = chains_.size();
+    std::vector<std::size_t> byExit(count);
+    for (std::size_t i = 0; i < count; ++i) byExit[i] = i;
+    std::vector<std::size_t> byEntry = byExit;
+    std::ranges::sort(byExit, {}, [&](std::size_t i) { return ahead(chains_[i].exit); });
+    std::ranges::sort(byEntry, {}, [&](std::size_t i) { return ahead(chains_[i].entry); });
+
+    std::vector<std::size_t> next(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = byExit[k];
+      const std::size_t j = byEntry[beginsInside ? (k + 1) % count : k];
+      next[i] = j;
+      const double from = ahead(chains_[i].exit);
+      const double to = ahead(chains_[j].entry) + (beginsInside && k + 1 == count ? Rim::kTotal : 0);
+      const Point start = chains_[i].pieces.back().curve.end;
+      const Point end = chains_[j].pieces.front().curve.start;
+      rim_.addArc(chains_[i].pieces, start, end, from, to);
+    }
+
+    Outline outline;
+    std::vector<bool> isDone(count, false);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (isDone[i]) continue;
+      auto& loop = outline.emplace_back();
+      for (std::size_t j = i; !isDone[j]; j = next[j]) {
+        isDone[j] = true;
+        std::ranges::move(chains_[j].pieces, std::back_inserter(loop));
+      }
+    }
+    return outline;
   }
 
   const ClippedDiagram::Parts& parts_;
   CircleIndex circle_;
   const Loops& loops_;
   Circle disc_;
-  Ring ring_;
+  Rim rim_;
   std::vector<Chain> chains_;
   Outline closed_;  ///< loops inside the disc that are no holes
   Outline holes_;
