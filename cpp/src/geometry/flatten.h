@@ -17,8 +17,8 @@ CIRCLE_VORONOI_API bool isLeftTurn(Point p, Point q, Point r);
 CIRCLE_VORONOI_API bool turnsAround(Point left, Point right, Point p, Point q);
 
 /// Returns the points of an arc from `start` to `end`, which are its ends but for rounding: those of polyline(), and
-/// more of them until each step turns around both foci, except for steps as short as rounding. A cell is star-shaped from the center of its circle, so a
-/// polygon of such steps is, too, and does not cross itself.
+/// more of them until each step turns around both foci, except for steps as short as rounding. A cell is star-shaped
+/// from the center of its circle, so a polygon of such steps is, too, and does not cross itself.
 CIRCLE_VORONOI_API std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end, double tolerance);
 
 /// Returns whether pointsBetween has only the ends.
