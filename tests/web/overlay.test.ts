@@ -149,16 +149,16 @@ const THINGS: Record<string, readonly [Partial<Above>, ...string[]]> = {
     'path',
   ],
   'the ends of a path that is not found': [{ layers: withLayers({ path }) }, 'path'],
-  'points of a client': [{ above: [{ color: 'red', points: Float64Array.of(1, 1, 2, 2), dot: 4 }] }, 'red'],
+  'points of a client': [{ above: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 2), dot: 4 }] }, 'red'],
   'numbers of a client': [
-    { above: [{ color: 'red', points: Float64Array.of(1, 1), numbers: Int32Array.of(7) }] },
+    { above: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1), numbers: Int32Array.of(7) }] },
     'red',
   ],
   'segments of a client': [
-    { above: [{ color: 'red', segments: Float64Array.of(1, 1, 5, 5), dash: [3, 1], width: 2 }] },
+    { above: [{ id: 'own', color: 'red', segments: Float64Array.of(1, 1, 5, 5), dash: [3, 1], width: 2 }] },
     'red',
   ],
-  'discs of a client': [{ above: [{ color: 'red', discs: Float64Array.of(1, 1, 2), fill: 0.5 }] }, 'red'],
+  'discs of a client': [{ above: [{ id: 'own', color: 'red', discs: Float64Array.of(1, 1, 2), fill: 0.5 }] }, 'red'],
 }
 
 describe('above the picture', () => {
