@@ -659,5 +659,27 @@ TEST_F(Corrupted, IndicesOutOfRange) {
   expectMisfit([&] { periodic.diagram.hidden.back().by = 1'000'000; });
 }
 
+// The periods are nearly parallel, and their cross product cancels nearly all digits.
+TEST(Periodic, StrongShearLeavesTheSumOfTheAreasRight) {
+  Random random(61);
+  for (const double shear : {1e3, 1e6, 1e8, 1e9}) {
+    for (int trial = 0; trial < 20; ++trial) {
+      SCOPED_TRACE(std::to_string(shear) + ", trial " + std::to_string(trial));
+      const Vector a = directionAt(random.unit());
+      const Vector b = {random.uniform(0.5, 2) * -a.y, random.uniform(0.5, 2) * a.x};
+      const double times = std::round(shear * random.uniform(0.5, 1));
+      const Lattice sheared = {{a.x + times * b.x, a.y + times * b.y}, b};
+      Circles circles;
+      for (std::size_t i = 0; i <= random.below(6); ++i) circles.push_back({random.unit(), random.unit(), 0.1});
+      const auto periodic = computePeriodic(circles, sheared);
+      ASSERT_TRUE(periodic) << periodic.error().message;
+      double sum = 0;
+      for (CircleIndex i = 0; i < periodic->circleCount; ++i) sum += cellArea(periodic->diagram, i);
+      // The rounding of the periods moves the sides of the box.
+      EXPECT_NEAR(sum, boxArea({a, b}), 8 * shear * 0x1p-50 * shear + 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace circle_voronoi

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "box_area.h"
 #include "circle_voronoi/periodic.h"
 #include "guarded.h"
 #include "mix.h"
@@ -73,7 +74,7 @@ class FoldCheck {
     // V - E + F with V = corners / 3 and E = sides / 2.
     if (2 * corners_ - 3 * sides_ + 6 * cells_ != 0)
       refuse(kNone, "Vertices, edges and cells contradict Euler's formula.");
-    const double box = std::abs(cross(periodic_.lattice.a, periodic_.lattice.b));
+    const double box = boxArea(periodic_.lattice);
     // Not >, which is false for what is not a number.
     if (periodic_.circleCount > 0 && !(std::abs(area_ - box) <= 0x1p-30 * box + rounding_)) {
       refuse(kNone, "The areas of the cells do not sum to that of the box.");
