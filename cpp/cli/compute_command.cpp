@@ -160,15 +160,7 @@ void addComputeCommand(CLI::App& program) {
       ->type_name("COUNT")
       ->capture_default_str()
       ->transform(wholeNumber(kMaxThreads).description("0 to " + std::to_string(kMaxThreads)));
-  command
-      ->add_option("--lattice", arguments->lattice,
-                   "The circles repeat with these two periods, as in a box whose opposite sides are glued together "
-                   "(json, csv, svg, geojson, geojsonl, stats)")
-      ->type_name("AX,AY,BX,BY")
-      ->check([](const std::string& text) {
-        Lattice lattice;
-        return readLattice(text, lattice);
-      });
+  addLatticeOption(*command, arguments->lattice);
   command
       ->add_option("--trace", arguments->trace,
                    "Write the events of the method to this file, one line of JSON per event")

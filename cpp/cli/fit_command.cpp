@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "box.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
 #include "circles_input.h"
@@ -25,6 +26,7 @@ struct FitArguments {
   CirclesInput input;
   std::string projection;
   Output output;
+  std::string lattice;  ///< AX,AY,BX,BY; empty: the cells divide a region
   std::string areas;
   bool shares = AreaFitOptions{}.shares;
   double areaTolerance = AreaFitOptions{}.tolerance;
@@ -55,7 +57,12 @@ double partDone(double first, double error, double tolerance) {
 
 void runFit(const CLI::App& command, FitArguments& arguments) {
   settleInput(command, arguments.input);
+  if (arguments.lattice.empty() == arguments.output.regionFile.empty()) {
+    throw Failure{kBadInput, arguments.lattice.empty() ? "fit needs --region or --lattice."
+                                                       : "--lattice takes no --region: cells are written whole."};
+  }
   settle(arguments.output);
+  if (!arguments.lattice.empty()) checkPeriodicOutput(arguments.output);
   refuseSharedFiles({arguments.input.file, arguments.output.regionFile}, {{"--output", arguments.output.file}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
@@ -76,24 +83,34 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
     if (step.step == 0) first = step.error;
     progress.show("fit", partDone(first, step.error, options.tolerance));
   };
-  const auto fit = fitAreas(file.circles, *areas, *arguments.output.region, options);
-  if (!fit) fail(withFlags(fit.error()), name + ": ");
-  noteSkipped(file, progress);
-  writeDiagram(arguments.output, name, fit->diagram, progress);
+  const auto found = [&](auto fit) {
+    if (!fit) fail(withFlags(fit.error()), name + ": ");
+    noteSkipped(file, progress);
+    return std::move(fit).value();
+  };
+  if (arguments.lattice.empty()) {
+    const AreaFit fit = found(fitAreas(file.circles, *areas, *arguments.output.region, options));
+    return writeDiagram(arguments.output, name, fit.diagram, progress);
+  }
+  Lattice lattice;
+  (void)readLattice(arguments.lattice, lattice);
+  const PeriodicAreaFit fit = found(fitAreas(file.circles, *areas, lattice, options));
+  writePeriodicDiagram(arguments.output, name, fit.periodic, progress);
 }
 
 }  // namespace
 
 void addFitCommand(CLI::App& program) {
   const auto arguments = std::make_shared<FitArguments>();
-  CLI::App* command = program.add_subcommand("fit", "Find weights for which the cells have given areas in a region");
+  CLI::App* command =
+      program.add_subcommand("fit", "Find weights for which the cells have given areas in a region or a box");
   addCirclesInput(*command, arguments->input,
                   "Sites, as the circles that compute reads; r is the weight to start from, 0 if there is none",
                   Skipping::possible, Radii::optional);
   command->add_option("--areas", arguments->areas, "The column or property that has the area of each cell")
       ->type_name("COLUMN")
       ->required();
-  command->add_flag("--shares", arguments->shares, "The areas are shares of the region's area");
+  command->add_flag("--shares", arguments->shares, "The areas are shares of the area of the region or box");
   command->add_option("--area-tolerance", arguments->areaTolerance, "The largest relative error allowed for each area")
       ->type_name("NUMBER")
       ->capture_default_str();
@@ -109,8 +126,8 @@ void addFitCommand(CLI::App& program) {
   arguments->output.isRegionNeeded = true;
   addOutputOptions(*command, arguments->output);
   command->get_option("--region")
-      ->required()
       ->description("A file with the region that the cells divide, as GeoJSON or well-known text");
+  addLatticeOption(*command, arguments->lattice);
   addProgressOption(*command, arguments->progress);
   command->footer("The result is the diagram of the sites with the weights as radii, in any format of compute.");
   command->callback([arguments, command] { runFit(*command, *arguments); });

@@ -213,6 +213,18 @@ void writeDiagram(const Output& output, const std::string& name, const Diagram& 
   });
 }
 
+void addLatticeOption(CLI::App& command, std::string& lattice) {
+  command
+      .add_option("--lattice", lattice,
+                  "The circles repeat with these two periods, as in a box whose opposite sides are glued together "
+                  "(json, csv, svg, geojson, geojsonl, stats)")
+      ->type_name("AX,AY,BX,BY")
+      ->check([](const std::string& text) {
+        Lattice periods;
+        return readLattice(text, periods);
+      });
+}
+
 void checkPeriodicOutput(const Output& output) {
   if (output.format == "wkt" || output.format == "obj") {
     throw Failure{kBadInput, "--lattice takes no --format " + output.format + "."};

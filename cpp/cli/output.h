@@ -67,6 +67,8 @@ void takeRecordedProjection(Output& output, const CircleAttributes& attributes);
 /// certified, or if something could not be written.
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress);
 
+/// Adds `--lattice` to a command, as text that `readLattice` reads.
+void addLatticeOption(CLI::App& command, std::string& lattice);
 /// Throws Failure if a format or an option is given that is not for periodic diagrams, before any work is done.
 void checkPeriodicOutput(const Output& output);
 /// Writes a periodic diagram. Errors call the input `name`. Throws Failure if something could not be written.

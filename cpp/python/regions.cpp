@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/region.h"
 #include "circle_voronoi/region_queries.h"
@@ -242,16 +244,43 @@ py::object pathBetween(const SharedDiagram& diagram, std::array<double, 2> start
                         arrayOf<double>(std::move(points)));
 }
 
-py::tuple fitted(const Doubles& sites, const Doubles& areas, const SharedRegion& region, bool shares, double tolerance,
-                 int maxSteps, int relax) {
+/// The options of fits as Python passes them: shares, tolerance, max_steps, relax.
+using FitArguments = std::tuple<bool, double, int, int>;
+
+/// `fit(sites, areas, options)`, and the tuple of its result, whose second item is what `diagramOf` takes from it.
+template <class Fit, class DiagramOf>
+py::tuple fitted(const Doubles& sites, const Doubles& areas, const FitArguments& arguments, Fit fit,
+                 DiagramOf diagramOf) {
+  const auto& [shares, tolerance, maxSteps, relax] = arguments;
   AreaFitOptions options{.shares = shares, .tolerance = tolerance, .maxSteps = maxSteps, .relax = relax};
-  AreaFit fit = interruptible([options, region, sites = circlesOf(sites),
-                               areas = itemsOf<double>(areas)](const Cancellation& cancellation) mutable {
+  auto found = interruptible([options, fit, sites = circlesOf(sites),
+                              areas = itemsOf<double>(areas)](const Cancellation& cancellation) mutable {
     options.onStep = [&](const AreaFitStep&) { cancellation.check(); };
-    return valueOf(fitAreas(sites, areas, *region, options));
+    return valueOf(fit(sites, areas, options));
   });
-  return py::make_tuple(arrayOf<double>(std::move(fit.weights)), std::make_shared<Diagram>(std::move(fit.diagram)),
-                        arrayOf<double>(std::move(fit.areas)), fit.error, fit.steps);
+  return py::make_tuple(arrayOf<double>(std::move(found.weights)), diagramOf(found),
+                        arrayOf<double>(std::move(found.areas)), found.error, found.steps);
+}
+
+py::tuple fittedInRegion(const Doubles& sites, const Doubles& areas, const SharedRegion& region,
+                         const FitArguments& arguments) {
+  return fitted(
+      sites, areas, arguments,
+      [region](const auto& circles, const auto& targets, const AreaFitOptions& options) {
+        return fitAreas(circles, targets, *region, options);
+      },
+      [](AreaFit& fit) { return std::make_shared<Diagram>(std::move(fit.diagram)); });
+}
+
+py::tuple fittedInBox(const Doubles& sites, const Doubles& areas, std::array<double, 2> a, std::array<double, 2> b,
+                      const FitArguments& arguments) {
+  return fitted(
+      sites, areas, arguments,
+      [lattice = Lattice{{a[0], a[1]}, {b[0], b[1]}}](const auto& circles, const auto& targets,
+                                                      const AreaFitOptions& options) {
+        return fitAreas(circles, targets, lattice, options);
+      },
+      [](PeriodicAreaFit& fit) { return std::make_shared<PeriodicDiagram>(std::move(fit.periodic)); });
 }
 
 }  // namespace
@@ -285,7 +314,8 @@ void addRegions(py::module_& module) {
   module.def("edge_curves", edgeCurves);
   module.def("largest_empty_disc", largestEmptyDisc);
   module.def("clearest_path", pathBetween);
-  module.def("fit_areas", fitted);
+  module.def("fit_areas", fittedInRegion);
+  module.def("fit_areas_in_box", fittedInBox);
 }
 
 }  // namespace circle_voronoi::python

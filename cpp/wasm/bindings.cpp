@@ -96,13 +96,7 @@ val computePeriodicValue(const val& coordinates, const val& lattice, const val& 
     const Lattice periods = itemsFrom<double, Lattice>(lattice).at(0);
     const Result<PeriodicDiagram> periodic = computePeriodic(circles, periods, chosen.value());
     if (!periodic.ok()) return errorValue(periodic.error());
-    val result = val::object();
-    result.set("diagram", diagramValue(periodic->diagram));
-    result.set("circles", float64Array(periodic->diagram.circles));
-    result.set("lattice", float64Array(std::vector<Lattice>{periodic->lattice}));
-    result.set("circleOf", int32Array(periodic->circleOf));
-    result.set("shiftOf", int32Array(periodic->shiftOf));
-    return result;
+    return periodicValue(periodic.value());
   });
 }
 

@@ -204,9 +204,21 @@ val clippedPolygons(std::uintptr_t address, double tolerance) {
   return valueOf([&] { return polygonsValue(clippedOf(address).polygons(tolerance)); });
 }
 
-/// `sites`: x, y and the weight to start from of each. `onStep`, called with the number of steps, the largest relative
-/// error and the weights, says whether to go on; it must not throw.
-val fitAreasValue(std::uintptr_t region, const val& sites, const val& areas, const val& given) {
+/// The members that the results of all fits have.
+template <class Fit>
+val fitValue(const Fit& fit) {
+  val result = val::object();
+  result.set("weights", float64Array(fit.weights));
+  result.set("areas", float64Array(fit.areas));
+  result.set("relativeError", fit.error);
+  result.set("steps", fit.steps);
+  return result;
+}
+
+/// `domain`: the address of a region, or a lattice as ax, ay, bx, by. `sites`: x, y and the weight to start from of
+/// each. `onStep`, called with the number of steps, the largest relative error and the weights, says whether to go on;
+/// it must not throw.
+val fitAreasValue(const val& domain, const val& sites, const val& areas, const val& given) {
   return valueOf([&] {
     AreaFitOptions options;
     options.shares = given["shares"].as<bool>();
@@ -219,20 +231,25 @@ val fitAreasValue(std::uintptr_t region, const val& sites, const val& areas, con
       weights = copyOf(step.weights);
       if (onStep(step.step, step.error, float64Array(weights)).isFalse()) throw Stopped{};
     };
-    const auto fit =
-        fitAreas(itemsFrom<double, Circle>(sites), itemsFrom<double, double>(areas), regionOf(region), options);
-    if (!fit.ok()) {
-      val failed = errorValue(fit.error());
-      if (fit.error().code == ErrorCode::notConverged) failed["error"].set("weights", float64Array(weights));
-      return failed;
+    const auto failed = [&](const Error& error) {
+      val result = errorValue(error);
+      if (error.code == ErrorCode::notConverged) result["error"].set("weights", float64Array(weights));
+      return result;
+    };
+    const auto circles = itemsFrom<double, Circle>(sites);
+    const auto targets = itemsFrom<double, double>(areas);
+    if (!domain.isNumber()) {
+      const auto fit = fitAreas(circles, targets, itemsFrom<double, Lattice>(domain).at(0), options);
+      if (!fit.ok()) return failed(fit.error());
+      val result = fitValue(*fit);
+      result.set("periodic", periodicValue(fit->periodic));
+      return result;
     }
-    val result = val::object();
-    result.set("weights", float64Array(fit->weights));
+    const auto fit = fitAreas(circles, targets, regionOf(domain.as<std::uintptr_t>()), options);
+    if (!fit.ok()) return failed(fit.error());
+    val result = fitValue(*fit);
     result.set("circles", float64Array(fit->diagram.circles));
     result.set("diagram", diagramValue(fit->diagram));
-    result.set("areas", float64Array(fit->areas));
-    result.set("relativeError", fit->error);
-    result.set("steps", fit->steps);
     return result;
   });
 }

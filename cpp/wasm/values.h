@@ -17,6 +17,7 @@
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/stats.h"
 
 namespace circle_voronoi {
@@ -114,6 +115,17 @@ inline val diagramValue(const Diagram& diagram) {
   result.set("firstSide", int32Array(diagram.links.firstSide));
   result.set("certificate", certificateValue(diagram.certificate));
   result.set("stats", statsValue(diagram.stats));
+  return result;
+}
+
+/// `lattice`: ax, ay, bx, by. The shifts are two numbers each.
+inline val periodicValue(const PeriodicDiagram& periodic) {
+  val result = val::object();
+  result.set("diagram", diagramValue(periodic.diagram));
+  result.set("circles", float64Array(periodic.diagram.circles));
+  result.set("lattice", float64Array(std::vector<Lattice>{periodic.lattice}));
+  result.set("circleOf", int32Array(periodic.circleOf));
+  result.set("shiftOf", int32Array(periodic.shiftOf));
   return result;
 }
 

@@ -140,7 +140,7 @@ TEST_F(CliFit, TakesWeightsBelowZeroToStartFrom) {
 }
 
 TEST_F(CliFit, SaysWhatIsWrong) {
-  fails(sites_ + " --areas people --shares", "--region is required");
+  fails(sites_ + " --areas people --shares", "fit needs --region or --lattice.");
   fails(sites_ + " --shares" + region_, "--areas is required");
   fails(sites_ + " --areas people" + region_,
         "sites.csv: The areas sum to 8, but the area of the region is 16. Set --shares to scale them.");
@@ -156,6 +156,22 @@ TEST_F(CliFit, SaysWhatIsWrong) {
   fails(sites_ + options + " --region " + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"), "cross at (1, 1).");
   fails(sites_ + options + region_ + " -o " + path("region.wkt"), "region.wkt would be overwritten");
   EXPECT_EQ(readFile(path("region.wkt")), kSquare);
+}
+
+TEST_F(CliFit, DividesABoxWhoseOppositeSidesAreGluedTogether) {
+  const std::string options = sites_ + " --areas people --shares --lattice ";
+  expectAreas(textOf(options + "4,0,1,4 --format geojson"));
+  const Json diagram = Json::parse(textOf(options + "4,0,1,4 --format json"));
+  EXPECT_EQ(diagram["lattice"].size(), 2U);
+  EXPECT_GT(diagram["images"].size(), 0U);
+  EXPECT_EQ(textOf(options + "4,0,1,4 --format csv").rfind("circle,neighbor,", 0), 0U);
+  EXPECT_EQ(textOf(options + "4,0,1,4 --format svg").rfind("<svg", 0), 0U);
+  fails(options + "4,0,8,0", "sites.csv: The periods must not be zero or parallel");
+  fails(options + "4,0,8", "--lattice");
+  fails(options + "4,0,1,4" + region_, "--lattice takes no --region: cells are written whole.");
+  expectFailure(run("fit " + options + "4,0,1,4 --max-distance 1 --format svg"), 2, "--max-distance");
+  fails(sites_ + " --areas people --lattice 4,0,1,4",
+        "sites.csv: The areas sum to 8, but the area of the box is 16. Set --shares to scale them.");
 }
 
 TEST_F(CliFit, TellsHowFarItIs) {

@@ -8,6 +8,7 @@ add_executable(circle_voronoi_region_tests
   dissolve_test.cpp
   fit_areas_test.cpp
   fit_limits_test.cpp
+  fit_periodic_test.cpp
   independent_clip.cpp
   recompute_test.cpp
   region_shapes.cpp

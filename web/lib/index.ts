@@ -105,7 +105,15 @@ export { Region } from './regions/region.ts'
 export type { RegionShape, RingShape } from './regions/region-shape.ts'
 export type { Comparison } from './wasm/comparison.ts'
 export type { DiagramEditor, Edit, EditorMethods, EditorOptions } from './wasm/editor.ts'
-export type { AreaFit, FitOptions, FitStep, SiteLike } from './wasm/fit.ts'
+export type {
+  AreaFit,
+  CommonFitOptions,
+  FitOptions,
+  FitStep,
+  PeriodicAreaFit,
+  PeriodicFitOptions,
+  SiteLike,
+} from './wasm/fit.ts'
 export type { Verifiable } from './wasm/judged-arrays.ts'
 export type { CircleVoronoi, FinalCells, Known } from './wasm/library.ts'
 export type { LoadOptions } from './wasm/load-options.ts'

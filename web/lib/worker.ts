@@ -13,19 +13,30 @@ import type { DiagramData, Disposal } from './base/types.ts'
 import { Diagram } from './diagram/diagram.ts'
 import { type Lattice, latticeNumbers } from './diagram/lattice.ts'
 import { PeriodicDiagram } from './diagram/periodic-diagram.ts'
+import type { Region } from './regions/region.ts'
+import type { RingArrays } from './regions/region-shape.ts'
 import { EditorClient } from './threads/editor-client.ts'
 import { startThread, type Thread } from './threads/thread.ts'
 import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
 import type { Reply, Request } from './threads/worker-messages.ts'
+import { defaultRegionsWasm } from './wasm/default-wasm.ts'
 import { type EditorOptions, editorStart } from './wasm/editor.ts'
-import { type AreaFit, checkSignal, type FitOptions, fitInput, type SiteLike } from './wasm/fit.ts'
+import {
+  type AreaFit,
+  checkSignal,
+  type FitOptions,
+  fitInput,
+  type PeriodicAreaFit,
+  type PeriodicFitOptions,
+  type SiteLike,
+} from './wasm/fit.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
 import { checkOptions, type Options } from './wasm/options.ts'
-import { wasmOf } from './wasm/regions.ts'
-import type { CompiledWasm } from './wasm/wasm.ts'
+import { newestWasm, wasmOf } from './wasm/regions.ts'
+import { type CompiledWasm, compileWasm } from './wasm/wasm.ts'
 
 export type { AsyncDiagramEditor, AsyncEditorMethods } from './threads/worker-editor.ts'
-export type { AreaFit, Disposal, FitOptions, LoadOptions, Options, SiteLike }
+export type { AreaFit, Disposal, FitOptions, LoadOptions, Options, PeriodicAreaFit, PeriodicFitOptions, SiteLike }
 
 /**
  * Options of `compute` in a worker.
@@ -93,6 +104,17 @@ export interface WorkerMethods {
     areas: Float64Array | readonly number[],
     options: FitOptions,
   ): Promise<AreaFit>
+  /**
+   * Fits areas in a box whose opposite sides are glued together. The worker takes the module that `loadRegions` of this
+   * thread loaded last, or else the file next to this module.
+   *
+   * @throws CircleVoronoiError as `fitAreas` with a region
+   */
+  fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: PeriodicFitOptions,
+  ): Promise<PeriodicAreaFit>
   /** Ends the worker and its editors and cancels their work. */
   dispose(): void
 }
@@ -138,8 +160,14 @@ interface Observer {
   readonly signal: AbortSignal | undefined
 }
 
+/** The arrays that the region is made of again in the worker. */
+function arraysOf({ points, ringOffsets, polygonOffsets }: Region): RingArrays {
+  return { points, ringOffsets, polygonOffsets }
+}
+
 class Client implements CircleVoronoiWorker {
   readonly #module: () => Promise<CompiledWasm>
+  readonly #regionsModule = loadedOnce(() => compileWasm(undefined, defaultRegionsWasm))
   #thread: Thread | undefined
   /** The first is the thread's, the others wait. */
   #jobs: Job[] = []
@@ -177,19 +205,32 @@ class Client implements CircleVoronoiWorker {
     return this.#ask(request, [request.circles.buffer], { tell, signal })
   }
 
-  async fitAreas(
+  fitAreas(
     sites: Circles | Iterable<SiteLike>,
     areas: Float64Array | readonly number[],
     options: FitOptions,
-  ): Promise<AreaFit> {
+  ): Promise<AreaFit>
+  fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: PeriodicFitOptions,
+  ): Promise<PeriodicAreaFit>
+  async fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: FitOptions | PeriodicFitOptions,
+  ): Promise<AreaFit | PeriodicAreaFit> {
     const fit = fitInput(sites, areas, options)
     const { region, onStep, signal } = options
-    const wasm = wasmOf(region)
+    const wasm = region === undefined ? (newestWasm() ?? (await this.#regionsModule())) : wasmOf(region)
     if (wasm === undefined) refuseOption('The region of fitAreas was made by another copy of the library.')
-    const { points, ringOffsets, polygonOffsets } = region
-    const request = { fit, region: { points, ringOffsets, polygonOffsets }, wasm, tellsProgress: onStep !== undefined }
+    const request = { fit, region: region && arraysOf(region), wasm, tellsProgress: onStep !== undefined }
     const tell = (reply: Reply) => 'step' in reply && onStep?.(reply.step)
     const reply = await this.#ask(request, [fit.sites.buffer, fit.areas.buffer], { tell, signal })
+    if ('periodicFit' in reply) {
+      const { periodic, ...rest } = reply.periodicFit
+      return { ...rest, periodic: new PeriodicDiagram(periodic) }
+    }
     const { diagram, ...rest } = (reply as Extract<Reply, { fit: unknown }>).fit
     return { ...rest, diagram: new Diagram(diagram) }
   }

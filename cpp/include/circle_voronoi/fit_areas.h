@@ -9,6 +9,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/region.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -21,7 +22,7 @@ struct AreaFitStep {
 };
 
 struct AreaFitOptions {
-  /// Whether the areas are shares of the region's area: they are multiplied so that they sum to it.
+  /// Whether the areas are shares of the area of the region or box: they are multiplied so that they sum to it.
   bool shares = false;
   /// The largest relative error of each area, above 0 and below 1. Larger errors, below 1, remain only where a change
   /// of the last bits of a weight does not make them smaller, as for a cell that is a sliver behind a close neighbor.
@@ -64,5 +65,24 @@ struct AreaFit {
 /// reached; the best weights are those with which `onStep` was called last).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
+
+/// The result of a fit in the box of a lattice.
+struct PeriodicAreaFit {
+  std::vector<double> weights;  ///< the weight of each site; the least one is 0
+  PeriodicDiagram periodic;     ///< the certified diagram of the sites with the weights as radii
+  std::vector<double> areas;    ///< the area of each cell
+  double error = 0;             ///< the largest relative error of an area
+  int steps = 0;                ///< the number of Newton steps, of all fits
+};
+
+/// Finds weights for which each site's cell has a given area in a plane that repeats with two periods. The areas sum to
+/// that of the box, and such weights always exist. Each fit starts with the radii of the sites, like the fit in a
+/// region.
+///
+/// Sites may lie in any box. With `relax`, a site moves out of its box if its cell does.
+///
+/// Errors: those of `computePeriodic`, and those of the fit in a region. Sites that differ by whole periods are equal.
+Result<PeriodicAreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Lattice& lattice,
+                                 const AreaFitOptions& options = {});
 
 }  // namespace circle_voronoi

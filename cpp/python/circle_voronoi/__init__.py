@@ -23,7 +23,7 @@ from ._diagram import (
 )
 from ._errors import CircleVoronoiError
 from ._frames import to_geodataframe
-from ._periodic import Contacts, PeriodicDiagram, compute_periodic
+from ._periodic import Contacts, PeriodicAreaFit, PeriodicDiagram, compute_periodic, fit_areas_periodic
 from ._regions import Region
 
 __all__ = [
@@ -34,11 +34,13 @@ __all__ = [
     "Contacts",
     "Diagram",
     "EmptyDisc",
+    "PeriodicAreaFit",
     "PeriodicDiagram",
     "Region",
     "compute",
     "compute_periodic",
     "fit_areas",
+    "fit_areas_periodic",
     "read",
     "read_attributes",
     "to_geodataframe",

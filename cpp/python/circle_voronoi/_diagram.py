@@ -630,22 +630,31 @@ def fit_areas(
     CircleVoronoiError
         An area is not positive, the areas do not fit the region, two points are equal, or the fit does not converge.
     """
-    sites = finite_points(points, "points")
-    if isinstance(areas, str):
-        areas, shares = (np.ones(len(sites)), True) if areas == "equal" else (choice(areas, ("equal",), "areas"), shares)
     clip = region_of(None, region)
     if clip is None:
         raise CircleVoronoiError("fit_areas needs a region.", "badOption")
-    found = _core.fit_areas(
-        np.column_stack([sites, column(weights, len(sites), "weights")]),
-        column(areas, len(sites), "areas"),
-        clip,
-        bool(shares),
+    options = fit_options(areas, shares, tolerance, max_steps, relax)
+    found = _core.fit_areas(*fit_arguments(points, areas, weights), clip, options)
+    return AreaFit(found[0], Diagram(found[1]), *found[2:])
+
+
+def fit_arguments(points: Any, areas: Any, weights: Any) -> tuple[Floats, Floats]:
+    """Return the sites with the weights to start from, and the areas."""
+    sites = finite_points(points, "points")
+    if isinstance(areas, str):
+        choice(areas, ("equal",), "areas")
+        areas = np.ones(len(sites))
+    return np.column_stack([sites, column(weights, len(sites), "weights")]), column(areas, len(sites), "areas")
+
+
+def fit_options(areas: Any, shares: bool, tolerance: float, max_steps: int, relax: int) -> tuple[bool, float, int, int]:
+    """Return the options of a fit. Equal areas are shares."""
+    return (
+        bool(shares) or isinstance(areas, str),
         positive(tolerance, "tolerance"),
         whole(max_steps, 1, 2**31 - 1, "max_steps"),
         whole(relax, 0, 2**31 - 1, "relax"),
     )
-    return AreaFit(found[0], Diagram(found[1]), *found[2:])
 
 
 def read(path: str | PathLike[str], *, weights: bool = False, points: bool = False) -> Diagram | Floats:

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import Floats, Indices, finite_points, index, matrix, point, whole
-from ._diagram import Diagram
+from ._diagram import Diagram, fit_arguments, fit_options
 
 
 class Contacts(NamedTuple):
@@ -123,6 +123,21 @@ class PeriodicDiagram:
         return Contacts(*self._core.contacts())
 
 
+class PeriodicAreaFit(NamedTuple):
+    """The result of `fit_areas_periodic`.
+
+    `weights` has the weight of each point, the least one 0. `periodic` is the certified periodic diagram of the points with
+    the weights as radii. `areas` are the areas of its cells, and `error` is the largest relative error of an area.
+    `steps` is the number of Newton steps.
+    """
+
+    weights: Floats
+    periodic: PeriodicDiagram
+    areas: Floats
+    error: float
+    steps: int
+
+
 def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, threads: int = 1) -> PeriodicDiagram:
     """Compute the Voronoi diagram of circles in a box whose opposite sides are glued together.
 
@@ -152,3 +167,42 @@ def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, thr
         whole(threads, 0, 1024, "threads"),
     )
     return PeriodicDiagram(core)
+
+
+def fit_areas_periodic(
+    points: Any,
+    areas: Any,
+    a: Any,
+    b: Any,
+    *,
+    shares: bool = False,
+    tolerance: float = 1e-9,
+    max_steps: int = 500,
+    relax: int = 0,
+    weights: Any = 0.0,
+) -> PeriodicAreaFit:
+    """Find weights for which the cell of each point has a given area in a box whose opposite sides are glued together.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2)
+        They may lie anywhere, but no two may differ by whole periods.
+    areas : array_like, shape (n,), or "equal"
+        Positive areas that sum to that of the box.
+    a, b : array_like, shape (2,)
+        The periods: the sides of the box, which is any parallelogram.
+    shares, tolerance, max_steps, relax, weights
+        Those of `fit_areas`.
+
+    Returns
+    -------
+    PeriodicAreaFit
+
+    Raises
+    ------
+    CircleVoronoiError
+        What `compute_periodic` or `fit_areas` raises.
+    """
+    options = fit_options(areas, shares, tolerance, max_steps, relax)
+    found = _core.fit_areas_in_box(*fit_arguments(points, areas, weights), point(a, "a"), point(b, "b"), options)
+    return PeriodicAreaFit(found[0], PeriodicDiagram(found[1]), *found[2:])

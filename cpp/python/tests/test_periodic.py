@@ -52,3 +52,30 @@ def test_one_circle_is_its_own_neighbor():
 def test_periods_that_span_no_box_are_one_error(a, b):
     with pytest.raises(cv.CircleVoronoiError):
         cv.compute_periodic([[0, 0, 1]], a, b)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 40])
+def test_areas_in_a_box_are_those_of_its_periodic_diagram(count):
+    points = np.random.default_rng(count).random((count, 2)) * 3
+    areas = np.arange(1, count + 1)
+    fit = cv.fit_areas_periodic(points, areas, [3, 0], [1, 2], shares=True)
+    circles = np.column_stack([points, fit.weights])
+    assert cv.compute_periodic(circles, [3, 0], [1, 2]).areas() == pytest.approx(6 * areas / areas.sum(), rel=1e-8)
+    assert fit.periodic.areas() == pytest.approx(fit.areas)
+    assert fit.weights.min() == 0 and fit.error < 1e-8
+    equal = cv.fit_areas_periodic(points, "equal", [3, 0], [1, 2], relax=3)
+    assert equal.areas == pytest.approx(6 / count, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    "points, areas, b, words",
+    [
+        ([[0, 0], [4, 2]], [3, 3], [1, 2], "the same position as an image of site 0"),
+        ([[0, 0], [1, 1]], [3, 4], [1, 2], "the area of the box is 6"),
+        ([[0, 0], [1, 1]], [3, 3], [6, 0], "parallel"),
+        ([[0, 0], [1, 1]], [3], [1, 2], "expected 2"),
+    ],
+)
+def test_areas_that_a_box_cannot_have_are_one_error(points, areas, b, words):
+    with pytest.raises(cv.CircleVoronoiError, match=words):
+        cv.fit_areas_periodic(points, areas, [3, 0], b)

@@ -1,19 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_measure.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/curve.h"
 #include "guarded.h"
 #include "spring.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
+namespace {
+
+double lengthBetween(const Diagram& diagram, const Edge& edge) {
+  const auto circle = [&](CircleIndex i) { return diagram.circles[static_cast<std::size_t>(i)]; };
+  return length(between(circle(edge.left), circle(edge.right)));
+}
+
+}  // namespace
 
 CellMeasure measureCells(const Diagram& diagram, const Region& region) {
   CellMeasure result;
   const auto clipped = ClippedDiagram::visitingArcs(diagram, region, [&](const Edge& edge, const EdgeCurve& arc) {
-    result.springs.push_back({edge.left, edge.right, stiffness(arc)});
+    result.springs.push_back({edge.left, edge.right, stiffness(arc), lengthBetween(diagram, edge)});
   });
   if (!clipped) throw Refusal{clipped.error()};
   result.areas = clipped->areas();
+  return result;
+}
+
+CellMeasure measureCells(const PeriodicDiagram& periodic) {
+  const Diagram& diagram = periodic.diagram;
+  CellMeasure result;
+  for (CircleIndex i = 0; i < periodic.circleCount; ++i) result.areas.push_back(area(outline(diagram, i)));
+  const auto given = [&](CircleIndex i) { return periodic.circleOf[static_cast<std::size_t>(i)]; };
+  for (std::size_t k = 0; k < diagram.edges.size(); ++k) {
+    const Edge& edge = diagram.edges[k];
+    const CircleIndex i = std::min(edge.left, edge.right);
+    const CircleIndex j = std::max(edge.left, edge.right);
+    // A border with an image has a twin, seen from the other circle.
+    const bool isCounted = j < periodic.circleCount || (i < periodic.circleCount && i < given(j));
+    if (!isCounted) continue;
+    const double stiff = stiffness(edgeCurve(diagram, static_cast<std::int32_t>(k)));
+    result.springs.push_back({i, given(j), stiff, lengthBetween(diagram, edge)});
+  }
   return result;
 }
 

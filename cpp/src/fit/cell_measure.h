@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/region.h"
 
 namespace circle_voronoi {
@@ -13,6 +14,7 @@ struct Spring {
   CircleIndex left = {};
   CircleIndex right = {};
   double stiffness = 0;  ///< how fast area passes from the right cell to the left one as the left weight grows
+  double length = 0;     ///< the distance between the two centers, or those of the images that share the edge
 };
 
 /// The areas of all cells inside a region, and their derivative by the weights: the derivative of the area of cell i by
@@ -23,5 +25,9 @@ struct CellMeasure {
 };
 
 CellMeasure measureCells(const Diagram& diagram, const Region& region);
+
+/// Measures the cells of the given circles. A border between two images of one circle does not move, and is no spring.
+/// Precondition: no circle is hidden.
+CellMeasure measureCells(const PeriodicDiagram& periodic);
 
 }  // namespace circle_voronoi

@@ -13,7 +13,9 @@
 #include <tuple>
 #include <utility>
 
+#include "box_area.h"
 #include "cell_measure.h"
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
@@ -58,10 +60,29 @@ void checkSites(std::span<const Circle> sites) {
   }
 }
 
+/// Returns the periods, rounded as those of the fit will be. Sites that differ by whole periods are equal: as points,
+/// they hide one another.
+Lattice checkSites(std::span<const Circle> sites, const Lattice& lattice) {
+  checkSites(sites);
+  std::vector<Circle> points(sites.begin(), sites.end());
+  for (Circle& point : points) point.r = 0;
+  const auto periodic = computePeriodic(points, lattice);
+  if (!periodic) throw Refusal{periodic.error()};
+  for (const HiddenCircle& hidden : periodic->diagram.hidden) {
+    if (hidden.circle >= periodic->circleCount) continue;
+    const auto [first, second] = std::minmax({hidden.circle, periodic->circleOf[static_cast<std::size_t>(hidden.by)]});
+    refuse(
+        ErrorCode::badInput,
+        "Site " + std::to_string(second) + " has the same position as an image of site " + std::to_string(first) + ".",
+        second);
+  }
+  return periodic->lattice;
+}
+
 /// The cells that some weights lead to.
 struct State {
   std::vector<double> weights;
-  Diagram diagram;
+  PeriodicDiagram found;  ///< in a region: the diagram alone
   CellMeasure cells;
 };
 
@@ -72,23 +93,31 @@ struct Density {
   double background = 0;
 };
 
+/// Fits areas in a region or, without one, in the box of a lattice.
 class Fitter {
  public:
-  Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region& region,
+  Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region* region, const Lattice& lattice,
          const AreaFitOptions& options)
       : sites_(sites.begin(), sites.end()),
         targets_(std::move(targets)),
         region_(region),
-        options_(options),
-        around_(boxAround()),
-        sizeOfBox_(around_.area() / region.area()) {}
-
-  AreaFit run() {
-    for (int k = 0; k < options_.relax; ++k) moveToCentroids(fitted(std::max(options_.tolerance, kWhileMoving)));
-    State state = fitted(options_.tolerance);
-    const double error = errorOf(state);
-    return {std::move(state.weights), std::move(state.diagram), std::move(state.cells.areas), error, steps_};
+        lattice_(lattice),
+        options_(options) {
+    placeBox();
   }
+
+  State run() {
+    for (int k = 0; k < options_.relax; ++k) moveToCentroids(fitted(std::max(options_.tolerance, kWhileMoving)));
+    return fitted(options_.tolerance);
+  }
+
+  double errorOf(const State& state) const {
+    double error = 0;
+    for (std::size_t i = 0; i < sites_.size(); ++i) error = std::max(error, relativeError(state, i));
+    return error;
+  }
+
+  int steps() const { return steps_; }
 
  private:
   /// Accuracy of the areas before sites move.
@@ -133,15 +162,33 @@ class Fitter {
 
   /// Moves the sites to the centers of mass of their cells. Their weights are what the next fit starts from.
   void moveToCentroids(const State& state) {
-    const auto clipped = ClippedDiagram::from(state.diagram, region_);
-    if (!clipped) throw Refusal{clipped.error()};
-    const std::vector<Point> centroids = clipped->centroids();
+    const std::vector<Point> centroids = centroidsOf(state);
     for (std::size_t i = 0; i < sites_.size(); ++i) {
       sites_[i] = {centroids[i].x, centroids[i].y, state.weights[i]};
     }
-    checkSites(sites_);
-    around_ = boxAround();
-    sizeOfBox_ = around_.area() / region_.area();
+    if (region_) {
+      checkSites(sites_);
+    } else {
+      lattice_ = checkSites(sites_, lattice_);
+    }
+    placeBox();
+  }
+
+  std::vector<Point> centroidsOf(const State& state) const {
+    const Diagram& diagram = state.found.diagram;
+    if (region_) {
+      const auto clipped = ClippedDiagram::from(diagram, *region_);
+      if (!clipped) throw Refusal{clipped.error()};
+      return clipped->centroids();
+    }
+    std::vector<Point> centroids;
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      // The diagram may have the site in another box.
+      const Point p = centroid(outline(diagram, static_cast<std::int32_t>(i)));
+      const Circle& c = diagram.circles[i];
+      centroids.push_back({sites_[i].x + (p.x - c.x), sites_[i].y + (p.y - c.y)});
+    }
+    return centroids;
   }
 
   /// A state in which every cell has an area. Sites that the first weights hide are raised; if that is not enough, the
@@ -156,6 +203,7 @@ class Fitter {
     }
     State state = requiredStateAt(std::vector<double>(weights.size(), 0));
     if (leastArea(state) > 0) return state;
+    if (!region_) fail(std::move(state), " because two sites are too close to each other");
     isFromOutside_ = true;
     density_.background = 1 / sizeOfBox_;
     return requiredStateAt(std::move(state.weights));
@@ -167,13 +215,14 @@ class Fitter {
       std::optional<State> state = stateAt(std::move(weights));
       if (!state || leastArea(*state) > 0) return state;
       weights = state->weights;
-      const Finder finder(state->diagram);
+      const Diagram& diagram = state->found.diagram;
+      const Finder finder(diagram);
       for (std::size_t i = 0; i < sites_.size(); ++i) {
-        const bool isMeasured = state->diagram.hidden.empty();
-        if (isMeasured ? state->cells.areas[i] > 0 : state->diagram.hasCell(static_cast<std::int32_t>(i))) continue;
-        const Point site = {sites_[i].x, sites_[i].y};
+        const bool isMeasured = diagram.hidden.empty();
+        if (isMeasured ? state->cells.areas[i] > 0 : diagram.hasCell(static_cast<std::int32_t>(i))) continue;
+        const Point site = {diagram.circles[i].x, diagram.circles[i].y};
         const auto nearest = static_cast<std::size_t>(finder.find(site));
-        const double reached = distance(Metric::circles, state->diagram.circles[nearest], site);
+        const double reached = distance(Metric::circles, diagram.circles[nearest], site);
         weights[i] = std::max(weights[i], -reached) + kRaise * std::sqrt(targets_[i]);
       }
     }
@@ -301,9 +350,10 @@ class Fitter {
 
   std::vector<Spring> springsOf(const State& state) const {
     std::vector<Spring> springs = state.cells.springs;
-    if (density_.background == 0 && SpringSystem(sites_.size(), springs).components() > 1) {
-      for (const Spring& spring : measureCells(state.diagram, around_).springs) {
-        springs.push_back({spring.left, spring.right, spring.stiffness * kRoughly * kRoughly});
+    if (around_ && density_.background == 0 && SpringSystem(sites_.size(), springs).components() > 1) {
+      for (Spring spring : measureCells(state.found.diagram, *around_).springs) {
+        spring.stiffness *= kRoughly * kRoughly;
+        springs.push_back(spring);
       }
     }
     return springs;
@@ -320,16 +370,15 @@ class Fitter {
   }
 
   /// Returns whether there was anything to harden.
-  bool harden(std::span<const Spring> springs, std::span<const double> weights, std::span<const double> x,
-              std::span<double> stiffness) const {
+  static bool harden(std::span<const Spring> springs, std::span<const double> weights, std::span<const double> x,
+                     std::span<double> stiffness) {
     bool isHarder = false;
     for (std::size_t k = 0; k < springs.size(); ++k) {
       const auto i = static_cast<std::size_t>(springs[k].left);
       const auto j = static_cast<std::size_t>(springs[k].right);
       const double growth = x[i] - x[j];
       const double lead = weights[i] - weights[j];
-      const double distance = lengthOf({sites_[i].x - sites_[j].x, sites_[i].y - sites_[j].y});
-      const double slack = growth > 0 ? distance - lead : distance + lead;
+      const double slack = springs[k].length + (growth > 0 ? -lead : lead);
       if (!(std::abs(growth) > kStretch * slack)) continue;
       stiffness[k] *= std::clamp(std::abs(growth) / (kStretch * slack), kHardening, kMostHardening);
       isHarder = true;
@@ -355,12 +404,6 @@ class Fitter {
     return std::abs(state.cells.areas[site] - targetOf(site)) / targetOf(site);
   }
 
-  double errorOf(const State& state) const {
-    double error = 0;
-    for (std::size_t i = 0; i < sites_.size(); ++i) error = std::max(error, relativeError(state, i));
-    return error;
-  }
-
   /// Returns whether each area is within `tolerance`, relatively, or within `slack` times what it changes by if the
   /// last bits of weights do.
   bool isWithin(const State& state, double tolerance, double slack) const {
@@ -383,11 +426,11 @@ class Fitter {
   static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }
 
   /// Returns whether weights hide a site that is next to another in a state.
-  bool isHiddenAt(std::span<const double> weights, const State& near) const {
+  static bool isHiddenAt(std::span<const double> weights, const State& near) {
     return std::ranges::any_of(near.cells.springs, [&](const Spring& spring) {
       const auto i = static_cast<std::size_t>(spring.left);
       const auto j = static_cast<std::size_t>(spring.right);
-      return lengthOf({sites_[i].x - sites_[j].x, sites_[i].y - sites_[j].y}) <= std::abs(weights[i] - weights[j]);
+      return spring.length <= std::abs(weights[i] - weights[j]);
     });
   }
 
@@ -401,27 +444,37 @@ class Fitter {
       state.cells.areas.assign(sites_.size(), 0);
       return state;
     }
-    std::optional<Diagram> changed = near ? recompute(near->diagram, circles) : std::nullopt;
-    if (changed) {
-      state.diagram = *std::move(changed);
-    } else {
-      Result<Diagram> diagram = compute(circles);
-      if (!diagram) return diagram.error();
-      state.diagram = std::move(diagram).value();
-    }
-    if (!state.diagram.hidden.empty()) {
+    Result<PeriodicDiagram> found = foundFor(circles, near);
+    if (!found) return found.error();
+    state.found = std::move(found).value();
+    const Diagram& diagram = state.found.diagram;
+    if (!diagram.hidden.empty()) {
       state.cells.areas.assign(sites_.size(), 0);
       return state;
     }
-    state.cells = measureCells(state.diagram, region_);
+    state.cells = region_ ? measureCells(diagram, *region_) : measureCells(state.found);
     if (density_.background > 0) {
-      const CellMeasure box = measureCells(state.diagram, around_);
+      const CellMeasure box = measureCells(diagram, *around_);
       for (std::size_t i = 0; i < sites_.size(); ++i) state.cells.areas[i] += density_.background * box.areas[i];
-      for (const Spring& spring : box.springs) {
-        state.cells.springs.push_back({spring.left, spring.right, density_.background * spring.stiffness});
+      for (Spring spring : box.springs) {
+        spring.stiffness *= density_.background;
+        state.cells.springs.push_back(spring);
       }
     }
     return state;
+  }
+
+  Result<PeriodicDiagram> foundFor(std::span<const Circle> circles, const State* near) const {
+    if (!region_) return computePeriodic(circles, lattice_);
+    PeriodicDiagram found;
+    if (std::optional<Diagram> changed = near ? recompute(near->found.diagram, circles) : std::nullopt) {
+      found.diagram = *std::move(changed);
+      return found;
+    }
+    Result<Diagram> diagram = compute(circles);
+    if (!diagram) return diagram.error();
+    found.diagram = std::move(diagram).value();
+    return found;
   }
 
   State requiredStateAt(std::vector<double> weights) const {
@@ -453,8 +506,10 @@ class Fitter {
                                         reason + ": the largest relative error of an area is " + reached + ".");
   }
 
-  Region boxAround() const {
-    Box box = region_.bounds();
+  /// Places the box of the background around region and sites.
+  void placeBox() {
+    if (!region_) return;
+    Box box = region_->bounds();
     for (const Circle& site : sites_) {
       box.minX = std::min(box.minX, site.x);
       box.minY = std::min(box.minY, site.y);
@@ -464,15 +519,17 @@ class Fitter {
     const double margin = std::max(box.maxX - box.minX, box.maxY - box.minY) / 8;
     auto around = Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin});
     if (!around) throw Refusal{around.error()};
-    return *std::move(around);
+    around_ = *std::move(around);
+    sizeOfBox_ = around_->area() / region_->area();
   }
 
   std::vector<Circle> sites_;
   std::vector<double> targets_;
-  const Region& region_;
+  const Region* region_;
+  Lattice lattice_;
   const AreaFitOptions& options_;
-  Region around_;
-  double sizeOfBox_;  ///< as a multiple of the region
+  std::optional<Region> around_;
+  double sizeOfBox_ = 0;  ///< as a multiple of the region
   Density density_;
   bool isFromOutside_ = false;  ///< whether the fit began with a background
   int steps_ = 0;
@@ -492,17 +549,15 @@ std::string text(double value) {
 constexpr double kLeastTarget = 0x1p-640;
 constexpr double kLargestRegion = kCoordinateLimit / 8;
 
-void checkRegion(const Region& region) {
-  const Box box = region.bounds();
-  const double size = std::max({-box.minX, -box.minY, box.maxX, box.maxY});
+void checkSize(double size, const std::string& whole) {
   if (size <= kLargestRegion) return;
-  refuse(ErrorCode::badInput,
-         "The region has a coordinate beyond " + text(kLargestRegion) + ", the limit of fits (" + text(size) + ").");
+  refuse(ErrorCode::badInput, "The " + whole + " has a coordinate beyond " + text(kLargestRegion) +
+                                  ", the limit of fits (" + text(size) + ").");
 }
 
-/// Returns the target areas, scaled so that they sum to the area of the region.
-std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double regionArea,
-                                const AreaFitOptions& options) {
+/// Returns the target areas, scaled so that they sum to the area of what errors call `whole`.
+std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double wholeArea,
+                                const std::string& whole, const AreaFitOptions& options) {
   if (areas.size() != sites) {
     refuse(ErrorCode::badInput, (areas.size() == 1 ? "There is " : "There are ") + counted(areas.size(), "area") +
                                     " for " + counted(sites, "site") + ".");
@@ -516,17 +571,17 @@ std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   if (!std::isfinite(sum)) refuse(ErrorCode::badInput, "The areas sum to more than the largest number.");
   const double slack = std::max(options.tolerance / 2, 0x1p-50 * static_cast<double>(areas.size()));
-  if (!options.shares && !(std::abs(sum - regionArea) <= slack * regionArea)) {
-    refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the region is " +
-                                    text(regionArea) + ". Set `shares` to scale them.");
+  if (!options.shares && !(std::abs(sum - wholeArea) <= slack * wholeArea)) {
+    refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the " + whole + " is " +
+                                    text(wholeArea) + ". Set `shares` to scale them.");
   }
   std::vector<double> targets;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    targets.push_back(areas[i] / sum * regionArea);
+    targets.push_back(areas[i] / sum * wholeArea);
     if (targets[i] >= kLeastTarget) continue;
     refuse(ErrorCode::badInput,
-           "Area " + std::to_string(i) + " is too small: " + text(areas[i] / sum) + " of a region with the area " +
-               text(regionArea) + ".",
+           "Area " + std::to_string(i) + " is too small: " + text(areas[i] / sum) + " of a " + whole +
+               " with the area " + text(wholeArea) + ".",
            static_cast<std::int64_t>(i));
   }
   return targets;
@@ -549,10 +604,32 @@ Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> 
   return guarded([&]() -> Result<AreaFit> {
     checkOptions(options);
     checkSites(sites);
-    checkRegion(region);
+    const Box box = region.bounds();
+    checkSize(std::max({-box.minX, -box.minY, box.maxX, box.maxY}), "region");
     AreaFitOptions own = options;
     own.onStep = lettingThrough(options.onStep);
-    return Fitter(sites, targetsFrom(areas, sites.size(), region.area(), options), region, own).run();
+    Fitter fitter(sites, targetsFrom(areas, sites.size(), region.area(), "region", options), &region, {}, own);
+    State state = fitter.run();
+    const double error = fitter.errorOf(state);
+    return AreaFit{std::move(state.weights), std::move(state.found.diagram), std::move(state.cells.areas), error,
+                   fitter.steps()};
+  });
+}
+
+Result<PeriodicAreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Lattice& lattice,
+                                 const AreaFitOptions& options) {
+  return guarded([&]() -> Result<PeriodicAreaFit> {
+    checkOptions(options);
+    const Lattice rounded = checkSites(sites, lattice);
+    const auto& [a, b] = rounded;
+    checkSize(std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)}), "box");
+    AreaFitOptions own = options;
+    own.onStep = lettingThrough(options.onStep);
+    Fitter fitter(sites, targetsFrom(areas, sites.size(), boxArea(rounded), "box", options), nullptr, rounded, own);
+    State state = fitter.run();
+    const double error = fitter.errorOf(state);
+    return PeriodicAreaFit{std::move(state.weights), std::move(state.found), std::move(state.cells.areas), error,
+                           fitter.steps()};
   });
 }
 

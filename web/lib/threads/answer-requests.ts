@@ -82,9 +82,12 @@ function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
   })
   return async ({ fit, region: rings, wasm, tellsProgress }, tell) => {
     const { regionOf, fitAreas } = await regionsIn(wasm)
-    const { sites, areas, ...options } = fit
+    const { sites, areas, lattice, ...options } = fit
     const onStep = tellsProgress ? (step: FitStep) => tell({ step }) : undefined
-    return { fit: fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep }) }
+    if (rings !== undefined) return { fit: fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep }) }
+    const [ax, ay, bx, by] = lattice as unknown as [number, number, number, number]
+    const periods = { a: [ax, ay], b: [bx, by] } as const
+    return { periodicFit: fitAreas(sites, areas, { ...options, lattice: periods, onStep }) }
   }
 }
 
@@ -117,6 +120,10 @@ function posted(error: unknown): PostedError {
 function buffersIn(reply: Reply): ArrayBuffer[] {
   if ('diagram' in reply) return buffersOf(reply.diagram)
   if ('periodic' in reply) return [...buffersOf(reply.periodic), ...buffersOf(reply.periodic.diagram)]
+  if ('periodicFit' in reply) {
+    const { periodic, ...fit } = reply.periodicFit
+    return [...buffersOf(fit), ...buffersOf(periodic), ...buffersOf(periodic.diagram)]
+  }
   // The diagram of a fit has arrays of its own.
   return 'fit' in reply ? [...buffersOf(reply.fit), ...buffersOf(reply.fit.diagram)] : []
 }

@@ -8,7 +8,7 @@ import type { DiagramData, Float64s } from '../base/types.ts'
 import type { Lattice } from '../diagram/lattice.ts'
 import type { PeriodicData } from '../diagram/periodic-diagram.ts'
 import type { RingArrays } from '../regions/region-shape.ts'
-import type { AreaFit, FitInput, FitStep } from '../wasm/fit.ts'
+import type { AreaFit, FitInput, FitStep, PeriodicAreaFit } from '../wasm/fit.ts'
 import type { Options, Stage } from '../wasm/options.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 
@@ -29,7 +29,8 @@ export interface ComputeRequest {
 
 export interface FitRequest {
   readonly fit: FitInput
-  readonly region: RingArrays
+  /** The region, if the fit has one instead of a lattice. */
+  readonly region: RingArrays | undefined
   /** The module that made the region. */
   readonly wasm: CompiledWasm
   readonly tellsProgress: boolean
@@ -54,5 +55,6 @@ export type Reply =
   | { readonly diagram: DiagramData }
   | { readonly periodic: PeriodicData }
   | { readonly fit: Omit<AreaFit, 'diagram'> & { readonly diagram: DiagramData } }
+  | { readonly periodicFit: Omit<PeriodicAreaFit, 'periodic'> & { readonly periodic: PeriodicData } }
   | { readonly results: readonly CallResult[] }
   | { readonly error: PostedError }

@@ -12,17 +12,39 @@ import {
 } from '../base/coordinates.ts'
 import type { Float64s } from '../base/types.ts'
 import type { Diagram } from '../diagram/diagram.ts'
+import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
+import type { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 import { Region } from '../regions/region.ts'
 
 /**
- * Options of `fitAreas`.
+ * Options of `fitAreas` in a region.
  *
  * @category Regions
  */
-export interface FitOptions {
+export interface FitOptions extends CommonFitOptions {
   /** The region that the cells divide. */
   readonly region: Region
-  /** Whether `areas` are shares of the region's area: they are scaled so that they sum to it. Default: false. */
+  readonly lattice?: undefined
+}
+
+/**
+ * Options of `fitAreas` in a box whose opposite sides are glued together.
+ *
+ * @category Regions
+ */
+export interface PeriodicFitOptions extends CommonFitOptions {
+  /** The periods of the box that the cells divide. */
+  readonly lattice: Lattice
+  readonly region?: undefined
+}
+
+/**
+ * Options of all fits.
+ *
+ * @category Regions
+ */
+export interface CommonFitOptions {
+  /** Whether `areas` are shares of the area of the region or box: they are scaled so that they sum to it. Default: false. */
   readonly shares?: boolean | undefined
   /**
    * The largest relative error of each area, above 0 and below 1. Default: 1e-9. Larger errors remain only where the last
@@ -76,6 +98,18 @@ export interface AreaFit extends FitStep {
   readonly areas: Float64Array
 }
 
+/**
+ * The result of a fit in a box whose opposite sides are glued together.
+ *
+ * @category Regions
+ */
+export interface PeriodicAreaFit extends FitStep {
+  /** The certified diagram of the sites, with the weights as radii. The least weight is 0. */
+  readonly periodic: PeriodicDiagram
+  /** The area of each cell. */
+  readonly areas: Float64Array
+}
+
 /** A site: a point, as an array or an object. */
 export type SiteLike =
   | readonly [x: number, y: number, r?: number]
@@ -90,26 +124,33 @@ export interface FitInput {
   readonly tolerance: number
   readonly maxSteps: number
   readonly relax: number
+  /** ax, ay, bx, by of the periods; without them the fit has a region. */
+  readonly lattice?: Float64Array<ArrayBuffer> | undefined
 }
 
 /** @throws CircleVoronoiError `badOption`, `badArgument`, `badInput` */
 export function fitInput(
   sites: Circles | Iterable<SiteLike>,
   areas: Float64Array | readonly number[],
-  options: FitOptions,
+  options: FitOptions | PeriodicFitOptions,
 ): FitInput {
   checkOptionNames(options, 'fitAreas', NAMES)
   const { region, shares = false, tolerance = 1e-9, maxSteps = 500, relax = 0, weights, onStep, signal } = options
-  if (!(region instanceof Region)) {
-    refuseOption('fitAreas needs a region, which `region` of `loadRegions` makes, as its option region.')
+  const lattice = options.lattice === undefined ? undefined : latticeNumbers(options.lattice, 'fitAreas')
+  if (lattice === undefined && !(region instanceof Region)) {
+    refuseOption(
+      'fitAreas needs a region, which `region` of `loadRegions` makes, as its option region, or periods as its option lattice.',
+    )
   }
+  if (lattice !== undefined && region !== undefined) refuseOption('fitAreas takes a region or a lattice, not both.')
   if (typeof shares !== 'boolean') refuseOption(`shares is true or false, not ${shown(shares)}.`)
   if (typeof tolerance !== 'number') refuseOption(`tolerance is a number, not ${shown(tolerance)}.`)
   checkCount(maxSteps, 'maxSteps')
   checkCount(relax, 'relax')
   if (onStep !== undefined && typeof onStep !== 'function') refuseOption('The option onStep is a function.')
   checkSignal(signal)
-  return { sites: sitesWith(sites, weights), areas: numbersOf(areas, 'areas'), shares, tolerance, maxSteps, relax }
+  const numbers = { sites: sitesWith(sites, weights), areas: numbersOf(areas, 'areas') }
+  return { ...numbers, shares, tolerance, maxSteps, relax, lattice }
 }
 
 function checkCount(count: unknown, name: string): void {
@@ -123,7 +164,7 @@ export function checkSignal(signal: unknown): void {
   if (signal !== undefined && !(signal instanceof AbortSignal)) refuseOption('The option signal is an AbortSignal.')
 }
 
-const NAMES = ['region', 'shares', 'tolerance', 'maxSteps', 'relax', 'weights', 'onStep', 'signal']
+const NAMES = ['region', 'lattice', 'shares', 'tolerance', 'maxSteps', 'relax', 'weights', 'onStep', 'signal']
 
 /** Points get the radius 0; weights take the place of radii. */
 function sitesWith(

@@ -13,13 +13,14 @@ import {
 import type { Box, Certificate, DiagramData, Float64s } from '../base/types.ts'
 import { Diagram, updatable } from '../diagram/diagram.ts'
 import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
-import { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
+import type { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 import createModule from '../generated/circle-voronoi.js'
 import type { Comparison } from './comparison.ts'
 import { type DiagramEditor, type EditorOptions, editorStart } from './editor.ts'
 import { judgedArrays, type Verifiable } from './judged-arrays.ts'
 import type { LoadOptions } from './load-options.ts'
 import { editorsOf } from './module-editor.ts'
+import { periodicOf } from './module-periodic.ts'
 import { checkOptions, type Options, type Progress } from './options.ts'
 import type { Regions } from './regions.ts'
 import { Trace, type TraceOptions } from './trace.ts'
@@ -216,14 +217,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibr
       const numbers = latticeNumbers(lattice, 'computePeriodic')
       const coordinates = coordinatesOf(circles)
       const computed = unwrap(told(options, (chosen) => module.computePeriodic(coordinates, numbers, chosen)))
-      const [ax, ay, bx, by] = computed.lattice as unknown as [number, number, number, number]
-      return new PeriodicDiagram({
-        diagram: { metric: 'circles', circles: computed.circles, ...computed.diagram },
-        circleCount: coordinates.length / 3,
-        lattice: { a: [ax, ay], b: [bx, by] },
-        circleOf: computed.circleOf,
-        shiftOf: computed.shiftOf,
-      })
+      return periodicOf(computed, coordinates.length / 3)
     },
     trace(circles, options = {}) {
       checkOptions(options, 'trace', ['edits'])

@@ -8,8 +8,16 @@ import { circlesOfConvexCell } from '../regions/convex-cell.ts'
 import { fewCircles, sidesOfFew } from '../regions/few-circles.ts'
 import { type ClippedDiagram, type ClippedPolygons, Region } from '../regions/region.ts'
 import { isDissolved, type RegionShape, type RingArrays, ringArraysOf } from '../regions/region-shape.ts'
-import { type AreaFit, type FitOptions, fitInput, type SiteLike } from './fit.ts'
+import {
+  type AreaFit,
+  type FitOptions,
+  fitInput,
+  type PeriodicAreaFit,
+  type PeriodicFitOptions,
+  type SiteLike,
+} from './fit.ts'
 import { judgedArrays } from './judged-arrays.ts'
+import { periodicOf } from './module-periodic.ts'
 import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from './wasm.ts'
 
 /**
@@ -57,6 +65,21 @@ export interface Regions {
    * fit.areas // Float64Array(2) [ 0.75, 0.25 ]
    */
   fitAreas(sites: Circles | Iterable<SiteLike>, areas: Float64Array | readonly number[], options: FitOptions): AreaFit
+  /**
+   * Finds weights for which each site's cell has a given area in a box whose opposite sides are glued together. The areas
+   * sum to that of the box. Sites may lie in any box.
+   *
+   * @throws CircleVoronoiError as with a region, and as `computePeriodic`; sites that differ by whole periods are equal
+   * @example
+   * const { fitAreas } = await library.loadRegions()
+   * const fit = fitAreas([[0.3, 0.3], [0.7, 0.6]], [3, 1], { lattice: { a: [1, 0], b: [0, 1] }, shares: true })
+   * fit.periodic.cellArea(0) // 0.75
+   */
+  fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: PeriodicFitOptions,
+  ): PeriodicAreaFit
 }
 
 /** The functions of a module of regions. */
@@ -75,6 +98,13 @@ export function wasmOf(region: Region): CompiledWasm | undefined {
 
 const compiled = new WeakMap<Region, CompiledWasm>()
 
+/** The WebAssembly that this thread loaded last, with which a worker fits in a box. */
+export function newestWasm(): CompiledWasm | undefined {
+  return newest
+}
+
+let newest: CompiledWasm | undefined
+
 /**
  * The regions and fits of a module.
  *
@@ -82,6 +112,7 @@ const compiled = new WeakMap<Region, CompiledWasm>()
  */
 export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm): Promise<RegionsOfModule> {
   const module = (await instantiate(createModule, wasm)) as WasmRegionsModule
+  newest = wasm
   // Free what is no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))
@@ -129,29 +160,47 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
       return regionOf(ringArraysOf(shape), dissolve)
     },
     regionOf: (rings) => regionOf(rings),
-    fitAreas(sites, areas, options) {
-      const { sites: circles, areas: targets, ...chosen } = fitInput(sites, areas, options)
-      const { region, onStep, signal } = options
-      const address = addresses.get(region)
-      if (address === undefined) refuseOption('The region of fitAreas was made by another module of regions.')
-      signal?.throwIfAborted()
-      let thrown: unknown
-      let hasThrown = false
-      const tell = (steps: number, error: number, weights: Float64Array) => {
-        try {
-          onStep?.({ steps, error, weights })
-          signal?.throwIfAborted()
-        } catch (reason) {
-          thrown = reason
-          hasThrown = true
-        }
-        return !hasThrown
+    fitAreas,
+  }
+
+  function fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: FitOptions,
+  ): AreaFit
+  function fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: PeriodicFitOptions,
+  ): PeriodicAreaFit
+  function fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: FitOptions | PeriodicFitOptions,
+  ): AreaFit | PeriodicAreaFit {
+    const { sites: circles, areas: targets, lattice, ...chosen } = fitInput(sites, areas, options)
+    const { region, onStep, signal } = options
+    const domain = lattice ?? (region && addresses.get(region))
+    if (domain === undefined) refuseOption('The region of fitAreas was made by another module of regions.')
+    signal?.throwIfAborted()
+    let thrown: unknown
+    let hasThrown = false
+    const tell = (steps: number, error: number, weights: Float64Array) => {
+      try {
+        onStep?.({ steps, error, weights })
+        signal?.throwIfAborted()
+      } catch (reason) {
+        thrown = reason
+        hasThrown = true
       }
-      const result = module.fitAreas(address, circles, targets, { ...chosen, onStep: tell })
-      if (hasThrown) throw thrown
-      const { relativeError: error, diagram, circles: weighted, ...rest } = unwrap(result)
-      return { ...rest, error, diagram: new Diagram({ metric: 'circles', circles: weighted, ...diagram }) }
-    },
+      return !hasThrown
+    }
+    const result = module.fitAreas(domain, circles, targets, { ...chosen, onStep: tell })
+    if (hasThrown) throw thrown
+    const { relativeError: error, ...fit } = unwrap(result)
+    if ('periodic' in fit) return { ...fit, error, periodic: periodicOf(fit.periodic, circles.length / 3) }
+    const { diagram, circles: weighted, ...rest } = fit
+    return { ...rest, error, diagram: new Diagram({ metric: 'circles', circles: weighted, ...diagram }) }
   }
 }
 

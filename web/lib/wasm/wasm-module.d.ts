@@ -17,22 +17,19 @@ type WasmDiagram = Omit<import('../base/types.ts').DiagramData, 'metric' | 'circ
 
 type JudgedArrays = Omit<import('../base/types.ts').DiagramData, 'metric' | 'certificate' | 'stats'>
 
+interface WasmPeriodicDiagram {
+  readonly diagram: WasmDiagram
+  readonly circles: import('../base/types.ts').Float64s
+  /** ax, ay, bx, by */
+  readonly lattice: Float64Array
+  readonly circleOf: import('../base/types.ts').Int32s
+  readonly shiftOf: import('../base/types.ts').Int32s
+}
+
 interface WasmModule {
   compute(circles: Float64Array, options: WasmOptions): WasmError | WasmDiagram
   /** `lattice`: ax, ay, bx, by. */
-  computePeriodic(
-    circles: Float64Array,
-    lattice: Float64Array,
-    options: WasmOptions,
-  ):
-    | WasmError
-    | {
-        readonly diagram: WasmDiagram
-        readonly circles: import('../base/types.ts').Float64s
-        readonly lattice: Float64Array
-        readonly circleOf: import('../base/types.ts').Int32s
-        readonly shiftOf: import('../base/types.ts').Int32s
-      }
+  computePeriodic(circles: Float64Array, lattice: Float64Array, options: WasmOptions): WasmError | WasmPeriodicDiagram
   trace(
     circles: Float64Array,
     options: WasmOptions,
@@ -118,9 +115,9 @@ interface WasmRegionsModule {
   clippedLargestEmptyDisc(clip: number): WasmError | { readonly disc: Float64Array; readonly circles: Int32Array }
   clippedLargestEmptyDiscInside(clip: number): WasmError | { readonly disc: Float64Array; readonly circles: Int32Array }
   clippedPolygons(clip: number, tolerance: number): WasmError | import('../regions/region.ts').ClippedPolygons
-  /** `sites`: x, y and the weight of each. */
+  /** `domain`: a region, or a lattice as ax, ay, bx, by. `sites`: x, y and the weight of each. */
   fitAreas(
-    region: number,
+    domain: number | Float64Array,
     sites: Float64Array,
     areas: Float64Array,
     options: {
@@ -133,14 +130,18 @@ interface WasmRegionsModule {
     },
   ):
     | WasmError
-    | {
+    | (WasmFit & {
         readonly circles: import('../base/types.ts').Float64s
         readonly diagram: WasmDiagram
-        readonly weights: Float64Array<ArrayBuffer>
-        readonly areas: Float64Array<ArrayBuffer>
-        readonly relativeError: number
-        readonly steps: number
-      }
+      })
+    | (WasmFit & { readonly periodic: WasmPeriodicDiagram })
+}
+
+interface WasmFit {
+  readonly weights: Float64Array<ArrayBuffer>
+  readonly areas: Float64Array<ArrayBuffer>
+  readonly relativeError: number
+  readonly steps: number
 }
 
 /** The options of writers; missing ones have their defaults. `bounds`: minX, minY, maxX, maxY. */

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits of areas in the box of a lattice, judged by the periodic diagram of the circles that they return.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cell_measure.h"
+#include "circle_voronoi/cells.h"
+#include "circle_voronoi/certify.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/fit_areas.h"
+#include "circle_voronoi/periodic.h"
+#include "random.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Circles = std::vector<Circle>;
+
+double boxArea(const Lattice& lattice) { return std::abs(lattice.a.x * lattice.b.y - lattice.a.y * lattice.b.x); }
+
+Circles sitesIn(const Lattice& lattice, std::size_t count, Random& random) {
+  Circles sites;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double u = random.unit();
+    const double v = random.unit();
+    sites.push_back({u * lattice.a.x + v * lattice.b.x, u * lattice.a.y + v * lattice.b.y, 0});
+  }
+  return sites;
+}
+
+std::vector<double> sharesOver(double decades, std::size_t count, Random& random) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < count; ++i) shares.push_back(random.logUniform(0, decades));
+  return shares;
+}
+
+Result<PeriodicAreaFit> fitShares(const Circles& sites, const std::vector<double>& shares, const Lattice& lattice,
+                                  int relax = 0) {
+  AreaFitOptions options;
+  options.shares = true;
+  options.relax = relax;
+  return fitAreas(sites, shares, lattice, options);
+}
+
+/// The areas of the cells that sites have with some weights, by computePeriodic alone.
+std::vector<double> areasOf(Circles sites, const std::vector<double>& weights, const Lattice& lattice) {
+  for (std::size_t i = 0; i < sites.size(); ++i) sites[i].r = weights[i];
+  const auto periodic = computePeriodic(sites, lattice).value();
+  std::vector<double> areas;
+  for (CircleIndex i = 0; i < periodic.circleCount; ++i) areas.push_back(area(outline(periodic.diagram, i)));
+  return areas;
+}
+
+void expectFits(const Result<PeriodicAreaFit>& fit, const Circles& sites, const std::vector<double>& shares,
+                const Lattice& lattice) {
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_EQ(*std::ranges::min_element(fit->weights), 0);
+  EXPECT_TRUE(certify(fit->periodic.diagram).value().certified());
+  EXPECT_TRUE(checkPeriodic(fit->periodic));
+  const std::vector<double> areas = areasOf(sites, fit->weights, lattice);
+  const double whole = boxArea(lattice);
+  EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), whole, 1e-12 * whole);
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const double target = shares[i] / sum * whole;
+    EXPECT_NEAR(areas[i], target, 1.001e-9 * target) << "site " << i;
+    EXPECT_EQ(areas[i], fit->areas[i]) << "site " << i;
+    EXPECT_EQ(fit->periodic.diagram.circles[i].r, fit->weights[i]);
+  }
+  EXPECT_LE(fit->error, 1e-9);
+}
+
+TEST(PeriodicAreaFit, ReachesAreasInBoxesOfAllShapes) {
+  const std::vector<std::pair<std::string, Lattice>> lattices = {{"square", {{1, 0}, {0, 1}}},
+                                                                 {"clockwise", {{0, 1}, {1, 0}}},
+                                                                 {"hexagonal", {{1, 0}, {0.5, 0.8660254037844386}}},
+                                                                 {"long", {{30, 0}, {0, 1}}},
+                                                                 {"sheared", {{8, 1}, {23, 3}}}};
+  for (const auto& [name, lattice] : lattices) {
+    for (const std::size_t count : {1U, 2U, 3U, 4U, 20U, 150U}) {
+      for (const double decades : {0.0, 1.0, 2.0}) {
+        SCOPED_TRACE(name + ", " + std::to_string(count) + " sites over " + std::to_string(decades) + " decades");
+        Random random(count);
+        const Circles sites = sitesIn(lattice, count, random);
+        const std::vector<double> shares = sharesOver(decades, count, random);
+        expectFits(fitShares(sites, shares, lattice), sites, shares, lattice);
+      }
+    }
+  }
+}
+
+TEST(PeriodicAreaFit, ReachesAreasWhereverTheSitesLie) {
+  const Lattice lattice = {{4, 0}, {1, 3}};
+  Random random(5);
+  for (const std::string name : {"clusters", "grid", "on a line", "in one corner", "in many boxes", "with radii"}) {
+    SCOPED_TRACE(name);
+    Circles sites;
+    for (int i = 0; i < 64; ++i) {
+      const double u = random.unit();
+      const double v = random.unit();
+      if (name == "clusters") sites.push_back({i % 4 + 1e-3 * u, i % 3 + 1e-3 * v, 0});
+      if (name == "grid") sites.push_back({0.5 * (i % 8), 0.375 * (i / 8), 0});
+      if (name == "on a line") sites.push_back({4 * u, 1, 0});
+      if (name == "in one corner") sites.push_back({0.01 * u, 0.01 * v, 0});
+      if (name == "in many boxes") sites.push_back({200 * u - 100, 200 * v - 100, 0});
+      if (name == "with radii") sites.push_back({4 * u, 3 * v, (i % 5) * 2.0});
+    }
+    const std::vector<double> shares = sharesOver(1, sites.size(), random);
+    expectFits(fitShares(sites, shares, lattice), sites, shares, lattice);
+  }
+}
+
+// Of two sites half a period apart, the two borders are those between parallel lines of equal sites: the weights change
+// nothing but their difference, and equal areas need equal weights.
+TEST(PeriodicAreaFit, OfOneSiteAndOfEqualSharesHasTheWeightsOfSymmetry) {
+  const auto one = fitAreas(Circles{{3, 4, 2}}, std::vector{6.0}, Lattice{{2, 0}, {1, 3}});
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_EQ(one->weights, std::vector{0.0});
+  EXPECT_EQ(one->steps, 0);
+  EXPECT_NEAR(one->areas[0], 6, 1e-12);
+  const auto two = fitAreas(Circles{{0, 0, 0.2}, {1, 0.5, 0}}, std::vector{1.0, 1.0}, Lattice{{2, 0}, {0, 1}});
+  ASSERT_TRUE(two) << two.error().message;
+  EXPECT_NEAR(two->weights[0], two->weights[1], 1e-9);
+}
+
+TEST(PeriodicAreaFit, SpringsAreTheDerivativeOfTheAreas) {
+  Random random(7);
+  const Lattice lattice = {{1, 0}, {0.3, 0.8}};
+  int compared = 0;
+  for (int trial = 0; trial < 30; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    Circles circles = sitesIn(lattice, 1 + random.below(9), random);
+    for (Circle& c : circles) c.r = 1 + random.uniform(0, 0.1);
+    const PeriodicDiagram periodic = computePeriodic(circles, lattice).value();
+    if (!periodic.diagram.hidden.empty()) continue;
+    const std::size_t chosen = random.below(circles.size());
+    constexpr double kStep = 1e-6;
+    std::vector<double> weights;
+    for (const Circle& c : circles) weights.push_back(c.r);
+    weights[chosen] += kStep;
+    const std::vector<double> up = areasOf(circles, weights, lattice);
+    weights[chosen] -= 2 * kStep;
+    const std::vector<double> down = areasOf(circles, weights, lattice);
+    std::vector<double> expected(circles.size(), 0);
+    for (const Spring& spring : measureCells(periodic).springs) {
+      const auto i = static_cast<std::size_t>(spring.left);
+      const auto j = static_cast<std::size_t>(spring.right);
+      EXPECT_NE(i, j);
+      if (i != chosen && j != chosen) continue;
+      expected[chosen] += spring.stiffness;
+      expected[i == chosen ? j : i] -= spring.stiffness;
+    }
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      EXPECT_NEAR((up[i] - down[i]) / (2 * kStep), expected[i], 1e-4 * (1 + std::abs(expected[i]))) << "cell " << i;
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 15);
+}
+
+TEST(PeriodicAreaFit, DoesNotDependOnWhereTheBoxIs) {
+  const Lattice lattice = {{1, 0}, {0.25, 1}};
+  Random random(11);
+  const Circles sites = sitesIn(lattice, 30, random);
+  const std::vector<double> shares = sharesOver(1, sites.size(), random);
+  const auto fit = fitShares(sites, shares, lattice);
+  ASSERT_TRUE(fit) << fit.error().message;
+  Circles moved = sites;
+  for (Circle& c : moved) c = {c.x + 0.375, c.y - 0.625, c.r};
+  Circles wrapped = sites;
+  for (std::size_t i = 0; i < wrapped.size(); i += 3) wrapped[i].x += 2;
+  const auto byMoved = fitShares(moved, shares, lattice);
+  const auto byWrapped = fitShares(wrapped, shares, lattice);
+  const auto byOther = fitShares(sites, shares, {{1, 0}, {3.25, 1}});
+  ASSERT_TRUE(byMoved && byWrapped && byOther);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_NEAR(byMoved->weights[i], fit->weights[i], 1e-8);
+    EXPECT_NEAR(byWrapped->weights[i], fit->weights[i], 1e-8);
+    EXPECT_NEAR(byOther->weights[i], fit->weights[i], 1e-8);
+  }
+}
+
+TEST(PeriodicAreaFit, MovesSitesToTheCentroidsOfTheirCellsAndKeepsTheAreas) {
+  const Lattice lattice = {{1, 0}, {0.25, 1}};
+  Random random(13);
+  Circles sites = sitesIn(lattice, 40, random);
+  sites[7].x += 5;
+  const std::vector<double> shares = sharesOver(1, sites.size(), random);
+  const auto still = fitShares(sites, shares, lattice);
+  const auto relaxed = fitShares(sites, shares, lattice, 40);
+  ASSERT_TRUE(still && relaxed);
+  const auto distanceFromCentroids = [](const PeriodicAreaFit& fit) {
+    double sum = 0;
+    for (CircleIndex i = 0; i < fit.periodic.circleCount; ++i) {
+      const Point p = centroid(outline(fit.periodic.diagram, i));
+      const Circle& c = fit.periodic.diagram.circles[static_cast<std::size_t>(i)];
+      sum += std::hypot(p.x - c.x, p.y - c.y);
+    }
+    return sum;
+  };
+  EXPECT_LT(distanceFromCentroids(*relaxed), 0.1 * distanceFromCentroids(*still));
+  const auto& circles = relaxed->periodic.diagram.circles;
+  const Circles given(circles.begin(), circles.begin() + 40);
+  expectFits(relaxed, given, shares, lattice);
+}
+
+TEST(PeriodicAreaFit, StartsFromTheRadii) {
+  const Lattice lattice = {{1, 0}, {0.25, 1}};
+  Random random(17);
+  Circles sites = sitesIn(lattice, 60, random);
+  const std::vector<double> shares = sharesOver(1, sites.size(), random);
+  const auto fit = fitShares(sites, shares, lattice);
+  ASSERT_TRUE(fit) << fit.error().message;
+  for (std::size_t i = 0; i < sites.size(); ++i) sites[i].r = fit->weights[i] - 3;
+  const auto again = fitShares(sites, shares, lattice);
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_LE(again->steps, 1);
+}
+
+TEST(PeriodicAreaFit, RefusesWhatHasNoFit) {
+  const Lattice lattice = {{2, 0}, {0, 1}};
+  const Circles sites = {{0, 0, 0}, {1, 0.5, 0}};
+  const auto expectError = [](const Result<PeriodicAreaFit>& fit, ErrorCode code, std::int64_t site,
+                              const std::string& message) {
+    ASSERT_FALSE(fit);
+    EXPECT_EQ(fit.error().code, code);
+    EXPECT_EQ(fit.error().circle, site);
+    EXPECT_NE(fit.error().message.find(message), std::string::npos) << fit.error().message;
+  };
+  const auto areas = [](double a, double b) { return std::vector<double>{a, b}; };
+  expectError(fitAreas(sites, areas(1, 2), lattice), ErrorCode::badInput, kNone,
+              "The areas sum to 3, but the area of the box is 2. Set `shares` to scale them.");
+  expectError(fitAreas(sites, areas(2, 0), lattice), ErrorCode::badInput, 1, "Area 1 must be positive");
+  expectError(fitAreas(sites, areas(3, -1), lattice), ErrorCode::badInput, 1, "Area 1 must be positive");
+  expectError(fitAreas(sites, std::vector{2.0}, lattice), ErrorCode::badInput, kNone, "There is 1 area for 2 sites");
+  expectError(fitAreas(Circles{}, std::vector<double>{}, lattice), ErrorCode::badInput, kNone, "There are no sites.");
+  const Circles equal = {{0.5, 0.25, 0}, {0.5, 0.25, 3}};
+  expectError(fitAreas(equal, areas(1, 1), lattice), ErrorCode::badInput, 1, "Site 1 has the same position as site 0.");
+  const Circles apart = {{0.5, 0.25, 0}, {4.5, -0.75, 3}};
+  expectError(fitAreas(apart, areas(1, 1), lattice), ErrorCode::badInput, 1,
+              "Site 1 has the same position as an image of site 0.");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expectError(fitAreas(Circles{{0, 0, 0}, {nan, 0, 0}}, areas(1, 1), lattice), ErrorCode::nonFinite, 1, "Site 1");
+  expectError(fitAreas(sites, areas(1, 1), {{2, 0}, {4, 0}}), ErrorCode::badOption, kNone, "parallel");
+  expectError(fitAreas(sites, areas(1, 1), {{2, 0}, {0, 0}}), ErrorCode::badOption, kNone, "zero");
+  expectError(fitAreas(sites, areas(1, 1), {{2, 0}, {0, nan}}), ErrorCode::badOption, kNone, "finite");
+  AreaFitOptions options;
+  options.maxSteps = 1;
+  expectError(fitAreas(Circles{{0, 0, 0}, {1, 0.5, 0}, {0.3, 0.2, 0}}, std::vector{1.5, 0.3, 0.2}, lattice, options),
+              ErrorCode::notConverged, kNone, "The fit stopped after 1 step");
+}
+
+// The scale of the coordinates is a power of two, so everything is the same but for it.
+TEST(PeriodicAreaFit, DoesNotDependOnScale) {
+  const Lattice lattice = {{1, 0}, {0.25, 1}};
+  Random random(19);
+  const Circles sites = sitesIn(lattice, 12, random);
+  const std::vector<double> shares = sharesOver(1, sites.size(), random);
+  const auto fit = fitShares(sites, shares, lattice);
+  ASSERT_TRUE(fit) << fit.error().message;
+  for (const double scale : {0x1p-150, 0x1p-40, 0x1p40, 0x1p300}) {
+    SCOPED_TRACE(scale);
+    Circles scaled = sites;
+    for (Circle& c : scaled) c = {scale * c.x, scale * c.y, 0};
+    const auto large = fitShares(scaled, shares, {{scale, 0}, {0.25 * scale, scale}});
+    ASSERT_TRUE(large) << large.error().message;
+    for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NEAR(large->weights[i] / scale, fit->weights[i], 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi
