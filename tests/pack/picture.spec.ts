@@ -61,6 +61,16 @@ const STATES: Readonly<Record<string, LinkInput>> = {
   },
   'a region and areas as colors': { circles: CIRCLES, region: REGION, layers: { cells: 'area' } },
   'given areas': { circles: CIRCLES.slice(0, 5), region: REGION, areas: [1, 2, 1, 3, 1] },
+  'a box whose opposite sides are glued together': {
+    circles: CIRCLES,
+    lattice: { a: [12, 0], b: [3, 10] },
+    layers: { cells: 'degree', dual: true },
+  },
+  'a circle that an edit moves out of the box': {
+    circles: CIRCLES,
+    lattice: { a: [12, 0], b: [3, 10] },
+    edits: [{ kind: 'replace', id: 1, circle: { x: 10, y: -2, r: 1 } }],
+  },
   'circles after edits': {
     circles: CIRCLES,
     edits: [

@@ -6,7 +6,7 @@ import { EditorActions, type HowOpened, type Opened } from '../editing/editor-ac
 import type { Scene } from '../editing/history.ts'
 import type { Remedy, State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
-import type { Circle, Edit, Float64s, Point } from '../lib/index.ts'
+import type { Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'
 import { decodeLink, frameOf, LINK_LIMITS, type LinkFrame, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
@@ -14,6 +14,7 @@ import type { Drawn } from '../view/gestures.ts'
 import type { Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { View } from '../view/view.ts'
+import { boxAround } from './box-around.ts'
 import { cellValues } from './cell-values.ts'
 import {
   DATA_SETS,
@@ -83,9 +84,11 @@ export class PageActions extends EditorActions {
     edits: readonly Edit[] = [],
   ): Promise<Edited | undefined> {
     const { count } = this.#editing.circles
+    // Cells are cut to a region, or they repeat in a box.
+    const isOther = change.region !== undefined && this.#editing.domain.lattice !== undefined
     this.onstage('computing', count)
     try {
-      return await super.setDomain(change, gesture, edits)
+      return await super.setDomain(isOther ? { lattice: undefined, ...change } : change, gesture, edits)
     } finally {
       this.onstage('opened', count)
     }
@@ -99,12 +102,34 @@ export class PageActions extends EditorActions {
       this.#radii.clear()
       for (const { id, circle } of all) this.#radii.set(this.#editing.numberOf(id), circle.r)
     }
-    if (areas !== undefined) return this.setDomain({ areas }, gesture)
+    return this.setDomain({ areas }, gesture, areas === undefined ? this.#withRadii() : [])
+  }
+
+  /** Edits that give circles the radii again that they had before areas. */
+  #withRadii(move: Point = { x: 0, y: 0 }): Edit[] {
+    const { circles } = this.#editing
     const radii = this.radii()
-    const edits = all.map(({ id, circle }, k): Edit => {
-      return { kind: 'replace', id, circle: { ...circle, r: radii[k] as number } }
+    return Array.from(circles.ids(), (id, k): Edit => {
+      const { x, y } = circles.get(id) as Circle
+      return { kind: 'replace', id, circle: { x: x + move.x, y: y + move.y, r: radii[k] as number } }
     })
-    return this.setDomain({ areas }, gesture, edits)
+  }
+
+  /** Has the circles repeat in a box around them, which has a corner at the origin: where it must, they move there. */
+  async repeat(): Promise<void> {
+    const { circles } = this.#editing
+    const { lattice, move } = boxAround(circles.box(), circles.count)
+    await this.setLattice(lattice, move)
+  }
+
+  /** Has the circles repeat with two periods, or no longer. They move first. Cells in a box are whole, so a region goes. */
+  async setLattice(lattice: Lattice | undefined, move: Point = { x: 0, y: 0 }): Promise<void> {
+    const { areas } = this.#editing.domain
+    const isMoved = move.x !== 0 || move.y !== 0
+    const edits = lattice !== undefined && (isMoved || areas !== undefined) ? this.#withRadii(move) : []
+    const change = lattice === undefined ? { lattice } : { lattice, region: undefined, areas: undefined }
+    const edited = await this.setDomain(change, undefined, edits)
+    if (edited !== undefined && lattice !== undefined) this.look(undefined)
   }
 
   /** Offers a remedy for the current problem. */

@@ -492,11 +492,14 @@ export class EditorActions implements Hands {
   async #go(go: () => Promise<Edited | undefined>): Promise<void> {
     if (this.isReadonly) return
     const { scene } = this.#editing
+    const { lattice } = this.#editing.domain
     const edited = await go()
     const ids = [...(edited?.inserted ?? [])]
     if (ids.length > 0) this.select(ids)
     if (ids.length === 1) this.#reveal(ids[0] as number)
     if (this.#editing.scene !== scene) this.#view.setCamera(this.#fitted(this.#editing.circles.box()))
+    // Circles may have moved into the box, or back.
+    else if (this.#editing.domain.lattice !== lattice) this.look(undefined)
   }
 
   pan(dx: number, dy: number): void {

@@ -64,7 +64,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   }
   if (scheme !== 'light' && scheme !== 'dark')
     refuseOption(`The option scheme is "light" or "dark", not ${shown(scheme)}.`)
-  const { circles, edits, view, layers: given, step, method, region, areas } = await checked(state)
+  const { circles, edits, view, layers: given, step, method, region, lattice, areas } = await checked(state)
 
   const computer = new SceneComputer(await circleVoronoiOf(await compileCircleVoronoi(options)))
   const { scene } = computer
@@ -77,8 +77,8 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
         problem ??= error
       },
     )
-    const hasDomain = (region ?? undefined) !== undefined || areas !== undefined
-    const domain = hasDomain ? { region: region ?? undefined, areas } : undefined
+    const hasDomain = (region ?? lattice ?? areas ?? undefined) !== undefined
+    const domain = hasDomain ? { region: region ?? undefined, lattice: lattice ?? undefined, areas } : undefined
     await editing.open({ circles, dataSet: '', isEdited: false, domain })
     if (edits !== undefined && problem === undefined) await editing.edit(edits)
     if (problem !== undefined) throw problem

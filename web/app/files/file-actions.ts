@@ -208,7 +208,7 @@ export class FileActions {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
       const { domain, fileAttributes } = this.#editing
-      const text = await this.#threads.files.call('write', circles, format, domain.region, fileAttributes)
+      const text = await this.#threads.files.call('write', circles, format, domain, fileAttributes)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
       if (format === 'cells') toast(cutTo(text))
@@ -306,8 +306,8 @@ export class FileActions {
   /** The current state with the circles themselves, because data sets exist only on this site. */
   #wholeState(): LinkInput {
     const { view, layers, step, method, areas } = this.#actions.linkState() ?? {}
-    const { region } = this.#editing.domain
-    return { circles: this.#editing.circles.circles(), view, layers, step, method, region, areas }
+    const { region, lattice } = this.#editing.domain
+    return { circles: this.#editing.circles.circles(), view, layers, step, method, region, lattice, areas }
   }
 
   #copy(textOf: (link: string) => string, state: LinkInput | undefined): Promise<boolean> {
@@ -373,6 +373,7 @@ class InvalidRows extends Error {
 
 /** Describes the clipping region of a file in a sentence. */
 function cutTo(text: string): string {
+  if (/^.*\n.*"shifts":/.test(text)) return 'The cells are whole, also where they cross the box.'
   const box = /^\{"type":"FeatureCollection".*?"bbox":(\[[^\]]*\])/.exec(text)?.[1]
   if (box === undefined) return 'The cells are those inside the region.'
   const [minX, minY, maxX, maxY] = (JSON.parse(box) as number[]).map((value) => short(value, 4))

@@ -2,7 +2,7 @@
 // The messages between the page and the thread that reads and writes files and links, and generates circles.
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkAttributes, LinkInput } from '../../lib/link.ts'
-import type { RegionShape } from '../../lib/regions/region-shape.ts'
+import type { Domain } from '../../view/domain.ts'
 import type { NamedCircles } from '../csv.ts'
 import type { Catalogue, Recipe } from '../generators/generators.ts'
 
@@ -21,8 +21,8 @@ export interface FilesCalls {
   read(bytes: Uint8Array<ArrayBuffer>, name: string, skipsInvalid?: boolean): Read
   /** Converts a picture to circles. @throws CircleVoronoiError `internal` if the browser cannot read it */
   stipple(picture: Blob): Read
-  /** `region` is the clipping region of the cells. @throws CircleVoronoiError as `compute`, `writeDiagram` */
-  write(circles: Float64s, format: SavedFormat, region?: RegionShape, attributes?: LinkAttributes): string
+  /** Writes circles or cells; `domain` has the clipping region or the periods. @throws CircleVoronoiError as `compute`, `writeDiagram` */
+  write(circles: Float64s, format: SavedFormat, domain?: Partial<Domain>, attributes?: LinkAttributes): string
   /** @throws CircleVoronoiError as `encodeLink` */
   link(state: LinkInput): string
   /** @throws CircleVoronoiError `badInput` if the family or figure is unknown */

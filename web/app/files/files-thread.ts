@@ -4,10 +4,10 @@ import { columnsOf } from '../../editing/attributes.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
 import type { CircleAttributes, Files } from '../../lib/files.ts'
-import type { Diagram, Float64s } from '../../lib/index.ts'
+import type { Diagram, Float64s, PeriodicDiagram } from '../../lib/index.ts'
 import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
-import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import { boundingBox } from '../../view/camera.ts'
+import type { Domain } from '../../view/domain.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
 import type { NamedCircles } from '../csv.ts'
 import { randomNumbers } from '../random-circles.ts'
@@ -77,11 +77,11 @@ function withColumns(circles: Float64s, given: CircleAttributes): NamedCircles {
 async function write(
   circles: Float64s,
   format: SavedFormat,
-  region?: RegionShape,
+  { region, lattice }: Partial<Domain> = {},
   attributes?: LinkAttributes,
 ): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
-  const { compute, loadRegions } = await library()
+  const { compute, computePeriodic, loadRegions } = await library()
   switch (format) {
     case 'csv':
       return writeCircles(circles, { format, attributes })
@@ -90,11 +90,34 @@ async function write(
     case 'json':
       return writeDiagram(compute(circles), { format, attributes })
     case 'cells': {
+      if (lattice !== undefined) return cellsInPeriods(computePeriodic(circles, lattice), attributes)
       if (region === undefined) return cellsInBox(compute(circles), writeDiagram, attributes)
       const clip = (await loadRegions()).region(region)
       return writeDiagram(compute(circles), { format: 'geojson', region: clip, attributes })
     }
   }
+}
+
+/** Writes the whole cells of circles that repeat as GeoJSON, with the properties that the program writes. */
+function cellsInPeriods(periodic: PeriodicDiagram, attributes?: LinkAttributes): string {
+  const features = Array.from({ length: periodic.circleCount }, (_, circle) => {
+    const polygon = periodic.cellPolygon(circle)
+    const neighbors = periodic.neighbors(circle)
+    const measured = JSON.stringify({
+      circle,
+      r: periodic.diagram.circles[3 * circle + 2],
+      area: periodic.cellArea(circle),
+      neighbors: neighbors.map((image) => image.circle),
+      shifts: neighbors.map((image) => image.shift),
+    })
+    const geometry = JSON.stringify(polygon === undefined ? null : { type: 'Polygon', coordinates: [polygon] })
+    // The text stays unparsed, because large numbers would lose digits.
+    const known = (attributes?.properties[circle] ?? '').replace(/^\s*\{\s*|\s*\}\s*$/g, '')
+    const properties = known === '' ? measured : `${measured.slice(0, -1)},${known}}`
+    const id = attributes?.ids[circle] || undefined
+    return `{"type":"Feature",${id === undefined ? '' : `"id":${id},`}"properties":${properties},"geometry":${geometry}}`
+  })
+  return `{"type":"FeatureCollection","features":[\n${features.join(',\n')}\n]}\n`
 }
 
 /** Writes the cells inside a box around all circles as GeoJSON, with the box as `bbox`. */

@@ -2,6 +2,7 @@
 import { html, nothing } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import type { Lattice } from '../../lib/index.ts'
 import { isDissolved, plainRegion } from '../../lib/regions/region-shape.ts'
 import { icon } from '../../player/icon.ts'
 import { ringsOf } from '../../view/domain.ts'
@@ -75,7 +76,36 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     </div>
   `
 
-  const body = ({ domain: { region, areas }, tool, edited }: State) => {
+  const repeat = async ({ target }: Event) => {
+    const input = target as HTMLInputElement
+    await (input.checked ? actions.repeat() : actions.setLattice(undefined))
+    draw()
+    // A refused lattice leaves the box unchecked.
+    input.checked = store.get().domain.lattice !== undefined
+  }
+  const setPeriod = async (lattice: Lattice, name: 'a' | 'b', axis: 0 | 1, input: HTMLInputElement) => {
+    if (!input.reportValidity()) return
+    const period = lattice[name].with(axis, input.valueAsNumber) as [number, number]
+    await actions.setLattice({ ...lattice, [name]: period })
+    // A refused period goes back to its value.
+    input.value = String(store.get().domain.lattice?.[name][axis] ?? '')
+  }
+  const periods = (lattice: Lattice) => html`<div class="fields">
+    ${(['a', 'b'] as const).flatMap((name) =>
+      ([0, 1] as const).map(
+        (axis) => html`<label>Period ${name}, ${'xy'[axis]} <input
+          type="number"
+          step="any"
+          required
+          autocomplete="off"
+          .value=${String(lattice[name][axis])}
+          @change=${({ target }: Event) => setPeriod(lattice, name, axis, target as HTMLInputElement)}
+        /></label>`,
+      ),
+    )}
+  </div>`
+
+  const body = ({ domain: { region, lattice, areas }, tool, edited }: State) => {
     const isMerged = region === undefined ? files.mergesPolygons : isDissolved(region)
     return html`
     <p>${region === undefined ? 'Clip the cells to a country, a hall with pillars, or any polygon.' : saidOf(region)}</p>
@@ -124,6 +154,17 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
         : html`<p class="quiet">A link or a reload keeps the areas, but not the columns of the opened file.</p>`
     }
     <p class="quiet" id="areas-said" aria-live="polite">${aboutAreas(region, areas, edited)}</p>
+    <fieldset>
+      <legend>Periodic box</legend>
+      <div class="layer">
+        <label>
+          <input type="checkbox" .checked=${lattice !== undefined} @change=${repeat} />
+          Repeat the circles in a box
+        </label>
+      </div>
+      ${lattice === undefined ? nothing : periods(lattice)}
+    </fieldset>
+    <p class="quiet">${aboutBox(region, lattice)}</p>
   `
   }
 
@@ -153,6 +194,13 @@ function saidOf(region: NonNullable<State['domain']['region']>): string {
   const sides = rings.reduce((sum, ring) => sum + ring.length, 0)
   const outlines = rings.length === 1 ? 'One outline' : `${wholeNumber(rings.length)} outlines`
   return `${outlines} with ${wholeNumber(sides)} sides. Cells, areas and files are clipped to it.`
+}
+
+function aboutBox(region: unknown, lattice: unknown): string {
+  if (lattice !== undefined)
+    return 'Opposite sides are glued together: a circle that you drag out comes in on the other side.'
+  const replaced = region === undefined ? '' : ' It replaces the region.'
+  return `For packings, foams and tissues in a box whose opposite sides are glued together.${replaced}`
 }
 
 function aboutAreas(region: unknown, areas: unknown, edited: State['edited']): string {

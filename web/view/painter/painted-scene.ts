@@ -276,7 +276,7 @@ export class PaintedScene {
     const torus = this.#torusOf(domain, clip)
     const { edits, fit } =
       domain.fit === undefined
-        ? { edits: torus === undefined ? asked : asked.map((edit) => torus.wrappedEdit(edit)), fit: undefined }
+        ? { edits: this.#wrapped(asked, torus), fit: undefined }
         : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
     const change = this.picture.editor.apply(edits)
     const { areSites = this.picture.areSites } = domain
@@ -298,6 +298,23 @@ export class PaintedScene {
       fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
     }
+  }
+
+  /** Edits that leave all circles in a box; those that are there lie in the box before. */
+  #wrapped(edits: readonly Edit[], torus: Torus | undefined): readonly Edit[] {
+    if (torus === undefined) return edits
+    const own = edits.map((edit) => torus.wrappedEdit(edit))
+    if (torus === this.picture.torus) return own
+    const snapshot = this.picture.editor.snapshot()
+    const edited = new Set(edits.flatMap((edit) => (edit.kind === 'insert' ? [] : [edit.id])))
+    const wrapped = torus.wrappedCircles(snapshot.circles)
+    const moved: Edit[] = []
+    for (let i = 0; wrapped !== snapshot.circles && i < snapshot.circles.length / 3; i++) {
+      const [id, circle] = [idOf(snapshot, i), circleAt(wrapped, i)]
+      const { x, y } = circleAt(snapshot.circles, i)
+      if (!edited.has(id) && (x !== circle.x || y !== circle.y)) moved.push({ kind: 'replace', id, circle })
+    }
+    return [...moved, ...own]
   }
 
   /** Changes the box in which the circles repeat. */
