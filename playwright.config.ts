@@ -11,9 +11,10 @@ if (slowdown !== undefined) slowDown(Number(slowdown))
 
 export default defineConfig({
   projects: [
+    // The longest tests first, so that all workers end together.
+    { name: 'engines', testDir: 'tests/engines', use: { launchOptions: CHROMIUM } },
     { name: 'page', testDir: 'tests/e2e' },
     { name: 'package', testDir: 'tests/pack' },
-    { name: 'engines', testDir: 'tests/engines', use: { launchOptions: CHROMIUM } },
   ],
   // Other tests in these folders are for Node's runner.
   testMatch: '**/*.spec.ts',
