@@ -128,6 +128,12 @@ test.describe('on a touch screen', () => {
     await drag(page, true, await placeOf(page, 0, 0), await placeOf(page, 4, 3))
     await expect.poll(() => center(page)).toEqual([4, 3])
     expect(await heard()).toEqual([])
+    // Keys are the figure's then, as after a drag by mouse.
+    await page.keyboard.press('ArrowRight')
+    await expect.poll(async () => (await center(page))[0]).toBeGreaterThan(4)
+    await page.keyboard.press('ArrowLeft')
+    await expect.poll(() => center(page)).toEqual([4, 3])
+    expect(await heard()).toEqual([])
     await drag(page, true, await placeOf(page, 12, 12), await placeOf(page, 4, 12))
     await expect.poll(heard).toEqual(expect.arrayContaining(['pointerdown', 'touchstart', 'touchmove']))
     expect(await center(page)).toEqual([4, 3])

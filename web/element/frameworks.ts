@@ -32,6 +32,7 @@ export interface CircleVoronoiProps {
   selection?: readonly number[] | null | undefined
   src?: string | null | undefined
   step?: number | string | null | undefined
+  value?: Circles | string | null | undefined
   view?: LinkView | string | null | undefined
 }
 

@@ -229,6 +229,8 @@ export function listenToPointer(
     }
     start = point
     isFingerHeld = event.pointerType === 'touch' && isHeld(point)
+    // Browsers move no focus by a touch that does not scroll; the keys of a slide would stay with the slide.
+    if (isFingerHeld && letsPageScroll) element.focus({ preventScroll: true })
     hasMoved = false
     // Fingers cannot hover, so a tap shows the disc that a hovering pointer would, until the next tap.
     if (event.pointerType === 'touch') view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
