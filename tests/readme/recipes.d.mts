@@ -6,3 +6,4 @@ export function addModules(folder: string): void
 export function pageOf(code: string): string
 export function withOwnElement(html: string): string
 export const POLICY: string
+export const OTHERS: readonly string[]

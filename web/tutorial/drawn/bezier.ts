@@ -4,7 +4,7 @@ import { type BoundedCurve, bezierPointAt, bisector, type Point, pointAt, ration
 import { colorsOf, coordinatesOf, drawDiscs, type Kind, Pen, said } from './scene.ts'
 
 /** Ends of the longest arc, as a parameter of the border. */
-const LONGEST = 1.9
+const LONGEST = 2.3
 const SHORTEST = 1.1
 const PIECES = 60
 
