@@ -266,7 +266,8 @@ TEST(CircleAttributes, GoThroughDiagramsInJsonAndToCells) {
   const Json written = Json::parse(cells.str());
   EXPECT_EQ(written["crs"]["properties"]["name"], "x");
   EXPECT_EQ(written["name"], "stores");
-  EXPECT_FALSE(written.contains("bbox")) << "cells are larger than the points";
+  const Box box = exportBox(diagram.circles);
+  EXPECT_EQ(written["bbox"], Json({box.minX, box.minY, box.maxX, box.maxY})) << "cells are larger than the points";
   EXPECT_EQ(written["features"][0]["id"], "a1");
   EXPECT_EQ(written["features"][0]["properties"]["z"], 578.2);
   EXPECT_EQ(written["features"][0]["properties"]["input_area"], 3);
@@ -290,6 +291,39 @@ TEST(CircleAttributes, IdsAndHeightsOfATableAreThoseOfFeatures) {
   std::ostringstream back;
   ASSERT_TRUE(writeCirclesCsv(back, fileOf(text.str()).circles, fileOf(text.str()).attributes));
   EXPECT_EQ(back.str(), "x,y,r,id,z\n0,0,1,A,1.50\n5,0,1,B,\n");
+}
+
+TEST(ReadCircleFile, ColumnsWithoutANameOrWithTheSameNameAreKept) {
+  EXPECT_EQ(fileOf(",x,y,r,a,,a,a_2,,\n7,1,2,3,4,5,6,8,,\n9,1,2,3,,,,,\n").attributes.properties,
+            (Strings{R"("column 1":7,"a":4,"column 6":5,"a_2":6,"a_2_2":8)",
+                     R"("column 1":9,"a":null,"column 6":null,"a_2":null,"a_2_2":null)"}));
+}
+
+TEST(ReadCircleFile, AnIdThatNoCircleHasIsMissed) {
+  EXPECT_EQ(fileErrorOf(R"([{"x":1,"y":2,"r":3,"code":null}])", {.id = "code"}),
+            "test:1: no circle has a string or a number called code.");
+  EXPECT_EQ(fileOf(R"([{"x":1,"y":2,"r":3,"code":"a"},{"x":1,"y":2,"r":3}])", {.id = "code"}).attributes.ids,
+            (Strings{R"("a")", ""}));
+  EXPECT_TRUE(fileOf("[]", {.id = "code"}).circles.empty());
+}
+
+TEST(ExportedBox, IsInFilesThatHaveAPlaceForIt) {
+  const Diagram diagram = compute(std::vector<Circle>{{0, 0, 1}, {9, 0, 1}, {0, 9, 1}}).value();
+  const auto bboxOf = [&](const ExportOptions& options) {
+    std::ostringstream out;
+    EXPECT_TRUE(writeGeoJson(out, diagram, options));
+    return Json::parse(out.str()).value("bbox", Json());
+  };
+  EXPECT_EQ(bboxOf({.bounds = Box{-1, -2, 3.5, 4}}), Json({-1, -2, 3.5, 4}));
+  const Region region = readRegion("POLYGON ((0 1, 5 1, 4 7))", "region").value();
+  EXPECT_EQ(bboxOf({.region = &region}), Json({0, 1, 5, 7}));
+  EXPECT_TRUE(bboxOf({.place = [](Point p) { return Point{p.y, p.x}; }}).is_null());
+  std::ostringstream points;
+  ASSERT_TRUE(writeCirclesGeoJson(points, diagram.circles));
+  EXPECT_EQ(points.str().find("bbox"), std::string::npos);
+  std::ostringstream obj;
+  ASSERT_TRUE(writeObj(obj, diagram, {.bounds = Box{-1, -2, 3.5, 4}}));
+  EXPECT_NE(obj.str().find("\n# cut to the box -1 -2 3.5 4\n"), std::string::npos);
 }
 
 }  // namespace

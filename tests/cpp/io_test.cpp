@@ -67,7 +67,8 @@ TEST(ReadCsv, CommasAreDecimalMarksWhereTheySeparateNothing) {
   EXPECT_EQ(errorOf("x;y;r\n1.234,5;2;3\n"), "test:2: x is not a number: \"1.234,5\".");
   EXPECT_EQ(errorOf("x;y;r\n1,234,5;2;3\n"), "test:2: x is not a number: \"1,234,5\".");
   EXPECT_EQ(errorOf("x;y;r\n1,;2;3\n"), "test:2: x is not a number: \"1,\".");
-  EXPECT_EQ(errorOf("1,5,2,5,3,5\n"), "test:1: there are 6 columns; a header has to name x, y and r.");
+  EXPECT_EQ(errorOf("1,5,2,5,3,5\n"),
+            "test:1: there are 6 columns; a header has to name x, y and r, or options as #1, #2 and #3.");
   EXPECT_EQ(errorOf("x y r\n1,5 2 3\n"), "test:2: x is not a number: \"1,5\".");
 }
 
@@ -82,6 +83,59 @@ TEST(ReadCsv, ColumnsAreFoundByName) {
   EXPECT_EQ(read("x,y,r,note\n1,2,3\n-4.5,5e-3,0\n"), kTwo) << "a row may end before an ignored column";
 }
 
+TEST(ReadCsv, ColumnsAreFoundByNumber) {
+  const auto readBy = [](std::string_view text, const ReadOptions& options) {
+    const auto file = readCircleFile(text, "test", options);
+    EXPECT_TRUE(file) << file.error().message;
+    return file ? *file : CircleFile{};
+  };
+  const ReadOptions options = {.x = "#2", .y = "#3", .radius = "#4", .id = "#1"};
+  const CircleFile plain = readBy("a;1;2;3;01\nb;-4,5;5e-3;0\n", options);
+  EXPECT_EQ(plain.circles, kTwo);
+  EXPECT_EQ(plain.attributes.properties,
+            (std::vector<std::string>{R"("column 1":"a","column 5":"01")", R"("column 1":"b","column 5":null)"}));
+  EXPECT_EQ(plain.attributes.ids, (std::vector<std::string>{R"("a")", R"("b")"}));
+  const CircleFile headed = readBy("a;b;b;;01\na;1;2;3;7\nb;-4,5;5e-3;0;\n", options);
+  EXPECT_EQ(headed.circles, kTwo);
+  EXPECT_EQ(headed.attributes.properties, (std::vector<std::string>{R"("a":"a","01":7)", R"("a":"b","01":null)"}));
+  EXPECT_EQ(headed.attributes.ids, plain.attributes.ids);
+  EXPECT_EQ(readBy("n,x,y,#2\n0,1,2,3\n0,-4.5,5e-3,0\n", {.radius = "#2"}).circles, kTwo) << "a name comes first";
+  EXPECT_EQ(readBy("n,x,y,size\n0,1,2,3\n0,-4.5,5e-3,0\n", {.radius = "#4"}).circles, kTwo);
+  EXPECT_EQ(readBy("1,2,3\n-4.5,5e-3,0\n", {.x = "#1", .y = "#2", .radius = "#3"}).circles, kTwo);
+  EXPECT_EQ(readCircles("n,1,2,3\nn,1,a,3\n", "test", options).error().message,
+            "test:2: y is not a number: \"a\" (circle 1, column 1 n).");
+}
+
+TEST(ReadCsv, NamesThatAreGivenAreMissedWhereThereAreNone) {
+  const auto errorBy = [](std::string_view text, const ReadOptions& options) {
+    const auto circles = readCircles(text, "test", options);
+    return circles ? "" : circles.error().message;
+  };
+  const std::string named = "; the first line has no names, but columns are also called #1 to #3.";
+  EXPECT_EQ(errorBy("1,2,3\n", {.x = "#1", .y = "#2", .radius = "#4"}), "test:1: no column is called #4" + named);
+  EXPECT_EQ(errorBy("1,2,3\n", {.x = "#1", .y = "#2"}),
+            "test:1: there are 3 columns; a header has to name x, y and r, or options as #1, #2 and #3.");
+  EXPECT_EQ(errorBy("1,2,3\n", {.y = "lat"}), "test:1: no column is called lat" + named);
+  EXPECT_EQ(errorBy("1,2,3\n", {.id = "n"}), "test:1: no column is called n" + named);
+  EXPECT_EQ(errorBy("1,2,3\n", {.x = "#1", .y = "#2", .radius = "#3", .id = "n"}),
+            "test:1: no column is called n; the first line has no names.");
+  EXPECT_EQ(errorBy("[[1,2,3]]", {.id = "n"}), "test:1: no member is called n: the circle is an array.");
+}
+
+TEST(ReadCsv, PointsNeedNoRadius) {
+  const std::vector<Circle> points = {{1, 2, 0}, {-4.5, 5e-3, 0}};
+  for (const std::string text : {"1,2\n-4.5,5e-3\n", "1 2 7\n-4.5 5e-3 8\n", "1;2\n-4,5;0,005\n",
+                                 "x,y\n1,2\n-4.5,5e-3\n", "[[1,2],[-4.5,5e-3]]"}) {
+    const auto read = readCircles(text, "test", {.radii = Radii::none});
+    ASSERT_TRUE(read) << text << read.error().message;
+    EXPECT_EQ(*read, points) << text;
+  }
+  EXPECT_EQ(readCircles("1,2\n3,4\n", "test", {.radii = Radii::optional}).value().size(), 2U);
+  EXPECT_EQ(readCircles("1,2,3\n", "test", {.radii = Radii::optional}).value()[0].r, 3);
+  EXPECT_EQ(readCircles("1,2\n3\n", "test", {.radii = Radii::none}).error().message,
+            "test:2: expected two numbers x,y separated by commas.");
+}
+
 TEST(ReadCsv, SaysWhichColumnsCannotBeTold) {
   EXPECT_EQ(errorOf("x,y,r,radius\n1,2,3,4\n"),
             "test:1: the columns r and radius both mean r; choose one by the option radius.");
@@ -91,8 +145,10 @@ TEST(ReadCsv, SaysWhichColumnsCannotBeTold) {
   EXPECT_EQ(
       errorOf("a,b\n"),
       "test:1: no column is called x, cx, lon, long, lng, longitude or easting, only a, b; name one by the option x.");
-  EXPECT_EQ(errorOf("1,2,3,4\n"), "test:1: there are 4 columns; a header has to name x, y and r.");
-  EXPECT_EQ(errorOf("oak,1,2,3\n"), "test:1: there are 4 columns; a header has to name x, y and r.");
+  EXPECT_EQ(errorOf("1,2,3,4\n"),
+            "test:1: there are 4 columns; a header has to name x, y and r, or options as #1, #2 and #3.");
+  EXPECT_EQ(errorOf("oak,1,2,3\n"),
+            "test:1: there are 4 columns; a header has to name x, y and r, or options as #1, #2 and #3.");
   EXPECT_EQ(errorOf("x,y,r\n1,2,3,4\n"), "test:2: there are 4 fields in 3 columns.");
   EXPECT_EQ(errorOf("name,x,y,r\n\na,1,2\n"), "test:3: r is empty.");
 }
@@ -186,9 +242,8 @@ TEST(ReadGeoJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf(collection("7")), "test:1: an item of the list of features is no Feature.");
   EXPECT_EQ(errorOf(collection("\n" + point)), "test:2: an item of the list of features is no Feature.");
   EXPECT_EQ(errorOf(R"({"type": "FeatureCollection"})"), "test:1: a FeatureCollection has no list of features.");
-  EXPECT_EQ(errorOf(R"({"type": "FeatureCollection", "features": [], "features": []})"),
-            "test:1: features is given twice.");
-  EXPECT_EQ(errorOf(collection(feature(point, R"({"radius": 1, "radius": 2})"))), "test:1: radius is given twice.");
+  EXPECT_EQ(errorOf(collection(feature(point, R"({"radius": 1, "Radius": 2})"))),
+            "test:1: radius and Radius mean the same.");
 }
 
 TEST(ReadJson, TakesArraysAndObjects) {
@@ -222,7 +277,7 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("[[1,2,3],\n[1,2,3,4]]"), "test:2: a circle has three numbers, not more.");
   EXPECT_EQ(errorOf("[[1,2,3],\n\n[1,\"2\",3]]"), "test:3: expected a number for y, not a string.");
   EXPECT_EQ(errorOf("[{\"x\":1,\n\"y\":null,\"r\":1}]"), "test:2: expected a number for y, not null.");
-  EXPECT_EQ(errorOf("[{\"x\":1,\"x\":1}]"), "test:1: x is given twice.");
+  EXPECT_EQ(errorOf("[{\"x\":1,\"X\":1}]"), "test:1: x and X mean the same.");
   EXPECT_EQ(errorOf("[{\"y\":1,\"x\":1}]"), "test:1: a circle has no r, rad or radius.");
   EXPECT_EQ(errorOf("[1,2,3]"), "test:1: expected a circle, [x,y,r] or {\"x\":..,\"y\":..,\"r\":..}, not a number.");
   EXPECT_EQ(errorOf("{\"x\":1}"), "test:1: expected an array of circles or a GeoJSON FeatureCollection.");

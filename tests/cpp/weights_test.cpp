@@ -301,7 +301,7 @@ TEST(Weights, FilesSayThatTheyAre) {
   };
   EXPECT_EQ(errorAfter("false"), "file:4: Circle 0 has a negative radius.");
   EXPECT_EQ(errorAfter("1"), "file:2: expected true or false for weights, not a number.");
-  EXPECT_EQ(errorAfter("true, \"weights\": true"), "file:2: weights is given twice.");
+  EXPECT_EQ(errorAfter("true, \"weights\": false"), "file:4: Circle 0 has a negative radius.");
 
   std::ostringstream plain;
   EXPECT_TRUE(writeJson(plain, compute(Circles{{0, 0, 1}}).value()));

@@ -2,9 +2,9 @@
 // Families of random circles and figures of the paper.
 import { readFileSync } from 'node:fs'
 import type { Page } from '@playwright/test'
-import { parseCircles } from '../../web/app/csv.ts'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { circlesOfText } from '../../web/view/circle-text.ts'
 import { type App, expect, test } from './page.ts'
 
 const generators = await loadGenerators()
@@ -13,7 +13,7 @@ const stateOf = (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() 
 async function saved(page: Page): Promise<Float64Array> {
   const download = page.waitForEvent('download')
   await page.getByRole('button', { name: 'CSV' }).click()
-  return parseCircles(readFileSync(await (await download).path(), 'utf8'))
+  return circlesOfText(readFileSync(await (await download).path(), 'utf8'))
 }
 
 test('a family with a number and a seed, again, edited, and the same after a reload', async ({ app }) => {

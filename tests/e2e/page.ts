@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { test as base, expect, type Page } from '@playwright/test'
-import { parseCircles } from '../../web/app/csv.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import type { Circle, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, toScreen } from '../../web/view/camera.ts'
+import { circlesOfText } from '../../web/view/circle-text.ts'
 import { framesOf } from './frames.ts'
 
 /** The space that the page keeps free for its panels (web/app/padding.ts), in a wide window and on a phone. */
@@ -166,7 +166,7 @@ export class App {
 }
 
 export function dataSet(name: string): Float64Array {
-  return parseCircles(readFileSync(new URL(`../../public/data/${name}.csv`, import.meta.url), 'utf8'))
+  return circlesOfText(readFileSync(new URL(`../../public/data/${name}.csv`, import.meta.url), 'utf8'))
 }
 
 /**

@@ -63,7 +63,7 @@ async function dropTables(baseURL: string, { open, evaluate }: Evaluate): Promis
 }
 
 test('Chromium keeps the rows of tables that are dropped while circles move', async ({ browser, baseURL }) => {
-  test.setTimeout(120_000 + 20_000 * DROPS)
+  test.setTimeout(120_000 + 60_000 * DROPS)
   const context = await browser.newContext({ reducedMotion: 'no-preference', serviceWorkers: 'block' })
   const page = await context.newPage()
   await dropTables(
@@ -79,7 +79,7 @@ test('Chromium keeps the rows of tables that are dropped while circles move', as
 
 for (const [name, openEngine] of ENGINES) {
   test(`${name} keeps the rows of tables that are dropped while circles move`, async ({ baseURL }) => {
-    test.setTimeout(120_000 + 20_000 * DROPS)
+    test.setTimeout(120_000 + 60_000 * DROPS)
     const engine = await openEngine()
     try {
       await dropTables(baseURL as string, engine)

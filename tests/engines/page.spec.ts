@@ -4,12 +4,12 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import { expect, test } from '@playwright/test'
-import { parseCircles } from '../../web/app/csv.ts'
 import { loadFiles } from '../../web/lib/files.ts'
 import type { Circle, Edit, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
+import { circlesOfText } from '../../web/view/circle-text.ts'
 import { dataSet, PADDING } from '../e2e/page.ts'
 import { type Engine, until } from './engine.ts'
 import { ENGINES } from './engines.ts'
@@ -138,7 +138,7 @@ for (const [name, openEngine] of ENGINES) {
         await page.click('CSV')
         const saved = `${engine.downloads}/circles.csv`
         await until('saved', async () => existsSync(saved) && readFileSync(saved, 'utf8').length > 0, Boolean)
-        expect([...parseCircles(readFileSync(saved, 'utf8'))]).toEqual(FIVE.flat())
+        expect([...circlesOfText(readFileSync(saved, 'utf8'))]).toEqual(FIVE.flat())
         await page.click('JSON')
         const json = `${engine.downloads}/circles.json`
         await until('saved', async () => existsSync(json) && readFileSync(json, 'utf8').endsWith('}\n'), Boolean)

@@ -3,8 +3,8 @@
 import { execFileSync } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 import { expect, it } from 'vitest'
-import { parseCircles } from '../../web/app/csv.ts'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
+import { circlesOfText } from '../../web/view/circle-text.ts'
 
 const PROGRAM = fileURLToPath(new URL('../../build/native/circle-voronoi', import.meta.url))
 const generators = await loadGenerators()
@@ -21,7 +21,7 @@ it('they have the bits of the program', () => {
   for (const [k, { name }] of families.entries()) {
     const seed = k % 2 === 0 ? k : Number.MAX_SAFE_INTEGER - k
     const text = execFileSync(PROGRAM, ['generate', name, '123', '--seed', String(seed)], { encoding: 'utf8' })
-    expect(generators.make({ kind: 'family', family: name, seed, count: 123 }), name).toEqual(parseCircles(text))
+    expect(generators.make({ kind: 'family', family: name, seed, count: 123 }), name).toEqual(circlesOfText(text))
   }
 })
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
-import { parseCircles } from '../../web/app/csv.ts'
 import { loadCircleVoronoi } from '../../web/lib/index.ts'
+import { circlesOfText } from '../../web/view/circle-text.ts'
 
 /** The WebAssembly module, loaded once per test file. */
 export const library = await loadCircleVoronoi()
 
 export function dataSet(name: string): Float64Array {
-  return parseCircles(readFileSync(new URL(`../../public/data/${name}.csv`, import.meta.url), 'utf8'))
+  return circlesOfText(readFileSync(new URL(`../../public/data/${name}.csv`, import.meta.url), 'utf8'))
 }
 
 /** A reproducible source of numbers from 0 to 1. */

@@ -73,6 +73,12 @@ describe('numbers as they are written', () => {
     expect(rowsOf('7\n8')).toEqual([[7], [8]])
     expect(rowsOf('1\t2\n3\tfour')).toEqual({ problem: '“four” is not a number. Nothing has changed.' })
     expect(rowsOf('1\t\t3')).toEqual({ problem: '“” is not a number. Nothing has changed.' })
+    expect(rowsOf('1,5\n2,5')).toEqual([[1.5], [2.5]])
+    expect(rowsOf('1|2|3')).toEqual([[1, 2, 3]])
+    expect(rowsOf('"1,5",2,3')).toEqual([[1.5, 2, 3]])
+    // Rows stay where they are.
+    expect(rowsOf('1\n\n2')).toEqual({ problem: '“” is not a number. Nothing has changed.' })
+    expect(rowsOf('1\t"2')).toEqual({ problem: '“1\t"2” is not a number. Nothing has changed.' })
     expect(rowsOf('\n')).toEqual({ problem: 'There is nothing to paste.' })
   })
 

@@ -1,70 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of other programs, names of circles, and pictures as circles.
 import { describe, expect, it } from 'vitest'
-import { parseNamed } from '../../web/app/csv.ts'
-import { circlesFrom, guessedColumns, type Rows, rowsOf } from '../../web/app/files/columns.ts'
+import { namesIn } from '../../web/app/data-sets.ts'
+import { guessedColumns, nameOfColumn, type Table, unknownTable } from '../../web/app/files/columns.ts'
 import { stippled } from '../../web/app/files/stipple.ts'
 import { randomNumbers } from '../../web/app/random-circles.ts'
-import { attributesOf, columnsOf, NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
+import { attributesOf, columnsOf } from '../../web/editing/attributes.ts'
 import { loadFiles } from '../../web/lib/files.ts'
 
-const rows = (text: string) => rowsOf(text) as Rows
+const table = (text: string) => unknownTable(text) as Table
 
-describe('a table', () => {
-  it('has a heading or none, any separator, decimal commas, and separators in quotes', () => {
-    expect(rows('a;b\n1,5;2\n')).toEqual({
+describe('a table whose columns the reader does not know', () => {
+  it('has a heading or none, any separator, and separators in quotation marks', () => {
+    expect(table('a;b\n1,5;2\n')).toEqual({
       heading: ['a', 'b'],
       hasHeading: true,
       rows: [['1,5', '2']],
-      hasDecimalCommas: true,
+      hasNumbers: [true, true],
     })
-    expect(rows('1,2\n3,4').heading).toEqual(['Column 1', 'Column 2'])
-    expect(rows('name,x,y\n"Bonn, am Rhein",1,2').rows).toEqual([['Bonn, am Rhein', '1', '2']])
-    for (const text of ['', 'words and words', 'a,b\nc,d', '1\n2']) expect(rowsOf(text)).toBeUndefined()
+    expect(table('1,2\n3,4').heading).toEqual(['column 1', 'column 2'])
+    expect(table('name,u,v\n"Bonn, am ""Rhein""",1,2').rows).toEqual([['Bonn, am "Rhein"', '1', '2']])
+    for (const text of ['\ufeffa|b\r\n1,5|2', 'a b\n1.5 2', '# made by hand\na\tb\n1,5\t2']) {
+      expect([text, table(text).heading, table(text).rows.length]).toEqual([text, ['a', 'b'], 1])
+    }
+    for (const text of ['', 'words and words', 'a,b\nc,d', '1\n2', 'a,b\n"1,2', '[1,2,3,4]', '{"a":1,"b":2,"c":3}']) {
+      expect([text, unknownTable(text)]).toEqual([text, undefined])
+    }
+  })
+
+  it('is none where the reader knows them, whatever else is wrong', () => {
+    for (const text of ['x,y,r\n1,2,word', 'lon;lat;radius;n\n1;2', '1,2,3\n4,5', '1;2;3\n4;5;6;7']) {
+      expect([text, unknownTable(text)]).toEqual([text, undefined])
+    }
+    expect(table('x,lon,y,r\n1,2,3,4')).toBeDefined()
   })
 
   it.each([
     ['X-Koordinate;Y-Koordinate;Radius', { x: 0, y: 1, r: 2 }],
-    ['Stadt;Rechtswert;Hochwert;Durchmesser', { x: 1, y: 2, r: 3, name: 0, isDiameter: true }],
-    ['longitude,latitude,radius_km,Name', { x: 0, y: 1, r: 2, name: 3 }],
+    ['Stadt;Rechtswert;Hochwert;Durchmesser', { x: 1, y: 2, r: 3, isDiameter: true }],
+    ['longitude,latitude,radius_km,Name', { x: 0, y: 1, r: 2 }],
     ['center_x\tcenter_y\tdbh', { x: 0, y: 1, r: 2, isDiameter: true }],
-    ['x;y;diameter;radius', { x: 0, y: 1, r: 3 }],
-    ['a,b,c', {}],
-  ])('tells by the names of its columns what they are: %s', (heading, columns) => {
-    const separator = /[;\t,]/.exec(heading)?.[0] as string
-    const line = heading.split(separator).map((_, k) => String(k + 1))
-    expect(guessedColumns(rows(`${heading}\n${line.join(separator)}`))).toEqual({
-      name: undefined,
-      isDiameter: false,
-      ...columns,
-    })
+    ['x_pos;y_pos;diameter;radius', { x: 0, y: 1, r: 3 }],
+    ['x;lon;lat;weight', { x: 0, y: 2, r: 3, isSure: false }],
+    ['a,b,c', { isSure: false }],
+  ])('tells by the names of its columns what they may be: %s', (heading, columns) => {
+    const names = heading.split(/[;\t,]/)
+    expect(guessedColumns({ heading: names })).toEqual({ isDiameter: false, isSure: true, ...columns })
   })
 
-  it('becomes circles, by diameters, with one radius or with names, or says which row is none', () => {
-    const table = rows('n;a;b;c\nu;1,5;2;3\nv;4;5;6')
-    const columns = { x: 1, y: 2, r: 3, name: 0 }
-    expect(circlesFrom(table, columns, false, 'f')).toEqual({
-      circles: Float64Array.of(1.5, 2, 3, 4, 5, 6),
-      attributes: { ...NO_ATTRIBUTES, columns: [{ name: 'n', values: ['"u"', '"v"'] }] },
-    })
-    expect(circlesFrom(table, columns, true, 'f').circles).toEqual(Float64Array.of(1.5, 2, 1.5, 4, 5, 3))
-    const same = { ...columns, r: { all: 0.5 }, name: undefined }
-    expect(circlesFrom(table, same, false, 'f')).toEqual({
-      circles: Float64Array.of(1.5, 2, 0.5, 4, 5, 0.5),
-      attributes: {
-        ...NO_ATTRIBUTES,
-        columns: [
-          { name: 'n', values: ['"u"', '"v"'] },
-          { name: 'c', values: ['3', '6'] },
-        ],
-      },
-    })
-    expect(() => circlesFrom(table, { ...columns, r: 0 }, false, 'f')).toThrow(
-      'f, row 1: “u” in column n is not a number.',
-    )
-    expect(() => circlesFrom(rows('a,b,c\n1,2,-3'), { x: 0, y: 1, r: 2, name: undefined }, false, 'f')).toThrow(
-      'f, row 1: the radius must not be negative (got -3).',
-    )
+  it('names its columns as the reader does, to the bit', async () => {
+    const files = await loadFiles()
+    for (const [text, circles] of [
+      ['n;a;b;c\nu;1,5;2;3\nv;4;5;6', [1.5, 2, 3, 4, 5, 6]],
+      ['n;a;a;\nu;1,5;2;3\nv;4;5;6', [1.5, 2, 3, 4, 5, 6]],
+      ['u;1,5;2;3\nv;4;5;6\nw;7', undefined],
+      ['n;"a ""b""";b;c\nu;1,5;2;3', [1.5, 2, 3]],
+    ] as const) {
+      const [x = '', y = '', radius = ''] = [1, 2, 3].map((column) => nameOfColumn(table(text), column))
+      const read = () => files.readCircles(text, { x, y, radius })
+      if (circles === undefined) expect(read).toThrow('the text:3: y is empty.')
+      else expect([...read()]).toEqual(circles)
+    }
   })
 })
 
@@ -114,12 +110,9 @@ describe('columns', async () => {
   })
 })
 
-describe('names', () => {
-  it('are read from the data sets of the page', () => {
-    expect(parseNamed('x,y,r,name\n1,2,3,A\n')).toEqual({ circles: Float64Array.of(1, 2, 3), names: ['A'] })
-    expect(parseNamed('x,y,r\n1,2,3\n').names).toBeUndefined()
-    expect(() => parseNamed('x,y,r,name\n1,2,3\n')).toThrow('Line 2')
-  })
+it('names are read from the data sets of the page', () => {
+  expect(namesIn('x,y,r,name\n1,2,3,A\n')).toEqual(['A'])
+  expect(namesIn('x,y,r\n1,2,3\n')).toBeUndefined()
 })
 
 it('a picture becomes circles that do not overlap, most of them where it is dark, the same each time', () => {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { parseCircles } from '../../web/app/csv.ts'
 import { roundLength } from '../../web/app/panels/scale.ts'
 import type { Box, Edit } from '../../web/lib/index.ts'
 import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../web/view/camera.ts'
@@ -168,20 +167,6 @@ describe('the length of the scale bar', () => {
       }),
     )
     expect([roundLength(1), roundLength(0.99), roundLength(3), roundLength(49)]).toEqual([1, 0.5, 2, 20])
-  })
-})
-
-describe('parseCircles', () => {
-  it('reads lines with a header, blank lines and either line end', () => {
-    expect([...parseCircles('x,y,r\r\n1,2,3\r\n\r\n -4e1 , 5.5,0\n')]).toEqual([1, 2, 3, -40, 5.5, 0])
-  })
-
-  it('reads lines without a header', () => {
-    expect([...parseCircles('1,2,3')]).toEqual([1, 2, 3])
-  })
-
-  it.each(['x,y,r\n1,2', '1,2,3,4', '1,2,3\n1,,3', 'x,y,r\nx,y,r'])('names the line that is wrong in %j', (text) => {
-    expect(() => parseCircles(text)).toThrow(/^Line \d/)
   })
 })
 

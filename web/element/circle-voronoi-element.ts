@@ -484,8 +484,10 @@ export class CircleVoronoiElement extends Base {
    * A lattice takes no region. Periods that are parallel cause an `error` event. `undefined` if circles do not repeat.
    */
   get lattice(): Lattice | undefined {
-    if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.domain.lattice
-    return this.#lattice ?? this.#read('lattice', parseLattice)
+    const { scene, domain } = this.#figure?.editing ?? {}
+    return structuredClone(
+      scene !== undefined ? domain?.lattice : (this.#lattice ?? this.#read('lattice', parseLattice)),
+    )
   }
 
   set lattice(lattice: Lattice | string | undefined | null) {

@@ -152,7 +152,10 @@ export interface ReadCirclesOptions extends ReadOptions {
   readonly weights?: boolean | undefined
   /** Whether all radii are 0, so that no column is needed for them. Default: false. */
   readonly points?: boolean | undefined
-  /** The column of a table, or the member of JSON objects, that has x. Default: one of the usual names. */
+  /**
+   * The column of a table, or the member of JSON objects, that has x. Columns are also called `#1`, `#2` and so on. Default: one
+   * of the usual names.
+   */
   readonly x?: string | undefined
   /** The column or member that has y. Default: one of the usual names. */
   readonly y?: string | undefined

@@ -2,13 +2,13 @@
 // Reads the source of a picture: a link, or a file that holds a link or circles.
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
-import { parseNamed } from '../app/csv.ts'
 import { dataSetOf, sourceOf } from '../app/data-sets.ts'
 import { circlesOfSvg, tableOfSvg } from '../app/files/svg-scene.ts'
 import { randomCircles, randomNumbers } from '../app/random-circles.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import { loadFiles } from '../lib/files.ts'
 import { decodeLink, LINK_LIMITS, type LinkInput, type LinkState } from '../lib/link.ts'
+import { circlesOfText } from '../view/circle-text.ts'
 import { readRegion } from '../view/region-text.ts'
 
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
@@ -52,7 +52,7 @@ async function withCircles(state: LinkState, address: string, program: string): 
     case 'family': {
       if (source.count > LINK_LIMITS.circles) refuse('The link is for too many circles.')
       const { family, count, seed } = source
-      return { ...rest, circles: parseNamed(generated(program, family, count, seed)).circles }
+      return { ...rest, circles: circlesOfText(generated(program, family, count, seed)) }
     }
     case 'former':
       return { ...rest, circles: randomCircles(source.count, randomNumbers(source.seed)) }
@@ -60,7 +60,7 @@ async function withCircles(state: LinkState, address: string, program: string): 
       const { hasRegion = false } = dataSetOf(dataSet) ?? {}
       const table = await fetched(dataSet, `${dataSet}.csv`, address)
       const region = hasRegion ? readRegion(await fetched(dataSet, `${dataSet}.region.json`, address)) : undefined
-      return { ...(region && { region }), ...rest, circles: parseNamed(table).circles }
+      return { ...(region && { region }), ...rest, circles: circlesOfText(table) }
     }
     case 'figure':
       return refuse(`The link is for a figure of the paper, "${dataSet}": save it as a file in the playground.`)

@@ -78,8 +78,10 @@ function circleOfFeature(feature: unknown): readonly unknown[] | undefined {
 /** The member of an object for x, y or r: the first name of the list with a numeric value. */
 function namedValue(object: Readonly<Record<string, unknown>>, k: number): unknown {
   const keys = Object.keys(object)
-  const named = (NAMES[k] as readonly string[]).flatMap((name) => keys.filter((key) => key.toLowerCase() === name))
-  return object[named.find((key) => typeof object[key] === 'number') ?? '']
+  const named = (NAMES[k] as readonly string[]).map((name) => keys.filter((key) => key.toLowerCase() === name))
+  // Two keys mean the same.
+  if (named.some(({ length }) => length > 1)) return undefined
+  return object[named.flat().find((key) => typeof object[key] === 'number') ?? '']
 }
 
 function isCircle(circle: readonly unknown[]): boolean {
@@ -100,12 +102,17 @@ function circlesOfTable(text: string): Float64s {
       continue
     }
     if (first === undefined) throw new TextProblem('no circles')
-    if (columnsOf(first) !== undefined || isThreeNumbers(first.fields, separator)) {
+    if (isHeaderOrCircle(first, separator)) {
       return circlesOfRows([...recordsOf(text, separator)], separator)
     }
     line ??= first.line
   }
   throw line === undefined ? failed : new TextProblem('not three numbers', { line })
+}
+
+/** Returns whether the first row of a table names the columns or is a circle. @throws TextProblem if two columns mean one */
+export function isHeaderOrCircle(first: TextRow, separator: Separator): boolean {
+  return columnsOf(first) !== undefined || isThreeNumbers(first.fields, separator)
 }
 
 /** Reads circles from rows. The first row may be a header. @throws TextProblem */

@@ -33,8 +33,8 @@ export class TextProblem extends Error {
  * The separators in the order in which they are tried. A comma may be a decimal mark, and spaces may surround other
  * separators.
  */
-export const SEPARATORS = [';', '\t', ',', ' '] as const
-export type Separator = (typeof SEPARATORS)[number] | '|'
+export const SEPARATORS = [';', '\t', '|', ',', ' '] as const
+export type Separator = (typeof SEPARATORS)[number]
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
 const DECIMAL_COMMA = /^([^.,]*),(\d[^.,]*)$/

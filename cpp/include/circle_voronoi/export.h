@@ -102,7 +102,8 @@ Result<void> writeSvgFigure(std::ostream& out, const Diagram& diagram, const Svg
 /// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
 /// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
 /// circle, r, area, neighbors (circles), and for hidden circles hiddenBy. If bounds, a region or a maximum distance is
-/// given, neighbors are those that share a part of an edge inside.
+/// given, neighbors are those that share a part of an edge inside. The member bbox of the collection is the box to
+/// which cells are cut, unless ExportOptions::place is given.
 Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Writes the features of `writeGeoJson`, one a line, and nothing else. You can concatenate such texts.

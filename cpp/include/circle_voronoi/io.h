@@ -26,7 +26,8 @@ enum class Radii {
 };
 
 /// Selects the circles of a file. Names of columns are also those of properties of GeoJSON points and of members of
-/// JSON objects. Upper and lower case are the same.
+/// JSON objects. Upper and lower case are the same. The columns of a table are also called #1, #2 and so on, unless one
+/// has that name.
 struct ReadOptions {
   bool weights = false;  ///< whether radii may be negative (Options::weights)
   Radii radii = Radii::needed;
@@ -53,13 +54,14 @@ struct CircleFile {
 ///   Point.
 /// - Anything else is a table (CSV) with a line for each circle.
 ///
-/// In a table, commas, semicolons, tabs or spaces separate the fields, whichever occurs in the first line. Fields may
-/// be in quotation marks. Empty lines and lines that begin with `#` are skipped. The first line may name the columns,
-/// in any order and case: x, cx, lon, long, lng, longitude or easting; y, cy, lat, latitude or northing; r, rad or
-/// radius. Without such a line there are three columns: x, y, r. If commas do not separate the fields, or inside
-/// quotation marks, commas may be decimal marks. A text has one kind of decimal mark.
+/// In a table, commas, semicolons, tabs, vertical bars or spaces separate the fields, whichever occurs in the first
+/// line. Fields may be in quotation marks. Empty lines and lines that begin with `#` are skipped. The first line may
+/// name the columns, in any order and case: x, cx, lon, long, lng, longitude or easting; y, cy, lat, latitude or
+/// northing; r, rad or radius. Without such a line there are three columns: x, y, r. If commas do not separate the
+/// fields, or inside quotation marks, commas may be decimal marks. A text has one kind of decimal mark.
 ///
-/// JSON and GeoJSON have the same names. If an object has several of them, the first in these lists counts.
+/// JSON and GeoJSON have the same names. If an object has several of them, the first in these lists counts. The last
+/// value of a name that is given twice counts.
 ///
 /// `name` is what errors call the text. Each message is one sentence that starts with `name:line:`.
 /// Errors: badInput, also for an empty text, for a line of a table longer than 64 MiB, and if all circles are skipped;

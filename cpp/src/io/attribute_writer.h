@@ -35,9 +35,12 @@ void visitProperties(const CircleAttributes& attributes, std::size_t circle, IsO
   });
 }
 
-/// Writes the beginning of a collection, up to its features. `attributes` may be null.
-inline void writeCollectionStart(Writer& out, const CircleAttributes* attributes) {
+/// Writes the beginning of a collection, up to its features. `attributes` may be null, and `box` if cells are not cut.
+inline void writeCollectionStart(Writer& out, const CircleAttributes* attributes, const Box* box = nullptr) {
   out << R"({"type":"FeatureCollection",)";
+  if (box != nullptr) {
+    out << R"("bbox":[)" << box->minX << "," << box->minY << "," << box->maxX << "," << box->maxY << "],";
+  }
   if (attributes != nullptr && !attributes->collection.empty()) out << attributes->collection << ",";
   out << R"("features":[)";
 }

@@ -17,7 +17,8 @@
 namespace circle_voronoi {
 
 /// Reads a JSON object with numbers of a circle among its members. Where it has several names of one number, the first
-/// in the list of names that has a number counts.
+/// in the list of names that has a number counts. Of a member that is given twice the last value counts, as in all of
+/// JSON.
 class CircleMembers {
  public:
   /// `first`: the first of x, y and r that the object may have.
@@ -42,10 +43,11 @@ class CircleMembers {
       } else {
         reader.skip();
       }
-      if (isCandidate) take(k, {*names_->rank(k, name), name, kind, value, reader.offset(), true}, reader);
-      if (names_->isId(name) && id_.empty()) {
+      if (isCandidate) take({k, *names_->rank(k, name), name, kind, value, reader.offset()}, reader);
+      if (names_->isId(name) && (id_.empty() || name == idName_)) {
         const std::string_view raw = text.substr(begin, reader.offset() - begin);
-        if (isIdValue(raw)) id_ = raw;
+        id_ = isIdValue(raw) ? raw : "";
+        idName_ = name;
       }
       if (keep_ == Keep::attributes) {
         members_.emplace_back(std::move(name), oneLine(text.substr(begin, reader.offset() - begin)));
@@ -55,13 +57,13 @@ class CircleMembers {
 
   /// Returns number k; nothing if there is none. Throws ReadFailure if there is another value.
   const double* number(std::size_t k) const {
-    const Found& found = found_[k];
-    if (!found.isGiven) return nullptr;
-    if (found.kind != JsonKind::number) {
-      throw ReadFailure{found.offset - 1,
-                        "expected a number for " + found.name + ", not " + std::string(nameOf(found.kind)) + "."};
+    const Found* const found = best(k);
+    if (found == nullptr) return nullptr;
+    if (found->kind != JsonKind::number) {
+      throw ReadFailure{found->offset - 1,
+                        "expected a number for " + found->name + ", not " + std::string(nameOf(found->kind)) + "."};
     }
-    return &found.value;
+    return &found->value;
   }
 
   /// Returns the id in JSON; empty if there is none.
@@ -76,25 +78,24 @@ class CircleMembers {
   }
 
   /// Returns the members that are no numbers of the circle.
-  std::string others() const {
-    Members others;
-    for (const auto& member : members_) {
-      const bool isUsed = std::ranges::any_of(found_, [&](const Found& found) {
-        return found.isGiven && found.kind == JsonKind::number && found.name == member.first;
+  std::string others() {
+    std::array<const Found*, ColumnNames::kCount> used = {best(0), best(1), best(2)};
+    std::erase_if(members_, [&](const auto& member) {
+      return std::ranges::any_of(used, [&](const Found* found) {
+        return found != nullptr && found->kind == JsonKind::number && found->name == member.first;
       });
-      if (!isUsed) others.add(member.first, member.second);
-    }
-    return others.take();
+    });
+    return membersOf(members_);
   }
 
  private:
   struct Found {
-    std::size_t rank = 0;
+    std::size_t k;  ///< which number it may be
+    std::size_t rank;
     std::string name;  ///< as it is written
-    JsonKind kind = JsonKind::null;
-    double value = 0;
-    std::size_t offset = 0;  ///< of the end of the value
-    bool isGiven = false;
+    JsonKind kind;
+    double value;
+    std::size_t offset;  ///< of the end of the value
   };
 
   std::size_t numberNamed(std::string_view name) const {
@@ -103,19 +104,35 @@ class CircleMembers {
     return k;
   }
 
-  void take(std::size_t k, Found found, const JsonReader& reader) {
-    Found& best = found_[k];
-    if (best.isGiven && best.rank == found.rank) reader.fail(found.name + " is given twice.");
+  void take(Found found, const JsonReader& reader) {
+    const auto same = std::ranges::find_if(
+        found_, [&](const Found& other) { return other.k == found.k && other.rank == found.rank; });
+    if (same == found_.end()) {
+      found_.push_back(std::move(found));
+    } else if (same->name == found.name) {
+      *same = std::move(found);
+    } else {
+      reader.fail(same->name + " and " + found.name + " mean the same.");
+    }
+  }
+
+  /// Returns what is number k; nothing if no member is.
+  const Found* best(std::size_t k) const {
+    const Found* best = nullptr;
     const auto order = [](const Found& f) { return std::pair(f.kind != JsonKind::number, f.rank); };
-    if (!best.isGiven || order(found) < order(best)) best = std::move(found);
+    for (const Found& found : found_) {
+      if (found.k == k && (best == nullptr || order(found) < order(*best))) best = &found;
+    }
+    return best;
   }
 
   const ColumnNames* names_;
   std::size_t first_;
   Keep keep_;
-  std::array<Found, ColumnNames::kCount> found_ = {};
+  std::vector<Found> found_;
   std::string id_;
-  std::vector<std::pair<std::string, std::string>> members_;
+  std::string idName_;
+  MemberList members_;
 };
 
 }  // namespace circle_voronoi

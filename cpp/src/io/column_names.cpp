@@ -2,7 +2,9 @@
 #include "column_names.h"
 
 #include <algorithm>
+#include <charconv>
 #include <span>
+#include <system_error>
 
 namespace circle_voronoi {
 namespace {
@@ -10,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 7> kNamesOfX = {"x", "cx", "lon", "long", "lng", "longitude", "easting"};
 constexpr std::array<std::string_view, 5> kNamesOfY = {"y", "cy", "lat", "latitude", "northing"};
 constexpr std::array<std::string_view, 3> kNamesOfR = {"r", "rad", "radius"};
-// web/lib/read-circles/names.ts has the same lists; tests/files/readings.json holds them together.
+// web/view/circle-text.ts has the same lists; tests/files/readings.json holds them together.
 constexpr std::array<std::span<const std::string_view>, ColumnNames::kCount> kNames = {kNamesOfX, kNamesOfY, kNamesOfR};
 constexpr std::array<std::string_view, ColumnNames::kCount> kOptions = {"x", "y", "radius"};
 
@@ -33,6 +35,22 @@ std::optional<std::size_t> ColumnNames::rank(std::size_t k, std::string_view nam
   const auto found = std::ranges::find_if(kNames[k], [&](std::string_view known) { return isSameName(name, known); });
   if (found == kNames[k].end()) return std::nullopt;
   return static_cast<std::size_t>(found - kNames[k].begin());
+}
+
+std::string ColumnNames::missing(std::size_t columns) const {
+  for (const std::string& name : {own_[0], own_[1], own_[2], hasId_ ? id_ : ""}) {
+    const auto column = numberIn(name);
+    if (!name.empty() && !(column && *column <= columns)) return name;
+  }
+  return "";
+}
+
+std::optional<std::size_t> ColumnNames::numberIn(std::string_view option) {
+  if (!option.starts_with('#')) return std::nullopt;
+  std::size_t column = 0;
+  const char* const end = option.data() + option.size();
+  const auto [stop, code] = std::from_chars(option.data() + 1, end, column);
+  return stop == end && code == std::errc() && column > 0 ? std::optional(column) : std::nullopt;
 }
 
 std::string ColumnNames::listOf(std::size_t k) const {

@@ -32,6 +32,15 @@ class ColumnNames {
   /// Returns how early a name stands among those of number k, from 0; nothing if it is none of them.
   std::optional<std::size_t> rank(std::size_t k, std::string_view name) const;
   bool means(std::size_t k, std::string_view name) const { return rank(k, name).has_value(); }
+  /// Returns the column of number k, from 1, if its option is "#1", "#2", ...
+  std::optional<std::size_t> columnNumber(std::size_t k) const { return numberIn(own_[k]); }
+  /// Returns the same for the id.
+  std::optional<std::size_t> columnOfId() const { return numberIn(id_); }
+  /// Returns whether the user gave any name.
+  bool areGiven() const { return !missing(0).empty(); }
+  /// Returns the first name that the user gave and that is not the number of one of so many columns; empty if there is
+  /// none.
+  std::string missing(std::size_t columns) const;
   bool isId(std::string_view name) const { return isSameName(name, id_); }
   /// Returns whether the user has named the column of ids.
   bool hasId() const { return hasId_; }
@@ -45,6 +54,8 @@ class ColumnNames {
   static std::string option(std::size_t k);
 
  private:
+  static std::optional<std::size_t> numberIn(std::string_view option);
+
   std::array<std::string, kCount> own_;  ///< names that the user gave; empty: the usual ones
   std::string id_;
   bool hasId_;

@@ -25,11 +25,8 @@ using Names = std::vector<std::string_view>;
 const Names kTileIds = {"id", "fid"};
 const Names kDoneNames = {"done"};
 
-/// The columns of x, y and r.
-using Columns = std::array<std::size_t, 3>;
-
 /// In the order in which they are tried: a comma may be a decimal mark, and a tab or a space stand beside a separator.
-constexpr std::string_view kSeparators = ";\t, ";
+constexpr std::string_view kSeparators = ";\t|, ";
 constexpr char kDefaultSeparator = ',';
 
 std::string nameOfSeparator(char separator) {
@@ -38,6 +35,8 @@ std::string nameOfSeparator(char separator) {
       return "semicolons";
     case '\t':
       return "tabs";
+    case '|':
+      return "vertical bars";
     case ',':
       return "commas";
     default:
@@ -65,39 +64,55 @@ bool isNumber(const CsvField& field, char separator) {
   return !CsvNumberReader(separator).read(field, value);
 }
 
-/// The columns that a header names; nothing if it does not name those that are needed.
+/// The columns of x, y and r.
+struct Columns {
+  std::array<std::size_t, ColumnNames::kCount> places;  ///< kNoColumn for r if all are 0
+  bool areNamed;                                        ///< whether the first record is a header
+};
+
+/// The columns that a header names or whose numbers are given; nothing if some that are needed are neither.
 std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names) {
   const Fields fields = table.fields();
   Columns columns{};
-  columns.fill(kNoColumn);
-  for (std::size_t number = 0; number < columns.size(); ++number) {
-    const auto named = [&](const CsvField& field) { return names.means(number, field.text); };
-    const auto found = std::ranges::find_if(fields, named);
-    if (found == fields.end() && !names.isNeeded(number)) break;
-    if (found == fields.end()) return std::nullopt;
-    columns[number] = static_cast<std::size_t>(found - fields.begin());
-  }
-  for (std::size_t number = 0; number < columns.size() && columns[number] != kNoColumn; ++number) {
-    const Fields rest = fields.subspan(columns[number] + 1);
-    const auto other =
-        std::ranges::find_if(rest, [&](const CsvField& field) { return names.means(number, field.text); });
-    if (other != rest.end()) {
-      throw ReadFailure{table.offset(), "the columns " + std::string(fields[columns[number]].text) + " and " +
-                                            std::string(other->text) + " both mean " + ColumnNames::plain(number) +
-                                            "; choose one by the option " + ColumnNames::option(number) + "."};
+  columns.places.fill(kNoColumn);
+  bool areNumbers = false;
+  for (std::size_t number = 0; number < columns.places.size(); ++number) {
+    std::size_t& place = columns.places[number];
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      if (!names.means(number, textOf(fields[k]))) continue;
+      if (place != kNoColumn) {
+        throw ReadFailure{table.offset(), "the columns " + textOf(fields[place]) + " and " + textOf(fields[k]) +
+                                              " both mean " + ColumnNames::plain(number) +
+                                              "; choose one by the option " + ColumnNames::option(number) + "."};
+      }
+      place = k;
+      columns.areNamed = true;
+    }
+    if (place == kNoColumn) {
+      const auto numbered = names.columnNumber(number);
+      if (numbered && *numbered <= fields.size()) {
+        place = *numbered - 1;
+        areNumbers = areNumbers || isNumber(fields[place], table.separator());
+      } else if (names.isNeeded(number)) {
+        return std::nullopt;
+      }
     }
   }
+  columns.areNamed = columns.areNamed || !areNumbers;
   return columns;
 }
 
-bool isThreeNumbers(const CsvTable& table) {
+/// Returns whether the first record is a circle: x, y and r, or x and y if no radius is needed.
+bool isCircle(const CsvTable& table, const ColumnNames& names) {
   const Fields fields = filled(table.fields());
-  return fields.size() == 3 &&
+  const bool isPoint = fields.size() == 2 && !names.isNeeded(ColumnNames::kRadius);
+  return (fields.size() == 3 || isPoint) &&
          std::ranges::all_of(fields, [&](const CsvField& field) { return isNumber(field, table.separator()); });
 }
 
-std::string threeNumbersExpected(char separator) {
-  return "expected three numbers x,y,r separated by " + nameOfSeparator(separator) + ".";
+std::string numbersExpected(char separator, bool hasRadius = true) {
+  return std::string("expected ") + (hasRadius ? "three numbers x,y,r" : "two numbers x,y") + " separated by " +
+         nameOfSeparator(separator) + ".";
 }
 
 /// "name, lat, lon"
@@ -119,10 +134,15 @@ std::string problemOf(const CsvTable& table, const ColumnNames& names) {
       }
     }
   }
-  if (fields.size() > 3) {
-    return "there are " + std::to_string(fields.size()) + " columns; a header has to name x, y and r.";
+  if (const std::string missing = names.missing(fields.size()); !missing.empty()) {
+    return "no column is called " + missing + "; the first line has no names, but columns are also called #1 to #" +
+           std::to_string(fields.size()) + ".";
   }
-  if (fields.size() < 3) return threeNumbersExpected(table.separator());
+  if (fields.size() > 3 || names.areGiven()) {
+    return "there are " + std::to_string(fields.size()) +
+           " columns; a header has to name x, y and r, or options as #1, #2 and #3.";
+  }
+  if (fields.size() < 3) return numbersExpected(table.separator());
   double value = 0;
   CsvNumberReader reader(table.separator());
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -140,25 +160,41 @@ std::optional<std::size_t> columnNamed(const CsvTable& table, IsName isName) {
   return static_cast<std::size_t>(found - fields.begin());
 }
 
-CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& header, const ColumnNames& names,
+CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& columns, const ColumnNames& names,
                      bool isOfTile) {
   CsvLayout layout;
   layout.separator = table.separator();
-  if (!header) return layout;
-  layout.hasHeader = true;
+  if (!columns) {
+    layout.width = filled(table.fields()).size();
+    if (names.hasNoRadii() || layout.width < 3) layout.columns[ColumnNames::kRadius] = kNoColumn;
+    return layout;
+  }
+  layout.hasHeader = columns->areNamed;
+  layout.mayBeShort = true;
   layout.width = table.fields().size();
-  layout.columns = *header;
+  layout.columns = columns->places;
+  if (const auto id = names.columnOfId(); id && *id <= layout.width) {
+    layout.id = *id - 1;
+    layout.idName = nameOfColumn(table, *layout.id, layout.hasHeader);
+  }
+  if (!layout.hasHeader) {
+    if (names.hasId() && !layout.id) {
+      throw ReadFailure{table.offset(), "no column is called " + names.id() + "; the first line has no names."};
+    }
+    return layout;
+  }
   for (std::size_t k = 0; k < layout.names.size(); ++k) {
     if (layout.columns[k] != kNoColumn) layout.names[k] = textOf(table.fields()[layout.columns[k]]);
   }
-  layout.id = columnNamed(table, [&](std::string_view name) {
+  const auto id = columnNamed(table, [&](std::string_view name) {
     return isOfTile && !names.hasId() ? isOneOf(kTileIds, name) : names.isId(name);
   });
+  if (id) layout.id = id;
   if (names.hasId() && !layout.id) {
     throw ReadFailure{table.offset(),
                       "no column is called " + names.id() + ", only " + listOfFields(filled(table.fields())) + "."};
   }
-  if (layout.id) layout.idName = textOf(table.fields()[*layout.id]);
+  if (layout.id) layout.idName = nameOfColumn(table, *layout.id, true);
   layout.done = columnNamed(table, [](std::string_view name) { return isOneOf(kDoneNames, name); });
   return layout;
 }
@@ -185,8 +221,8 @@ std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& opti
       if (!failure) failure = reason;
       continue;
     }
-    const auto header = columnsOf(table, names);
-    if (header || isThreeNumbers(table)) return layoutFrom(table, header, names, isOfTile);
+    const auto columns = columnsOf(table, names);
+    if (columns || (!names.areGiven() && isCircle(table, names))) return layoutFrom(table, columns, names, isOfTile);
     const std::size_t width = filled(table.fields()).size();
     const std::size_t widestWidth = widest ? filled(widest->fields()).size() : 0;
     if (width > widestWidth || (width == widestWidth && separator == kDefaultSeparator)) widest = table;
@@ -232,11 +268,11 @@ std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bo
     const Fields fields = table.fields();
     const std::size_t width = layout_.width;
     const std::size_t count = fields.size() > width ? filled(fields).size() : fields.size();
-    const bool isRow = layout_.hasHeader ? count <= width : count == width;
+    const bool isRow = layout_.mayBeShort ? count <= width : count == width;
     if (!isRow) {
-      throw ReadFailure{table.offset(), layout_.hasHeader ? "there are " + std::to_string(count) + " fields in " +
-                                                                std::to_string(width) + " columns."
-                                                          : threeNumbersExpected(layout_.separator)};
+      throw ReadFailure{table.offset(), layout_.mayBeShort ? "there are " + std::to_string(count) + " fields in " +
+                                                                 std::to_string(width) + " columns."
+                                                           : numbersExpected(layout_.separator, width > 2)};
     }
     const auto fieldOf = [&](std::size_t column) { return column < count ? fields[column] : CsvField{}; };
     if (!skipsInvalid_) {
@@ -303,6 +339,11 @@ std::string textOf(const CsvField& field) {
   if (!field.isQuoted) return text;
   for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1)) text.erase(at, 1);
   return text;
+}
+
+std::string nameOfColumn(const CsvTable& table, std::size_t place, bool hasHeader) {
+  const std::string name = hasHeader ? textOf(table.fields()[place]) : "";
+  return name.empty() ? "column " + std::to_string(place + 1) : name;
 }
 
 Result<ReadCircles> readCsv(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep) try {

@@ -18,7 +18,7 @@ namespace circle_voronoi {
 /// Reads numbers, whose decimal mark is a point, or a comma where that separates no fields, but not both.
 class CsvNumberReader {
  public:
-  explicit CsvNumberReader(char separator) : mayBeComma_(separator == ';' || separator == '\t') {}
+  explicit CsvNumberReader(char separator) : mayBeComma_(separator == ';' || separator == '\t' || separator == '|') {}
 
   /// Reads a number into `value`; returns the problem if the field is not one.
   std::optional<std::string> read(const CsvField& field, double& value);
@@ -39,6 +39,7 @@ inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max()
 struct CsvLayout {
   char separator = ',';
   bool hasHeader = false;
+  bool mayBeShort = false;  ///< whether rows may end before the last column
   std::size_t width = 3;
   std::array<std::size_t, 3> columns = {0, 1, 2};      ///< of x, y and r; kNoColumn for r if all are 0
   std::array<std::string, 3> names = {"x", "y", "r"};  ///< what the header calls these
@@ -92,6 +93,9 @@ class CsvRowReader {
 
 /// A field as text: without the doubling of quotation marks.
 std::string textOf(const CsvField& field);
+
+/// The name of a column: "column 1" if it has none.
+std::string nameOfColumn(const CsvTable& table, std::size_t place, bool hasHeader);
 
 /// The attributes of the circles in a table's rows. `mark`: the decimal mark of x, y and r, or 0.
 CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, char mark,

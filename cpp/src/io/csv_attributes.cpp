@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,6 +62,7 @@ class ColumnType {
     return oneLine(text);
   }
 
+  bool hasValue() const { return hasValue_; }
   bool isNumeric() const { return hasNumber_ && (areNumbers_ || areNumbersWithCommas_); }
 
  private:
@@ -78,6 +80,13 @@ class ColumnType {
   bool hasValue_ = false;
   bool hasNumber_ = false;
 };
+
+/// Returns a name, with a number after it if there is such a name already.
+std::string nameBeside(std::set<std::string>& names, const std::string& name) {
+  std::string own = name;
+  for (int count = 2; !names.insert(own).second; ++count) own = name + "_" + std::to_string(count);
+  return own;
+}
 
 /// Throws ReadFailure unless a text is UTF-8.
 void checkUtf8(std::string_view text, std::size_t offset) {
@@ -120,26 +129,30 @@ class Rows {
 CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, char mark,
                               const std::vector<ReadFailure>& skipped) {
   CircleAttributes result;
-  if (!layout.hasHeader) return result;
   struct Column {
     std::size_t index;
     std::string name;
     ColumnType type;
   };
   std::vector<Column> columns;
+  std::set<std::string> names;
   const bool mayBeComma = mark == ',' || (mark == 0 && CsvNumberReader(layout.separator).mayBeComma());
   CsvTable header(text, layout.separator);
   (void)header.next();
   for (std::size_t k = 0; k < header.fields().size(); ++k) {
-    std::string name = textOf(header.fields()[k]);
-    if (name.empty() || std::ranges::find(layout.columns, k) != layout.columns.end()) continue;
+    std::string name = nameOfColumn(header, k, layout.hasHeader);
+    if (std::ranges::find(layout.columns, k) != layout.columns.end()) continue;
     checkUtf8(name, header.offset());
-    columns.push_back({k, std::move(name), {mark != ',', mayBeComma}});
+    columns.push_back({k, nameBeside(names, name), {mark != ',', mayBeComma}});
   }
   if (columns.empty()) return result;
   for (Rows rows(text, layout, skipped); rows.next();) {
     for (Column& column : columns) column.type.add(rows.field(column.index));
   }
+  // Lines of spreadsheets end with columns that have neither a name nor values.
+  std::erase_if(columns, [&](const Column& column) {
+    return layout.hasHeader && header.fields()[column.index].text.empty() && !column.type.hasValue();
+  });
 
   const auto height = std::ranges::find_if(columns, [](const Column& column) { return isSameName(column.name, "z"); });
   const bool hasHeights = height != columns.end() && height->type.isNumeric();

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "circle_members.h"
 #include "column_names.h"
@@ -12,10 +13,11 @@
 namespace circle_voronoi {
 namespace {
 
-/// The value of a key that may be given once; a value of another kind is skipped and counts as none.
+/// Reads the value of a key. A value of another kind is skipped and counts as none. Of a key that is given twice the
+/// last value counts, as in all of JSON.
 template <class Value, class Read>
-void readOnce(JsonReader& reader, std::optional<Value>& value, JsonKind kind, const std::string& key, Read read) {
-  if (value) reader.fail(key + " is given twice.");
+void readLast(JsonReader& reader, std::optional<Value>& value, JsonKind kind, Read read) {
+  value.reset();
   if (reader.kind() == kind) {
     value = read();
   } else {
@@ -24,7 +26,7 @@ void readOnce(JsonReader& reader, std::optional<Value>& value, JsonKind kind, co
 }
 
 void readType(JsonReader& reader, std::optional<std::string>& type) {
-  readOnce(reader, type, JsonKind::string, "type", [&] { return std::string(reader.string()); });
+  readLast(reader, type, JsonKind::string, [&] { return std::string(reader.string()); });
 }
 
 /// The coordinates of a geometry, as far as a circle needs them: a position, or the first of several.
@@ -88,8 +90,7 @@ Geometry readGeometry(JsonReader& reader, std::string_view text) {
     if (*key == "type") {
       readType(reader, geometry.type);
     } else if (*key == "coordinates") {
-      readOnce(reader, geometry.coordinates, JsonKind::array, "coordinates",
-               [&] { return readCoordinates(reader, text); });
+      readLast(reader, geometry.coordinates, JsonKind::array, [&] { return readCoordinates(reader, text); });
     } else {
       reader.skip();
     }
@@ -139,16 +140,16 @@ class FeatureReader {
       if (*key == "type") {
         readType(reader_, type);
       } else if (*key == "geometry") {
-        readOnce(reader_, geometry, JsonKind::object, "geometry", [&] { return readGeometry(reader_, text_); });
+        readLast(reader_, geometry, JsonKind::object, [&] { return readGeometry(reader_, text_); });
       } else if (*key == "properties") {
-        readOnce(reader_, properties, JsonKind::object, "properties", [&] {
+        readLast(reader_, properties, JsonKind::object, [&] {
           CircleMembers members(names_, ColumnNames::kRadius, keep_);
           members.read(reader_, text_);
           return members;
         });
       } else if (*key == "id") {
         const std::string value = rawValue(reader_, text_);
-        if (isIdValue(value)) item.id = value;
+        item.id = isIdValue(value) ? value : "";
       } else {
         reader_.skip();
       }
@@ -190,19 +191,18 @@ Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, co
   JsonReader reader(text);
   std::optional<std::string> type;
   std::optional<ReadCircles> circles;
-  Members others;
+  MemberList others;
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
     if (*key == "type") {
       readType(reader, type);
     } else if (*key == "features") {
-      readOnce(reader, circles, JsonKind::array, "features",
-               [&] { return FeatureReader(reader, text, options, keep).read(); });
+      readLast(reader, circles, JsonKind::array, [&] { return FeatureReader(reader, text, options, keep).read(); });
     } else if (*key == "bbox") {
       reader.skip();  // of points; what is written may have another one
     } else {
-      const std::string member(*key);
-      others.add(member, rawValue(reader, text));
+      std::string member(*key);
+      others.emplace_back(std::move(member), rawValue(reader, text));
     }
   }
   reader.finish();
@@ -210,7 +210,7 @@ Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, co
     return errorAt(name, text, 0, "expected an array of circles or a GeoJSON FeatureCollection.");
   }
   if (!circles) return errorAt(name, text, 0, "a FeatureCollection has no list of features.");
-  if (keep == Keep::attributes) circles->attributes.collection = others.take();
+  if (keep == Keep::attributes) circles->attributes.collection = membersOf(others);
   return *std::move(circles);
 } catch (const ReadFailure& failure) {
   return errorAt(name, text, failure);

@@ -24,7 +24,7 @@ class ItemReader {
   };
 
   ItemReader(const ReadOptions& options, Keep keep)
-      : weights_(options.weights), skipsInvalid_(options.skipInvalid), keep_(keep) {}
+      : weights_(options.weights), skipsInvalid_(options.skipInvalid), id_(options.id), keep_(keep) {}
 
   /// Reads the array that comes next. `readItem(item)` reads an item. Throws ReadFailure.
   template <class ReadItem>
@@ -60,8 +60,13 @@ class ItemReader {
     }
   }
 
-  /// Returns what was read. Lists of attributes without any are empty.
+  /// Returns what was read. Lists of attributes without any are empty. Throws ReadFailure if no circle has the id that
+  /// the user has named.
   ReadCircles take() {
+    const auto& ids = result_.attributes.ids;
+    if (!id_.empty() && !ids.empty() && std::ranges::all_of(ids, &std::string::empty)) {
+      throw ReadFailure{0, "no circle has a string or a number called " + id_ + "."};
+    }
     const auto clearUnused = [](auto& list) {
       if (std::ranges::all_of(list, &std::string::empty)) list.clear();
     };
@@ -83,6 +88,7 @@ class ItemReader {
 
   bool weights_;
   bool skipsInvalid_;
+  std::string id_;
   Keep keep_;
   ReadCircles result_;
 };

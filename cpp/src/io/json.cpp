@@ -14,6 +14,10 @@ namespace {
 Circle readArray(JsonReader& reader, const ColumnNames& names) {
   std::array<double, ColumnNames::kCount> values{};
   std::size_t count = 0;
+  if (names.areGiven()) {
+    reader.skip();
+    reader.fail("no member is called " + names.missing(0) + ": the circle is an array.");
+  }
   reader.enterArray();
   while (reader.nextItem()) {
     if (count == values.size()) reader.fail("a circle has three numbers, not more.");

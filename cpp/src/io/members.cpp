@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "text.h"
 
@@ -24,6 +25,17 @@ std::string jsonString(std::string_view text) {
     }
   }
   return result + "\"";
+}
+
+std::string membersOf(const MemberList& members) {
+  std::set<std::string> later;
+  std::vector<bool> isLast(members.size());
+  for (std::size_t k = members.size(); k-- > 0;) isLast[k] = later.insert(members[k].first).second;
+  Members result;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (isLast[k]) result.add(members[k].first, members[k].second);
+  }
+  return result.take();
 }
 
 bool isJsonNumber(std::string_view text) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "json_reader.h"
 
@@ -32,6 +34,12 @@ class Members {
  private:
   std::string text_;
 };
+
+/// The names and values of members, in the order in which they are given.
+using MemberList = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns members as text. Of a name that is given twice the last value counts, as in all of JSON.
+std::string membersOf(const MemberList& members);
 
 /// Returns the text of a value in JSON on one line: line ends stand between values only, because in a string they are
 /// escaped.

@@ -38,6 +38,7 @@ struct Section {
   std::string_view key;
   std::vector<Field> fields;
   void (*add)(const Values& values, Diagram& diagram);
+  void (*clear)(Diagram& diagram);
 
   /// Whether its items are numbers, not objects.
   bool isPlain() const { return fields.front().key.empty(); }
@@ -51,24 +52,34 @@ const std::array<Section, 5> kSections = {{
      {{"x", 0, 1, !kArray, kReal}, {"y", 1, 1, !kArray, kReal}, {"r", 2, 1, !kArray, kReal}},
      [](const Values& v, Diagram& diagram) {
        diagram.circles.push_back({v[0], v[1], v[2]});
-     }},
+     },
+     [](Diagram& diagram) { diagram.circles.clear(); }},
     {"hidden",
      {{"circle", 0}, {"by", 1}},
      [](const Values& v, Diagram& diagram) {
        diagram.hidden.push_back({index(v[0]), index(v[1])});
-     }},
+     },
+     [](Diagram& diagram) { diagram.hidden.clear(); }},
     {"vertices",
      {{"x", 0, 1, !kArray, kReal}, {"y", 1, 1, !kArray, kReal}, {"r", 2, 1, !kArray, kReal}, {"circles", 3, 3, kArray}},
      [](const Values& v, Diagram& diagram) {
        diagram.vertices.push_back({v[0], v[1], v[2]});
        diagram.vertexCircles.push_back({index(v[3]), index(v[4]), index(v[5])});
+     },
+     [](Diagram& diagram) {
+       diagram.vertices.clear();
+       diagram.vertexCircles.clear();
      }},
     {"edges",
      {{"circles", 0, 2, kArray}, {"vertices", 2, 2, kArray}},
      [](const Values& v, Diagram& diagram) {
        diagram.edges.push_back({index(v[0]), index(v[1]), index(v[2]), index(v[3])});
-     }},
-    {"hull", {{"", 0}}, [](const Values& v, Diagram& diagram) { diagram.hull.push_back(index(v[0])); }},
+     },
+     [](Diagram& diagram) { diagram.edges.clear(); }},
+    {"hull",
+     {{"", 0}},
+     [](const Values& v, Diagram& diagram) { diagram.hull.push_back(index(v[0])); },
+     [](Diagram& diagram) { diagram.hull.clear(); }},
 }};
 
 class DiagramReader {
@@ -99,28 +110,21 @@ class DiagramReader {
     if (found != kind) reader_.fail("expected " + std::string(what()) + ", not " + std::string(nameOf(found)) + ".");
   }
 
-  void once(bool& isGiven, std::string_view key) {
-    if (isGiven) reader_.fail(std::string(key) + " is given twice.");
-    isGiven = true;
-  }
-
   void readMember(std::string_view key) {
     const auto section = std::ranges::find(kSections, key, &Section::key);
     if (section != kSections.end()) {
-      once(hasSection_[static_cast<std::size_t>(section - kSections.begin())], section->key);
+      hasSection_[static_cast<std::size_t>(section - kSections.begin())] = true;
       readSection(*section);
     } else if (key == "format") {
-      once(hasFormat_, key);
+      hasFormat_ = true;
       readFormat();
     } else if (key == "version") {
-      once(hasVersion_, key);
+      hasVersion_ = true;
       expect(JsonKind::number, [] { return "a number for version"; });
       if (reader_.number() != kVersion) reader_.fail("the version is not 1, the only one that can be read.");
     } else if (key == "metric") {
-      once(hasMetric_, key);
       readMetric();
     } else if (key == "weights") {
-      once(hasWeights_, key);
       expect(JsonKind::boolean, [] { return "true or false for weights"; });
       diagram.weights = reader_.boolean();
     } else if (key == "stats") {
@@ -154,6 +158,12 @@ class DiagramReader {
   void readSection(const Section& section) {
     expect(JsonKind::array, [&] { return "an array for " + std::string(section.key); });
     const bool isOfCircles = &section == kSections.data();
+    // Of a key that is given twice the last value counts, as in all of JSON.
+    section.clear(diagram);
+    if (isOfCircles) {
+      attributes = {.collection = std::move(attributes.collection)};
+      circleOffsets.clear();
+    }
     reader_.enterArray();
     for (item_ = 0; reader_.nextItem(); ++item_) {
       if (section.isPlain()) {
@@ -209,7 +219,6 @@ class DiagramReader {
         }
       }
       if (field == next) ++next;
-      if (isGiven[field->first]) reader_.fail(nameOfField(section, *field) + " is given twice.");
       isGiven[field->first] = true;
       readField(section, *field);
     }
@@ -252,8 +261,6 @@ class DiagramReader {
   Keep keep_;
   bool hasFormat_ = false;
   bool hasVersion_ = false;
-  bool hasMetric_ = false;
-  bool hasWeights_ = false;
   std::array<bool, kSections.size()> hasSection_{};
   std::size_t item_ = 0;
   Values values_{};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -21,6 +23,17 @@ struct Polygons {
   std::vector<Point> points;
   std::vector<std::int32_t> ringOffsets = {0};
   std::vector<std::int32_t> polygonOffsets = {0};
+
+  struct Size {
+    std::size_t points, rings, polygons;
+  };
+  Size size() const { return {points.size(), ringOffsets.size(), polygonOffsets.size()}; }
+  /// Forgets the polygons that were read since they had this size.
+  void shrinkTo(const Size& before) {
+    points.resize(before.points);
+    ringOffsets.resize(before.rings);
+    polygonOffsets.resize(before.polygons);
+  }
 
   void endRing() { ringOffsets.push_back(static_cast<std::int32_t>(points.size())); }
   void endPolygon() { polygonOffsets.push_back(static_cast<std::int32_t>(ringOffsets.size()) - 1); }
@@ -73,6 +86,9 @@ std::optional<int> readCoordinates(JsonReader& reader, Polygons& polygons, int d
   return height;
 }
 
+/// Members of objects in GeoJSON that have coordinates.
+constexpr auto kKeysOfPolygons = std::to_array<std::string_view>({"coordinates", "geometry", "features", "geometries"});
+
 void readGeoJsonObject(JsonReader& reader, Polygons& polygons, int depth = 0);
 
 void readObjects(JsonReader& reader, Polygons& polygons, int depth) {
@@ -91,8 +107,13 @@ void readGeoJsonObject(JsonReader& reader, Polygons& polygons, int depth) {
   std::string type;
   std::optional<int> height;
   bool hasCoordinates = false;
+  const Polygons::Size before = polygons.size();
+  std::string last;
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
+    // Of a key that is given twice the last value counts, as in all of JSON.
+    if (*key == last) polygons.shrinkTo(before);
+    if (std::ranges::find(kKeysOfPolygons, *key) != kKeysOfPolygons.end()) last = *key;
     const JsonKind kind = reader.kind();
     if (*key == "type" && kind == JsonKind::string) {
       type = reader.string();

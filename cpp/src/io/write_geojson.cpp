@@ -139,7 +139,8 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
 
 Result<void> writeGeoJson(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
-    writeCollectionStart(out, options.attributes);
+    // The box is not one where its corners are elsewhere.
+    writeCollectionStart(out, options.attributes, frame.place ? nullptr : &frame.box);
     out << (diagram.circles.empty() ? "" : "\n");
     writeFeatures(out, frame, {}, ",\n");
     out << "\n]}\n";

@@ -29,7 +29,9 @@ Result<void> writeObj(std::ostream& stream, const Diagram& diagram, const Export
   return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
     const CellPolygons polygons(frame);
     std::int64_t count = 0;
-    out << "# Voronoi diagram of circles\no edges\n";
+    const auto& [minX, minY, maxX, maxY] = frame.box;
+    out << "# Voronoi diagram of circles\n# cut to the box " << minX << " " << minY << " " << maxX << " " << maxY
+        << "\no edges\n";
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
       for (const auto& line : polygons.polylines(e)) writeElement(out, "l", line, count);
     }

@@ -8,7 +8,7 @@ import { withIds } from '../../element/check.ts'
 import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
 import type { LinkFrame, LinkInput } from '../../lib/link.ts'
 import { plainRegion } from '../../lib/regions/region-shape.ts'
-import { fitted } from '../../view/camera.ts'
+import { fitted, toPlane } from '../../view/camera.ts'
 import { boxOf } from '../../view/domain.ts'
 import { readRegion } from '../../view/region-text.ts'
 import { short } from '../../view/short.ts'
@@ -19,17 +19,15 @@ import type { LinkWriter } from '../link-writer.ts'
 import type { PageActions } from '../page-actions.ts'
 import { chooseColumns } from '../panels/choose-columns.ts'
 import { toast } from '../panels/toast.ts'
-import { circlesFrom, rowsOf } from './columns.ts'
+import { unknownTable } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
-import type { Read, SavedFormat } from './files-protocol.ts'
+import type { NamedColumns, Read, SavedFormat } from './files-protocol.ts'
 import { type ReadsRegion, regionOfFile, regionOfText } from './region-file.ts'
 import { elementCode, embedCode, save } from './saving.ts'
 import { withLink, withTable } from './svg-scene.ts'
 
 /** Limit for files, in bytes. Browsers could not show larger ones. */
 const LARGEST_FILE = 2 ** 28
-/** Matches the reader's errors about a table with unknown columns. */
-const UNKNOWN_COLUMNS = /no column is called|a header has to name|both mean|expected three numbers/
 const READABLE = 'Open CSV, JSON, GeoJSON, well-known text, an SVG that was saved here, or a picture.'
 /** Limit for addresses, in characters. Browsers do not open longer ones. */
 const LONGEST_LINK = 2_000_000
@@ -93,14 +91,19 @@ export class FileActions {
         throw error
       }),
     )
-    if (how !== 'refused' || invalid === undefined) return how
-    const { message, count, skipping } = invalid
+    if (how === 'refused' && invalid !== undefined) {
+      const { skipping } = invalid
+      this.#offerToSkip(invalid, () => this.#actions.openRead(skipping))
+    }
+    return how
+  }
+
+  #offerToSkip({ message, count }: InvalidRows, skip: () => Promise<HowOpened>): void {
     const rows = count === 1 ? '1 row' : `${wholeNumber(count)} rows`
     const act = async () => {
-      if ((await this.#actions.openRead(skipping)) === 'opened') toast(`${rows} skipped.`)
+      if ((await skip()) === 'opened') toast(`${rows} skipped.`)
     }
     this.#actions.offer({ problem: message, label: `Skip ${rows}`, act })
-    return how
   }
 
   /** Clips the cells to the polygons of a file. An invalid region changes nothing. */
@@ -163,10 +166,13 @@ export class FileActions {
         await this.#actions.undo()
         await this.#actions.openRead(async () => result)
       }
-      toast(`${count} added.`, { label: 'Replace all circles instead', act: replace })
+      const left = result.attributes?.columns.map(({ name }) => name) ?? []
+      const without = left.length === 0 ? '' : `, without the columns ${left.join(', ')}`
+      toast(`${count} added${without}.`, { label: 'Replace all circles instead', act: replace })
       return 'opened'
     } catch (error) {
       this.#actions.complain((error as Error).message)
+      if (error instanceof InvalidRows) this.#offerToSkip(error, () => this.#add(error.skipping))
       return 'refused'
     }
   }
@@ -182,25 +188,27 @@ export class FileActions {
     }
   }
 
-  /** Reads circles. If the library does not recognize the columns, other names are tried. */
-  async #read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
+  /** Reads a file. `columns` is the user's choice, for a table whose columns the reader does not know. */
+  async #read(bytes: Uint8Array<ArrayBuffer>, name: string, columns?: NamedColumns): Promise<Read> {
+    // Copies the bytes, because the thread takes them over.
+    const read = (skipsInvalid: boolean) =>
+      this.#threads.reader.call('read', bytes.slice(), name, { skipsInvalid, columns })
     try {
-      // Copies the bytes, because the thread takes them over.
-      return await this.#threads.reader.call('read', bytes.slice(), name)
+      return await read(false)
     } catch (error) {
       const { message } = error as Error
-      const skipping = await this.#threads.reader.call('read', bytes.slice(), name, true).catch(() => undefined)
+      const skipping = await read(true).catch(() => undefined)
       if (skipping !== undefined && 'skipped' in skipping && (skipping.skipped ?? 0) > 0) {
         throw new InvalidRows(message, skipping.skipped as number, async () => skipping)
       }
       if (isBinary(bytes)) throw new Error(`${name} is not a table of circles. ${READABLE}`)
-      const rows = UNKNOWN_COLUMNS.test(message) ? rowsOf(new TextDecoder().decode(bytes)) : undefined
+      const table = columns === undefined ? unknownTable(new TextDecoder().decode(bytes)) : undefined
       // With three unnamed columns, the error is about a row and not about the columns.
-      if (rows === undefined || (rows.heading.length === 3 && !rows.hasHeading)) throw error
-      const chosen = await chooseColumns(rows, name)
+      if (table === undefined || (table.heading.length === 3 && !table.hasHeading)) throw error
+      const chosen = await chooseColumns(table, name)
       // The user has canceled the dialog and needs no message.
       if (chosen === undefined) throw new Error('')
-      return circlesFrom(rows, chosen.columns, chosen.isDiameter, name)
+      return this.#read(bytes, name, chosen)
     }
   }
 
@@ -211,7 +219,8 @@ export class FileActions {
       const text = await this.#threads.files.call('write', circles, format, domain, fileAttributes)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
-      if (format === 'cells') toast(cutTo(text))
+      if (format === 'cells')
+        toast(domain.region === undefined ? cutTo(text) : 'The cells are those inside the region.')
     })
   }
 
@@ -221,15 +230,21 @@ export class FileActions {
    */
   async saveDrawing(part: Part): Promise<void> {
     await this.#try(async () => {
-      const [drawing, link] = [await this.#view.toSVG(this.#shotOf(part)), await this.#link()]
+      const shot = this.#shotOf(part)
+      const [drawing, link] = [await this.#view.toSVG(shot), await this.#link()]
       const svg = link !== '' ? withLink(drawing, link) : withTable(drawing, await this.#csv())
       save(new Blob([svg], { type: 'image/svg+xml' }), `${this.#name}.svg`)
+      toast(extentOf(shot))
     })
   }
 
   /** Saves the picture, enlarged by a factor. */
   async savePicture(part: Part, scale: number): Promise<void> {
-    await this.#try(async () => save(await this.#view.toPNG(scale, this.#shotOf(part)), `${this.#name}.png`))
+    const shot = this.#shotOf(part)
+    await this.#try(async () => {
+      save(await this.#view.toPNG(scale, shot), `${this.#name}.png`)
+      toast(extentOf(shot))
+    })
   }
 
   /** Saves the picture in the aspect ratio of a sheet of paper, which extends it on two sides. */
@@ -239,7 +254,10 @@ export class FileActions {
     const [across, down] = isWide ? [POSTER.long, POSTER.short] : [POSTER.short, POSTER.long]
     const scale = Math.min(across / size.width, down / size.height)
     const sheet = { camera, size: { width: across / scale, height: down / scale } }
-    await this.#try(async () => save(await this.#view.toPNG(scale, sheet), `${this.#name}-poster.png`))
+    await this.#try(async () => {
+      save(await this.#view.toPNG(scale, sheet), `${this.#name}-poster.png`)
+      toast(extentOf(sheet))
+    })
   }
 
   #shotOf(part: Part): Shot {
@@ -374,15 +392,28 @@ class InvalidRows extends Error {
 /** Describes the clipping region of a file in a sentence. */
 function cutTo(text: string): string {
   if (/^.*\n.*"shifts":/.test(text)) return 'The cells are whole, also where they cross the box.'
-  const box = /^\{"type":"FeatureCollection".*?"bbox":(\[[^\]]*\])/.exec(text)?.[1]
-  if (box === undefined) return 'The cells are those inside the region.'
-  const [minX, minY, maxX, maxY] = (JSON.parse(box) as number[]).map((value) => short(value, 4))
-  return `The cells are cut to the box from ${minX}, ${minY} to ${maxX}, ${maxY}.`
+  const box = /^\{"type":"FeatureCollection","bbox":(\[[^\]]*\])/.exec(text)?.[1] ?? '[]'
+  return `The cells are cut to ${boxInWords(JSON.parse(box))}.`
+}
+
+/** Returns a sentence about the visible part of the plane. */
+function extentOf({ camera, size }: Shot): string {
+  const [low, high] = [
+    { x: 0, y: size.height },
+    { x: size.width, y: 0 },
+  ].map((corner) => toPlane(camera, size, corner))
+  return `The picture shows ${boxInWords([low, high].flatMap((corner) => [corner?.x ?? 0, corner?.y ?? 0]))}.`
+}
+
+function boxInWords(box: readonly number[]): string {
+  const [minX, minY, maxX, maxY] = box.map((value) => short(value, 4))
+  return `the box from ${minX}, ${minY} to ${maxX}, ${maxY}`
 }
 
 /** Whether the bytes contain one that does not occur in text. */
 function isBinary(bytes: Uint8Array): boolean {
-  return bytes.subarray(0, 4096).includes(0)
+  const isUtf16 = (bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff)
+  return !isUtf16 && bytes.subarray(0, 4096).includes(0)
 }
 
 /** The address of a file next to this page. */

@@ -1,24 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The messages between the page and the thread that reads and writes files and links, and generates circles.
+import type { Attributes } from '../../editing/attributes.ts'
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkAttributes, LinkInput } from '../../lib/link.ts'
 import type { Domain } from '../../view/domain.ts'
-import type { NamedCircles } from '../csv.ts'
 import type { Catalogue, Recipe } from '../generators/generators.ts'
 
 /** `geojson` writes circles as points with a radius, `cells` writes cells as polygons; both are GeoJSON. */
 export type SavedFormat = 'csv' | 'json' | 'geojson' | 'cells'
+
+/** Circles with the names and other attributes of a file. */
+export interface NamedCircles {
+  readonly circles: Float64s
+  readonly names?: readonly string[] | undefined
+  readonly attributes?: Attributes | undefined
+}
+
+/** The columns of a table, as options of `readCircleFile`. */
+export interface NamedColumns {
+  readonly x: string
+  readonly y: string
+  /** A column, or one radius for all circles. */
+  readonly radius: string | { readonly all: number }
+  /** Whether the column of radii has diameters. */
+  readonly isDiameter: boolean
+}
+
+export interface HowRead {
+  /** Whether invalid rows are skipped, and counted as `skipped`. Default: false. */
+  readonly skipsInvalid?: boolean
+  /** The columns of centers and radii. Default: by their names. */
+  readonly columns?: NamedColumns | undefined
+}
 
 /** The contents of a file: circles, or a link that was saved with them. */
 export type Read = (NamedCircles & { readonly skipped?: number | undefined }) | { readonly link: string }
 
 /** The functions of the thread. */
 export interface FilesCalls {
-  /**
-   * `skipsInvalid` leaves out invalid rows, and counts them in `skipped`.
-   * @throws CircleVoronoiError as `readCircleFile`, `readDiagramFile`
-   */
-  read(bytes: Uint8Array<ArrayBuffer>, name: string, skipsInvalid?: boolean): Read
+  /** @throws CircleVoronoiError as `readCircleFile`, `readDiagramFile` */
+  read(bytes: Uint8Array<ArrayBuffer>, name: string, how?: HowRead): Read
   /** Converts a picture to circles. @throws CircleVoronoiError `internal` if the browser cannot read it */
   stipple(picture: Blob): Read
   /** Writes circles or cells; `domain` has the clipping region or the periods. @throws CircleVoronoiError as `compute`, `writeDiagram` */

@@ -3,15 +3,14 @@
 import { columnsOf } from '../../editing/attributes.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
-import type { CircleAttributes, Files } from '../../lib/files.ts'
+import type { CircleAttributes, Files, ReadCirclesOptions } from '../../lib/files.ts'
 import type { Diagram, Float64s, PeriodicDiagram } from '../../lib/index.ts'
 import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
 import { boundingBox } from '../../view/camera.ts'
 import type { Domain } from '../../view/domain.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
-import type { NamedCircles } from '../csv.ts'
 import { randomNumbers } from '../random-circles.ts'
-import type { FilesCalls, Read, SavedFormat } from './files-protocol.ts'
+import type { FilesCalls, HowRead, NamedCircles, NamedColumns, Read, SavedFormat } from './files-protocol.ts'
 import { stippled, tonesOf } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
 
@@ -51,7 +50,8 @@ port.onmessage = async ({ data: { request, name, args } }) => {
   }
 }
 
-async function read(bytes: Uint8Array<ArrayBuffer>, name: string, skipInvalid = false): Promise<Read> {
+async function read(bytes: Uint8Array<ArrayBuffer>, name: string, how: HowRead = {}): Promise<Read> {
+  const { skipsInvalid: skipInvalid = false, columns } = how
   const text = new TextDecoder().decode(bytes)
   const isSvg = /^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)
   const table = isSvg ? tableOfSvg(text) : undefined
@@ -60,11 +60,25 @@ async function read(bytes: Uint8Array<ArrayBuffer>, name: string, skipInvalid = 
   const tableBytes = table === undefined ? bytes : new TextEncoder().encode(table)
   const isDiagram = table === undefined && holdsDiagram(bytes)
   if (!isDiagram) {
-    const { circles, attributes, skipped } = readCircleFile(tableBytes, { name, skipInvalid })
-    return { ...withColumns(circles, attributes), ...(skipInvalid && { skipped: skipped.length }) }
+    const { circles, attributes, skipped } = readCircleFile(tableBytes, { name, skipInvalid, ...optionsOf(columns) })
+    return { ...withColumns(withRadii(circles, columns), attributes), ...(skipInvalid && { skipped: skipped.length }) }
   }
   const { diagram, attributes } = readDiagramFile(bytes, { name })
   return withColumns(diagram.circles, attributes)
+}
+
+function optionsOf(columns: NamedColumns | undefined): ReadCirclesOptions {
+  if (columns === undefined) return {}
+  const { x, y, radius } = columns
+  return { x, y, ...(typeof radius === 'string' ? { radius } : { points: true }) }
+}
+
+/** Returns the circles with the radius that was chosen for all, or with half the diameters. */
+function withRadii(circles: Float64s, columns: NamedColumns | undefined): Float64s {
+  if (columns === undefined) return circles
+  const { radius, isDiameter } = columns
+  const radiusFrom = (r: number) => (typeof radius !== 'string' ? radius.all : isDiameter ? r / 2 : r)
+  return circles.map((value, k) => (k % 3 === 2 ? radiusFrom(value) : value))
 }
 
 function withColumns(circles: Float64s, given: CircleAttributes): NamedCircles {
@@ -120,11 +134,10 @@ function cellsInPeriods(periodic: PeriodicDiagram, attributes?: LinkAttributes):
   return `{"type":"FeatureCollection","features":[\n${features.join(',\n')}\n]}\n`
 }
 
-/** Writes the cells inside a box around all circles as GeoJSON, with the box as `bbox`. */
+/** Writes the cells inside a box around all circles as GeoJSON. */
 function cellsInBox(diagram: Diagram, writeDiagram: Files['writeDiagram'], attributes?: LinkAttributes): string {
   const { minX, minY, maxX, maxY } = boundingBox(diagram.circles)
   const margin = Math.max(maxX - minX, maxY - minY) / 20 || 1
   const bounds = [minX - margin, minY - margin, maxX + margin, maxY + margin] as const
-  const text = writeDiagram(diagram, { format: 'geojson', bounds, attributes })
-  return text.replace('"FeatureCollection",', (type) => `${type}"bbox":${JSON.stringify(bounds)},`)
+  return writeDiagram(diagram, { format: 'geojson', bounds, attributes })
 }

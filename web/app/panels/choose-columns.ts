@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
-import { type Columns, circlesFrom, guessedColumns, type Rows } from '../files/columns.ts'
+import { type Columns, guessedColumns, nameOfColumn, type Table } from '../files/columns.ts'
+import type { NamedColumns } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'
 
 /** Number of rows in the preview. */
@@ -8,41 +9,34 @@ const SHOWN = 5
 /** The choice of one radius for all circles in place of a column. */
 const SAME = -1
 
-export interface Chosen {
-  readonly columns: Columns
-  readonly isDiameter: boolean
+/** Determines the columns of centers and radii, by their names or by a dialog. */
+export async function chooseColumns(table: Table, file: string): Promise<NamedColumns | undefined> {
+  const { x, y, r, isDiameter, isSure } = guessedColumns(table)
+  const isKnown = isSure && x !== undefined && y !== undefined && r !== undefined
+  return isKnown ? named(table, { x, y, r }, isDiameter) : ask(table, file)
 }
 
-/** Determines the columns of centers and radii, by their names or by a dialog. */
-export async function chooseColumns(rows: Rows, file: string): Promise<Chosen | undefined> {
-  const guess = guessedColumns(rows)
-  const { x, y, r, name, isDiameter = false } = guess
-  const isKnown = x !== undefined && y !== undefined && r !== undefined
-  return isKnown ? { columns: { x, y, r, name }, isDiameter } : ask(rows, file)
+function named(table: Table, { x, y, r }: Columns, isDiameter: boolean): NamedColumns {
+  const nameOf = (column: number) => nameOfColumn(table, column)
+  const isColumn = typeof r === 'number'
+  return { x: nameOf(x), y: nameOf(y), radius: isColumn ? nameOf(r) : r, isDiameter: isColumn && isDiameter }
 }
 
 /** Resolves to `undefined` if the dialog was canceled. */
-function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
+function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
   const dialog = byId('columns', HTMLDialogElement)
-  const guess = guessedColumns(rows)
-  let [x, y, r] = [guess.x ?? 0, guess.y ?? 1, typeof guess.r === 'number' ? guess.r : Math.min(2, rows.heading.length)]
-  if (r === rows.heading.length) r = SAME
+  const { heading, rows } = table
+  const guess = guessedColumns(table)
+  let [x, y, r] = [guess.x ?? 0, guess.y ?? 1, typeof guess.r === 'number' ? guess.r : Math.min(2, heading.length)]
+  if (r === heading.length) r = SAME
   let all = 1
-  let isDiameter = guess.isDiameter === true
-  const chosen = (): Chosen => ({
-    columns: { x, y, r: r === SAME ? { all } : r, name: guess.name },
-    isDiameter: isDiameter && r !== SAME,
-  })
+  let { isDiameter } = guess
+  const chosen = () => named(table, { x, y, r: r === SAME ? { all } : r }, isDiameter)
   /** The problem of the chosen columns; empty if there is none. */
   const problem = (): string => {
     if (x === y) return 'x and y are the same column.'
-    try {
-      const { columns, isDiameter } = chosen()
-      circlesFrom(rows, columns, isDiameter, file)
-      return ''
-    } catch (error) {
-      return (error as Error).message
-    }
+    const wrong = [x, y, r].find((column) => column !== SAME && table.hasNumbers[column] === false)
+    return wrong === undefined ? '' : `There are no numbers in column ${heading[wrong]}.`
   }
 
   const select = (label: string, value: number, set: (column: number) => void, more: unknown = undefined) => html`
@@ -54,7 +48,7 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
           draw()
         }}
       >
-        ${rows.heading.map((heading, k) => html`<option value=${k} ?selected=${k === value}>${heading}</option>`)}
+        ${heading.map((name, k) => html`<option value=${k} ?selected=${k === value}>${name}</option>`)}
         ${more}
       </select>
     </label>
@@ -72,7 +66,7 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
           <header>
             <h2 id="columns-title">Which columns are the circles?</h2>
           </header>
-          <p class="quiet">${file} has ${rows.rows.length} rows.</p>
+          <p class="quiet">${file} has ${rows.length} rows.</p>
           <div class="choices">
             ${select('x', x, (column) => {
               x = column
@@ -104,13 +98,13 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
           </div>
           <div class="preview">
             <table>
-              <thead><tr>${rows.heading.map((heading, k) => html`<th scope="col" class=${used(k) ? 'used' : ''}>${heading}</th>`)}</tr></thead>
+              <thead><tr>${heading.map((name, k) => html`<th scope="col" class=${used(k) ? 'used' : ''}>${name}</th>`)}</tr></thead>
               <tbody>
-                ${rows.rows
+                ${rows
                   .slice(0, SHOWN)
                   .map(
                     (row) =>
-                      html`<tr>${rows.heading.map((_, k) => html`<td class=${used(k) ? 'used' : ''}>${row[k] ?? ''}</td>`)}</tr>`,
+                      html`<tr>${heading.map((_, k) => html`<td class=${used(k) ? 'used' : ''}>${row[k] ?? ''}</td>`)}</tr>`,
                   )}
               </tbody>
             </table>

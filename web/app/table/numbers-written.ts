@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parses numbers as people and spreadsheets write them, and turns pasted numbers into edits.
+// Parses numbers that are typed or pasted into the table of circles, and turns them into edits.
 import type { Circle, Edit } from '../../lib/index.ts'
+import { NumberReader, recordsOf, type Separator, TextProblem } from '../../view/table-text.ts'
 
 const WRITTEN = ['x', 'y', 'r'] as const
 export type Written = (typeof WRITTEN)[number]
 
-const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
-const WITH_COMMA = /^[+-]?\d+,\d+$/
-
-/** `hasDecimalCommas`: whether every comma is a decimal mark. */
-export function numberOf(text: string, hasDecimalCommas = true): number | undefined {
-  const trimmed = text.trim().replace(/^\u2212/, '-')
-  if (hasDecimalCommas && WITH_COMMA.test(trimmed)) return Number(trimmed.replace(',', '.'))
-  return NUMBER.test(trimmed) ? Number(trimmed) : undefined
+/** Parses a number as the reader of tables does between tabs. Spreadsheets may write a true minus sign. */
+export function numberOf(text: string, separator: Separator = '\t', isQuoted = false): number | undefined {
+  return new NumberReader(separator).read({ text: text.trim().replace(/^\u2212/, '-'), isQuoted })
 }
 
 /** An error in one sentence. */
@@ -26,25 +22,34 @@ export function notANumber(text: string): string {
 
 /** Parses rows of numbers from a spreadsheet or text. A first row of words is a header. */
 export function rowsOf(text: string): readonly (readonly number[])[] | Wrong {
-  const lines = text.split(/\r?\n/)
-  while (lines.at(-1)?.trim() === '') lines.pop()
-  const separator = text.includes('\t') ? '\t' : text.includes(';') ? ';' : /\d,\d*,|\d, /.test(text) ? ',' : /\s+/
-  const fieldsOf = (line: string) =>
-    typeof separator === 'string' ? line.split(separator) : line.trim().split(separator)
-  const isComma = separator === ','
-  const first = lines[0] === undefined ? [] : fieldsOf(lines[0])
-  const isHeading = lines.length > 1 && first.every((field) => numberOf(field, !isComma) === undefined)
+  const lines = text.replace(/(\r?\n[^\S\n]*)+$/, '')
+  const separator = separatorOf(lines)
   const rows: number[][] = []
-  for (const line of isHeading ? lines.slice(1) : lines) {
-    const row: number[] = []
-    for (const field of fieldsOf(line)) {
-      const value = numberOf(field, !isComma)
-      if (value === undefined) return { problem: notANumber(field) }
-      row.push(value)
+  try {
+    const records = [...recordsOf(lines, separator)]
+    const numbers = records.map(({ fields }) => fields.map((field) => numberOf(field.text, separator, field.isQuoted)))
+    const isHeading = records.length > 1 && numbers[0]?.every((number) => number === undefined) === true
+    for (const [k, { fields, line }] of records.entries()) {
+      // The reader skipped a line, so the rows below it would move up.
+      if (line !== k + 1) return { problem: notANumber('') }
+      if (k === 0 && isHeading) continue
+      const wrong = numbers[k]?.indexOf(undefined) ?? -1
+      if (wrong >= 0) return { problem: notANumber(fields[wrong]?.text ?? '') }
+      rows.push(numbers[k] as number[])
     }
-    rows.push(row)
+  } catch (error) {
+    if (!(error instanceof TextProblem)) throw error
+    return { problem: notANumber(text) }
   }
   return rows.length === 0 ? { problem: 'There is nothing to paste.' } : rows
+}
+
+/** Finds the separator. In contrast to a file, a pasted text may be one column, also with decimal commas. */
+function separatorOf(text: string): Separator {
+  const separator = (['\t', ';', '|'] as const).find((candidate) => text.includes(candidate))
+  if (separator !== undefined) return separator
+  const lastLine = text.slice(text.lastIndexOf('\n') + 1)
+  return numberOf(lastLine) !== undefined ? ';' : text.includes(',') ? ',' : ' '
 }
 
 /**

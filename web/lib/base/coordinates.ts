@@ -80,10 +80,11 @@ export function circleRadius(circle: CircleLike): number {
 }
 
 function part(circle: CircleLike | null | undefined, k: number, name: keyof Circle): number {
+  const named = (circle as Circle | null | undefined)?.[name]
   // An object that has the name is none with numbered items, whatever its length is: data may have a key of that name.
-  const isList = typeof circle === 'object' && circle !== null && 'length' in circle && !(name in circle)
-  const value = isList ? circle[k] : (circle as Circle | null | undefined)?.[name]
-  return value as number
+  if (named !== undefined || typeof circle !== 'object' || circle === null || !('length' in circle))
+    return named as number
+  return (circle as ArrayLike<number>)[k] as number
 }
 
 function refuse(message: string, circle?: number): never {

@@ -162,9 +162,16 @@ export class Editor implements EditorMethods {
 
 /** Of each edit its kind, id, x, y and r. */
 function numbersOf(edits: readonly CheckedEdit[]): Float64Array {
-  return Float64Array.from(
-    edits.flatMap(({ kind, id = NONE, circle: { x, y, r } = NOTHING }) => [KINDS.indexOf(kind), id, x, y, r]),
-  )
+  const numbers = new Float64Array(5 * edits.length)
+  let place = 0
+  for (const { kind, id = NONE, circle: { x, y, r } = NOTHING } of edits) {
+    numbers[place++] = KINDS.indexOf(kind)
+    numbers[place++] = id
+    numbers[place++] = x
+    numbers[place++] = y
+    numbers[place++] = r
+  }
+  return numbers
 }
 
 const NOTHING: Circle = { x: 0, y: 0, r: 0 }
