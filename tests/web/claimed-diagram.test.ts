@@ -57,6 +57,12 @@ test('edges are drawn from the vertices that the diagram lists, and unbounded on
   expect(far).toBeGreaterThan(30)
 })
 
+test('a straight line joins ends that are not on the bisector of their edge', () => {
+  const { wrong, flaw } = of('edgeOutOfOrder')
+  expect(markedLayer(wrong, flaw).segments).toHaveLength(4)
+  expect(markedLayer(right, { circles: [], vertices: [], edges: [4] }).segments?.length).toBeGreaterThan(4)
+})
+
 test('a marked vertex has its disc and its circles', () => {
   const { points, discs } = markedLayer(right, markedVertex(right, 1))
   expect(points).toEqual(right.vertices.slice(3, 5))

@@ -7,6 +7,7 @@ import {
   edgeCurve,
   isBoundedCurve,
   NONE,
+  type Point,
   polyline,
 } from '../lib/index.ts'
 import type { DataLayer } from '../view/layers.ts'
@@ -88,7 +89,9 @@ function segmentsOf(diagram: DiagramData, edges: readonly number[]): Float64Arra
   for (const e of edges) {
     const curve = edgeCurve(diagram, e)
     for (const arc of isBoundedCurve(curve) ? [curve] : clipCurve(curve, { bounds })) {
-      const points = polyline(arc, TOLERANCE * size)
+      // A straight line joins ends that are not on the bisector.
+      const isArc = [arc.start, arc.end].every((end) => isBetween(diagram, e, end, TOLERANCE * size))
+      const points = isArc ? polyline(arc, TOLERANCE * size) : [arc.start, arc.end]
       for (const [k, { x, y }] of points.entries()) {
         const before = points[k - 1]
         if (before !== undefined) segments.push(before.x, before.y, x, y)
@@ -96,6 +99,15 @@ function segmentsOf(diagram: DiagramData, edges: readonly number[]): Float64Arra
     }
   }
   return Float64Array.from(segments)
+}
+
+/** Whether a point is equally far from both circles of an edge. */
+function isBetween({ circles, edges }: DiagramData, edge: number, point: Point, tolerance: number): boolean {
+  const [left, right] = [0, 1].map((side) => {
+    const [x = 0, y = 0, r = 0] = circles.subarray(3 * (edges[4 * edge + side] as number))
+    return Math.hypot(point.x - x, point.y - y) - r
+  }) as [number, number]
+  return Math.abs(left - right) <= tolerance
 }
 
 function extentOf({ circles, vertices }: DiagramData) {
