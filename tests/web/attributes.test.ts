@@ -27,8 +27,8 @@ import { factsOf } from '../../web/view/painter/facts.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
 import type { View } from '../../web/view/view.ts'
-import { LibraryComputer } from './computer.ts'
 import { library } from './library.ts'
+import { LibraryBackend } from './library-backend.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1)
 const PROPERTIES = [
@@ -96,7 +96,7 @@ async function started() {
     },
   }
   const editing: Editing = new Editing(
-    new LibraryComputer(async () => {}),
+    new LibraryBackend(async () => {}),
     (outcome) => {
       store.update((state) => stateAfter(state, outcome, editing.circles))
       actions.followColumn(outcome)

@@ -2,7 +2,7 @@
 // Regions and areas: as text, on screen, under edits, in the history.
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { type Computer, Editing } from '../../web/editing/editing.ts'
+import { type DiagramBackend, Editing } from '../../web/editing/editing.ts'
 import { opened } from '../../web/element/data-of.ts'
 import type { Circle, Diagram, Edit, Point, RegionShape } from '../../web/lib/index.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
@@ -293,7 +293,7 @@ async function started(circles = CIRCLES, domain = {}) {
     fitted: error === undefined ? undefined : { error, steps: 0 },
     seconds: 0,
   })
-  const computer: Computer = {
+  const computer: DiagramBackend = {
     get circles() {
       return table
     },

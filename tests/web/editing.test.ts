@@ -9,7 +9,7 @@ import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
-import { LibraryComputer } from './computer.ts'
+import { LibraryBackend } from './library-backend.ts'
 
 const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
 
@@ -34,7 +34,7 @@ async function started(circles = TWO) {
   const outcomes: number[] = []
   const openings: boolean[] = []
   let failure: string | undefined
-  const computer = new LibraryComputer(async () => {
+  const computer = new LibraryBackend(async () => {
     await new Promise((resolve) => setTimeout(resolve))
     const message = failure
     failure = undefined
@@ -226,7 +226,7 @@ describe('Editing', () => {
     const histories: number[] = []
     const ignore = () => {}
     const record = ({ history }: Outcome) => histories.push(history.done.length)
-    const editing = new Editing(new LibraryComputer(async () => {}), record, ignore, 5 * 300)
+    const editing = new Editing(new LibraryBackend(async () => {}), record, ignore, 5 * 300)
     await editing.open(sceneOf(TWO))
     for (let x = 1; x <= 20; x++) await editing.edit([...moved(0, x), ...moved(1, -x)])
     expect(Math.max(...histories)).toBe(5)
@@ -267,7 +267,7 @@ describe('Editing', () => {
   })
 
   it('has no names and no columns before circles are opened', () => {
-    const computer = new LibraryComputer(async () => {})
+    const computer = new LibraryBackend(async () => {})
     const ignore = () => {}
     const editing = new Editing(computer, ignore, ignore)
     expect([editing.valuesOf('height'), editing.nameOf(0)]).toEqual([new Float64Array(), ''])

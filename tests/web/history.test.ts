@@ -2,19 +2,19 @@
 import { describe, expect, it } from 'vitest'
 import { EMPTY_HISTORY, type History, idsOnceOpened, limited, record, renamed } from '../../web/editing/history.ts'
 import { PackedSteps } from '../../web/editing/packed-steps.ts'
-import type { Step } from '../../web/view/circle-table.ts'
+import type { UndoEdit } from '../../web/view/circle-table.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 
 const CIRCLE = { x: 0, y: 0, r: 1 }
 /** Converts entries to plain objects. */
 const plain = (entries: History['done']) =>
   entries.map((entry) => (entry.kind === 'edits' ? { ...entry, steps: entry.steps.unpacked() } : entry))
-const back = (id: number, x: number): Step => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })
+const back = (id: number, x: number): UndoEdit => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })
 
 describe('what goes back to before edits', () => {
   it('of one gesture is where each circle was at first, the newest before what is older', () => {
     const begun = record(EMPTY_HISTORY, [back(0, 1)], 7)
-    const gone: Step = { kind: 'insert', circle: CIRCLE, formerId: 0 }
+    const gone: UndoEdit = { kind: 'insert', circle: CIRCLE, formerId: 0 }
     const { done } = record(record(begun, [back(0, 2), back(1, 5)], 7), [gone], 7)
     expect(plain(done)).toEqual([{ kind: 'edits', gesture: 7, steps: [gone, back(1, 5), back(0, 1)] }])
   })
@@ -35,7 +35,7 @@ describe('what goes back to before edits', () => {
 
   it('takes away what came in the place of a circle that the gesture moved before', () => {
     const moved = record(EMPTY_HISTORY, [back(0, 1)], 3)
-    const steps: Step[] = [
+    const steps: UndoEdit[] = [
       { kind: 'remove', id: 0 },
       { kind: 'insert', circle: CIRCLE, formerId: 0 },
     ]
@@ -67,11 +67,11 @@ it('names what came back as it is called now, up to other circles', () => {
     ids: Int32Array.of(0),
     numbering: { numbers: new Map<number, number>(), shift: 0, end: 1 },
   } as const
-  const steps: Step[] = [
+  const steps: UndoEdit[] = [
     { kind: 'remove', id: 1 },
     { kind: 'insert', circle: CIRCLE, formerId: 2 },
   ]
-  const bare: Step = { kind: 'insert', circle: CIRCLE }
+  const bare: UndoEdit = { kind: 'insert', circle: CIRCLE }
   const edits = { kind: 'edits', gesture: 1, steps: PackedSteps.of([...steps, bare]) } as const
   const { done, undone } = renamed({ done: [edits, opening, edits], undone: [edits] }, (id) => id + 10)
   const named = [{ kind: 'remove', id: 11 }, { kind: 'insert', circle: CIRCLE, formerId: 12 }, bare]

@@ -3,20 +3,20 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest'
 import { PageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
-import { EditorActions, type Opened } from '../../web/editing/editor-actions.ts'
+import { EditorActions, type OpenRequest } from '../../web/editing/editor-actions.ts'
 import { INITIAL_STATE } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import type { Camera } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import type { View } from '../../web/view/view.ts'
-import { LibraryComputer } from './computer.ts'
+import { LibraryBackend } from './library-backend.ts'
 
 const FIRST = { ...opened(0, 0, 1, 5, 5, 2), edits: [{ kind: 'remove' as const, id: 0 }], layers: { hull: true } }
 const SECOND = opened(1, 1, 1, 2, 2, 2, 3, 3, 3)
 const REFUSED = opened(0, 0, -1)
 
-function opened(...circles: number[]): Opened {
+function opened(...circles: number[]): OpenRequest {
   return { circles: Float64Array.from(circles), dataSet: '', isEdited: false }
 }
 
@@ -36,7 +36,7 @@ function started() {
   }
   const store = createStore(INITIAL_STATE)
   const editing = new Editing(
-    new LibraryComputer(later),
+    new LibraryBackend(later),
     () => {},
     ({ message }) => store.update((state) => ({ ...state, problem: message })),
   )
@@ -95,7 +95,7 @@ describe('what is opened', () => {
 
   it('is superseded at once by what is opened after it, or canceled, though it is never loaded', async () => {
     const { actions, view, circles } = started()
-    const never = () => new Promise<Opened>(() => {})
+    const never = () => new Promise<OpenRequest>(() => {})
     const first = actions.open(never)
     expect(await actions.open(async () => SECOND)).toBe('opened')
     expect(await first).toBe('superseded')

@@ -5,7 +5,7 @@ import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { answerViews } from '../../web/view/painter/painter-thread.ts'
-import type { DrawnSvg, FromPainter, ToPainter, Wish } from '../../web/view/protocol.ts'
+import type { DrawnSvg, FromPainter, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
 import { SHADES, type Style } from '../../web/view/style.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -53,10 +53,10 @@ const heard = async (scene: number) => {
 }
 
 /** A paint request for a square of tiles. */
-function wishOf(wish: number, id: number, scale: number, tiles: number): Wish {
+function requestOf(paintId: number, id: number, scale: number, tiles: number): PaintRequest {
   const size = 256 * tiles
   const box = { left: -size / 2, top: -size / 2, width: size, height: size }
-  return { wish, grid: { id, x: 0, y: 0, scale, pixelRatio: 1 }, seen: box, wanted: box }
+  return { paintId, grid: { id, x: 0, y: 0, scale, pixelRatio: 1 }, seen: box, wanted: box }
 }
 
 vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))
@@ -110,16 +110,16 @@ it('what is found is told once, also where the rest after circles were opened is
 describe('what stands out', () => {
   it('has other outlines where another box, or another scale, is looked at', async () => {
     await openScene(1)
-    send({ kind: 'look', scene: 1, style, ...wishOf(1, 1, 10, 1) })
+    send({ kind: 'look', scene: 1, style, ...requestOf(1, 1, 10, 1) })
     send({ kind: 'mark', scene: 1, selected: 0, hovered: undefined })
     await heard(1)
     const [first] = saidOf('marked')
     // Requests the same pixels again, for other layers.
-    send({ kind: 'look', scene: 1, style, ...wishOf(2, 1, 10, 1) })
+    send({ kind: 'look', scene: 1, style, ...requestOf(2, 1, 10, 1) })
     await heard(1)
     expect(saidOf('outlined')).toEqual([])
-    send({ kind: 'look', scene: 1, style, ...wishOf(3, 1, 10, 3) })
-    send({ kind: 'look', scene: 1, style, ...wishOf(4, 2, 2, 1) })
+    send({ kind: 'look', scene: 1, style, ...requestOf(3, 1, 10, 3) })
+    send({ kind: 'look', scene: 1, style, ...requestOf(4, 2, 2, 1) })
     await heard(1)
     const told = [first, ...saidOf('outlined')]
     const reach = told.map((message) => Math.max(...(message?.marks.selected?.outline ?? [])))
@@ -127,7 +127,7 @@ describe('what stands out', () => {
     expect(reach[1]).toBeGreaterThan(reach[0] as number)
     expect(reach[2]).toBeGreaterThan(reach[1] as number)
     send({ kind: 'mark', scene: 1, selected: undefined, hovered: undefined })
-    send({ kind: 'look', scene: 1, style, ...wishOf(5, 3, 1, 1) })
+    send({ kind: 'look', scene: 1, style, ...requestOf(5, 3, 1, 1) })
     await heard(1)
     expect([saidOf('marked').length, saidOf('outlined').length]).toEqual([2, 2])
     send({ kind: 'close', scene: 1 })
@@ -135,12 +135,12 @@ describe('what stands out', () => {
 
   it('is as fine as the scale that is looked at: the clearest path, too', async () => {
     await openScene(2)
-    send({ kind: 'look', scene: 2, style, ...wishOf(1, 1, 1, 1) })
+    send({ kind: 'look', scene: 2, style, ...requestOf(1, 1, 1, 1) })
     const path = { from: { x: -5, y: 8 }, to: { x: 12, y: 8 } }
     send({ kind: 'layers', scene: 2, layers: { ...DEFAULT_LAYERS, path }, isPainted: true })
     const pieces = () => saidOf('found').map(({ found }) => found.path?.outline.length ?? 0)
     await vi.waitFor(() => expect(pieces()).toHaveLength(1), SOON)
-    send({ kind: 'look', scene: 2, style, ...wishOf(2, 2, 1e5, 1) })
+    send({ kind: 'look', scene: 2, style, ...requestOf(2, 2, 1e5, 1) })
     await vi.waitFor(() => expect(pieces()).toHaveLength(2), SOON)
     expect(pieces()[1]).toBeGreaterThan(pieces()[0] as number)
     send({ kind: 'close', scene: 2 })
@@ -178,7 +178,7 @@ it('says what it was doing when it failed, and for which scene', async () => {
   const message = expect.stringContaining('It broke')
   const mark = { kind: 'mark', scene: 8, selected: 0, hovered: undefined } as const
   expect(await during('mark', mark)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'mark' } })
-  const look = { kind: 'look', scene: 8, style, ...wishOf(1, 1, 10, 1) } as const
+  const look = { kind: 'look', scene: 8, style, ...requestOf(1, 1, 10, 1) } as const
   expect(await during('paintNext', look)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'paint' } })
   const layers = { kind: 'layers', scene: 8, layers: DEFAULT_LAYERS, isPainted: true } as const
   expect(await during('setLayers', layers)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'layers' } })

@@ -4,13 +4,13 @@ import { type Circle, CircleVoronoiError, type Edit } from '../../web/lib/index.
 import { BasePicture } from '../../web/view/base-picture.ts'
 import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { Painter, type PainterScene } from '../../web/view/painter.ts'
-import type { FromPainter, InProgress, Marks, ToPainter, Wish } from '../../web/view/protocol.ts'
+import { Painter, type SceneClient } from '../../web/view/painter.ts'
+import type { FromPainter, Highlights, InProgress, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import { library, seededRandom } from './library.ts'
 
 const COUNTS = { circles: 0, hidden: 0, vertices: 0, edges: 0 }
-const NO_MARKS: Marks = { selected: undefined, hovered: undefined }
+const NO_MARKS: Highlights = { selected: undefined, hovered: undefined }
 /** The smallest valid module. The tests never run it. */
 const WASM = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0)
 
@@ -65,10 +65,10 @@ function edited(revision: number, change: Partial<CircleChange> = {}): FromPaint
 
 describe('the painter', () => {
   let painter: Painter
-  let scene: PainterScene
+  let scene: SceneClient
   const worker = (k = -1) => FakeWorker.all.at(k) as FakeWorker
-  const wish: Wish = {
-    wish: 1,
+  const request: PaintRequest = {
+    paintId: 1,
     grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 },
     seen: { left: 0, top: 0, width: 10, height: 10 },
     wanted: { left: 0, top: 0, width: 256, height: 256 },
@@ -157,7 +157,7 @@ describe('the painter', () => {
     const edit = scene.edit([{ kind: 'replace', id: 1, circle: { x: 6, y: 0, r: 1 } }])
     worker().answer(edited(2, { replaced: Int32Array.of(1), circles: Float64Array.of(6, 0, 1) }))
     await edit
-    scene.look(wish, {} as never)
+    scene.look(request, {} as never)
     scene.mark(1, undefined)
     worker().answer({ kind: 'marked', scene: 1, marks: NO_MARKS })
     const lost = scene.edit([{ kind: 'remove', id: 0 }])
@@ -174,7 +174,7 @@ describe('the painter', () => {
     expect(
       worker()
         .of('look')
-        .map((message) => message.wish),
+        .map((message) => message.paintId),
     ).toEqual([1])
     expect(
       worker()
@@ -224,7 +224,7 @@ describe('the painter', () => {
       const { revision } = worker().of('open').at(-1) as { revision: number }
       worker().answer({ ...opened(revision), scene: 2 } as FromPainter)
       await open
-      failing.look(wish, {} as never)
+      failing.look(request, {} as never)
       failing.setLayers({ ...DEFAULT_LAYERS, hull: true })
     }
     const told = () =>
@@ -312,7 +312,7 @@ describe('the painter', () => {
     expect(await hit).toBeUndefined()
     const { length } = worker().got
     scene.mark(1, undefined)
-    scene.look(wish, {} as never)
+    scene.look(request, {} as never)
     scene.close()
     expect(await scene.ask('hit', 0, 0, 1)).toBeUndefined()
     await expect(scene.edit([])).rejects.toThrow(/disposed/)
@@ -442,14 +442,14 @@ describe('the base picture', () => {
   })
   afterEach(() => vi.unstubAllGlobals())
 
-  it('is whole once the last wish is painted, not an earlier one', () => {
+  it('is whole once the last request is painted, not an earlier one', () => {
     const picture = new BasePicture()
     const size = { width: 300, height: 300 }
-    const first = picture.see({ x: 0, y: 0, scale: 1 }, size, 1) as Wish
-    const second = picture.see({ x: 900, y: 0, scale: 1 }, size, 1) as Wish
+    const first = picture.see({ x: 0, y: 0, scale: 1 }, size, 1) as PaintRequest
+    const second = picture.see({ x: 900, y: 0, scale: 1 }, size, 1) as PaintRequest
     expect(second.grid).toBe(first.grid)
-    const painted = ({ wish, grid }: Wish) =>
-      picture.put({ kind: 'painted', scene: 1, grid: grid.id, patches: [], wish, isWhole: true })
+    const painted = ({ paintId, grid }: PaintRequest) =>
+      picture.put({ kind: 'painted', scene: 1, grid: grid.id, patches: [], paintId, isWhole: true })
     painted(first)
     expect(picture.isWhole).toBe(false)
     painted(second)

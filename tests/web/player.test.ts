@@ -7,7 +7,7 @@ import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS } from '../../web/player/program.ts'
 import { type Colors, circlesAt, sceneOf } from '../../web/player/scene.ts'
 import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
-import { concerns, kindAt, nextStep, programOf, type Step, sortOf, stepsOf } from '../../web/player/steps.ts'
+import { concerns, kindAt, kindOf, nextStep, programOf, type Step, stepsOf } from '../../web/player/steps.ts'
 import { columnsOf, drawTimeline } from '../../web/player/timeline.ts'
 import { ENGLISH_PLAYER } from '../../web/player/words.ts'
 import { MOST_PLAYED } from '../../web/view/layers.ts'
@@ -113,9 +113,9 @@ describe('the steps of a trace', () => {
   it('can be looked for by sort and by circle', () => {
     const trace = library.trace(SMALL)
     const steps = stepsOf(trace)
-    const vertices = steps.flatMap((step, k) => (sortOf(step) === 'vertex' ? [k] : []))
+    const vertices = steps.flatMap((step, k) => (kindOf(step) === 'vertex' ? [k] : []))
     expect(vertices).toHaveLength(trace.diagram.vertices.length / 3)
-    const isVertex = (step: Step) => sortOf(step) === 'vertex'
+    const isVertex = (step: Step) => kindOf(step) === 'vertex'
     expect(nextStep(steps, 0, 1, isVertex)).toBe(vertices[0])
     expect(nextStep(steps, vertices[1] as number, -1, isVertex)).toBe(vertices[0])
     expect(nextStep(steps, vertices[0] as number, -1, isVertex)).toBeUndefined()
@@ -127,7 +127,7 @@ describe('the steps of a trace', () => {
     // A column counts its steps, so that few steps differ from many.
     const counts = columnsOf(steps, 10).flatMap((column) => [...column.values()])
     expect(counts.reduce((sum, count) => sum + count, 0)).toBe(
-      steps.filter((step) => sortOf(step) !== undefined).length,
+      steps.filter((step) => kindOf(step) !== undefined).length,
     )
     expect(new Set(counts).size).toBeGreaterThan(2)
   })

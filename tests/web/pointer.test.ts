@@ -3,10 +3,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Box, Circle, Point } from '../../web/lib/index.ts'
 import { type Camera, toPlane } from '../../web/view/camera.ts'
-import type { Drawn, Hands, Held } from '../../web/view/gestures.ts'
+import type { GestureTarget, IdentifiedCircle, SketchPhase } from '../../web/view/gestures.ts'
 import { listenToPointer, type PointerOptions } from '../../web/view/pointer.ts'
 import type { Hit } from '../../web/view/protocol.ts'
-import type { Band, View } from '../../web/view/view.ts'
+import type { SelectionRectangle, View } from '../../web/view/view.ts'
 
 const SIZE = { width: 800, height: 600 }
 /** Ten pixels per unit, with the origin in the middle. */
@@ -35,7 +35,7 @@ class Stage {
   camera = CAMERA
   size = SIZE
   layers: { path?: { from: Point; to: Point } } = {}
-  band: Band | undefined
+  band: SelectionRectangle | undefined
   /** The answer to hit tests, and their tolerance. */
   under: Hit | undefined
   slack = 0
@@ -45,7 +45,7 @@ class Stage {
   pathEnd: 'from' | 'to' | undefined
   handle: Point | undefined
   handleSlack = 0
-  tool: Hands['tool'] = 'select'
+  tool: GestureTarget['tool'] = 'select'
   snaps = false
   selection: readonly number[] = []
   #gestures = 0
@@ -55,7 +55,7 @@ class Stage {
 
   constructor(options?: PointerOptions) {
     const element = this.element as unknown as HTMLElement
-    this.listening = listenToPointer(element, this.view, this as unknown as Hands, options)
+    this.listening = listenToPointer(element, this.view, this as unknown as GestureTarget, options)
   }
 
   // The stubs of the view.
@@ -92,7 +92,7 @@ class Stage {
   circle(id: number): Circle | undefined {
     return CIRCLES[id]
   }
-  held(): Held[] {
+  held(): IdentifiedCircle[] {
     return this.selection.map((id) => ({ id, circle: CIRCLES[id] as Circle }))
   }
   isSelected(id: number): boolean {
@@ -115,7 +115,7 @@ class Stage {
     this.#gestures += 1
     return this.#gestures
   }
-  set(circles: readonly Held[], gesture: number): void {
+  set(circles: readonly IdentifiedCircle[], gesture: number): void {
     this.done.push(['set', gesture, ...circles])
   }
   snapped(circle: Circle, within: number, sizes: boolean): Circle {
@@ -132,7 +132,7 @@ class Stage {
   async fitted({ x, y }: Point): Promise<Circle> {
     return { x, y, r: 1 }
   }
-  draw(how: Drawn, point: Point, within: number): void {
+  draw(how: SketchPhase, point: Point, within: number): void {
     this.done.push(['draw', how, point, within])
   }
   cancel(gesture: number): void {

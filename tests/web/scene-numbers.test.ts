@@ -14,8 +14,8 @@ import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import type { View } from '../../web/view/view.ts'
-import { LibraryComputer } from './computer.ts'
 import { library } from './library.ts'
+import { LibraryBackend } from './library-backend.ts'
 
 const FORMER = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))
 const OPENED = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 2 : 7 * k))
@@ -44,7 +44,7 @@ afterEach(() => vi.unstubAllGlobals())
 
 /** Editing with a backend whose answers arrive a turn later. */
 async function started() {
-  const computer = new LibraryComputer(() => new Promise((resolve) => setTimeout(resolve)))
+  const computer = new LibraryBackend(() => new Promise((resolve) => setTimeout(resolve)))
   const store = createStore(INITIAL_STATE)
   const problems: string[] = []
   const editing = new Editing(

@@ -10,7 +10,7 @@ import { EditorActions } from '../../web/editing/editor-actions.ts'
 import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import type { View } from '../../web/view/view.ts'
-import { LibraryComputer } from './computer.ts'
+import { LibraryBackend } from './library-backend.ts'
 
 /** The contents of the open panel. */
 let body: () => unknown = () => undefined
@@ -66,7 +66,7 @@ beforeEach(() => {
 async function started() {
   const store = createStore(INITIAL_STATE)
   const editing: Editing = new Editing(
-    new LibraryComputer(async () => {}),
+    new LibraryBackend(async () => {}),
     (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
     () => {},
   )

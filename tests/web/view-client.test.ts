@@ -3,13 +3,13 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
 import type { Painter } from '../../web/view/painter.ts'
-import type { Described, Marks, Touching } from '../../web/view/protocol.ts'
+import type { Described, Highlights, Touching } from '../../web/view/protocol.ts'
 import { View } from '../../web/view/view.ts'
 
-const drawn = vi.hoisted(() => [] as { touching: unknown; marks: Marks }[])
+const drawn = vi.hoisted(() => [] as { touching: unknown; marks: Highlights }[])
 vi.mock('../../web/view/overlay.ts', () => ({
   drawOverlay: (...[, , , , above]: (typeof drawn)[number][]) => drawn.push(above as (typeof drawn)[number]),
-  isNothingAbove: ({ touching, marks }: { touching: unknown; marks: Marks }) =>
+  isNothingAbove: ({ touching, marks }: { touching: unknown; marks: Highlights }) =>
     touching === undefined && marks.selected === undefined,
 }))
 vi.mock('../../web/view/style.ts', () => ({ readStyle: () => ({}), isDark: () => false }))
@@ -80,7 +80,7 @@ function opened() {
   }
   shown()
   const edited = () => events?.painted({ kind: 'edited' } as never)
-  const marked = (marks: Marks) => events?.marked(marks)
+  const marked = (marks: Highlights) => events?.marked(marks)
   return { view, answers, shown, edited, marked }
 }
 

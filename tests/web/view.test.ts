@@ -7,7 +7,7 @@ import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../we
 import { DEFAULT_LAYERS, type Layers, MOST_MAPPED } from '../../web/view/layers.ts'
 import { BoxIndex } from '../../web/view/painter/box-index.ts'
 import { addAround } from '../../web/view/painter/boxes.ts'
-import { apart } from '../../web/view/painter/grid.ts'
+import { mergeOverlapping } from '../../web/view/painter/grid.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { pictureFrame } from '../../web/view/picture-frame.ts'
@@ -213,11 +213,13 @@ describe('parts of a picture that are painted anew', () => {
         width: some(12),
         height: some(12),
       }))
-      const covered = coverOf(apart(boxes))
+      const covered = coverOf(mergeOverlapping(boxes))
       expect([...covered.values()].every((count) => count === 1)).toBe(true)
       expect([...coverOf(boxes).keys()].every((pixel) => covered.has(pixel))).toBe(true)
     }
-    expect(apart([{ left: 0, top: 0, width: 2, height: 2 }])).toEqual([{ left: 0, top: 0, width: 2, height: 2 }])
+    expect(mergeOverlapping([{ left: 0, top: 0, width: 2, height: 2 }])).toEqual([
+      { left: 0, top: 0, width: 2, height: 2 },
+    ])
   })
 })
 

@@ -9,7 +9,6 @@ import { FilesClient } from './files/files-client.ts'
 import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
 import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
-import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
 import { driftAtStart } from './motion/drift.ts'
 import { NOT_LOADED } from './not-loaded.ts'
@@ -35,6 +34,7 @@ import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
 import { RegionPen } from './region-pen.ts'
+import { StatePersistence } from './state-persistence.ts'
 import { styleSheetsLoaded } from './style-sheets.ts'
 
 // input ──► actions ──► editing ──► view ──► painter's thread
@@ -80,7 +80,7 @@ const { view, store, editing, actions } = figure
 const complain = (problem: string) => actions.complain(problem)
 
 const links = new LinkWriter(files)
-const keeping = new Keeping(links, () => actions.linkState())
+const keeping = new StatePersistence(links, () => actions.linkState())
 view.on('layers', () => keeping.changed())
 
 const generate = mountGenerate(actions, files)

@@ -2,7 +2,7 @@
 
 import { type Attributes, columnsOf, isNumeric } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
-import { EditorActions, type HowOpened, type Opened } from '../editing/editor-actions.ts'
+import { EditorActions, type HowOpened, type OpenRequest } from '../editing/editor-actions.ts'
 import type { Scene } from '../editing/history.ts'
 import type { Remedy, State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
@@ -10,7 +10,7 @@ import type { Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'
 import { decodeLink, frameOf, LINK_LIMITS, type LinkFrame, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
-import type { Drawn } from '../view/gestures.ts'
+import type { SketchPhase } from '../view/gestures.ts'
 import type { Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { View } from '../view/view.ts'
@@ -69,7 +69,7 @@ export class PageActions extends EditorActions {
   /** The radii before areas were prescribed, by circle number. */
   readonly #radii = new Map<number, number>()
 
-  draw(how: Drawn, point: Point, within: number): void {
+  draw(how: SketchPhase, point: Point, within: number): void {
     this.pen?.draw(how, point, within)
   }
 
@@ -138,7 +138,7 @@ export class PageActions extends EditorActions {
   }
 
   /** Opens circles, and colors them by a column if they come with one. */
-  override async open(load: () => Promise<Opened>): Promise<HowOpened> {
+  override async open(load: () => Promise<OpenRequest>): Promise<HowOpened> {
     let column: unknown
     const how = await super.open(async () => {
       const opened = await load()
@@ -262,7 +262,7 @@ export class PageActions extends EditorActions {
     })
   }
 
-  async #linked(text: string): Promise<Opened> {
+  async #linked(text: string): Promise<OpenRequest> {
     const state = await decodeLink(text)
     const { circles, names, dataSet, edits, view, layers = {}, step, method, region, lattice, areas } = state
     const attributes = state.attributes && columnsOf(state.attributes, (circles?.length ?? 0) / 3)

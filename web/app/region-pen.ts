@@ -5,7 +5,7 @@ import type { Store } from '../editing/store.ts'
 import type { Point } from '../lib/index.ts'
 import { isDissolved, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ringsOf } from '../view/domain.ts'
-import type { Drawn } from '../view/gestures.ts'
+import type { SketchPhase } from '../view/gestures.ts'
 import type { View } from '../view/view.ts'
 import type { PageActions } from './page-actions.ts'
 
@@ -36,7 +36,7 @@ export class RegionPen {
     return this.#corners.length
   }
 
-  draw(how: Drawn, point: Point, within: number): void {
+  draw(how: SketchPhase, point: Point, within: number): void {
     if (how === 'move') this.#move(point)
     else if (how === 'place') this.#place(point, within)
     else this.close()

@@ -2,7 +2,7 @@
 import { NewestQueue } from '../lib/base/newest-queue.ts'
 import type { Circle, Edit, Float64s } from '../lib/index.ts'
 import type { LinkAttributes } from '../lib/link.ts'
-import type { CircleTable, Step } from '../view/circle-table.ts'
+import type { CircleTable, UndoEdit } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
@@ -32,7 +32,7 @@ import {
 import { PackedSteps } from './packed-steps.ts'
 
 /** The backend that computes diagrams: a view. */
-export interface Computer {
+export interface DiagramBackend {
   /** The current circles. */
   readonly circles: CircleTable
   setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited>
@@ -69,7 +69,7 @@ interface Job {
  * time; a pending step of a drag is replaced by the next one, so that fast drags never queue up.
  */
 export class Editing {
-  readonly #computer: Computer
+  readonly #computer: DiagramBackend
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (error: Error) => void
   #scene: Scene | undefined
@@ -92,7 +92,7 @@ export class Editing {
 
   /** `mostBytes` limits the memory of the history. */
   constructor(
-    computer: Computer,
+    computer: DiagramBackend,
     onOutcome: (outcome: Outcome) => void,
     onProblem: (error: Error) => void,
     mostBytes = MOST_BYTES,
@@ -267,7 +267,7 @@ export class Editing {
     let isOpened = false
     const opened = this.#ask(async () => {
       const before = this.#before()
-      const edited = await this.#become(scene)
+      const edited = await this.#replaceScene(scene)
       this.#history = { done: [...this.#history.done, ...before], undone: [] }
       this.#openings += 1
       isOpened = true
@@ -363,7 +363,7 @@ export class Editing {
 
   async #openAgain(entry: Opening, from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
     const before = this.#before()
-    const edited = await this.#become(entry.scene)
+    const edited = await this.#replaceScene(entry.scene)
     const idOf = this.#restoreNumbers(entry)
     this.#domain = { ...this.#domain, ...this.#byNumber(this.#domain.areas) }
     const left = this.#history[from].slice(0, -1)
@@ -374,7 +374,7 @@ export class Editing {
     return edited
   }
 
-  async #become(scene: Scene): Promise<Edited> {
+  async #replaceScene(scene: Scene): Promise<Edited> {
     const { circles, domain = NO_DOMAIN } = scene
     const list = listIn(domain.areas)
     if (list !== undefined) checkCount(list, circles.length / 3)
@@ -415,7 +415,7 @@ export class Editing {
   }
 
   /** The areas of the current circles and of the circles that edits insert. */
-  #sharesOf({ areas }: Domain, edits: readonly Step[]): Shares {
+  #sharesOf({ areas }: Domain, edits: readonly UndoEdit[]): Shares {
     const list = listIn(areas)
     if (list === undefined) return { known: undefined, inserted: [] }
     const shareOf = (id: number | undefined) => (id === undefined ? undefined : list[this.numberOf(id)]) ?? Number.NaN
@@ -499,7 +499,7 @@ function checkCount({ length }: readonly number[], circles: number): void {
   if (length !== circles) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasForCircles(length, circles))
 }
 
-function plain(step: Step): Edit {
+function plain(step: UndoEdit): Edit {
   return step.kind === 'insert' ? { kind: 'insert', circle: step.circle } : step
 }
 

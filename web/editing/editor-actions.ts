@@ -4,7 +4,7 @@ import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion } from '../lib/regions/region-shape.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
 import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
-import type { Hands, Held } from '../view/gestures.ts'
+import type { GestureTarget, IdentifiedCircle } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import { short } from '../view/short.ts'
@@ -31,7 +31,7 @@ const ASIDE = 16
 const GRID = 16
 
 /** Circles to open, with the viewport, layers and step of a link. */
-export interface Opened extends Scene {
+export interface OpenRequest extends Scene {
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
   readonly layers?: LinkState['layers']
@@ -51,7 +51,7 @@ export type HowOpened = 'opened' | 'refused' | 'superseded'
  * Everything that a user can do with circles. Input handlers and panels call these methods; apart from results of the
  * backend, nothing else changes the state.
  */
-export class EditorActions implements Hands {
+export class EditorActions implements GestureTarget {
   /** Whether the circles can be selected but not edited. */
   isReadonly = false
   /** Links to named data sets with more circles than this store only the name. */
@@ -134,7 +134,7 @@ export class EditorActions implements Hands {
   }
 
   /** Opens circles once they are loaded, unless a later request replaces them. A refusal changes nothing. */
-  async open(load: () => Promise<Opened>): Promise<HowOpened> {
+  async open(load: () => Promise<OpenRequest>): Promise<HowOpened> {
     this.#lastLoad += 1
     this.#stopLoading()
     const stopped = new Promise<undefined>((resolve) => {
@@ -210,7 +210,7 @@ export class EditorActions implements Hands {
   }
 
   /** The selected circles, with pending edits applied. */
-  held(): Held[] {
+  selectedCircles(): IdentifiedCircle[] {
     if (this.isReadonly) return []
     return this.#store.get().selection.flatMap((id) => {
       const circle = this.#editing.latest(id)
@@ -218,7 +218,7 @@ export class EditorActions implements Hands {
     })
   }
 
-  set(changes: readonly Held[], gesture = this.beginGesture()): void {
+  set(changes: readonly IdentifiedCircle[], gesture = this.beginGesture()): void {
     // A drag may continue after the keyboard removed one of its circles.
     const there = changes.filter(({ id }) => this.#editing.latest(id) !== undefined)
     if (there.length > 0)
@@ -282,7 +282,11 @@ export class EditorActions implements Hands {
   /** Adds copies of the selected circles at an offset. */
   async duplicateSelected(): Promise<void> {
     const aside = roundStep(ASIDE / this.#view.camera.scale)
-    const circles = this.held().map(({ circle: { x, y, r } }) => ({ x: stepped(x, aside), y: stepped(y, -aside), r }))
+    const circles = this.selectedCircles().map(({ circle: { x, y, r } }) => ({
+      x: stepped(x, aside),
+      y: stepped(y, -aside),
+      r,
+    }))
     const { length } = circles.length > 0 ? await this.add(circles) : []
     if (length > 0) this.#say(this.words.duplicated(length))
   }
@@ -329,7 +333,7 @@ export class EditorActions implements Hands {
   }
 
   async removeSelected(): Promise<void> {
-    const ids = this.held().map(({ id }) => id)
+    const ids = this.selectedCircles().map(({ id }) => id)
     if (ids.length === 0) return
     this.select([])
     const edited = await this.#editing.edit(ids.map((id) => ({ kind: 'remove', id })))
@@ -344,12 +348,12 @@ export class EditorActions implements Hands {
 
   /** Changes a single radius by a step, not below zero, or scales several circles by a factor. */
   growSelected(dr: number, factor: number, gesture: number): void {
-    const held = this.held()
+    const held = this.selectedCircles()
     if (held.length === 1) this.#changeSelected(({ x, y, r }) => ({ x, y, r: Math.max(stepped(r, dr), 0) }), gesture)
     else this.#scale(held, factor, gesture)
   }
 
-  #scale(held: readonly Held[], factor: number, gesture: number): void {
+  #scale(held: readonly IdentifiedCircle[], factor: number, gesture: number): void {
     const middle = middleOf(held.map(({ circle }) => circle))
     this.set(
       held.map(({ id, circle }) => ({ id, circle: scaled(circle, middle, factor) })),
@@ -358,7 +362,7 @@ export class EditorActions implements Hands {
   }
 
   #changeSelected(change: (circle: Circle) => Circle, gesture: number): void {
-    const changed = this.held().map(({ id, circle }) => ({ id, circle: change(circle) }))
+    const changed = this.selectedCircles().map(({ id, circle }) => ({ id, circle: change(circle) }))
     this.set(changed, gesture)
     const [only, ...others] = changed
     if (only === undefined) return

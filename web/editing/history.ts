@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
-import type { Step } from '../view/circle-table.ts'
+import type { UndoEdit } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
 import { type Attributes, bytesOfAttributes, NO_ATTRIBUTES } from './attributes.ts'
 import { PackedSteps } from './packed-steps.ts'
@@ -61,7 +61,7 @@ export const EMPTY_HISTORY: History = { done: [], undone: [] }
 /** Records the entry that reverts an edit. Edits of one gesture, such as a drag, share an entry. */
 export function record(
   { done }: History,
-  steps: readonly Step[],
+  steps: readonly UndoEdit[],
   gesture: number,
   { domain, attributes }: Partial<Pick<Edits, 'domain' | 'attributes'>> = {},
 ): History {

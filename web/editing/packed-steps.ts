@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
-import type { Step } from '../view/circle-table.ts'
+import type { UndoEdit } from '../view/circle-table.ts'
 
 const KINDS = ['insert', 'remove', 'replace'] as const
 /** Marks a step without a former id. */
@@ -23,7 +23,7 @@ export class PackedSteps {
     this.#numbers = numbers
   }
 
-  static of(steps: readonly Step[]): PackedSteps {
+  static of(steps: readonly UndoEdit[]): PackedSteps {
     const kinds = Uint8Array.from(steps, ({ kind }) => KINDS.indexOf(kind))
     const ids = Int32Array.from(steps, (step) => (step.kind === 'insert' ? (step.formerId ?? NO_ID) : step.id))
     const numbers = new Float64Array(3 * steps.length)
@@ -49,8 +49,8 @@ export class PackedSteps {
   }
 
   /** Returns the steps as objects. */
-  unpacked(): Step[] {
-    return Array.from(this.#kinds, (kind, k): Step => {
+  unpacked(): UndoEdit[] {
+    return Array.from(this.#kinds, (kind, k): UndoEdit => {
       const id = at(this.#ids, k)
       const circle = { x: at(this.#numbers, 3 * k), y: at(this.#numbers, 3 * k + 1), r: at(this.#numbers, 3 * k + 2) }
       if (kind === 1) return { kind: 'remove', id }
@@ -60,7 +60,7 @@ export class PackedSteps {
   }
 
   /** Prepends other steps. */
-  after(steps: readonly Step[]): PackedSteps {
+  after(steps: readonly UndoEdit[]): PackedSteps {
     if (steps.length === 0) return this
     const first = PackedSteps.of(steps)
     const count = first.length + this.length

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../lib/base/errors.ts'
-import { ENGLISH_REFUSALS, type Refusals, type Telling } from '../view/refusal.ts'
+import { ENGLISH_REFUSALS, type LocalizedError, type Refusals } from '../view/refusal.ts'
 
 /** Localized messages of errors. */
 export interface ProblemWords extends Refusals {
@@ -18,6 +18,6 @@ export function problemOf(error: Error, hasCircles: boolean, words?: ProblemWord
 }
 
 function told(error: Error, words: ProblemWords): string {
-  if ('say' in error) return (error as Telling<ProblemWords>).say(words)
+  if ('say' in error) return (error as LocalizedError<ProblemWords>).say(words)
   return error instanceof CircleVoronoiError ? words.coded(error) : error.message
 }

@@ -4,7 +4,7 @@ import type { CircleTable } from '../view/circle-table.ts'
 import { type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
-import type { Described, Found } from '../view/protocol.ts'
+import type { Described, GlobalResults } from '../view/protocol.ts'
 import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
 import type { Outcome } from './editing.ts'
 import { EMPTY_HISTORY, type History } from './history.ts'
@@ -34,7 +34,7 @@ export interface State {
   /** The visible layers. */
   readonly layers: Layers
   /** Results for layers that depend on all circles, once computed. */
-  readonly found: Found | undefined
+  readonly found: GlobalResults | undefined
   /** The step of playback, which the player shows and changes here; `undefined` if no method is played. */
   readonly step: number | undefined
   /** The program line of the step, while the trace of changed circles is loading and the step has no number yet. */

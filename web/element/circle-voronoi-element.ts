@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Past } from '../editing/editing.ts'
-import { EditorActions, type Opened } from '../editing/editor-actions.ts'
+import { EditorActions, type OpenRequest } from '../editing/editor-actions.ts'
 import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
@@ -40,7 +40,7 @@ import { Paper } from './paper.ts'
 import { readCircles } from './read-circles.ts'
 import { refuse } from './refusals.ts'
 import { Shell } from './shell.ts'
-import { watchSight } from './sight.ts'
+import { watchVisibility } from './visibility.ts'
 import type { Words } from './words.ts'
 
 /** How a diagram was computed from scratch, and the certificate of the result. */
@@ -177,7 +177,7 @@ export class CircleVoronoiElement extends Base {
   readonly #shell: Shell
   #figure: Figure | undefined
   /** The data that was set by properties instead of attributes and children. */
-  #own: Opened | undefined
+  #own: OpenRequest | undefined
   /** The layers that were set by the property. */
   #layers: Layers | undefined
   #view: LinkView | undefined
@@ -194,7 +194,7 @@ export class CircleVoronoiElement extends Base {
   #stopWatching: (() => void) | undefined
   #stopWaiting: (() => void) | undefined
   /** The undo history of a figure that has ended, for when its circles are shown again. */
-  #past: { readonly own: Opened; readonly past: Past } | undefined
+  #past: { readonly own: OpenRequest; readonly past: Past } | undefined
   #paper: Paper | undefined
   /** The cached `value`, and the number of its change. */
   #value: { readonly circles: Float64s; readonly change: number } | undefined
@@ -216,7 +216,7 @@ export class CircleVoronoiElement extends Base {
   /** The array of the last event. Setting it again changes nothing. */
   #newest: object | undefined
   #changes = 0
-  #ready = new Settling()
+  #ready = new Deferred()
   /** The errors of attributes and properties, by name. */
   readonly #wrong = new Map<string, Error>()
 
@@ -248,7 +248,7 @@ export class CircleVoronoiElement extends Base {
     // Printing needs the whole page, and a hidden tab never becomes visible first.
     const { connection } = navigator as { readonly connection?: { readonly saveData?: boolean } }
     if (connection?.saveData !== true) this.#stopWaiting = whenIdle(() => this.#start())
-    this.#stopWatching = watchSight(this, (sight) => {
+    this.#stopWatching = watchVisibility(this, (sight) => {
       this.#isShown = sight === 'near'
       if (this.#isShown) this.#start()
       this.#show()
@@ -264,7 +264,7 @@ export class CircleVoronoiElement extends Base {
       if (this.isConnected) return
       this.#stop()
       this.#ready.settle()
-      this.#ready = new Settling()
+      this.#ready = new Deferred()
     })
   }
 
@@ -973,7 +973,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   /** Opens circles in a domain, leaving out the parts of the domain that are refused. */
-  async #openIn(figure: Figure, { region, lattice, areas }: Domain, opened: Opened): Promise<void> {
+  async #openIn(figure: Figure, { region, lattice, areas }: Domain, opened: OpenRequest): Promise<void> {
     const attempts = [
       ...(lattice === undefined ? [] : [{ name: 'lattice', domain: { region, lattice, areas } }]),
       ...(areas === undefined ? [] : [{ name: 'areas', domain: { region, areas } }]),
@@ -1026,7 +1026,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   /** `undefined` if neither properties nor attributes give circles. */
-  async #opened(signal: AbortSignal): Promise<Opened | undefined> {
+  async #opened(signal: AbortSignal): Promise<OpenRequest | undefined> {
     if (this.#own !== undefined) return this.#own
     const text = this.getAttribute('circles')
     if (text !== null) return opened(readCircles(text))
@@ -1267,7 +1267,7 @@ function isSet<Value>(value: Value | undefined | null): value is Value {
 }
 
 /** A promise with external resolve and reject. */
-class Settling {
+class Deferred {
   settle: () => void = () => {}
   readonly promise = new Promise<void>((resolve) => {
     this.settle = resolve

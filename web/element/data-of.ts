@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { columnsOf } from '../editing/attributes.ts'
-import type { Opened } from '../editing/editor-actions.ts'
+import type { OpenRequest } from '../editing/editor-actions.ts'
 import type { Float64s } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
@@ -12,7 +12,7 @@ import { type ElementRefusals, refuse } from './refusals.ts'
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
 /** Circles as they are opened. */
-export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): Opened {
+export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): OpenRequest {
   const { region, lattice, areas, attributes: said, ...others } = rest
   const attributes = said && columnsOf(said, circles.length / 3)
   const hasDomain = region !== undefined || lattice !== undefined || areas !== undefined
@@ -24,7 +24,7 @@ export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dat
  * Converts a state.
  * @throws Refusal if it names a data set of the page instead of circles
  */
-export function openedState({ circles, dataSet, ...rest }: LinkState): Opened {
+export function openedState({ circles, dataSet, ...rest }: LinkState): OpenRequest {
   if (circles === undefined && dataSet !== undefined) {
     refuse((words) => words.dataSet(dataSet), 'badInput')
   }
@@ -37,7 +37,7 @@ export async function linkState(link: string): Promise<LinkState> {
   return decodeLink(link)
 }
 
-async function openedLink(link: string): Promise<Opened> {
+async function openedLink(link: string): Promise<OpenRequest> {
   return openedState(await linkState(link))
 }
 
@@ -45,7 +45,7 @@ async function openedLink(link: string): Promise<Opened> {
  * Loads an address: a file, or a link to the playground.
  * @throws CircleVoronoiError, or the error of `fetch`
  */
-export async function openedFrom(src: string, signal: AbortSignal): Promise<Opened> {
+export async function openedFrom(src: string, signal: AbortSignal): Promise<OpenRequest> {
   const link = LINK.exec(src)?.[1]
   if (link !== undefined) return openedLink(link)
   const response = await fetch(src, { signal })

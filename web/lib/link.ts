@@ -249,7 +249,7 @@ export async function decodeLink(text: string): Promise<LinkState> {
   }
   const problem = problemOf(said)
   if (problem !== undefined) refuse(problem)
-  return stateOf(said as Said)
+  return stateOf(said as EncodedLink)
 }
 
 /** The fields of a state that are about the frame. */
@@ -258,7 +258,7 @@ export function frameOf(state: LinkFrame): LinkFrame {
 }
 
 /** The encoded form of a link, with lists of numbers. */
-interface Said extends LinkFrame {
+interface EncodedLink extends LinkFrame {
   readonly circles?: readonly number[] | undefined
   readonly names?: readonly string[] | undefined
   readonly attributes?: LinkAttributes | undefined
@@ -273,7 +273,7 @@ interface Said extends LinkFrame {
   readonly areas?: 'equal' | readonly number[] | undefined
 }
 
-function stateOf(said: Said): LinkState {
+function stateOf(said: EncodedLink): LinkState {
   const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = said
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
@@ -296,7 +296,7 @@ function latticeOf([ax, ay, bx, by]: readonly [number, number, number, number]):
   return { a: [ax, ay], b: [bx, by] }
 }
 
-function listOf(edit: Edit): Exclude<Said['edits'], undefined>[number] {
+function listOf(edit: Edit): Exclude<EncodedLink['edits'], undefined>[number] {
   const circle = (circle: CircleLike) => [circleX(circle), circleY(circle), circleRadius(circle)]
   switch (edit?.kind) {
     case 'insert':
@@ -310,7 +310,7 @@ function listOf(edit: Edit): Exclude<Said['edits'], undefined>[number] {
   }
 }
 
-function editOf([kind, ...numbers]: Exclude<Said['edits'], undefined>[number]): Edit {
+function editOf([kind, ...numbers]: Exclude<EncodedLink['edits'], undefined>[number]): Edit {
   const [x, y, r] = numbers.slice(-3) as [number, number, number]
   if (kind === '+') return { kind: 'insert', circle: { x, y, r } }
   const id = numbers[0] as number
@@ -433,7 +433,7 @@ function problemOfCircle(numbers: readonly number[], first: number): string | un
   return isTooLarge ? `has a coordinate or a radius beyond ${COORDINATE_LIMIT_TEXT}` : undefined
 }
 
-function isEdit(edit: unknown): edit is NonNullable<Said['edits']>[number] {
+function isEdit(edit: unknown): edit is NonNullable<EncodedLink['edits']>[number] {
   if (!Array.isArray(edit) || typeof edit[0] !== 'string' || !Object.hasOwn(EDITS, edit[0])) return false
   const [count, hasId] = EDITS[edit[0]] as readonly [number, boolean]
   const numbers = edit.slice(1)

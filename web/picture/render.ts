@@ -15,11 +15,11 @@ import { circlesAt, sceneOf } from '../player/scene.ts'
 import { type Step, stepsOf } from '../player/steps.ts'
 import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
-import { type AboveLayer, layersFrom, withoutDiagram } from '../view/layers.ts'
+import { layersFrom, type OverlayLayer, withoutDiagram } from '../view/layers.ts'
 import type { PaintedScene } from '../view/painter/painted-scene.ts'
 import { traced } from '../view/painter/traced.ts'
 import { svgPicture } from '../view/svg-picture.ts'
-import { SceneComputer } from './scene-computer.ts'
+import { SceneBackend } from './scene-backend.ts'
 import type { Scheme } from './scheme.ts'
 import { playerColors, themeStyle } from './theme.ts'
 
@@ -66,7 +66,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     refuseOption(`The option scheme is "light" or "dark", not ${shown(scheme)}.`)
   const { circles, edits, view, layers: given, step, method, region, lattice, areas } = await checked(state)
 
-  const computer = new SceneComputer(await circleVoronoiOf(await compileCircleVoronoi(options)))
+  const computer = new SceneBackend(await circleVoronoiOf(await compileCircleVoronoi(options)))
   const { scene } = computer
   try {
     let problem: Error | undefined
@@ -123,7 +123,7 @@ function playedAt(
   step: number,
   method: string | undefined,
   scheme: Scheme,
-): readonly AboveLayer[] | undefined {
+): readonly OverlayLayer[] | undefined {
   const known = METHODS.find((name) => name === method) ?? ('touching-disc' satisfies Method)
   const { circles: given, ids, diagram, events } = traced(library, picture.diagram, { method: known })
   const trace = new Trace(new Diagram(diagram), events)

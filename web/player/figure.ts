@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { editView } from '../editing/edited-view.ts'
 import type { Editing, Outcome, Past } from '../editing/editing.ts'
-import type { EditorActions, Opened } from '../editing/editor-actions.ts'
+import type { EditorActions, OpenRequest } from '../editing/editor-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
+import { mountLiveRegion } from '../editing/live-region.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
-import { mountSaid } from '../editing/said.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Point } from '../lib/index.ts'
@@ -21,7 +21,7 @@ import { Stepping } from './stepping.ts'
 import type { PlayerWords } from './words.ts'
 
 /** The elements that a figure consists of. */
-export interface Places {
+export interface FigureElements {
   /** Shows the circles, takes the focus and receives keys. */
   readonly figure: HTMLElement
   /** Receives keyboard shortcuts that work wherever the focus is: the figure with its buttons, or the page. */
@@ -65,7 +65,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   /** The most recent opening. */
   #opening: Promise<unknown> | undefined
 
-  constructor({ figure, around, player, said }: Places, options: FigureOptions<Actions>) {
+  constructor({ figure, around, player, said }: FigureElements, options: FigureOptions<Actions>) {
     const { load, scrolls = false, keys = {}, onoutcome, onproblem, played, onstep, words } = options
     const view = mount(figure, load)
     const { store, editing } = editView(view, onoutcome, (error) => {
@@ -93,7 +93,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
       onproblem,
     })
 
-    mountSaid(store, said, () => actions.words)
+    mountLiveRegion(store, said, () => actions.words)
     const isGrabbed = (point: Point, within: number) => !actions.isReadonly && editing.circles.hasAt(point, within)
     this.#listening = listenToPointer(figure, view, actions, scrolls ? { isGrabbed } : {})
     const { signal } = this.#keys
@@ -104,7 +104,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
    * Opens other circles together with their viewport and style.
    * @throws Error that says why they could not be opened; the figure stays unchanged
    */
-  async open(opened: Opened): Promise<void> {
+  async open(opened: OpenRequest): Promise<void> {
     this.#refused = undefined
     const opening = this.actions.open(async () => opened)
     this.#opening = opening

@@ -15,7 +15,7 @@ import { type Question, questionAfter } from './prediction.ts'
 import { type Line, PROGRAMS, type Program } from './program.ts'
 import { type Colors, circlesAt, PLAYER_COLORS, sceneOf } from './scene.ts'
 import { numberOf, sentenceOf } from './sentences.ts'
-import { concerns, nextStep, programOf, type Step, sortOf, stepsOf } from './steps.ts'
+import { concerns, kindOf, nextStep, programOf, type Step, stepsOf } from './steps.ts'
 import { drawTimeline } from './timeline.ts'
 import { ENGLISH_PLAYER, type Goal, type PlayerWords } from './words.ts'
 
@@ -189,7 +189,7 @@ class MethodPlayer implements Player {
     const { step } = this.#placeNow()
     if (!this.#isLoading && step !== undefined && this.#steps.length > 0) {
       const shown = this.#steps[this.#shown] as Step
-      if (sortOf(shown) === 'stage') this.#setPlace(step, shown.line)
+      if (kindOf(shown) === 'stage') this.#setPlace(step, shown.line)
       else this.#setPlace(0)
     }
     this.pause()
@@ -333,7 +333,7 @@ class MethodPlayer implements Player {
     return nextStep(steps, step, direction, (item, k) => {
       if (goal === 'breakpoint') return this.#breakpoints.has(k)
       if (goal === 'selected') return selected !== undefined && concerns(trace, steps, k, selected)
-      return sortOf(item) === goal
+      return kindOf(item) === goal
     })
   }
 
@@ -582,7 +582,7 @@ class MethodPlayer implements Player {
   ): TemplateResult | typeof nothing {
     const words = this.#words
     const event = current.event < trace.length ? trace.event(current.event) : undefined
-    const id = this.#selected ?? (sortOf(current) === 'stage' ? undefined : event?.circles[0])
+    const id = this.#selected ?? (kindOf(current) === 'stage' ? undefined : event?.circles[0])
     const circle = id === undefined ? undefined : circleOf(id)
     if (id === undefined || circle === undefined) {
       return html`<details class="ring" open>

@@ -3,7 +3,7 @@
 import type { Circle, Vertex } from '../lib/index.ts'
 import type { Trace, TraceState } from '../lib/wasm/trace.ts'
 import { boundingBox } from '../view/camera.ts'
-import type { AboveLayer } from '../view/layers.ts'
+import type { OverlayLayer } from '../view/layers.ts'
 import { FinishedArcs } from './finished-arcs.ts'
 import { kindAt, type Step } from './steps.ts'
 
@@ -60,11 +60,11 @@ export function sceneOf(
   tested: readonly number[],
   circles: ReadonlyMap<number, Circle>,
   colors: Colors,
-): readonly AboveLayer[] {
+): readonly OverlayLayer[] {
   const circleOf = (id: number) => circles.get(id)
   const head = LARGEST_HEAD * extentOf(circles)
-  const layers: AboveLayer[] = []
-  const add = (id: string, color: string, layer: Omit<AboveLayer, 'id' | 'color'>) =>
+  const layers: OverlayLayer[] = []
+  const add = (id: string, color: string, layer: Omit<OverlayLayer, 'id' | 'color'>) =>
     layers.push({ id, color, ...layer })
   const joined = (events: Int32Array) => segmentsOf(events, (k) => trace.event(k).circles, circleOf)
   const { line } = step
@@ -123,7 +123,7 @@ export function sceneOf(
   )
 }
 
-type Add = (id: string, color: string, layer: Omit<AboveLayer, 'id' | 'color'>) => void
+type Add = (id: string, color: string, layer: Omit<OverlayLayer, 'id' | 'color'>) => void
 
 function addDisc(
   trace: Trace,

@@ -12,10 +12,10 @@ export interface Step {
 }
 
 /** The kinds of steps that a reader can search for. */
-export const SORTS = ['stage', 'disc', 'edge', 'vertex', 'rejected', 'circle'] as const
-export type Sort = (typeof SORTS)[number]
+export const STEP_KINDS = ['stage', 'disc', 'edge', 'vertex', 'rejected', 'circle'] as const
+export type StepKind = (typeof STEP_KINDS)[number]
 
-const SORT_OF: Readonly<Record<Line, Sort | undefined>> = {
+const SORT_OF: Readonly<Record<Line, StepKind | undefined>> = {
   begin: 'stage',
   centers: 'stage',
   angles: 'stage',
@@ -47,7 +47,7 @@ const SORT_OF: Readonly<Record<Line, Sort | undefined>> = {
   editDone: 'stage',
 }
 
-export function sortOf(step: Step): Sort | undefined {
+export function kindOf(step: Step): StepKind | undefined {
   return SORT_OF[step.line]
 }
 
@@ -171,7 +171,7 @@ export function nextStep(
 /** Whether a step is about a circle in particular. Steps about all circles do not count. */
 export function concerns(trace: Trace, steps: readonly Step[], k: number, circle: number): boolean {
   const step = steps[k] as Step
-  if (sortOf(step) === 'stage' || step.event >= trace.length) return false
+  if (kindOf(step) === 'stage' || step.event >= trace.length) return false
   for (let event = step.event; event < Math.max(step.end, step.event + 1); event++) {
     if (trace.event(event).circles.includes(circle)) return true
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Colors } from './scene.ts'
-import { type Sort, type Step, sortOf } from './steps.ts'
+import { kindOf, type Step, type StepKind } from './steps.ts'
 
 /** The rows of marks from top to bottom: the color of each kind, and its vertical range. */
-const ROWS: readonly (readonly [sort: Sort, color: keyof Colors, top: number, bottom: number])[] = [
+const ROWS: readonly (readonly [sort: StepKind, color: keyof Colors, top: number, bottom: number])[] = [
   ['stage', 'past', 0, 1],
   ['circle', 'current', 0, 0.3],
   ['disc', 'sample', 0.72, 0.95],
@@ -13,11 +13,11 @@ const ROWS: readonly (readonly [sort: Sort, color: keyof Colors, top: number, bo
 ]
 
 /** The columns of the timelines on screen, by width. */
-const known = new WeakMap<readonly Step[], readonly ReadonlyMap<Sort, number>[]>()
+const known = new WeakMap<readonly Step[], readonly ReadonlyMap<StepKind, number>[]>()
 /** Opacity of a mark where its kind is rarest. */
 const WEAKEST = 0.15
 
-function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyMap<Sort, number>[] {
+function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyMap<StepKind, number>[] {
   const before = known.get(steps)
   if (before?.length === width) return before
   const columns = columnsOf(steps, width)
@@ -26,11 +26,11 @@ function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyM
 }
 
 /** Counts the steps of each kind in every column of pixels. */
-export function columnsOf(steps: readonly Step[], width: number): readonly ReadonlyMap<Sort, number>[] {
-  const columns = Array.from({ length: width }, () => new Map<Sort, number>())
+export function columnsOf(steps: readonly Step[], width: number): readonly ReadonlyMap<StepKind, number>[] {
+  const columns = Array.from({ length: width }, () => new Map<StepKind, number>())
   const last = Math.max(steps.length - 1, 1)
   for (const [k, step] of steps.entries()) {
-    const sort = sortOf(step)
+    const sort = kindOf(step)
     const column = columns[Math.round((k / last) * (width - 1))]
     if (sort !== undefined) column?.set(sort, (column.get(sort) ?? 0) + 1)
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Sort } from './steps.ts'
+import type { StepKind } from './steps.ts'
 
 /** The targets of "go to next": a kind of step, the selected circle, or a breakpoint. */
-export type Goal = Sort | 'selected' | 'breakpoint'
+export type Goal = StepKind | 'selected' | 'breakpoint'
 
 /** The player's texts. */
 export interface PlayerWords {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type Camera, type Size, toPlane } from './camera.ts'
 import type { Painted } from './painter.ts'
-import { type Grid, type PixelBox, TILE, type Wish } from './protocol.ts'
+import { type Grid, type PaintRequest, type PixelBox, TILE } from './protocol.ts'
 
 /** Margin painted around the viewport, in device pixels, so that panning has pixels ready. */
 const ROOM = TILE
@@ -9,13 +9,13 @@ const ROOM = TILE
 export const MOST_ENLARGED = 256
 
 /** A buffer of a part of a grid, with the area that has been painted. */
-interface Sheet {
+interface PaintedBuffer {
   readonly canvas: OffscreenCanvas
   readonly context: OffscreenCanvasRenderingContext2D
   readonly grid: Grid
   readonly box: PixelBox
   /** The number of the request that fills the buffer. */
-  readonly wish: number
+  readonly paintId: number
   isWhole: boolean
 }
 
@@ -23,56 +23,61 @@ interface Sheet {
  * The picture without hover and selection. A thread paints it; it is shown moved and scaled until the next one arrives.
  */
 export class BasePicture {
-  #sheet: Sheet | undefined
+  #buffer: PaintedBuffer | undefined
   /** The previous buffer, shown where the current one is still empty. */
-  #before: Sheet | undefined
+  #before: PaintedBuffer | undefined
   #lastGrid = 0
-  #lastWish = 0
+  #lastPaintId = 0
 
   /** Whether everything requested has been painted. */
   get isWhole(): boolean {
-    return this.#sheet?.isWhole === true
+    return this.#buffer?.isWhole === true
   }
 
   /** Whether the painted pixels fit a camera exactly. */
   isSharp({ scale }: Camera, pixelRatio: number): boolean {
-    const grid = this.#sheet?.grid
+    const grid = this.#buffer?.grid
     return grid !== undefined && grid.scale === scale * pixelRatio && grid.pixelRatio === pixelRatio
   }
 
   /** Makes the buffer cover a camera's viewport. Returns the request for missing pixels, if any. */
-  see(camera: Camera, size: Size, pixelRatio: number): Wish | undefined {
+  see(camera: Camera, size: Size, pixelRatio: number): PaintRequest | undefined {
     if (!this.isSharp(camera, pixelRatio)) {
-      if (this.#sheet?.isWhole === true) this.#before = this.#sheet
+      if (this.#buffer?.isWhole === true) this.#before = this.#buffer
       this.#lastGrid += 1
       const { x, y } = toPlane(camera, size, { x: 0, y: 0 })
       const grid = { id: this.#lastGrid, x, y, scale: camera.scale * pixelRatio, pixelRatio }
       return this.#turnTo(grid, seenOf(grid, camera, size))
     }
-    const { grid, box } = this.#sheet as Sheet
+    const { grid, box } = this.#buffer as PaintedBuffer
     const seen = seenOf(grid, camera, size)
     return holds(box, seen) ? undefined : this.#turnTo(grid, seen)
   }
 
   /** Requests all pixels again, for example after an edit. The old pixels stay visible until then. */
-  again(camera: Camera, size: Size): Wish | undefined {
-    const sheet = this.#sheet
-    if (sheet === undefined) return undefined
-    this.#lastWish += 1
-    this.#sheet = { ...sheet, wish: this.#lastWish, isWhole: false }
-    return { wish: this.#lastWish, grid: sheet.grid, seen: seenOf(sheet.grid, camera, size), wanted: sheet.box }
+  again(camera: Camera, size: Size): PaintRequest | undefined {
+    const buffer = this.#buffer
+    if (buffer === undefined) return undefined
+    this.#lastPaintId += 1
+    this.#buffer = { ...buffer, paintId: this.#lastPaintId, isWhole: false }
+    return {
+      paintId: this.#lastPaintId,
+      grid: buffer.grid,
+      seen: seenOf(buffer.grid, camera, size),
+      wanted: buffer.box,
+    }
   }
 
   put({ grid, patches, ...rest }: Painted): void {
-    const sheet = this.#sheet
-    if (sheet !== undefined && sheet.grid.id === grid) {
+    const buffer = this.#buffer
+    if (buffer !== undefined && buffer.grid.id === grid) {
       for (const { box, image } of patches) {
-        sheet.context.drawImage(image, box.left - sheet.box.left, box.top - sheet.box.top)
+        buffer.context.drawImage(image, box.left - buffer.box.left, box.top - buffer.box.top)
       }
     }
     for (const { image } of patches) image.close()
-    if (rest.kind === 'painted' && rest.isWhole && sheet?.wish === rest.wish) {
-      sheet.isWhole = true
+    if (rest.kind === 'painted' && rest.isWhole && buffer?.paintId === rest.paintId) {
+      buffer.isWhole = true
       this.#before = undefined
     }
     // The previous buffer shows the circles before the edit.
@@ -88,7 +93,7 @@ export class BasePicture {
 
   /** Drops all pixels, because of other circles or another style. */
   clear(): void {
-    this.#sheet = undefined
+    this.#buffer = undefined
     this.#before = undefined
   }
 
@@ -96,9 +101,9 @@ export class BasePicture {
   draw(context: CanvasRenderingContext2D, camera: Camera, size: Size, pixelRatio: number): void {
     const { width, height } = context.canvas
     context.clearRect(0, 0, width, height)
-    for (const sheet of [this.#before, this.#sheet]) {
-      if (sheet === undefined || (sheet === this.#before && this.#sheet?.isWhole === true)) continue
-      const { grid, box, canvas } = sheet
+    for (const buffer of [this.#before, this.#buffer]) {
+      if (buffer === undefined || (buffer === this.#before && this.#buffer?.isWhole === true)) continue
+      const { grid, box, canvas } = buffer
       const zoom = (camera.scale * pixelRatio) / grid.scale
       // Browsers take minutes for extreme scales, at which nothing could be recognized anyway.
       if (zoom > MOST_ENLARGED || zoom < 1 / MOST_ENLARGED) continue
@@ -113,7 +118,7 @@ export class BasePicture {
     }
   }
 
-  #turnTo(grid: Grid, seen: PixelBox): Wish {
+  #turnTo(grid: Grid, seen: PixelBox): PaintRequest {
     const left = Math.floor((seen.left - ROOM) / ROOM) * ROOM
     const top = Math.floor((seen.top - ROOM) / ROOM) * ROOM
     const wanted = {
@@ -124,11 +129,11 @@ export class BasePicture {
     }
     const canvas = new OffscreenCanvas(wanted.width, wanted.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-    const old = this.#sheet
+    const old = this.#buffer
     if (old?.grid.id === grid.id) context.drawImage(old.canvas, old.box.left - left, old.box.top - top)
-    this.#lastWish += 1
-    this.#sheet = { canvas, context, grid, box: wanted, wish: this.#lastWish, isWhole: false }
-    return { wish: this.#lastWish, grid, seen, wanted }
+    this.#lastPaintId += 1
+    this.#buffer = { canvas, context, grid, box: wanted, paintId: this.#lastPaintId, isWhole: false }
+    return { paintId: this.#lastPaintId, grid, seen, wanted }
   }
 }
 

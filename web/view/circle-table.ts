@@ -14,7 +14,7 @@ export const NO_CHANGE: CircleChange = {
 }
 
 /** An edit that may restore a removed circle, with the circle's former id. */
-export type Step = Edit & { readonly formerId?: number }
+export type UndoEdit = Edit & { readonly formerId?: number }
 
 /** Number of circles from which the core is estimated. */
 const CORE_SAMPLE = 1000
@@ -68,10 +68,10 @@ export class CircleTable {
   }
 
   /** Applies a change of the editor. Returns the edits that undo it. */
-  follow({ inserted, removed, replaced, circles }: CircleChange): Step[] {
+  follow({ inserted, removed, replaced, circles }: CircleChange): UndoEdit[] {
     this.#box = undefined
     this.#core = undefined
-    const back: Step[] = []
+    const back: UndoEdit[] = []
     const newCircle = (k: number): Circle => ({
       x: at(circles, 3 * k),
       y: at(circles, 3 * k + 1),

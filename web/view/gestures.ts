@@ -7,26 +7,26 @@ import type { View } from './view.ts'
 const SNAP_DISTANCE = 8
 
 /** A circle with its id. */
-export interface Held {
+export interface IdentifiedCircle {
   readonly id: number
   readonly circle: Circle
 }
 
 /** The phases of drawing a polygon: a corner moves, is placed, or closes the polygon. */
-export type Drawn = 'move' | 'place' | 'close'
+export type SketchPhase = 'move' | 'place' | 'close'
 
 /** The effects of gestures on the circles of a view. */
-export interface Hands {
+export interface GestureTarget {
   /** The effect of a press. `add` adds a circle. */
   readonly tool: 'select' | 'pan' | 'add' | 'draw'
   /** Draws with the tool `draw` at a point. Points `within` a distance in units count as the same. */
-  draw?(how: Drawn, point: Point, within: number): void
+  draw?(how: SketchPhase, point: Point, within: number): void
   /** Whether dragged circles snap without a modifier key. */
   readonly snaps: boolean
   /** A circle's current values; `undefined` if the circle is gone or must not be changed. */
   circle(id: number): Circle | undefined
   /** The selected circles. */
-  held(): readonly Held[]
+  selectedCircles(): readonly IdentifiedCircle[]
   isSelected(id: number): boolean
   select(ids: readonly number[]): void
   /** Adds a circle to the selection, or removes it. */
@@ -36,7 +36,7 @@ export interface Hands {
   hover(id: number | undefined): void
   /** Returns a number that groups edits into one undo step. */
   beginGesture(): number
-  set(circles: readonly Held[], gesture: number): void
+  set(circles: readonly IdentifiedCircle[], gesture: number): void
   /**
    * Snaps a circle to other circles or a grid within a distance in units. `sizes` changes the radius instead of the
    * center.
@@ -65,7 +65,7 @@ export interface Gesture {
 }
 
 /** Creates gestures that begin at a given pixel. */
-export function gesturesOf(view: View, hands: Hands) {
+export function gesturesOf(view: View, target: GestureTarget) {
   const planeAt = (point: Point) => toPlane(view.camera, view.size, point)
   const within = () => SNAP_DISTANCE / view.camera.scale
 
@@ -82,8 +82,8 @@ export function gesturesOf(view: View, hands: Hands) {
 
   /** Drags the selected circles. Circle `id` is the one under the pointer, which snaps. */
   const moveCircles = (from: Point, id: number): Gesture => {
-    const gesture = hands.beginGesture()
-    const held = hands.held()
+    const gesture = target.beginGesture()
+    const held = target.selectedCircles()
     const grip = planeAt(from)
     return {
       move(to, snaps) {
@@ -91,23 +91,23 @@ export function gesturesOf(view: View, hands: Hands) {
         const movedBy = (circle: Circle, dx: number, dy: number) => ({ ...circle, x: circle.x + dx, y: circle.y + dy })
         let [dx, dy] = [point.x - grip.x, point.y - grip.y]
         const grabbed = held.find((other) => other.id === id)
-        const place = grabbed && snaps ? hands.snapped(movedBy(grabbed.circle, dx, dy), within(), false) : undefined
+        const place = grabbed && snaps ? target.snapped(movedBy(grabbed.circle, dx, dy), within(), false) : undefined
         if (grabbed && place) [dx, dy] = [place.x - grabbed.circle.x, place.y - grabbed.circle.y]
         const moved = held.map((other) => ({
           id: other.id,
           circle: other === grabbed && place ? place : movedBy(other.circle, dx, dy),
         }))
-        hands.set(moved, gesture)
+        target.set(moved, gesture)
       },
       // A click without a drag selects only this circle.
-      click: () => hands.select([id]),
-      cancel: () => hands.cancel(gesture),
+      click: () => target.select([id]),
+      cancel: () => target.cancel(gesture),
     }
   }
 
   /** Drags the rim, at a constant distance from the pointer. */
   const resizeCircle = (from: Point, id: number, { x, y, r }: Circle): Gesture => {
-    const gesture = hands.beginGesture()
+    const gesture = target.beginGesture()
     const distanceTo = (point: Point) => {
       const { x: px, y: py } = planeAt(point)
       return Math.hypot(px - x, py - y)
@@ -116,20 +116,20 @@ export function gesturesOf(view: View, hands: Hands) {
     return {
       move(to, snaps) {
         const circle = { x, y, r: Math.max(distanceTo(to) + offset, 0) }
-        hands.set([{ id, circle: snaps ? hands.snapped(circle, within(), true) : circle }], gesture)
+        target.set([{ id, circle: snaps ? target.snapped(circle, within(), true) : circle }], gesture)
       },
-      click: () => hands.select([id]),
-      cancel: () => hands.cancel(gesture),
+      click: () => target.select([id]),
+      cancel: () => target.cancel(gesture),
     }
   }
 
   /** Scales the selected circles by the pointer's distance from their center. */
   const scaleCircles = (from: Point, middle: Point): Gesture => {
-    const held = hands.held()
+    const held = target.selectedCircles()
     const [only, ...others] = held
     // A single point has no size to scale, so its radius is dragged instead.
     if (only !== undefined && others.length === 0) return resizeCircle(from, only.id, only.circle)
-    const gesture = hands.beginGesture()
+    const gesture = target.beginGesture()
     const distanceTo = (point: Point) => {
       const { x, y } = planeAt(point)
       return Math.hypot(x - middle.x, y - middle.y)
@@ -143,18 +143,18 @@ export function gesturesOf(view: View, hands: Hands) {
           y: middle.y + (y - middle.y) * factor,
           r: r * factor,
         })
-        hands.set(
+        target.set(
           held.map(({ id, circle }) => ({ id, circle: scaled(circle) })),
           gesture,
         )
       },
-      cancel: () => hands.cancel(gesture),
+      cancel: () => target.cancel(gesture),
     }
   }
 
   /** The press sets the center, the drag sets the radius. */
   const addCircle = (from: Point): Gesture => {
-    const gesture = hands.beginGesture()
+    const gesture = target.beginGesture()
     const { x, y } = planeAt(from)
     let added: Promise<readonly number[]> | undefined
     let last: Circle = { x, y, r: 0 }
@@ -162,23 +162,23 @@ export function gesturesOf(view: View, hands: Hands) {
     const circleTo = (to: Point, snaps: boolean): Circle => {
       const point = planeAt(to)
       const circle = { x, y, r: Math.hypot(point.x - x, point.y - y) }
-      return snaps ? hands.snapped(circle, within(), true) : circle
+      return snaps ? target.snapped(circle, within(), true) : circle
     }
     return {
       move(to, snaps) {
         const circle = circleTo(to, snaps)
         last = circle
         const isFirst = added === undefined
-        added ??= hands.add([circle], gesture)
+        added ??= target.add([circle], gesture)
         added.then(([id]) => {
           const isWanted = !isCanceled && (isFirst || circle === last)
-          if (id !== undefined && isWanted) hands.set([{ id, circle: last }], gesture)
+          if (id !== undefined && isWanted) target.set([{ id, circle: last }], gesture)
         })
       },
-      click: () => hands.addFitting({ x, y }),
+      click: () => target.addFitting({ x, y }),
       cancel() {
         isCanceled = true
-        hands.cancel(gesture)
+        target.cancel(gesture)
       },
     }
   }
@@ -186,7 +186,7 @@ export function gesturesOf(view: View, hands: Hands) {
   /** The release places the corner. */
   const drawCorner = (from: Point): Gesture => {
     let last = from
-    const draw = (how: Drawn) => hands.draw?.(how, planeAt(last), within())
+    const draw = (how: SketchPhase) => target.draw?.(how, planeAt(last), within())
     draw('move')
     return {
       move(to) {
@@ -208,7 +208,7 @@ export function gesturesOf(view: View, hands: Hands) {
       isFollowing = true
       for (let shown: Point | undefined; shown !== last && !isOver; ) {
         shown = last
-        const circle = await hands.fitted(shown)
+        const circle = await target.fitted(shown)
         if (!isOver) await view.tryCircle(circle)
       }
       isFollowing = false
@@ -225,7 +225,7 @@ export function gesturesOf(view: View, hands: Hands) {
       },
       end() {
         stop()
-        return hands.addFitting(last)
+        return target.addFitting(last)
       },
       cancel: stop,
     }
@@ -246,7 +246,7 @@ export function gesturesOf(view: View, hands: Hands) {
       end() {
         clear()
         const [one, other] = [planeAt(from), planeAt(last)]
-        hands.selectWithin({
+        target.selectWithin({
           minX: Math.min(one.x, other.x),
           minY: Math.min(one.y, other.y),
           maxX: Math.max(one.x, other.x),
@@ -279,7 +279,7 @@ export function gesturesOf(view: View, hands: Hands) {
       move() {
         const next = spread()
         view.setCamera(panned(view.camera, next.middle.x - last.middle.x, next.middle.y - last.middle.y))
-        hands.zoom(next.width / last.width, next.middle)
+        target.zoom(next.width / last.width, next.middle)
         last = next
       },
     }

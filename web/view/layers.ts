@@ -55,7 +55,7 @@ export interface DataLayer {
 }
 
 /** A layer that a client draws above the picture. */
-export interface AboveLayer extends DataLayer {
+export interface OverlayLayer extends DataLayer {
   /** Width of lines, in pixels. */
   readonly width?: number
   /** Radius of dots, in pixels. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
 import type { Box, PathSink, Point } from '../lib/index.ts'
-import type { AboveLayer, Layers } from './layers.ts'
+import type { Layers, OverlayLayer } from './layers.ts'
 import { replay } from './painter/commands.ts'
 import { addArc, addDisc } from './painter/disc-path.ts'
 import type { Drawing } from './painter/drawing.ts'
@@ -9,10 +9,10 @@ import type { Frame } from './painter/frame.ts'
 import { FrameSink } from './painter/frame-sink.ts'
 import { addRectangle } from './painter/polygon-path.ts'
 import { addSegment } from './painter/segment-path.ts'
-import type { Described, Found, Marks, Touching, Trial } from './protocol.ts'
+import type { Described, GlobalResults, Highlights, Touching, Trial } from './protocol.ts'
 import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
-import type { Band, Chosen } from './view.ts'
+import type { Chosen, SelectionRectangle } from './view.ts'
 
 /** Widths of highlight outlines and of the light border beside them, which separates them from any color, in pixels. */
 const OUTLINE = 2.5
@@ -46,17 +46,17 @@ export function handleOf({ maxX, minY }: Box, toPixel: (point: Point) => Point):
 }
 
 /** The highlights of the pointer and the selection. */
-export interface StandingOut {
-  readonly marks: Marks
+export interface OverlayHighlights {
+  readonly marks: Highlights
   readonly touching: Touching | undefined
   readonly trial: Trial | undefined
   readonly chosen: Chosen | undefined
-  readonly band: Band | undefined
+  readonly band: SelectionRectangle | undefined
   /** The corners of the polygon being drawn. */
   readonly sketch: Float64Array | undefined
 }
 
-export const NOTHING_STANDS_OUT: StandingOut = {
+export const NOTHING_STANDS_OUT: OverlayHighlights = {
   marks: { selected: undefined, hovered: undefined },
   touching: undefined,
   trial: undefined,
@@ -66,15 +66,25 @@ export const NOTHING_STANDS_OUT: StandingOut = {
 }
 
 /** The contents of the overlay, which is redrawn after each move. */
-export interface Above extends StandingOut {
+export interface OverlayContent extends OverlayHighlights {
   /** The layers of clients, bottom first. */
-  readonly above: readonly AboveLayer[]
-  readonly found: Found | undefined
+  readonly above: readonly OverlayLayer[]
+  readonly found: GlobalResults | undefined
   readonly layers: Layers
 }
 
 /** Whether the overlay is empty. */
-export function isNothingAbove({ marks, found, touching, trial, layers, chosen, band, sketch, above }: Above): boolean {
+export function isNothingAbove({
+  marks,
+  found,
+  touching,
+  trial,
+  layers,
+  chosen,
+  band,
+  sketch,
+  above,
+}: OverlayContent): boolean {
   const { hull, largestDisc, path } = found ?? {}
   const drawn = [
     marks.selected,
@@ -98,7 +108,7 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { marks, found, touching, trial, layers, chosen, band, sketch, above }: Above,
+  { marks, found, touching, trial, layers, chosen, band, sketch, above }: OverlayContent,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -150,7 +160,7 @@ export function drawOverlay(
   if (band !== undefined) drawBand(band)
   if (sketch !== undefined) drawSketch(sketch)
 
-  function drawData(layer: AboveLayer): void {
+  function drawData(layer: OverlayLayer): void {
     const {
       color,
       points = NONE,
@@ -219,7 +229,7 @@ export function drawOverlay(
     outline(path, style.selectedDisc, NEIGHBOR_OUTLINE)
   }
 
-  function drawBand({ from, to }: Band): void {
+  function drawBand({ from, to }: SelectionRectangle): void {
     const path = rectangle(from.x * pixelRatio, from.y * pixelRatio, to.x * pixelRatio, to.y * pixelRatio)
     fill(path, style.accent, 0.1)
     stroke(path, style.accent, 1)

@@ -4,7 +4,7 @@ import { reasonOf, receivedError } from '../lib/base/errors.ts'
 import type { Edit } from '../lib/index.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi } from '../lib/wasm/load-options.ts'
-import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
+import { CircleTable, NO_CHANGE, type UndoEdit } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers } from './layers.ts'
 import { type FigureLoadOptions, otherModules } from './load.ts'
@@ -12,13 +12,13 @@ import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type {
   DomainChange,
   Fitted,
-  Found,
   FromPainter,
+  GlobalResults,
+  Highlights,
   InProgress,
-  Marks,
+  PaintRequest,
   Questions,
   ToPainter,
-  Wish,
 } from './protocol.ts'
 import { Failure, type Refusals, Superseded } from './refusal.ts'
 import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
@@ -30,7 +30,7 @@ export interface Edited {
   /** The ids of inserted circles, in the order of the edits. */
   readonly inserted: Int32Array
   /** The edits that undo the change. */
-  readonly back: readonly Step[]
+  readonly back: readonly UndoEdit[]
   /** The accuracy of fitted areas; `undefined` if no areas were prescribed. */
   readonly fitted?: Fitted | undefined
   /** The computing time. */
@@ -40,11 +40,11 @@ export interface Edited {
 /** The events of a view's picture. */
 export interface PictureEvents {
   painted(painted: Painted): void
-  marked(marks: Marks): void
+  marked(marks: Highlights): void
   /** The highlighted cells have new outlines for the current viewport; everything else is unchanged. */
-  outlined(marks: Marks): void
+  outlined(marks: Highlights): void
   /** `undefined`: the results belong to former circles, and new ones will follow. */
-  found(found: Found | undefined): void
+  found(found: GlobalResults | undefined): void
   /** The thread has failed and a new one continues. The possible cause of the failure is dropped. */
   failed(failure: Failure, lost: Lost): void
 }
@@ -65,7 +65,7 @@ interface Waiting {
   reject(error: unknown): void
 }
 
-interface Scene {
+interface SceneRecord {
   readonly events: PictureEvents
   readonly waiting: Map<number, Waiting>
   /** The state from which a new thread continues after a failure. */
@@ -89,7 +89,7 @@ interface Scene {
  */
 export class Painter {
   readonly #options: FigureLoadOptions
-  readonly #scenes = new Map<number, Scene>()
+  readonly #scenes = new Map<number, SceneRecord>()
   readonly #questions = new RemoteCalls<Questions>()
   #worker: Worker | undefined
   /** Whether the thread has completed any request. */
@@ -104,10 +104,10 @@ export class Painter {
   }
 
   /** Adds a scene for another view. */
-  add(events: PictureEvents): PainterScene {
+  add(events: PictureEvents): SceneClient {
     this.#lastScene += 1
     const number = this.#lastScene
-    const scene: Scene = {
+    const scene: SceneRecord = {
       events,
       waiting: new Map(),
       circles: new CircleTable(new Float64Array()),
@@ -120,7 +120,7 @@ export class Painter {
     this.#scenes.set(number, scene)
     this.#worker?.postMessage({ kind: 'add', scene: number } satisfies ToPainter)
     const isClosed = () => !this.#scenes.has(number)
-    return new PainterScene(number, {
+    return new SceneClient(number, {
       circles: () => scene.circles,
       post: (message) => {
         if (isClosed()) return
@@ -270,7 +270,7 @@ export class Painter {
   }
 
   /** Rejects all requests of a scene that will not be answered. */
-  #leave(scene: Scene, reason: Reason): void {
+  #leave(scene: SceneRecord, reason: Reason): void {
     this.#questions.leave(scene)
     const failure = new Failure((words) => words.notComputed(reason(words)))
     for (const { reject } of scene.waiting.values()) reject(failure)
@@ -279,7 +279,7 @@ export class Painter {
 }
 
 /** Drops the settings that may have crashed a thread, during its work or at its start. Returns which ones. */
-function forgetCause(number: number, scene: Scene, during: InProgress | undefined, isBare: boolean): Lost {
+function forgetCause(number: number, scene: SceneRecord, during: InProgress | undefined, isBare: boolean): Lost {
   const isOfScene = during?.scene === number
   const isUnanswered = scene.unansweredMarks.length > 0
   scene.unansweredMarks = []
@@ -306,7 +306,7 @@ const ABOUT_KNOWN: ReadonlySet<keyof Questions> = new Set(['hit', 'touch', 'try'
 const RESTORED = 0
 
 /** A scene's connection to the thread. */
-interface Line {
+interface SceneConnection {
   circles(): CircleTable
   post(message: ToPainter): void
   /** Posts an edit and resolves with its result. */
@@ -318,14 +318,14 @@ interface Line {
 export type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
 
 /** The client side of one view's circles in the painting thread. */
-export class PainterScene {
+export class SceneClient {
   readonly #scene: number
-  readonly #line: Line
+  readonly #connection: SceneConnection
   #revision = 0
 
-  constructor(scene: number, line: Line) {
+  constructor(scene: number, connection: SceneConnection) {
     this.#scene = scene
-    this.#line = line
+    this.#connection = connection
   }
 
   /**
@@ -334,7 +334,14 @@ export class PainterScene {
    */
   open(circles: Float64Array, change: DomainChange = {}): Promise<Edited> {
     const revision = this.#nextRevision()
-    return this.#line.edited({ kind: 'open', scene: this.#scene, revision, opening: revision, circles, ...change })
+    return this.#connection.edited({
+      kind: 'open',
+      scene: this.#scene,
+      revision,
+      opening: revision,
+      circles,
+      ...change,
+    })
   }
 
   /**
@@ -345,7 +352,7 @@ export class PainterScene {
   edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
     const revision = this.#nextRevision()
     const { opening } = this.circles
-    return this.#line.edited({ kind: 'edit', scene: this.#scene, revision, opening, edits, ...change })
+    return this.#connection.edited({ kind: 'edit', scene: this.#scene, revision, opening, edits, ...change })
   }
 
   #nextRevision(): number {
@@ -355,16 +362,16 @@ export class PainterScene {
 
   /** Cancels an opening by replacing the thread that computes it. Returns false if no opening is running. */
   cancel(): boolean {
-    return this.#line.cancel()
+    return this.#connection.cancel()
   }
 
-  look(wish: Wish, style: Style): void {
-    this.#line.post({ kind: 'look', scene: this.#scene, ...wish, style })
+  look(request: PaintRequest, style: Style): void {
+    this.#connection.post({ kind: 'look', scene: this.#scene, ...request, style })
   }
 
   /** The circles after all finished edits. An opening creates a new table. */
   get circles(): CircleTable {
-    return this.#line.circles()
+    return this.#connection.circles()
   }
 
   /**
@@ -373,26 +380,26 @@ export class PainterScene {
    * @throws CircleVoronoiError that says why there is no answer
    */
   ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
-    return this.#line.ask(name, args)
+    return this.#connection.ask(name, args)
   }
 
   /** Sets the layers. The next `look` paints them. */
   setLayers(layers: Layers): void {
-    this.#line.post({ kind: 'layers', scene: this.#scene, layers, isPainted: true })
+    this.#connection.post({ kind: 'layers', scene: this.#scene, layers, isPainted: true })
   }
 
   /** Sets layers that change only results for all circles, so that nothing is repainted. */
   findAgain(layers: Layers): void {
-    this.#line.post({ kind: 'layers', scene: this.#scene, layers, isPainted: false })
+    this.#connection.post({ kind: 'layers', scene: this.#scene, layers, isPainted: false })
   }
 
   /** Highlights circles. */
   mark(selected: number | undefined, hovered: number | undefined): void {
-    this.#line.post({ kind: 'mark', scene: this.#scene, selected, hovered })
+    this.#connection.post({ kind: 'mark', scene: this.#scene, selected, hovered })
   }
 
   /** Closes the scene. Pending and later requests are rejected. */
   close(): void {
-    this.#line.post({ kind: 'close', scene: this.#scene })
+    this.#connection.post({ kind: 'close', scene: this.#scene })
   }
 }

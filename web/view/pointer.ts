@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Point } from '../lib/index.ts'
 import { toPlane } from './camera.ts'
-import { type Gesture, gesturesOf, type Hands } from './gestures.ts'
+import { type Gesture, type GestureTarget, gesturesOf } from './gestures.ts'
 import { pointOf } from './on-screen.ts'
 import type { Hit } from './protocol.ts'
 import type { View } from './view.ts'
@@ -45,7 +45,7 @@ export interface PointerOptions {
 export function listenToPointer(
   element: HTMLElement,
   view: View,
-  hands: Hands,
+  target: GestureTarget,
   { isGrabbed }: PointerOptions = {},
 ): Listening {
   const pressed = new Map<number, Point>()
@@ -67,7 +67,7 @@ export function listenToPointer(
   /** The hit test that the current press waits for. */
   let pending: Promise<unknown> | undefined
 
-  const gestures = gesturesOf(view, hands)
+  const gestures = gesturesOf(view, target)
   const planeAt = (point: Point) => toPlane(view.camera, view.size, point)
   const hitAt = (point: Point, pointerType: string): Promise<Hit | undefined> => {
     const { x, y } = planeAt(point)
@@ -114,32 +114,32 @@ export function listenToPointer(
 
   const gestureAt = async (point: Point, { pointerType, shiftKey }: PointerEvent): Promise<Gesture> => {
     const hit = await hitAt(point, pointerType)
-    const circle = hit === undefined ? undefined : hands.circle(hit.id)
-    if (shiftKey) return gestures.band(point, () => hit !== undefined && hands.toggle(hit.id))
-    if (hit === undefined) return gestures.pan(point, () => hands.select([]))
+    const circle = hit === undefined ? undefined : target.circle(hit.id)
+    if (shiftKey) return gestures.band(point, () => hit !== undefined && target.toggle(hit.id))
+    if (hit === undefined) return gestures.pan(point, () => target.select([]))
     const { id, part } = hit
-    const isSelected = hands.isSelected(id)
+    const isSelected = target.isSelected(id)
     const isLarge = circle !== undefined && circle.r * view.camera.scale >= LARGE_FOR_FINGERS
     // A finger may pan even if it starts on a circle.
     const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll && !isLarge)
     // A circle that is too small for a finger, or is gone, can still be selected.
-    if (isPan || circle === undefined) return gestures.pan(point, () => hands.select([id]))
-    if (!isSelected) hands.select([id])
-    const isOne = hands.held().length === 1
+    if (isPan || circle === undefined) return gestures.pan(point, () => target.select([id]))
+    if (!isSelected) target.select([id])
+    const isOne = target.selectedCircles().length === 1
     return part === 'rim' && isOne ? gestures.resizeCircle(point, id, circle) : gestures.moveCircles(point, id)
   }
 
   /** Whether a finger drags something instead of scrolling the page. */
   const isHeld = (point: Point): boolean =>
     isGrabbed === undefined ||
-    hands.tool === 'add' ||
+    target.tool === 'add' ||
     view.pathEndAt(point, TOUCH_SLACK) !== undefined ||
     view.handleAt(point, TOUCH_SLACK) !== undefined ||
     isGrabbed(planeAt(point), TOUCH_SLACK / view.camera.scale)
 
   const select = async (point: Point) => {
     const hit = await hitAt(point, 'touch')
-    hands.select(hit === undefined ? [] : [hit.id])
+    target.select(hit === undefined ? [] : [hit.id])
   }
 
   const begin = (point: Point, event: PointerEvent): Gesture => {
@@ -147,9 +147,9 @@ export function listenToPointer(
     if (isTouch && !isFingerHeld) return { move() {}, click: () => wait(afterPending(() => select(point))) }
     const pathEnd = view.pathEndAt(point, isTouch ? TOUCH_SLACK : 0)
     const scaling = view.handleAt(point, isTouch ? TOUCH_SLACK : 0)
-    if (event.button === MIDDLE || hands.tool === 'pan') return gestures.pan(point, () => {})
-    if (hands.tool === 'add') return gestures.addCircle(point)
-    if (hands.tool === 'draw') return gestures.drawCorner(point)
+    if (event.button === MIDDLE || target.tool === 'pan') return gestures.pan(point, () => {})
+    if (target.tool === 'add') return gestures.addCircle(point)
+    if (target.tool === 'draw') return gestures.drawCorner(point)
     if (pathEnd !== undefined) return gestures.movePathEnd(pathEnd)
     if (scaling !== undefined) return gestures.scaleCircles(point, scaling)
     return whenKnown(afterPending(() => gestureAt(point, event)))
@@ -157,13 +157,13 @@ export function listenToPointer(
 
   /** Whether a long press is on empty space, without a circle or handle. */
   const isEmpty = async (point: Point, { pointerType }: PointerEvent): Promise<boolean> => {
-    if (hands.tool === 'add') return true
+    if (target.tool === 'add') return true
     const slack = pointerType === 'touch' ? TOUCH_SLACK : 0
-    if (hands.tool !== 'select' || view.pathEndAt(point, slack) !== undefined) return false
+    if (target.tool !== 'select' || view.pathEndAt(point, slack) !== undefined) return false
     if (view.handleAt(point, slack) !== undefined) return false
     const hit = await hitAt(point, pointerType)
     if (hit !== undefined && hit.part !== 'cell') return false
-    return (await hands.fitted(planeAt(point))) !== undefined
+    return (await target.fitted(planeAt(point))) !== undefined
   }
 
   const hold = async (point: Point, event: PointerEvent, begun: Gesture) => {
@@ -171,7 +171,7 @@ export function listenToPointer(
     const isOver = () => hasMoved || gesture !== begun
     if (isOver() || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event)) || isOver()) return
     begun.cancel?.()
-    const showsDisc = event.pointerType === 'touch' && view.layers.disc && hands.tool === 'select'
+    const showsDisc = event.pointerType === 'touch' && view.layers.disc && target.tool === 'select'
     gesture = showsDisc ? showDisc(point) : gestures.holdCircle(point)
     hasMoved = true
   }
@@ -184,7 +184,7 @@ export function listenToPointer(
   }
 
   const showCursor = (hit: Hit | undefined) => {
-    element.dataset.cursor = hands.tool === 'select' ? (hit?.part ?? 'cell') : hands.tool
+    element.dataset.cursor = target.tool === 'select' ? (hit?.part ?? 'cell') : target.tool
   }
 
   const end = (point: Point | undefined) => {
@@ -245,10 +245,10 @@ export function listenToPointer(
     const point = pointOf(event)
     if (!pressed.has(event.pointerId)) {
       if (event.pointerType === 'touch') return
-      if (hands.tool === 'draw') {
-        hands.hover(undefined)
+      if (target.tool === 'draw') {
+        target.hover(undefined)
         showCursor(undefined)
-        hands.draw?.('move', planeAt(point), 0)
+        target.draw?.('move', planeAt(point), 0)
         return
       }
       isHovering = true
@@ -256,15 +256,15 @@ export function listenToPointer(
       hitAt(point, event.pointerType).then((hit) => {
         // The result may arrive after the pointer has left.
         if (pressed.size > 0 || !isHovering) return
-        hands.hover(hit?.id)
-        if (hands.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
+        target.hover(hit?.id)
+        if (target.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
         else showCursor(hit)
       })
       return
     }
     pressed.set(event.pointerId, point)
     hasMoved ||= Math.hypot(point.x - start.x, point.y - start.y) >= CLICK_DISTANCE
-    if (hasMoved) gesture?.move(point, event.altKey !== hands.snaps)
+    if (hasMoved) gesture?.move(point, event.altKey !== target.snaps)
   })
 
   on('pointerup', (event) => {
@@ -287,7 +287,7 @@ export function listenToPointer(
   on('pointerleave', ({ pointerType }) => {
     isActive = !letsPageScroll
     isHovering = false
-    hands.hover(undefined)
+    target.hover(undefined)
     // Fingers leave the element whenever they are lifted.
     if (pointerType !== 'touch') view.touch(undefined, 0)
   })
@@ -300,12 +300,12 @@ export function listenToPointer(
   })
 
   const addAt = async (point: Point) => {
-    if (hands.tool === 'draw') {
-      hands.draw?.('close', planeAt(point), 0)
+    if (target.tool === 'draw') {
+      target.draw?.('close', planeAt(point), 0)
       return
     }
     const hit = await hitAt(point, 'mouse')
-    if (hit === undefined || hit.part === 'cell') await hands.addFitting(planeAt(point))
+    if (hit === undefined || hit.part === 'cell') await target.addFitting(planeAt(point))
   }
   on('dblclick', (event) => wait(afterPending(() => addAt(pointOf(event)))))
 
@@ -334,7 +334,7 @@ export function listenToPointer(
       // A pinch on a touchpad arrives as a wheel with the control key and small steps.
       const speed = event.ctrlKey ? 0.01 : 0.0016
       const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY
-      hands.zoom(Math.exp(-pixels * speed), pointOf(event))
+      target.zoom(Math.exp(-pixels * speed), pointOf(event))
     },
     { passive: false },
   )

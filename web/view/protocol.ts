@@ -54,9 +54,9 @@ export interface PixelBox {
 export const TILE = 256
 
 /** A paint request: the visible pixels `seen` first, then their surroundings `wanted`. */
-export interface Wish {
+export interface PaintRequest {
   /** The number of the request. */
-  readonly wish: number
+  readonly paintId: number
   readonly grid: Grid
   readonly seen: PixelBox
   readonly wanted: PixelBox
@@ -119,7 +119,7 @@ export interface InProgress {
 /** The elements of an SVG, and the global results to draw above them. */
 export interface DrawnSvg {
   readonly elements: string
-  readonly found: Found
+  readonly found: GlobalResults
 }
 
 export type ToPainter =
@@ -144,7 +144,7 @@ export type ToPainter =
       readonly opening: number
       readonly edits: readonly Edit[]
     } & DomainChange)
-  | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
+  | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & PaintRequest)
   /** A question by name, with its arguments. */
   | ({ readonly kind: 'ask'; readonly scene: number } & RemoteCall<keyof Questions>)
   /** Sets the layers. `isPainted`: they change the painting, not only the global results (`Found`). */
@@ -186,9 +186,9 @@ export type FromPainter =
       /** Boxes around the visible difference. */
       readonly boxes: readonly Box[]
       readonly change: CircleChange
-      readonly marks: Marks
+      readonly marks: Highlights
       /** `undefined`: not computed yet. */
-      readonly found: Found | undefined
+      readonly found: GlobalResults | undefined
       readonly fitted?: Fitted | undefined
       readonly seconds: number
     }
@@ -201,15 +201,15 @@ export type FromPainter =
       readonly grid: number
       readonly patches: readonly Patch[]
       /** The number of the paint request. */
-      readonly wish: number
+      readonly paintId: number
       /** Whether the request is complete. */
       readonly isWhole: boolean
     }
   | ({ readonly kind: 'answer' } & RemoteReply)
-  | { readonly kind: 'found'; readonly scene: number; readonly found: Found }
-  | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
+  | { readonly kind: 'found'; readonly scene: number; readonly found: GlobalResults }
+  | { readonly kind: 'marked'; readonly scene: number; readonly marks: Highlights }
   /** The same highlights with outlines for the current viewport. */
-  | { readonly kind: 'outlined'; readonly scene: number; readonly marks: Marks }
+  | { readonly kind: 'outlined'; readonly scene: number; readonly marks: Highlights }
   /** The thread has failed. `during` is the work of a single scene that caused it, if known. */
   | { readonly kind: 'failed'; readonly message: string; readonly during?: InProgress | undefined }
 
@@ -285,7 +285,7 @@ export interface Taken extends Point {
 }
 
 /** The results for layers that depend on all circles. */
-export interface Found {
+export interface GlobalResults {
   /**
    * The arcs of the hull, with six numbers each: the circle's x, y and radius, the start angle, the turn, and the start
    * of the next arc.
@@ -363,7 +363,7 @@ export interface Traced {
   readonly events: TraceArrays
 }
 
-export interface Marks {
+export interface Highlights {
   readonly selected: Described | undefined
   readonly hovered: Described | undefined
 }

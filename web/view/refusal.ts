@@ -71,12 +71,12 @@ export const ENGLISH_REFUSALS: Refusals = {
 }
 
 /** An error with a message in any language. */
-export interface Telling<Words> extends Error {
+export interface LocalizedError<Words> extends Error {
   say(words: Words): string
 }
 
 /** A request that cannot be fulfilled. Its message is English; `say` localizes it. */
-export class Refusal<Words = Refusals> extends CircleVoronoiError implements Telling<Words> {
+export class Refusal<Words = Refusals> extends CircleVoronoiError implements LocalizedError<Words> {
   readonly say: (words: Words) => string
 
   constructor(english: Words, say: (words: Words) => string, code: ErrorCode = 'badArgument') {
@@ -86,7 +86,7 @@ export class Refusal<Words = Refusals> extends CircleVoronoiError implements Tel
 }
 
 /** A failure of the thread that does not depend on the request. */
-export class Failure extends Error implements Telling<Refusals> {
+export class Failure extends Error implements LocalizedError<Refusals> {
   readonly say: (words: Refusals) => string
 
   constructor(say: (words: Refusals) => string) {

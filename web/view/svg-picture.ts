@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { AboveLayer, Layers } from './layers.ts'
+import type { Layers, OverlayLayer } from './layers.ts'
 import { drawOverlay, NOTHING_STANDS_OUT } from './overlay.ts'
 import type { Frame } from './painter/frame.ts'
 import { SvgDrawing, svgOf } from './painter/svg-drawing.ts'
@@ -12,7 +12,7 @@ export function svgPicture(
   { elements, found }: DrawnSvg,
   style: Style,
   layers: Layers,
-  above: readonly AboveLayer[],
+  above: readonly OverlayLayer[],
 ): string {
   const overlay = new SvgDrawing()
   drawOverlay(overlay, frame, 1, style, { ...NOTHING_STANDS_OUT, found, layers, above })

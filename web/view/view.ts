@@ -3,22 +3,22 @@ import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
 import type { CircleTable } from './circle-table.ts'
-import { type AboveLayer, checkLayers, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
+import { checkLayers, DEFAULT_LAYERS, type Layers, type OverlayLayer, withoutDiagram } from './layers.ts'
 import { scaleOnScreen } from './on-screen.ts'
 import {
-  type Above,
   drawOverlay,
   HANDLE_RADIUS,
   handleOf,
   isNothingAbove,
   NOTHING_STANDS_OUT,
-  type StandingOut,
+  type OverlayContent,
+  type OverlayHighlights,
 } from './overlay.ts'
 import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
-import type { Answer, Edited, Lost, Painter, PainterScene } from './painter.ts'
+import type { Answer, Edited, Lost, Painter, SceneClient } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
-import type { DomainChange, Found, Marks, Questions, Touching, Trial } from './protocol.ts'
+import type { DomainChange, GlobalResults, Highlights, Questions, Touching, Trial } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 import { svgPicture } from './svg-picture.ts'
@@ -35,9 +35,9 @@ const notDrawn = () => new Failure((words) => words.notDrawn)
 /** The events of a view. */
 export interface ViewEvents {
   /** The highlighted circles and their descriptions have changed. */
-  readonly marked: Marks
+  readonly marked: Highlights
   /** The global results are known, or no longer valid (`undefined`). */
-  readonly found: Found | undefined
+  readonly found: GlobalResults | undefined
   /** The layers have changed, or an end of the path was dragged. */
   readonly layers: Layers
   /** Whether anything of the diagram is drawn. */
@@ -62,13 +62,13 @@ export interface Chosen {
 }
 
 /** A part of the plane, and the size in which to export it. */
-export interface Shot {
+export interface ExportView {
   readonly camera: Camera
   readonly size: Size
 }
 
 /** The corners of a rubber band, in pixels. */
-export interface Band {
+export interface SelectionRectangle {
   readonly from: Point
   readonly to: Point
 }
@@ -79,28 +79,28 @@ export class View {
   readonly #base: HTMLCanvasElement
   readonly #overlay: HTMLCanvasElement
   readonly #picture = new BasePicture()
-  readonly #scene: PainterScene
+  readonly #scene: SceneClient
   readonly #observer: ResizeObserver
   #style: Style
   #camera: Camera = { x: 0, y: 0, scale: 1 }
   #size: Size = { width: 0, height: 0 }
   #frame = 0
   #rest: ReturnType<typeof setTimeout> | undefined
-  #marks: Marks = { selected: undefined, hovered: undefined }
+  #marks: Highlights = { selected: undefined, hovered: undefined }
   #layers = DEFAULT_LAYERS
   /** The scale of the last paint request, and the scale of the highlighted outlines. */
   #lookedAt = 1
   #outlinedAt = 1
-  #found: Found | undefined
+  #found: GlobalResults | undefined
   #touching: Touching | undefined
   /** The position of the last request for a disc. Answers for older positions are ignored. */
   #touchedAt: Point | undefined
   #trial: Trial | undefined
   #lastTrial = 0
   #chosen: Chosen | undefined
-  #band: Band | undefined
+  #band: SelectionRectangle | undefined
   #sketch: Float64Array | undefined
-  #above: readonly AboveLayer[] = []
+  #above: readonly OverlayLayer[] = []
   #baseChanged = false
   #overlayChanged = false
   /** Whether the overlay is empty and needs no clearing. */
@@ -273,8 +273,8 @@ export class View {
 
   #drawLayers(layers: Layers): void {
     this.#scene.setLayers(this.#drawn(layers))
-    const wish = this.#isShown ? this.#picture.again(this.#camera, this.#size) : undefined
-    if (wish !== undefined) this.#scene.look(wish, this.#style)
+    const request = this.#isShown ? this.#picture.again(this.#camera, this.#size) : undefined
+    if (request !== undefined) this.#scene.look(request, this.#style)
     this.#overlayChanges()
   }
 
@@ -322,7 +322,7 @@ export class View {
   }
 
   /** Returns the visible part, or another one, as SVG text without selection. */
-  async toSVG({ camera, size }: Shot = this): Promise<string> {
+  async toSVG({ camera, size }: ExportView = this): Promise<string> {
     const frame = { ...camera, ...size }
     const drawn = await this.#scene.ask('svg', frame, this.#style)
     if (drawn === undefined) throw notDrawn()
@@ -333,7 +333,7 @@ export class View {
    * Returns the visible part, or another one, as a PNG of `scale` pixels per CSS pixel.
    * @throws CircleVoronoiError `badArgument` if the picture is too large for browsers
    */
-  async toPNG(scale = devicePixelRatio, { camera, size }: Shot = this): Promise<Blob> {
+  async toPNG(scale = devicePixelRatio, { camera, size }: ExportView = this): Promise<Blob> {
     const frame = pictureFrame(camera, size, scale)
     const image = await this.#scene.ask('image', frame, scale, this.#style)
     if (image === undefined) throw notDrawn()
@@ -370,7 +370,7 @@ export class View {
     this.#overlayChanges()
   }
 
-  set band(band: Band | undefined) {
+  set band(band: SelectionRectangle | undefined) {
     this.#band = band
     this.#overlayChanges()
   }
@@ -382,7 +382,7 @@ export class View {
   }
 
   /** Additional layers above the picture, bottom first. They appear at the next frame without repainting. */
-  set above(layers: readonly AboveLayer[]) {
+  set above(layers: readonly OverlayLayer[]) {
     this.#above = layers
     this.#overlayChanges()
   }
@@ -479,10 +479,10 @@ export class View {
 
   #see(): void {
     if (!this.#isShown || this.#size.width === 0 || this.#size.height === 0) return
-    const wish = this.#picture.see(this.#camera, this.#size, this.#pixelRatio)
-    if (wish === undefined) return
+    const request = this.#picture.see(this.#camera, this.#size, this.#pixelRatio)
+    if (request === undefined) return
     this.#lookedAt = this.#camera.scale
-    this.#scene.look(wish, this.#style)
+    this.#scene.look(request, this.#style)
   }
 
   #schedule(): void {
@@ -505,7 +505,7 @@ export class View {
   }
 
   /** The highlights on screen. Paper shows none. */
-  get #standingOut(): StandingOut {
+  get #standingOut(): OverlayHighlights {
     if (matchMedia('print').matches) return NOTHING_STANDS_OUT
     return {
       marks: this.#marks,
@@ -534,7 +534,7 @@ export class View {
     drawOverlay(drawing, frame, pixelRatio, this.#style, this.#aboveOf(NOTHING_STANDS_OUT))
   }
 
-  #aboveOf(standingOut: StandingOut): Above {
+  #aboveOf(standingOut: OverlayHighlights): OverlayContent {
     // Outlines of cells were clipped to the old viewport, and are too coarse after zooming in.
     const enlarged = this.#camera.scale / this.#outlinedAt
     const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
@@ -550,7 +550,7 @@ export class View {
     this.#tell('failed', { error, marks })
   }
 
-  #findingChanges(found: Found | undefined): void {
+  #findingChanges(found: GlobalResults | undefined): void {
     this.#found = found
     this.#overlayChanges()
     this.#tell('found', found)
@@ -608,8 +608,8 @@ function boxOfCircle({ x, y, r }: Circle): Box {
   return { minX: x - r, minY: y - r, maxX: x + r, maxY: y + r }
 }
 
-function withoutCells({ selected, hovered }: Marks): Marks {
-  const circleOf = (described: Marks['selected']) =>
+function withoutCells({ selected, hovered }: Highlights): Highlights {
+  const circleOf = (described: Highlights['selected']) =>
     described && { ...described, outline: new Float64Array(), neighborhood: new Float64Array() }
   return { selected: circleOf(selected), hovered: circleOf(hovered) }
 }

@@ -12,7 +12,7 @@ import { fitted, toPlane } from '../../view/camera.ts'
 import { boxOf } from '../../view/domain.ts'
 import { readRegion } from '../../view/region-text.ts'
 import { short } from '../../view/short.ts'
-import type { Shot, View } from '../../view/view.ts'
+import type { ExportView, View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { sourceOf } from '../data-sets.ts'
 import type { LinkWriter } from '../link-writer.ts'
@@ -260,7 +260,7 @@ export class FileActions {
     })
   }
 
-  #shotOf(part: Part): Shot {
+  #shotOf(part: Part): ExportView {
     const { camera, size } = this.#view
     if (part === 'seen') return { camera, size }
     const room = { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM }

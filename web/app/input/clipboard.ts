@@ -13,7 +13,7 @@ export function listenToClipboard(actions: PageActions): void {
     target instanceof Element && target.closest('input, textarea, select, dialog') !== null
 
   const copy = (event: ClipboardEvent): boolean => {
-    const circles = actions.held().map(({ circle: { x, y, r } }) => [x, y, r])
+    const circles = actions.selectedCircles().map(({ circle: { x, y, r } }) => [x, y, r])
     if (isWritten(event) || circles.length === 0 || document.getSelection()?.isCollapsed === false) return false
     event.preventDefault()
     event.clipboardData?.setData(OWN, JSON.stringify(circles))

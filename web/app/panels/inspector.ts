@@ -32,7 +32,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     })
     field.addEventListener('change', () => {
       // Earlier input may still be pending, so this uses the predicted values.
-      const [held, ...others] = actions.held()
+      const [held, ...others] = actions.selectedCircles()
       if (held === undefined || others.length > 0) return
       actions.set([{ id: held.id, circle: { ...held.circle, [FIELDS[i] as Field]: field.valueAsNumber } }])
     })

@@ -9,14 +9,14 @@ import type { Diagram, HullArc, Point } from '../../lib/index.ts'
 import { clearestPath } from '../../lib/queries/clearest-path.ts'
 import { largestEmptyDiscCenteredInHull } from '../../lib/queries/largest-empty-disc.ts'
 import { convexHull } from '../../lib/regions/hull.ts'
-import type { Found } from '../protocol.ts'
+import type { GlobalResults } from '../protocol.ts'
 import { idOf } from './cell-boxes.ts'
 import { commandsOf } from './commands.ts'
 import type { Picture } from './picture.ts'
 import { touching } from './touching.ts'
 
 /** Computes the visible layers that depend on all circles. Unbounded parts extend as far as the picture. */
-export function found({ diagram, reach, layers, method }: Picture, tolerance: number): Found {
+export function found({ diagram, reach, layers, method }: Picture, tolerance: number): GlobalResults {
   const largest = layers.largestDisc && diagram.circles.length > 0 ? largestEmptyDiscCenteredInHull(diagram) : undefined
   return {
     hull: layers.hull ? hullOf(diagram) : undefined,
@@ -50,7 +50,7 @@ function hullOf(diagram: Diagram): Float64Array {
   )
 }
 
-function pathOf(diagram: Diagram, from: Point, to: Point, tolerance: number, reach: number): Found['path'] {
+function pathOf(diagram: Diagram, from: Point, to: Point, tolerance: number, reach: number): GlobalResults['path'] {
   const { clearance, edges, entry, exit } = clearestPath(diagram, from, to)
   const outline = commandsOf((sink) => {
     const lineTo = ({ x, y }: Point) => sink.lineTo(x, y)

@@ -30,7 +30,7 @@ export function intersection(a: PixelBox, b: PixelBox): PixelBox | undefined {
 }
 
 /** Merges overlapping boxes until no two overlap. */
-export function apart(boxes: readonly PixelBox[]): PixelBox[] {
+export function mergeOverlapping(boxes: readonly PixelBox[]): PixelBox[] {
   const covered: PixelBox[] = []
   for (let box of boxes) {
     for (let k = 0; k < covered.length; k++) {

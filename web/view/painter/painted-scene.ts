@@ -12,12 +12,12 @@ import type {
   DomainChange,
   DrawnSvg,
   Fitted,
-  Found,
+  GlobalResults,
+  Highlights,
   Hit,
-  Marks,
+  PaintRequest,
   Patch,
   PixelBox,
-  Wish,
 } from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
@@ -29,7 +29,7 @@ import { CanvasDrawing, type Drawing } from './drawing.ts'
 import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
 import { found } from './found.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
-import { apart, frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
+import { frameOf, intersection, mergeOverlapping, pixelsOf, tilesOf } from './grid.ts'
 import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
@@ -39,7 +39,7 @@ import { SvgDrawing } from './svg-drawing.ts'
 import { RepeatedDiagram, Torus } from './torus.ts'
 
 /** The viewport and style of a paint request. */
-interface Look extends Wish {
+interface ViewportRequest extends PaintRequest {
   readonly style: Style
 }
 
@@ -54,7 +54,7 @@ const QUICK_POWER = 0.01
 const MOST_NEIGHBORS = 500
 
 /** The circles with fitted radii, and the accuracy of their areas if areas were prescribed. */
-interface Opened {
+interface FitResult {
   readonly circles: Float64s | undefined
   readonly fitted: Fitted | undefined
 }
@@ -75,7 +75,7 @@ export class PaintedScene {
   /** The comparison module once loaded, and the duration of the last power diagram. */
   #comparison: Comparison | undefined
   #powerSeconds = 0
-  #look: Look | undefined
+  #look: ViewportRequest | undefined
   /** The tiles that the view has, and the tiles to paint, the next one last. */
   readonly #painted = new Set<string>()
   #waiting: PixelBox[] = []
@@ -93,7 +93,7 @@ export class PaintedScene {
    * Replaces the circles. `regions` is required for a region or a fit.
    * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; the scene stays unchanged
    */
-  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): Opened {
+  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): FitResult {
     const clip = this.#clipOf(change, regions)
     const torus = this.#torusOf(change, clip)
     const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
@@ -218,7 +218,7 @@ export class PaintedScene {
   }
 
   /** Computes the global results. */
-  find(): Found {
+  find(): GlobalResults {
     const start = performance.now()
     const scale = this.#look?.grid.scale
     const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
@@ -269,7 +269,7 @@ export class PaintedScene {
     patches: Patch[]
     boxes: readonly Box[]
     change: CircleChange
-    found: Found | undefined
+    found: GlobalResults | undefined
     fitted: Fitted | undefined
   } {
     const clip = this.#clipOf(domain, regions)
@@ -327,9 +327,9 @@ export class PaintedScene {
   }
 
   /** Sets the viewport. Returns whether it covers another box or has another scale. */
-  look({ wish, grid, seen, wanted }: Wish, style: Style): { isElsewhere: boolean; isOtherScale: boolean } {
+  look({ paintId, grid, seen, wanted }: PaintRequest, style: Style): { isElsewhere: boolean; isOtherScale: boolean } {
     const before = this.#look
-    this.#look = { wish, grid, seen, wanted, style }
+    this.#look = { paintId, grid, seen, wanted, style }
     const isOtherScale = before?.grid.scale !== grid.scale
     if (isOtherScale) this.#isFound = false
     const isOtherGrid = before?.grid.id !== grid.id
@@ -347,8 +347,8 @@ export class PaintedScene {
     return this.#look?.grid.id ?? -1
   }
 
-  get wish(): number {
-    return this.#look?.wish ?? -1
+  get paintId(): number {
+    return this.#look?.paintId ?? -1
   }
 
   /** Paints the next missing tile, if any. */
@@ -403,7 +403,7 @@ export class PaintedScene {
   }
 
   /** Sets the highlighted circles. */
-  mark(selected: number | undefined, hovered: number | undefined): Marks {
+  mark(selected: number | undefined, hovered: number | undefined): Highlights {
     this.#selected = selected
     this.#hovered = hovered
     return this.marks()
@@ -414,7 +414,7 @@ export class PaintedScene {
   }
 
   /** The descriptions and outlines of the highlighted circles. */
-  marks(): Marks {
+  marks(): Highlights {
     return { selected: this.#describe(this.#selected), hovered: this.#describe(this.#hovered) }
   }
 
@@ -462,7 +462,7 @@ export class PaintedScene {
     return tiles.flatMap((tile) => {
       if (boxes === undefined) return [this.#paint(tile, look)]
       const parts = boxes.flatMap((box) => intersection(tile, pixelsOf(look.grid, box, margin)) ?? [])
-      return apart(parts).map((part) => this.#paint(part, look))
+      return mergeOverlapping(parts).map((part) => this.#paint(part, look))
     })
   }
 
@@ -483,7 +483,7 @@ export class PaintedScene {
     for (const key of this.#painted) if (!kept.has(key)) this.#painted.delete(key)
   }
 
-  #paint(box: PixelBox, { grid, style }: Look): Patch {
+  #paint(box: PixelBox, { grid, style }: ViewportRequest): Patch {
     const canvas = new OffscreenCanvas(box.width, box.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
     this.draw(new CanvasDrawing(context), frameOf(grid, box), grid.pixelRatio, style)

@@ -213,7 +213,7 @@ function paintSlice(): void {
         scene: number,
         grid: scene.grid,
         patches,
-        wish: scene.wish,
+        paintId: scene.paintId,
         isWhole: !scene.isWaiting,
       },
       patches.map(({ image }) => image),

@@ -28,7 +28,7 @@ const HORIZON = 1000
 const NO_MOVES: readonly Point[] = [{ x: 0, y: 0 }]
 
 /** A static diagram that edits do not update, with the index of its cells. */
-export interface Ghost {
+export interface StaticDiagram {
   readonly diagram: Diagram
   readonly index: BoxIndex
 }
@@ -70,7 +70,7 @@ export class Picture {
   /** The diagram of the centers, if a visible layer needs it. */
   centers: Centers | undefined
   /** The power diagram of the current circles, if a visible layer needs it. */
-  power: Ghost | undefined
+  power: StaticDiagram | undefined
   data: readonly IndexedData[] = []
   /** The touching disc method's results for the current circles, if a visible layer needs them. */
   method: (MethodResult & { readonly layers: readonly (IndexedData & { readonly color: MethodLayer })[] }) | undefined

@@ -34,7 +34,7 @@ export function trialOf(
     for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h) === tried) by = at(hidden, h + 1)
     return { circle, hiddenBy: idOfLocal(by), outline: new Float64Array(), area: 0, taken: [] }
   }
-  const taken = robbed(local).map((k) => ({
+  const taken = affectedCircles(local).map((k) => ({
     id: idOfLocal(k),
     x: at(diagram.circles, 3 * k),
     y: at(diagram.circles, 3 * k + 1),
@@ -72,13 +72,13 @@ function localDiagram(library: ComputingLibrary, whole: Diagram, { x, y, r }: Ci
     })
     circles.set([x, y, r], 3 * count)
     const local = { diagram: library.compute(circles), tried: count, indices: indices.slice() }
-    for (const k of robbed(local)) for (const i of whole.neighbors(indices[k] as number)) take(i)
+    for (const k of affectedCircles(local)) for (const i of whole.neighbors(indices[k] as number)) take(i)
     if (indices.length === count) return local
   }
 }
 
 /** The circles that lose area: the neighbors of the new circle, and the circles that it hides. */
-function robbed({ diagram, tried }: Local): number[] {
+function affectedCircles({ diagram, tried }: Local): number[] {
   const { hidden } = diagram
   const ks = new Set<number>(diagram.cells.exists(tried) ? diagram.neighbors(tried) : [])
   for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h + 1) === tried) ks.add(at(hidden, h))

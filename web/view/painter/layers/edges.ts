@@ -37,7 +37,7 @@ export const ordinary: Layer = {
     const { centers } = painting.picture
     if (centers === undefined) return
     const { picture } = centers
-    strokeGhost(painting, picture.diagram, picture.circlesIn(painting.limits.region.box), painting.style.ordinary)
+    strokeDashed(painting, picture.diagram, picture.circlesIn(painting.limits.region.box), painting.style.ordinary)
   },
 }
 
@@ -49,7 +49,7 @@ export const power: Layer = {
   draw(painting) {
     const { power } = painting.picture
     if (power === undefined) return
-    strokeGhost(painting, power.diagram, power.index.search(painting.limits.region.box), painting.style.power)
+    strokeDashed(painting, power.diagram, power.index.search(painting.limits.region.box), painting.style.power)
   },
 }
 
@@ -92,7 +92,7 @@ const FAR = 1e9
  * Strokes the dashed edges of a diagram of segments and rays. The phase of the dashes depends on the two circles only,
  * so that it is the same in all tiles and stays when a vertex of the edge moves.
  */
-function strokeGhost(painting: Painting, diagram: Diagram, circles: readonly number[], color: string): void {
+function strokeDashed(painting: Painting, diagram: Diagram, circles: readonly number[], color: string): void {
   const { lineWidth, pixelRatio, limits } = painting
   const [dash, period] = [DASH * pixelRatio, (DASH + GAP) * pixelRatio]
   const add = (sink: FrameSink, e: number) => {

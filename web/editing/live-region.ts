@@ -9,7 +9,7 @@ import type { EditingWords } from './words.ts'
 const REST = 250
 
 /** Announces edits and the selection to screen readers, each once. */
-export function mountSaid(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
+export function mountLiveRegion(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
   /** The pending announcement, and the circle that the action selected. */

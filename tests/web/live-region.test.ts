@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { mountSaid } from '../../web/editing/said.ts'
+import { mountLiveRegion } from '../../web/editing/live-region.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import { ENGLISH_EDITING } from '../../web/editing/words.ts'
@@ -31,7 +31,7 @@ function speaker() {
   const store = createStore(INITIAL_STATE)
   const texts: string[] = []
   const element = { replaceChildren: (text: string) => texts.push(text) }
-  mountSaid(store, element as unknown as HTMLElement, () => ENGLISH_EDITING)
+  mountLiveRegion(store, element as unknown as HTMLElement, () => ENGLISH_EDITING)
   const change = (part: Partial<State>) => {
     store.update((state) => ({ ...state, ...part }))
     frame()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Computer } from '../editing/editing.ts'
+import type { DiagramBackend } from '../editing/editing.ts'
 import type { Edit } from '../lib/index.ts'
 import type { ComputingLibrary } from '../lib/wasm/library.ts'
 import { loadRegions } from '../lib/wasm/load-regions.ts'
@@ -9,7 +9,7 @@ import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Fitted } from '../view/protocol.ts'
 
 /** A backend that computes the diagram of a view in the calling thread, in place of a page's worker. */
-export class SceneComputer implements Computer {
+export class SceneBackend implements DiagramBackend {
   readonly scene: PaintedScene
   circles = new CircleTable(new Float64Array())
 

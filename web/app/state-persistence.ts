@@ -15,7 +15,7 @@ const LONGEST_ADDRESS = 100_000
 const lateKey = () => `${prefixOf(location.pathname)}late`
 
 /** Saves the state as a link in the address and in the browser's storage. */
-export class Keeping {
+export class StatePersistence {
   readonly #read: () => LinkInput | undefined
   readonly #links: LinkWriter
   #storage: SceneStorage | undefined

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /** The position of an element relative to the window: `near`, or so `far` that it needs no pixels. */
-export type Sight = 'near' | 'far'
+export type Visibility = 'near' | 'far'
 
 /** Distances in heights of the window. Between them the state stays as it is. */
 const NEAR = '25%'
 const FAR = '150%'
 
-const listeners = new WeakMap<Element, (sight: Sight) => void>()
+const listeners = new WeakMap<Element, (sight: Visibility) => void>()
 let observers: readonly IntersectionObserver[] | undefined
 
 /**
  * Reports when an element comes near or goes far. Returns a function that stops this. All elements share two observers.
  */
-export function watchSight(element: Element, tell: (sight: Sight) => void): () => void {
+export function watchVisibility(element: Element, tell: (sight: Visibility) => void): () => void {
   observers ??= [observer(NEAR, true, 'near'), observer(FAR, false, 'far')]
   listeners.set(element, tell)
   for (const each of observers) each.observe(element)
@@ -23,7 +23,7 @@ export function watchSight(element: Element, tell: (sight: Sight) => void): () =
   }
 }
 
-function observer(margin: string, isWithin: boolean, sight: Sight): IntersectionObserver {
+function observer(margin: string, isWithin: boolean, sight: Visibility): IntersectionObserver {
   return new IntersectionObserver(
     (entries) => {
       for (const { target, isIntersecting } of entries) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Computer } from '../../web/editing/editing.ts'
+import type { DiagramBackend } from '../../web/editing/editing.ts'
 import type { Change, DiagramEditor } from '../../web/lib/index.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { library } from './library.ts'
 
 /** A backend for `Editing`: an editor of the library. Each request waits for `before`. */
-export class LibraryComputer implements Computer {
+export class LibraryBackend implements DiagramBackend {
   circles = new CircleTable(new Float64Array())
   editor: DiagramEditor = library.edit([])
   readonly #before: () => Promise<unknown>
@@ -21,7 +21,7 @@ export class LibraryComputer implements Computer {
     return this.#edited()
   }
 
-  async apply(edits: Parameters<Computer['apply']>[0]) {
+  async apply(edits: Parameters<DiagramBackend['apply']>[0]) {
     await this.#before()
     return this.#edited(this.editor.apply(edits))
   }

@@ -12,9 +12,9 @@ import {
   sourceOf,
 } from '../../web/app/data-sets.ts'
 import type { Recipe } from '../../web/app/generators/generators.ts'
-import { Keeping } from '../../web/app/keeping.ts'
 import type { LinkWriter } from '../../web/app/link-writer.ts'
 import { prefixOf, SceneStorage } from '../../web/app/scene-storage.ts'
+import { StatePersistence } from '../../web/app/state-persistence.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from '../../web/editing/scene-link.ts'
 import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
@@ -355,7 +355,7 @@ describe('what a page leaves late', () => {
     vi.stubGlobal('location', { hash, pathname: '/', search: '' })
     vi.spyOn(performance, 'getEntriesByType').mockReturnValue([{ type } as PerformanceNavigationTiming])
     let shown: LinkInput | undefined
-    const keeping = new Keeping(gone, () => shown)
+    const keeping = new StatePersistence(gone, () => shown)
     const link = await keeping.begin()
     const leave = (state: LinkInput) => {
       shown = state
@@ -390,7 +390,7 @@ describe('what a page leaves late', () => {
       },
     })
     vi.spyOn(performance, 'getEntriesByType').mockReturnValue([])
-    return { made, address, keeping: new Keeping(links, () => ({ dataSet: 'spruces' })) }
+    return { made, address, keeping: new StatePersistence(links, () => ({ dataSet: 'spruces' })) }
   }
 
   it.each(['#v1.before', '#v1.new'])('is there where a reload began before the address changed: %s', async (loaded) => {
