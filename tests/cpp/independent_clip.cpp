@@ -273,7 +273,7 @@ class BruteForce {
   Real reachOf(std::size_t i) const { return std::max(Real(radii_[i] + *maxDistance_), Real(0)); }
   bool isNear(std::size_t i, Spot p) const { return !maxDistance_ || lengthOf(p - centers_[i]) <= reachOf(i); }
 
-  /// Where the discs of two circles meet.
+  /// The points where the discs of two circles meet.
   std::vector<Spot> pointsAtDistance(std::size_t i, std::size_t j) const {
     const Spot d = centers_[j] - centers_[i];
     const Real square = dot(d, d);

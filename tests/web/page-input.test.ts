@@ -115,7 +115,7 @@ describe('the clipboard', () => {
     const done: unknown[][] = []
     const held = [{ id: 3, circle: { x: 1, y: 2, r: 0.5 } }]
     listenToClipboard({
-      held: () => held,
+      selectedCircles: () => held,
       removeSelected: () => done.push(['remove']),
       paste: (...pasted: unknown[]) => done.push(['paste', ...pasted]),
     } as unknown as PageActions)

@@ -92,7 +92,7 @@ class Stage {
   circle(id: number): Circle | undefined {
     return CIRCLES[id]
   }
-  held(): IdentifiedCircle[] {
+  selectedCircles(): IdentifiedCircle[] {
     return this.selection.map((id) => ({ id, circle: CIRCLES[id] as Circle }))
   }
   isSelected(id: number): boolean {

@@ -24,7 +24,7 @@ constexpr double kOnePlace = 0x1p-46;
 /// But nothing is that is farther apart than this share of the region.
 constexpr double kOneCorner = 0x1p-24;
 
-/// How far a point that is computed from a center may be off.
+/// The error bound of a point that is computed from a center.
 double reachAt(Point p, Point center) {
   return kOnePlace * (lengthOf(vectorTo(center, p)) + std::abs(p.x) + std::abs(p.y));
 }
