@@ -397,7 +397,7 @@ function cutTo(text: string): string {
 }
 
 /** Returns a sentence about the visible part of the plane. */
-function extentOf({ camera, size }: Shot): string {
+function extentOf({ camera, size }: ExportView): string {
   const [low, high] = [
     { x: 0, y: size.height },
     { x: size.width, y: 0 },
