@@ -23,7 +23,6 @@ const pixel = (x: number, y: number): Point => ({ x: 400 + 10 * x, y: 300 - 10 *
 class Stage {
   readonly element = Object.assign(new EventTarget(), {
     currentCSSZoom: 1,
-    currentCSSZoom: 1,
     focus() {},
     dataset: {} as Record<string, string | undefined>,
     captured: [] as number[],
