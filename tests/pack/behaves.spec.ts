@@ -313,3 +313,38 @@ test('a table after an empty figure is not its own', async ({ page }) => {
   await open(page, `<p><circle-voronoi></circle-voronoi></p>${TABLE}<p>Text</p>`)
   expect(await circles(page)).toEqual([])
 })
+
+test('the player in a column of 120 pixels has all buttons inside, and its lines can be scrolled to', async ({
+  page,
+}) => {
+  await open(
+    page,
+    `<div style="width: 120px"><circle-voronoi circles="${THREE}" controls="buttons player" step="9"></circle-voronoi></div>`,
+  )
+  const outside = await page.locator('circle-voronoi').evaluate((element) => {
+    const player = (element.shadowRoot as ShadowRoot).querySelector('.cv-player') as HTMLElement
+    const { left, right } = player.getBoundingClientRect()
+    return [...player.querySelectorAll('button, select, input, p, li')].flatMap((part) => {
+      const box = part.getBoundingClientRect()
+      return box.width > 0 && (box.left < left - 0.5 || box.right > right + 0.5) ? [part.outerHTML.slice(0, 60)] : []
+    })
+  })
+  expect(outside).toEqual([])
+  // A step does not scroll the buttons away.
+  await page.getByRole('button', { name: 'Next step', exact: true }).click()
+  const next = await page.locator('circle-voronoi').evaluate((element: Element) => {
+    const root = element.shadowRoot as ShadowRoot
+    const { left, top } = (root.querySelector('.cv-player input') as HTMLElement).getBoundingClientRect()
+    return [element.step, root.elementFromPoint(left + 5, top + 5)?.localName]
+  })
+  expect(next).toEqual([10, 'input'])
+  const line = page.locator('circle-voronoi').locator('[aria-current="step"]')
+  await line.scrollIntoViewIfNeeded()
+  const isVisible = await page.locator('circle-voronoi').evaluate((element) => {
+    const root = element.shadowRoot as ShadowRoot
+    const { left, top, height } = (root.querySelector('[aria-current]') as HTMLElement).getBoundingClientRect()
+    return root.elementFromPoint(left + 20, top + height / 2)?.closest('[aria-current]') !== null
+  })
+  expect(isVisible).toBe(true)
+  await page.screenshot({ path: 'build/behaves-player.png' })
+})

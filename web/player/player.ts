@@ -424,6 +424,8 @@ class MethodPlayer implements Player {
     const line = root.querySelector('[aria-current]')
     if (line === null || root.scrollHeight <= root.clientHeight || line.getClientRects().length === 0) return
     const head = root.querySelector('.head') as HTMLElement
+    // A head that scrolls along would take its buttons away with it.
+    if (getComputedStyle(head).position !== 'sticky') return
     const [{ top, bottom }, around] = [line.getBoundingClientRect(), root.getBoundingClientRect()]
     const above = head.getBoundingClientRect().bottom - top
     const below = bottom - around.bottom
