@@ -236,7 +236,7 @@ describe('the fields of the selected circle', () => {
       return circle === undefined ? [] : [{ id, circle }]
     }
     const actions = {
-      held,
+      selectedCircles: held,
       set: (edits: unknown) => set.push(edits),
       select: (ids: unknown) => set.push(ids),
       complain,

@@ -64,6 +64,7 @@ function opened() {
     classList,
     toggleAttribute() {},
     appendChild: (child: unknown) => child,
+    currentCSSZoom: 1,
     clientWidth: 80,
     clientHeight: 60,
     offsetWidth: 80,
