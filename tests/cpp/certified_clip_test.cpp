@@ -461,6 +461,15 @@ TEST_F(CorruptedClip, IsRefusedForEachCrossingThatIsWrong) {
   EXPECT_NE(fault(), nullptr);
 }
 
+TEST_F(CorruptedClip, IsRefusedForAreasThatAreOffByLittleMoreThanRounding) {
+  for (Moments& its : moments_.moments) {
+    const Moments right = its;
+    its.area += 5e-11 / (moments_.unit * moments_.unit);
+    EXPECT_NE(areaFault(), nullptr);
+    its = right;
+  }
+}
+
 TEST_F(CorruptedClip, IsRefusedForEachArcThatIsWrong) {
   const std::vector<Arc> right = arcs_;
   for (std::size_t a = 0; a < right.size(); ++a) {

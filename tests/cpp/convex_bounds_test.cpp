@@ -130,13 +130,13 @@ bool expectRight(const Circles& circles, const ConvexPolygon& polygon, int rows 
     const Outline cell = outline(diagram, index, polygon);
     const double part = area(cell);
     sum += part;
-    expect(part >= 0, "area", i, part, 0);
+    expect(part >= -rounding, "area", i, part, 0);
     expect(std::abs(part - all.shares[i] * whole) <= coarse, "area", i, part, all.shares[i] * whole);
     const Outline cut = clippedBufferOutline(diagram, index, polygon, maxDistance);
     const double nearPart = area(cut);
     nearSum += nearPart;
     nearCount += near.shares[i] * whole;
-    expect(nearPart >= 0 && nearPart <= part + 3 * rounding, "area within a distance", i, nearPart, part);
+    expect(nearPart >= -rounding && nearPart <= part + 3 * rounding, "area within a distance", i, nearPart, part);
     expect(std::abs(nearPart - near.shares[i] * whole) <= coarse, "area within a distance", i, nearPart,
            near.shares[i] * whole);
     for (const Outline* one : {&cell, &cut}) {
@@ -146,6 +146,11 @@ bool expectRight(const Circles& circles, const ConvexPolygon& polygon, int rows 
         }
       }
     }
+  }
+  for (const auto distance : {std::optional<double>(), std::optional(maxDistance)}) {
+    const auto judged = outlines(diagram, polygon, distance);
+    if (!judged) ADD_FAILURE() << judged.error().message;
+    isRight = isRight && judged;
   }
   expect(std::abs(sum - whole) <= rounding, "sum of areas", 0, sum, whole);
   expect(std::abs(nearSum - nearCount) <= coarse, "sum of areas within a distance", 0, nearSum, nearCount);

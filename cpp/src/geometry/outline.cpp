@@ -388,9 +388,11 @@ class LoopCutter {
 
 /// An area of less than this share of the square around it is but rounding.
 constexpr double kRoundingOfArea = 0x1p-44;
-/// Cells between circles that touch from inside are as narrow as the rounding of their vertices, which is the root of
-/// that of numbers. Tolerance relative to the region.
-constexpr double kRoundingOfCells = 0x1p-20;
+/// How far a vertex may be off (vertexOf, radicalCenter), as a share of the distances from its circles.
+constexpr double kRoundingOfVertices = 0x1p-34;
+constexpr double kRoundingOfPowerVertices = 0x1p-18;
+/// How far a point on the boundary of the region may be off, as a share of coordinates and of these distances.
+constexpr double kRoundingOfBoundary = 0x1p-44;
 /// Rounding of coordinates, as a share of the largest.
 constexpr double kRoundingOfSliver = 0x1p-48;
 
@@ -519,19 +521,32 @@ Result<std::vector<Outline>> outlines(const Diagram& diagram, const ConvexPolygo
     if (auto checked = checkMaxDistance(maxDistance); !checked) return checked.error();
     std::vector<Outline> cells;
     const double whole = region.area();
+    const double ofVertices = diagram.metric == Metric::power ? kRoundingOfPowerVertices : kRoundingOfVertices;
+    double perimeter = 0;
+    double reach = 0;
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      const Point corner = region.corners()[k];
+      perimeter += lengthOf(vectorTo(corner, region.cornerAfter(k)));
+      reach = std::max(reach, largestOf({corner.x, corner.y}));
+    }
     double sum = 0;
     for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
       const auto circle = static_cast<std::int32_t>(i);
       auto cell = checkedOutline(diagram, circle, {&region, maxDistance});
       if (!cell) return cell.error();
       const double part = area(*cell);
-      if (part < -kRoundingOfCells * whole || part > (1 + kRoundingOfCells) * whole) {
+      const Circle& c = diagram.circles[i];
+      if (part != 0) reach = std::max(reach, reachFrom({c.x, c.y}, region));
+      const double rounding = ofVertices * perimeter * reach;
+      if (!(part >= -rounding && part <= whole + rounding)) {
         return Error{ErrorCode::notCertified, circle, "The area of a cell is not between 0 and that of the region."};
       }
       sum += part;
       cells.push_back(*std::move(cell));
     }
-    if (!maxDistance && !diagram.hull.empty() && std::abs(sum - whole) > kRoundingOfCells * whole) {
+    // Both cells of an edge see its ends at the same places, however far vertices are off.
+    const double rounding = kRoundingOfBoundary * perimeter * reach;
+    if (!maxDistance && !diagram.hull.empty() && !(std::abs(sum - whole) <= rounding)) {
       return Error{ErrorCode::notCertified, kNone, "The areas of the cells do not sum to that of the region."};
     }
     return cells;

@@ -65,10 +65,12 @@ void Arcs::sortCrossings() {
   std::iota(order_.begin(), order_.end(), 0);
   const auto key = [&](std::int32_t c) { return std::tuple(std::int32_t{all[at(c)].edge}, all[at(c)].parameter, c); };
   std::ranges::sort(order_, {}, key);
+  isCrossed_.assign(diagram_.edges.size(), false);
   rows_.assign(diagram_.edges.size(), kNone);
   for (std::size_t k = 0; k < order_.size(); ++k) {
     const EdgeIndex edge = all[at(order_[k])].edge;
     if (rows_[at(edge)] != kNone) continue;
+    isCrossed_[at(edge)] = true;
     rows_[at(edge)] = static_cast<std::int32_t>(crossed_.size());
     crossed_.push_back(edge);
     orderStart_.push_back(static_cast<std::int32_t>(k));
@@ -78,8 +80,8 @@ void Arcs::sortCrossings() {
 
 /// The level at the end of an edge minus the level at its start.
 std::int32_t Arcs::riseAlong(EdgeIndex edge) const {
+  if (!isCrossed(edge)) return 0;
   const std::int32_t row = rows_[at(edge)];
-  if (row == kNone) return 0;
   std::int32_t sum = 0;
   for (std::int32_t k = orderStart_[at(row)]; k < orderStart_[at(row) + 1]; ++k) {
     sum += crossings_.all[at(order_[at(k)])].isEntry ? 1 : -1;

@@ -31,7 +31,7 @@ class Arcs {
   /// Finds the arcs of the edges of some cells, from the crossings of these edges.
   Arcs(const Diagram& diagram, const Crossings& crossings, const Region& region, std::span<const CircleIndex> circles);
 
-  bool isCrossed(EdgeIndex edge) const { return rows_[static_cast<std::size_t>(edge)] != kNone; }
+  bool isCrossed(EdgeIndex edge) const { return isCrossed_[static_cast<std::size_t>(edge)]; }
   /// Returns whether the region contains a vertex. It does not contain infinity (kNone).
   bool isInside(VertexIndex vertex) const { return vertex != kNone && levels_[static_cast<std::size_t>(vertex)] == 1; }
   std::span<const std::int32_t> levels() const { return levels_; }
@@ -54,6 +54,7 @@ class Arcs {
 
   const Diagram& diagram_;
   const Crossings& crossings_;
+  std::vector<bool> isCrossed_;           ///< for each edge, in bits that stay in the cache
   std::vector<std::int32_t> rows_;        ///< for each edge its place among those with crossings, or kNone
   std::vector<EdgeIndex> crossed_;        ///< the edges with crossings
   std::vector<std::int32_t> order_;       ///< the crossings by edge, and along it

@@ -136,13 +136,15 @@ const char* faultOf(const ClipRecord& clip, const CellMoments& moments) {
   for (std::size_t v = 0; v < clip.levels.size(); ++v) {
     if (clip.levels[v] == 1) mostOff = std::max(mostOff, signs.errorOf(static_cast<std::int32_t>(v)));
   }
-  const double rounding = mostOff * (clip.region.perimeter() + size);
+  const double perimeter = clip.region.perimeter();
   CompensatedSum sum;
   for (std::size_t i = 0; i < moments.moments.size(); ++i) {
     const double area = moments.area(i);
-    if (!(area >= -rounding)) return kAreas;
+    if (!(area >= -mostOff * (perimeter + size))) return kAreas;
     sum += area;
   }
+  // Both cells of an edge see its ends at the same places, however far these are off.
+  const double rounding = kJudgeRounding * (size + mostOff) * (perimeter + size + mostOff);
   if (!clip.circles && !(std::abs(sum.value() - clip.region.area()) <= rounding)) return kAreas;
   return nullptr;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkData, checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from '../base/check.ts'
-import { at, NONE } from '../base/diagram-data.ts'
+import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import type {
   Certificate,
   DiagramData,
@@ -47,7 +47,7 @@ import { keptParts, type Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
-import { areaOf, centroidOf, checkCellArea, checkSumOfAreas, perimeterOf } from '../regions/measure.ts'
+import { AreaJudge, areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import { type ClippedCells, type ClippedDiagram, Region, regionOption } from '../regions/region.ts'
@@ -476,7 +476,9 @@ export class Diagram implements DiagramData {
    */
   cellArea(i: number, options: BoundsOptions = {}): number {
     const area = areaOf(this.#outline(i, 'cellArea', options))
-    if (options.region === undefined) checkCellArea(area, this.#limitsOf('cellArea', options).region.area(), i)
+    if (options.region === undefined) {
+      new AreaJudge(this.#limitsOf('cellArea', options).region, this.metric).add(area, circleOf(this.circles, i), i)
+    }
     return area
   }
 
@@ -501,12 +503,12 @@ export class Diagram implements DiagramData {
   cellAreas(options: BoundsOptions = {}): Float64Array {
     const areas = this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
     if (options.region !== undefined || this.hull.length === 0) return areas
-    const whole = this.#limitsOf('cellAreas', options).region.area()
+    const judge = new AreaJudge(this.#limitsOf('cellAreas', options).region, this.metric)
     areas.forEach((area, i) => {
-      checkCellArea(area, whole, i)
+      judge.add(area, circleOf(this.circles, i), i)
     })
     const isWhole = options.maxDistance === undefined
-    if (isWhole) checkSumOfAreas(areas, whole)
+    if (isWhole) judge.checkSum()
     return areas
   }
 

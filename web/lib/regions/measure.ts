@@ -4,7 +4,7 @@ import { checkBoundedCurve, checkOutline } from '../base/check.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import { between, cross } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
-import type { Point } from '../base/types.ts'
+import type { Metric, Point } from '../base/types.ts'
 import { type Bisector, pointOf } from '../curves/bisector.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { BoundedCurve } from '../curves/curve.ts'
@@ -14,15 +14,16 @@ import {
   isCircleArc,
   type Moments,
 } from './circle-arc.ts'
+import type { ConvexPolygon } from './convex-polygon.ts'
 import type { Outline, OutlinePiece } from './outline-piece.ts'
 
 /** An area of less than this share of the square around it is but rounding. */
 const ROUNDING_OF_AREA = 2 ** -44
-/**
- * Cells between circles that touch from inside are as narrow as the rounding of their vertices, which is the root of
- * that of numbers. Tolerance relative to the bounds.
- */
-const ROUNDING_OF_CELLS = 2 ** -20
+/** How far a vertex may be off, as a share of the distances from its circles. */
+const ROUNDING_OF_VERTICES = 2 ** -34
+const ROUNDING_OF_POWER_VERTICES = 2 ** -18
+/** How far a point on the border of the bounds may be off, as a share of coordinates and of these distances. */
+const ROUNDING_OF_BOUNDARY = 2 ** -44
 /** Rounding of coordinates, as a share of the largest. */
 const ROUNDING_OF_COORDINATES = 2 ** -48
 
@@ -113,27 +114,53 @@ export function perimeterOf(outline: Outline): number {
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
 }
 
-/**
- * Checks the area of a cell inside bounds of area `whole`.
- *
- * @throws CircleVoronoiError `notCertified`
- */
-export function checkCellArea(area: number, whole: number, circle: number): void {
-  if (!(area < -ROUNDING_OF_CELLS * whole || area > (1 + ROUNDING_OF_CELLS) * whole)) return
-  const message = `The area of cell ${circle}, ${area}, is not between 0 and that of the bounds, ${whole}. Certify the diagram.`
-  throw new CircleVoronoiError('notCertified', message, { circle })
-}
+/** Judges the areas of cells inside bounds. */
+export class AreaJudge {
+  readonly #whole: number
+  readonly #bounds: ConvexPolygon
+  readonly #perimeter: number
+  readonly #ofVertices: number
+  /** The largest coordinate of the bounds, and distance of a circle from them. */
+  #reach: number
+  #sum = 0
 
-/**
- * Checks that the areas of all cells sum to that of the bounds.
- *
- * @throws CircleVoronoiError `notCertified`
- */
-export function checkSumOfAreas(areas: Float64Array, whole: number): void {
-  const sum = areas.reduce((sum, area) => sum + area, 0)
-  if (!(Math.abs(sum - whole) > ROUNDING_OF_CELLS * whole)) return
-  const message = `The areas of the cells sum to ${sum}, not to that of the bounds, ${whole}. Certify the diagram.`
-  throw new CircleVoronoiError('notCertified', message)
+  constructor(bounds: ConvexPolygon, metric: Metric) {
+    const { corners } = bounds
+    this.#whole = bounds.area()
+    this.#bounds = bounds
+    this.#perimeter = corners.reduce(
+      (sum, corner, k) => sum + lengthOf(between(corner, corners[(k + 1) % corners.length] as Point)),
+      0,
+    )
+    this.#reach = Math.max(...corners.map(largestOf))
+    this.#ofVertices = metric === 'power' ? ROUNDING_OF_POWER_VERTICES : ROUNDING_OF_VERTICES
+  }
+
+  /**
+   * Adds the area of the cell of a circle around `center`. It must be between 0 and that of the bounds.
+   *
+   * @throws CircleVoronoiError `notCertified`
+   */
+  add(area: number, center: Point, circle: number): void {
+    if (area !== 0) this.#reach = Math.max(this.#reach, this.#bounds.reachFrom(center))
+    this.#sum += area
+    const rounding = this.#ofVertices * this.#perimeter * this.#reach
+    if (area >= -rounding && area <= this.#whole + rounding) return
+    const message = `The area of cell ${circle}, ${area}, is not between 0 and that of the bounds, ${this.#whole}. Certify the diagram.`
+    throw new CircleVoronoiError('notCertified', message, { circle })
+  }
+
+  /**
+   * Checks that the areas of all cells sum to that of the bounds. Both cells of an edge see its ends at the same places,
+   * however far vertices are off.
+   *
+   * @throws CircleVoronoiError `notCertified`
+   */
+  checkSum(): void {
+    if (Math.abs(this.#sum - this.#whole) <= ROUNDING_OF_BOUNDARY * this.#perimeter * this.#reach) return
+    const message = `The areas of the cells sum to ${this.#sum}, not to that of the bounds, ${this.#whole}. Certify the diagram.`
+    throw new CircleVoronoiError('notCertified', message)
+  }
 }
 
 /** The length of a piece. */
