@@ -2,9 +2,9 @@
 // The element in the tools that tutorials are written with, in their default configuration: built for production, and
 // with development servers that bundle. Each figure has a region, and a circle is dragged.
 import assert from 'node:assert/strict'
-import { cpSync, readFileSync } from 'node:fs'
+import { cpSync } from 'node:fs'
 import { join } from 'node:path'
-import { after, before, it } from 'node:test'
+import { after, afterEach, before, it } from 'node:test'
 import { blocksRunBy } from '../readme/blocks.mjs'
 import { recipeOf } from '../readme/put-it-into.mjs'
 import {
@@ -33,6 +33,7 @@ before(async () => {
   projects = new ToolProjects()
   await launchBrowser()
 })
+afterEach(() => projects.clear())
 after(async () => {
   await closeBrowser()
   projects.remove()

@@ -37,6 +37,13 @@ export class ToolProjects {
     writeFileSync(join(folder, path), text)
   }
 
+  /** Removes the projects, some of which take a gigabyte, but not the packed package. */
+  clear() {
+    for (const entry of readdirSync(this.#folder, { withFileTypes: true })) {
+      if (entry.isDirectory()) rmSync(join(this.#folder, entry.name), { recursive: true, force: true })
+    }
+  }
+
   remove() {
     rmSync(this.#folder, { recursive: true, force: true })
   }
