@@ -388,10 +388,10 @@ class LoopCutter {
 
 /// An area of less than this share of the square around it is but rounding.
 constexpr double kRoundingOfArea = 0x1p-44;
-/// How far a vertex may be off (vertexOf, radicalCenter), as a share of the distances from its circles.
+/// The error bound of a vertex (vertexOf, radicalCenter), as a share of the distances from its circles.
 constexpr double kRoundingOfVertices = 0x1p-34;
 constexpr double kRoundingOfPowerVertices = 0x1p-18;
-/// How far a point on the boundary of the region may be off, as a share of coordinates and of these distances.
+/// The error bound of a point on the boundary of the region, as a share of coordinates and of these distances.
 constexpr double kRoundingOfBoundary = 0x1p-44;
 /// Rounding of coordinates, as a share of the largest.
 constexpr double kRoundingOfSliver = 0x1p-48;

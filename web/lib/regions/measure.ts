@@ -19,10 +19,10 @@ import type { Outline, OutlinePiece } from './outline-piece.ts'
 
 /** An area of less than this share of the square around it is but rounding. */
 const ROUNDING_OF_AREA = 2 ** -44
-/** How far a vertex may be off, as a share of the distances from its circles. */
+/** The error bound of a vertex, as a share of the distances from its circles. */
 const ROUNDING_OF_VERTICES = 2 ** -34
 const ROUNDING_OF_POWER_VERTICES = 2 ** -18
-/** How far a point on the border of the bounds may be off, as a share of coordinates and of these distances. */
+/** The error bound of a point on the border of the bounds, as a share of coordinates and of these distances. */
 const ROUNDING_OF_BOUNDARY = 2 ** -44
 /** Rounding of coordinates, as a share of the largest. */
 const ROUNDING_OF_COORDINATES = 2 ** -48
