@@ -32,8 +32,12 @@ TEST(Readings, AreTheSameInEveryReader) {
     const auto circles = readCircles(reading["text"].get<std::string>(), "text");
     if (!reading.contains("circles")) {
       ASSERT_FALSE(circles);
-      if (reading.contains("line")) EXPECT_EQ(lineIn(circles.error().message), reading["line"].get<int>());
-      if (reading.contains("circle")) EXPECT_EQ(circles.error().circle, reading["circle"].get<int>());
+      if (reading.contains("line")) {
+        EXPECT_EQ(lineIn(circles.error().message), reading["line"].get<int>());
+      }
+      if (reading.contains("circle")) {
+        EXPECT_EQ(circles.error().circle, reading["circle"].get<int>());
+      }
       continue;
     }
     ASSERT_TRUE(circles) << circles.error().message;

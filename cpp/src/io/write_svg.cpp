@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bit_cast.h"
 #include "chord.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/hull.h"
@@ -378,7 +378,7 @@ std::vector<Vector> copiesIn(const PeriodicDiagram& periodic, const Box& view) {
 std::string idOf(const PeriodicDiagram& periodic) {
   std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a, by numbers instead of bytes
   const auto add = [&](double value) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3U;
+    hash = (hash ^ bitCast<std::uint64_t>(value)) * 0x100000001b3U;
     hash ^= hash >> 32U;  // a product has what differs in its upper half alone
   };
   for (const Vector& side : {periodic.lattice.a, periodic.lattice.b}) {

@@ -236,7 +236,9 @@ std::span<const ClipFlattener::Corner> ClipFlattener::cornersOn(EdgeIndex edge, 
   const auto key = [](const Corner& corner) { return corner.key(); };
   const auto first = std::ranges::lower_bound(corners_, Corner{edge, cell, low, {}}.key(), {}, key);
   const auto last = std::ranges::upper_bound(corners_, Corner{edge, cell, high, {}}.key(), {}, key);
-  return first < last ? std::span(first, last) : std::span<const Corner>();
+  if (first >= last) return {};
+  return std::span(corners_).subspan(static_cast<std::size_t>(first - corners_.begin()),
+                                     static_cast<std::size_t>(last - first));
 }
 
 std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part) const {
