@@ -141,7 +141,10 @@ describe('Use it from C++', () => {
     mkdirSync(join(folder, 'guide'))
     symlinkSync(ROOT, join(folder, 'guide/circle-voronoi'))
     run('sh', '-c', `cd guide && ${configure}`)
-    assert.match(readFileSync(join(folder, 'guide/build/CMakeCache.txt'), 'utf8'), /^CIRCLE_VORONOI_BUILD_TESTS:BOOL=OFF$/m)
+    assert.match(
+      readFileSync(join(folder, 'guide/build/CMakeCache.txt'), 'utf8'),
+      /^CIRCLE_VORONOI_BUILD_TESTS:BOOL=OFF$/m,
+    )
     // All tests run with a library that is built and installed in this way.
     assert.deepEqual([build, install], ['cmake --build build', 'cmake --install build --prefix installed'])
   })
