@@ -18,7 +18,12 @@ const SITE = fileURLToPath(new URL('../../dist/site', import.meta.url))
 const FOLDER = '/some/sub/path/'
 const INTRODUCTION = dataSet('introduction')
 /** Limit for the transferred bytes until the first diagram. */
-const MOST_BYTES = 265_000
+const MOST_BYTES = 266_000
+/** The connection that Lighthouse simulates: round-trip time in milliseconds, and bytes per second. */
+const SLOW_4G = { latency: 150, throughput: (1.6 * 2 ** 20) / 8 }
+/** Limits in milliseconds on this connection until the first text, and until circles can be dragged. */
+const READABLE = 1000
+const LIVE = 2500
 
 /** Serves files below `FOLDER` like a plain server. */
 async function serve(files: string): Promise<{ server: Server; url: string }> {
@@ -230,4 +235,42 @@ testOfApp('the first diagram needs few bytes, and all of them are sent compresse
   }
   const bytes = [...files.values()].reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0)
   expect(bytes).toBeLessThan(MOST_BYTES)
+})
+
+test('on a slow line the first chapter can be read within a second, and its first figure lives within two and a half', async ({
+  page,
+}) => {
+  const session = await page.context().newCDPSession(page)
+  await session.send('Network.enable')
+  /** For each file the length of the chain of files before it, itself included, and whether it blocks the text. */
+  const files = new Map<string, { depth: number; holdsUp: boolean }>()
+  session.on('Network.requestWillBeSent', ({ request: { url }, initiator, type }) => {
+    const askers = [initiator.url ?? '', ...(initiator.stack?.callFrames ?? []).map((frame) => frame.url)]
+    const before = type === 'Document' ? [0] : [1, ...askers.map((asker) => files.get(asker)?.depth ?? 1)]
+    files.set(url, { depth: Math.max(...before) + 1, holdsUp: type === 'Document' || type === 'Stylesheet' })
+  })
+  await page.goto('/tutorial/01-nearest-circle.html')
+  await page
+    .locator('circle-voronoi')
+    .first()
+    .evaluate(async (element: HTMLElementTagNameMap['circle-voronoi']) => {
+      element.scrollIntoView()
+      await element.ready
+      await element.updateComplete
+    })
+  /** The transfer time of some files on this connection, in milliseconds. */
+  const timeOf = async (isNeeded: (file: { holdsUp: boolean }) => boolean) => {
+    const needed = [...files].filter(([, file]) => isNeeded(file))
+    const answers = await Promise.all(
+      needed.map(([url]) => page.request.head(url, { headers: { 'accept-encoding': 'br' } })),
+    )
+    const bytes = answers.map((answer) => Number(answer.headers()['content-length']))
+    const depth = Math.max(...needed.map(([, file]) => file.depth))
+    return depth * SLOW_4G.latency + (1000 * bytes.reduce((sum, each) => sum + each, 0)) / SLOW_4G.throughput
+  }
+  const [readable, live] = [await timeOf(({ holdsUp }) => holdsUp), await timeOf(() => true)]
+  expect(readable).toBeGreaterThan(2 * SLOW_4G.latency)
+  expect(readable).toBeLessThan(READABLE)
+  expect(live).toBeGreaterThan(readable)
+  expect(live).toBeLessThan(LIVE)
 })

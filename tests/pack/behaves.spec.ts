@@ -174,9 +174,16 @@ test('styles of the page do not reach the player and the messages', async ({ pag
 test('undo goes back to before an element was moved, at once or a moment later', async ({ page }) => {
   await open(page, `${FIGURE}<section></section>`)
   const before = await circles(page)
+  const changed = page
+    .locator('circle-voronoi')
+    .evaluate(
+      (element: Element) =>
+        new Promise<void>((resolve) => element.addEventListener('change', () => resolve(), { once: true })),
+    )
   await drag(page)
-  await expect.poll(() => circles(page)).not.toEqual(before)
+  await changed
   const moved = await circles(page)
+  expect(moved).not.toEqual(before)
   await page.locator('circle-voronoi').evaluate(async (element: Element) => {
     element.remove()
     await new Promise((resolve) => setTimeout(resolve, 100))

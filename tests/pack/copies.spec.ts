@@ -28,7 +28,7 @@ for (const [name, attributes] of Object.entries(FIGURES)) {
     test(`a figure of ${name} that is ${isShown ? 'shown' : 'not in the page'} returns copies`, async ({ page }) => {
       const path = join(ROOT, PAGE)
       mkdirSync(dirname(path), { recursive: true })
-      const script = '<script type="module" src="/dist/element/define.js"></script>'
+      const script = '<script type="module" src="/dist/element/index.js"></script>'
       writeFileSync(path, `<!doctype html><html lang="en"><title>Copies</title>${script}<body></body></html>`)
       await page.goto(`${server.address}${PAGE}`)
       const [before, after] = await page.evaluate(
