@@ -121,6 +121,41 @@ export default function Page() { return <main><h1>Circles</h1><Figure /></main> 
   })
 }
 
+it('Nuxt 3', async () => {
+  const folder = projects.create('nuxt', ['nuxt@3.21.11'], recipe('Nuxt'))
+  run(folder, 'nuxt', ['generate'])
+  await withFiles(join(folder, '.output/public'), useFigure)
+})
+
+it('Angular 19', async () => {
+  const names = ['common', 'compiler', 'core', 'platform-browser'].map((name) => `@angular/${name}@19.2.14`)
+  const tools = ['@angular/cli@19.2.15', '@angular/build@19.2.15', '@angular/compiler-cli@19.2.14', 'typescript@5.8.3']
+  const options = {
+    browser: 'src/main.ts',
+    index: 'src/index.html',
+    polyfills: ['zone.js'],
+    tsConfig: 'tsconfig.json',
+    outputPath: 'dist',
+  }
+  const build = { builder: '@angular/build:application', options: { ...options, progress: false } }
+  const folder = projects.create('angular', [...names, ...tools, 'rxjs@7.8.2', 'tslib@2.8.1', 'zone.js@0.15.1'], {
+    'package.json': JSON.stringify({ private: true }),
+    'angular.json': JSON.stringify({
+      version: 1,
+      projects: { circles: { projectType: 'application', root: '', sourceRoot: 'src', architect: { build } } },
+    }),
+    'tsconfig.json': JSON.stringify({
+      compilerOptions: { target: 'ES2022', module: 'ES2022', moduleResolution: 'bundler', lib: ['ES2022', 'DOM'] },
+      files: ['src/main.ts'],
+    }),
+    'src/index.html':
+      '<!doctype html><html lang="en"><base href="/"><title>Circles</title><app-root></app-root></html>',
+    ...recipe('Angular'),
+  })
+  run(folder, 'ng', ['build'])
+  await withFiles(join(folder, 'dist/browser'), useFigure)
+})
+
 it('Docusaurus 3.9', async () => {
   const packages = ['@docusaurus/core@3.9.2', '@docusaurus/preset-classic@3.9.2', 'react@19.2.0', 'react-dom@19.2.0']
   // The progress bar does not support newer versions of webpack.
@@ -167,9 +202,31 @@ it('MkDocs, with a table in Markdown between the tags', async () => {
 })
 
 it('Observable Framework 1.13', async () => {
-  const folder = projects.create('observable', ['@observablehq/framework@1.13.4'], recipe('Observable Framework'))
+  const folder = projects.create('observable', ['@observablehq/framework@1.13.4'], {
+    ...recipe('Observable Framework'),
+    // The value is that of an input, which other cells follow.
+    'src/view.md': `# View
+
+\`\`\`js
+import 'circle-voronoi/element/inline'
+const figure = document.createElement('circle-voronoi')
+figure.setAttribute('circles', '${CIRCLES}')
+figure.setAttribute('region', '${REGION}')
+const circles = view(figure)
+\`\`\`
+
+<output>\${circles.join(' ')}</output>
+`,
+  })
   run(folder, 'observable', ['build'])
-  await withFiles(join(folder, 'dist'), useFigure)
+  await withFiles(join(folder, 'dist'), async (address) => {
+    await useFigure(address)
+    const follows = async (page) => {
+      const circles = await page.locator('circle-voronoi').evaluate((element) => element.circles.join(' '))
+      await page.locator('output', { hasText: circles }).waitFor()
+    }
+    await useFigure(`${address}view`, { afterwards: follows })
+  })
 })
 
 /** Two sizes of the window, to which slides are scaled. */

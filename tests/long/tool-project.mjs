@@ -184,7 +184,8 @@ async function useFigureOnce(address, options) {
     await moves(figure, () => drag(page, [x, y], [x + 60, y + 10]))
     if (hasKeys) await moves(figure, () => page.keyboard.press('ArrowRight'))
     await afterwards?.(page)
-    // Browsers request icons that a site lacks, and themes fetch fonts from other sites, also without a network.
+    // Browsers request icons that a site lacks, themes fetch fonts from other sites, also without a network, and Slidev
+    // reports a fault of its own tooltips (FloatingVue).
     assert.deepEqual(
       problems.filter((problem) => !/favicon|404 \(Not Found\)$|ERR_NAME_NOT_RESOLVED/.test(problem)),
       [],
