@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Chromium that Playwright drives.
 import type { LaunchOptions } from '@playwright/test'
+import { chromiumPath, chromiumShellPath } from '../scripts/setup.mjs'
 
 /**
  * Features of Chromium that no test needs. A window starts a process for the list below the address bar, and another one for
@@ -34,12 +35,12 @@ const ARGS = [
 
 /** The browser as people have it, for tests of service workers, paper and videos. */
 export const CHROMIUM: LaunchOptions = {
-  executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium',
+  executablePath: chromiumPath(),
   args: ARGS,
 }
 
 /** The same engine without the parts around a page: an empty test takes half of the processor time. */
 export const HEADLESS_SHELL: LaunchOptions = {
-  executablePath: process.env.CHROMIUM_SHELL_PATH ?? process.env.CHROMIUM_PATH ?? '/usr/bin/chromium-headless-shell',
+  executablePath: chromiumShellPath(),
   args: ARGS,
 }

@@ -117,8 +117,8 @@ TEST(PeriodicAreaFit, ReachesAreasWhereverTheSitesLie) {
   }
 }
 
-// Of two sites half a period apart, the two borders are those between parallel lines of equal sites: the weights change
-// nothing but their difference, and equal areas need equal weights.
+// Two sites half a period apart have two borders, as between parallel lines of equal sites. The borders depend only on
+// the difference of the weights, so equal areas need equal weights.
 TEST(PeriodicAreaFit, OfOneSiteAndOfEqualSharesHasTheWeightsOfSymmetry) {
   const auto one = fitAreas(Circles{{3, 4, 2}}, std::vector{6.0}, Lattice{{2, 0}, {1, 3}});
   ASSERT_TRUE(one) << one.error().message;

@@ -64,7 +64,7 @@ test.describe('a link with a lattice', () => {
       expect(y).toBeCloseTo(-0.5 + 6, 1)
     }).toPass()
     expect(await latticeOf(app)).toEqual(LATTICE)
-    // Where it came in, its disc is seen.
+    // The disc is drawn on the side where the circle came in.
     expect(strengthOf(await colorAt(app, 2.5, 5.5))).toBeGreaterThan(60)
     await app.page.keyboard.press('ControlOrMeta+z')
     await expect(async () => expect((await app.circles())[0]).toBeCloseTo(2, 9)).toPass()

@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // <circle-voronoi> in pages that its author does not control: on paper, in narrow places, among other styles, moved about, and as
 // a form control.
-import { mkdirSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
-import { ROOT } from './project.mjs'
-import { type Server, serve } from './static-server.ts'
+import { ownPages } from './own-pages.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
 
-const PAGES = `build/behaves-${process.env.TEST_PARALLEL_INDEX}`
+const { open } = ownPages('behaves')
 const THREE = '[[0,0,2],[10,0,1],[5,8,1.5]]'
 const FIGURE = `<circle-voronoi circles="${THREE}"></circle-voronoi>`
-
-let server: Server
-test.beforeAll(async () => {
-  server = await serve(ROOT, "default-src 'self' data: 'wasm-unsafe-eval' 'unsafe-inline'")
-})
-test.afterAll(() => server.close())
-
-async function open(page: Page, body: string): Promise<void> {
-  mkdirSync(join(ROOT, PAGES), { recursive: true })
-  writeFileSync(
-    join(ROOT, PAGES, 'index.html'),
-    `<!doctype html><html lang="en"><title>Page</title><link rel="icon" href="data:,">
-    <script type="module" src="/dist/element/index.js"></script>${body}`,
-  )
-  await page.goto(`${server.address}${PAGES}/index.html`)
-  await page.evaluate(async () => {
-    for (const element of document.querySelectorAll('circle-voronoi')) {
-      await element.ready
-      await element.updateComplete
-    }
-  })
-}
 
 const circles = (page: Page) => page.locator('circle-voronoi').evaluate((element: Element) => [...element.circles])
 

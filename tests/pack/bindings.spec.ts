@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `value` of <circle-voronoi>, bound as docs/element.md says: by v-model of Vue, and by a property and a listener in Svelte.
-import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { build } from 'esbuild'
 import { compile as compileSvelte } from 'svelte/compiler'
 import { compileTemplate } from 'vue/compiler-sfc'
+import { ownPages } from './own-pages.ts'
 import { ROOT } from './project.mjs'
-import { type Server, serve } from './static-server.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
 
-const PAGES = `build/bindings-${process.env.TEST_PARALLEL_INDEX}`
+const pages = ownPages('bindings')
 const START = '[[0, 0, 2], [10, 0, 1], [5, 8, 1.5]]'
 
 /** An application of Vue, with a template that is compiled as its build tools do. */
@@ -37,17 +36,10 @@ function svelte(): string {
   return `import { mount } from 'svelte'\n${code}\nmount(App, { target: document.querySelector('#app') })`
 }
 
-let server: Server
-test.beforeAll(async () => {
-  server = await serve(ROOT, "default-src 'self' data: 'wasm-unsafe-eval' 'unsafe-inline'")
-})
-test.afterAll(() => server.close())
-
 async function open(page: Page, source: string): Promise<void> {
-  mkdirSync(join(ROOT, PAGES), { recursive: true })
   await build({
     stdin: { contents: source, resolveDir: ROOT },
-    outfile: join(ROOT, PAGES, 'app.js'),
+    outfile: join(ROOT, pages.folder, 'app.js'),
     bundle: true,
     format: 'esm',
     conditions: ['browser', 'production'],
@@ -58,16 +50,7 @@ async function open(page: Page, source: string): Promise<void> {
     },
     logLevel: 'error',
   })
-  writeFileSync(
-    join(ROOT, PAGES, 'index.html'),
-    `<!doctype html><html lang="en"><title>Bound</title><link rel="icon" href="data:,">
-    <script type="module" src="/dist/element/index.js"></script><script type="module" src="app.js"></script><div id="app"></div>`,
-  )
-  await page.goto(`${server.address}${PAGES}/index.html`)
-  await page.locator('circle-voronoi').evaluate(async (element: Element) => {
-    await element.ready
-    await element.updateComplete
-  })
+  await pages.open(page, '<script type="module" src="app.js"></script><div id="app"></div>')
 }
 
 const circles = (page: Page) => page.locator('circle-voronoi').evaluate((element: Element) => [...element.circles])

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The properties and methods of <circle-voronoi> return copies: writing into one changes nothing.
-import { mkdirSync, writeFileSync } from 'node:fs'
-import { dirname, join } from 'node:path'
 import { expect, test } from '@playwright/test'
-import { ROOT } from './project.mjs'
-import { type Server, serve } from './static-server.ts'
+import { ownPages } from './own-pages.ts'
 
-const PAGE = `build/copies-${process.env.TEST_PARALLEL_INDEX}/index.html`
-
-let server: Server
-test.beforeAll(async () => {
-  server = await serve(
-    ROOT,
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'",
-  )
-})
-test.afterAll(() => server.close())
+const { visit } = ownPages('copies')
 
 const FIGURES = {
   attributes: `circles="[[1,1,.2],[3,1,.3],[2,3,.2]]" view="2 2 6" layers="hull" areas="1 2 3"
@@ -26,11 +14,7 @@ const FIGURES = {
 for (const [name, attributes] of Object.entries(FIGURES)) {
   for (const isShown of [true, false]) {
     test(`a figure of ${name} that is ${isShown ? 'shown' : 'not in the page'} returns copies`, async ({ page }) => {
-      const path = join(ROOT, PAGE)
-      mkdirSync(dirname(path), { recursive: true })
-      const script = '<script type="module" src="/dist/element/index.js"></script>'
-      writeFileSync(path, `<!doctype html><html lang="en"><title>Copies</title>${script}<body></body></html>`)
-      await page.goto(`${server.address}${PAGE}`)
+      await visit(page, '<body></body>')
       const [before, after] = await page.evaluate(
         async ({ attributes, isShown }) => {
           await customElements.whenDefined('circle-voronoi')

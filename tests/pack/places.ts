@@ -53,7 +53,7 @@ export function ownPlace(x: number, y: number): { readonly left: number; readonl
   return { left: WIDTH / 2 + (x - VIEW.x) * scale, top: HEIGHT / 2 - (y - VIEW.y) * scale }
 }
 
-/** Where a place of the figure is on the page: found by a mark, which the browser places. It runs in the page. */
+/** Returns the position on the page of a place in the figure, from a mark that the browser lays out. It runs in the page. */
 export function onPage({ left, top }: ReturnType<typeof ownPlace>, zoom = 1): [number, number] {
   const mark = document.createElement('i')
   mark.style.cssText = `position: absolute; width: 0; height: 0; left: ${left}px; top: ${top}px`

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The step of a figure has one owner: whoever sets it last, from wherever, is what the player shows.
-import { mkdirSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { encodeLink } from '../../web/lib/link.ts'
-import { ROOT } from './project.mjs'
-import { type Server, serve } from './static-server.ts'
+import { ownPages } from './own-pages.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
 
-const PAGES = `build/step-${process.env.TEST_PARALLEL_INDEX}`
+const pages = ownPages('step')
 const CIRCLES = [
   [0, 0, 2],
   [10, 0, 1],
@@ -17,27 +14,9 @@ const CIRCLES = [
   [2, 6, 0.8],
 ]
 
-let server: Server
-test.beforeAll(async () => {
-  server = await serve(ROOT, "default-src 'self' data: 'wasm-unsafe-eval' 'unsafe-inline'")
-})
-test.afterAll(() => server.close())
-
-/** Opens a page with one figure, `attributes` of which are given, and has it keep each step that is told. */
-async function open(page: Page, attributes: string): Promise<void> {
-  mkdirSync(join(ROOT, PAGES), { recursive: true })
-  writeFileSync(
-    join(ROOT, PAGES, 'index.html'),
-    `<!doctype html><html lang="en"><title>Step</title><link rel="icon" href="data:,">
-    <script type="module" src="/dist/element/index.js"></script>
-    <circle-voronoi circles="${JSON.stringify(CIRCLES)}" ${attributes}></circle-voronoi>`,
-  )
-  await page.goto(`${server.address}${PAGES}/index.html`)
-  await page.locator('circle-voronoi').evaluate(async (element: Element) => {
-    await element.ready
-    await element.updateComplete
-  })
-}
+/** Opens a page with one figure that has these attributes. */
+const open = (page: Page, attributes: string) =>
+  pages.open(page, `<circle-voronoi circles="${JSON.stringify(CIRCLES)}" ${attributes}></circle-voronoi>`)
 
 /** The step of the property, of the state and of the slider, once all that was asked is shown. */
 const steps = (page: Page) =>

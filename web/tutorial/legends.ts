@@ -15,7 +15,7 @@ export function showLegends(page: Document): void {
       const { cells } = figure.layers
       if (cells === undefined || !isMeasure(cells)) return
       library ??= loadCircleVoronoi()
-      // As in the figure, edits leave the meaning of the colors as it is.
+      // Edits do not change the meaning of the colors, in the legend as in the figure.
       const { legend } = new Measures(cells, (await library).compute(figure.circles))
       const surface = figure.shadowRoot?.querySelector('.figure') as HTMLElement
       const draw = () => drawLegend(place, legend, readStyle(surface), place.dataset.unit)

@@ -194,7 +194,7 @@ export function drawOverlay(
     fill(dots, color)
   }
 
-  /** Where circles overlap, the disc has a negative radius and its contacts reach over its rim. */
+  /** Draws a disc and its contacts. Between overlapping circles the radius is negative, and the stroke is dashed. */
   function drawTouching({ disc, points }: Touching): void {
     const path = discOf(disc.x, disc.y, disc.r)
     fill(path, style.touching, FOUND_OPACITY)

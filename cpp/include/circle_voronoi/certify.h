@@ -16,8 +16,8 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// coordinate or a radius beyond the largest double. Two distinct vertices may have equal coordinates.
 ///
 /// The 36 bits that `compute` promises are another measure: they bound the distance of a vertex from its exact place.
-/// Where three circles nearly share a tangent line, points far from that place touch the circles to 40 bits, too. So 40
-/// bits are what a diagram from any program can be asked for. Vertices of `compute` pass as they are, bit for bit.
+/// If three circles nearly share a tangent line, points far from the true vertex touch the circles to 40 bits, too. A
+/// diagram from any program can reach 40 bits. Vertices of `compute` pass as they are, bit for bit.
 ///
 /// `certify` reads everything but `stats` and the diagram's own `certificate`. The links must be those of `linkSides`.
 /// For Metric::centers the radii are ignored. For Metric::power there is no certificate.

@@ -20,10 +20,10 @@ namespace {
 constexpr std::array<Vector, 4> kAxes = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 /// Where there is no side to say how far outside is far, as a multiple of the distance of the region.
 constexpr double kFarOut = 64;
-/// Where a line is nearly tangent to a curve, rounding moves their crossing by the root of itself. Tolerance relative
-/// to the size of the part that is clipped.
+/// Tolerance for the crossings of a line and a curve, relative to the size of the part that is clipped. If the two are
+/// nearly tangent, a rounding error moves the crossing by the square root of that error.
 constexpr double kSlack = 0x1p-20;
-/// Where branches are narrow, rounding may exchange the order of directions as near as this (radians).
+/// Largest angle between two directions whose order rounding may exchange on a narrow branch, in radians.
 constexpr double kNear = 0x1p-20;
 
 /// A piece of a loop. The pieces of an edge follow its direction, so that both cells of the edge cut it alike, to the

@@ -13,8 +13,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Reads the value of a key. A value of another kind is skipped and counts as none. Of a key that is given twice the
-/// last value counts, as in all of JSON.
+/// Reads the value of a key. A value of another kind is skipped and counts as none. If a key is given twice, the last
+/// value counts, as in all of JSON.
 template <class Value, class Read>
 void readLast(JsonReader& reader, std::optional<Value>& value, JsonKind kind, Read read) {
   value.reset();

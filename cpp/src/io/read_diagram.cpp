@@ -158,7 +158,7 @@ class DiagramReader {
   void readSection(const Section& section) {
     expect(JsonKind::array, [&] { return "an array for " + std::string(section.key); });
     const bool isOfCircles = &section == kSections.data();
-    // Of a key that is given twice the last value counts, as in all of JSON.
+    // The last value of a key that is given twice counts, as in all of JSON.
     section.clear(diagram);
     if (isOfCircles) {
       attributes = {.collection = std::move(attributes.collection)};

@@ -111,7 +111,7 @@ void readGeoJsonObject(JsonReader& reader, Polygons& polygons, int depth) {
   std::string last;
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
-    // Of a key that is given twice the last value counts, as in all of JSON.
+    // The last value of a key that is given twice counts, as in all of JSON.
     if (*key == last) polygons.shrinkTo(before);
     if (std::ranges::find(kKeysOfPolygons, *key) != kKeysOfPolygons.end()) last = *key;
     const JsonKind kind = reader.kind();

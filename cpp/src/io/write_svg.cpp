@@ -36,7 +36,7 @@ constexpr std::string_view kStyle = R"(<style>
 .circle-voronoi .point { stroke-width: 3; stroke-linecap: round; stroke-dasharray: none; }
 )";
 
-/// How the elements of a group look, as attributes: any style sheet has precedence over them.
+/// Presentation attributes of each group. Any style sheet has precedence over them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kLooks = {{
     {"cells", R"(fill="#f6f4ee" stroke="none")"},
     {"edges", R"(fill="none" stroke="#1f4e79" stroke-width="1.5")"},

@@ -26,11 +26,11 @@ const AXES: readonly Vector[] = [
 /** Where there is no side to say how far outside is far, as a multiple of the distance of the region. */
 const FAR_OUT = 64
 /**
- * Where a line is nearly tangent to a curve, rounding moves their crossing by the root of itself. Tolerance relative to
- * the size of the part that is clipped.
+ * Tolerance for the crossings of a line and a curve, relative to the size of the part that is clipped. If the two are
+ * nearly tangent, a rounding error moves the crossing by the square root of that error.
  */
 const SLACK = 2 ** -20
-/** Where branches are narrow, rounding may exchange the order of directions as near as this (radians). */
+/** Largest angle between two directions whose order rounding may exchange on a narrow branch, in radians. */
 const NEAR = 2 ** -20
 
 /** Does what `Diagram.cellOutline` does, for arguments that have been checked. */

@@ -142,8 +142,8 @@ function drawMoment(
 }
 
 /**
- * Of the circles that an antipodal disc touches, returns those whose rim the border of other circles has already passed
- * at the foot point.
+ * Returns the circles touching an antipodal disc whose rim the border of other circles has already passed at the foot
+ * point.
  */
 function passedAt(trace: Trace, event: number, circles: readonly Circle[]): readonly number[] {
   const { disc, circles: ids } = trace.event(event)
