@@ -3,6 +3,7 @@ import { pointAt } from '../../web/lib/curves/bisector.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
+import { soon } from '../soon.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 import { got, heldBack } from './held-back.ts'
@@ -46,7 +47,7 @@ test.describe('where motion is welcome', () => {
     await app.open('')
     await expect(app.status).toHaveText(/^8 circles/)
     const picture = await app.canvas.screenshot()
-    await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
+    await soon(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
     await app.select(START, 0)
     await app.canvas.focus()
     for (let k = 0; k < 7; k++) await page.keyboard.press('Tab')
@@ -101,19 +102,19 @@ test('updates the diagram within a drag, before the mouse is released', async ({
   const from = app.center(BRONZE, 600)
   await app.page.mouse.click(from.x, from.y)
   await expect(app.inspector).toContainText('Circle 600')
-  await expect.poll(() => app.neighbors()).not.toEqual([])
+  await soon(() => app.neighbors()).not.toEqual([])
   const neighbors = await app.neighbors()
   const picture = await app.canvas.screenshot()
   const to = app.center(BRONZE, 100)
 
   await app.drag(from, to)
-  await expect.poll(() => app.neighbors()).not.toEqual(neighbors)
+  await soon(() => app.neighbors()).not.toEqual(neighbors)
   expect(picture.equals(await app.canvas.screenshot())).toBe(false)
-  await expect.poll(async () => Number(await app.field('x').inputValue())).toBeCloseTo(BRONZE[300] as number, 1)
+  await soon(async () => Number(await app.field('x').inputValue())).toBeCloseTo(BRONZE[300] as number, 1)
 
   await app.page.mouse.up()
   await app.page.getByRole('button', { name: 'Undo' }).click()
-  await expect.poll(() => app.neighbors()).toEqual(neighbors)
+  await soon(() => app.neighbors()).toEqual(neighbors)
   await expect(app.field('x')).toHaveValue(String(BRONZE[1800]))
 })
 
@@ -130,7 +131,7 @@ test('adds a circle by a double click, and by pressing and dragging', async ({ a
   await app.drag(center, { x: center.x + 0.5 * scale, y: center.y })
   await app.page.mouse.up()
   await expect(app.status).toContainText('16 circles')
-  await expect.poll(async () => Number(await app.field('r').inputValue())).toBeCloseTo(0.5, 1)
+  await soon(async () => Number(await app.field('r').inputValue())).toBeCloseTo(0.5, 1)
 
   await app.page.keyboard.press('Control+z')
   await app.page.keyboard.press('Control+z')
@@ -231,7 +232,7 @@ test('what is pressed on the first picture is pressed on the figure, whose pixel
   await expect(page.locator('#first-picture')).toBeVisible()
   const { width, height } = page.viewportSize() as { width: number; height: number }
   const pressed = () => page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.id, [width / 2, height / 2] as const)
-  await expect.poll(pressed).toBe('figure')
+  await soon(pressed).toBe('figure')
   answer()
   await expect(page.locator('#first-picture')).toBeHidden()
 })
@@ -243,7 +244,7 @@ test('pans and zooms', async ({ app }) => {
   const picture = await app.canvas.screenshot()
   const isOther = async () => !picture.equals(await app.canvas.screenshot())
   await app.page.mouse.wheel(0, -300)
-  await expect.poll(isOther).toBe(true)
+  await soon(isOther).toBe(true)
   await app.page.getByRole('button', { name: 'Fit' }).click()
 
   const before = app.locate(BRONZE, { x: 9, y: -0.5 })
@@ -267,16 +268,16 @@ test('works with the keyboard alone', async ({ app }) => {
   await expect(app.inspector).toContainText('Circle 2')
   const number = async (name: 'x' | 'y' | 'r') => Number(await app.field(name).inputValue())
   await app.page.keyboard.press('ArrowRight')
-  await expect.poll(() => number('x')).toBeGreaterThan(2.1)
+  await soon(() => number('x')).toBeGreaterThan(2.1)
   const step = (await number('x')) - 2.1
   await app.page.keyboard.press('Shift+ArrowUp')
-  await expect.poll(() => number('y')).toBeCloseTo(3.2 + 10 * step, 4)
+  await soon(() => number('y')).toBeCloseTo(3.2 + 10 * step, 4)
   await app.page.keyboard.press('Alt+ArrowLeft')
-  await expect.poll(() => number('x')).toBeCloseTo(2.1 + step * (1 - 1 / 10), 4)
+  await soon(() => number('x')).toBeCloseTo(2.1 + step * (1 - 1 / 10), 4)
   await app.page.keyboard.press('+')
-  await expect.poll(() => number('r')).toBeCloseTo(1 + step, 4)
+  await soon(() => number('r')).toBeCloseTo(1 + step, 4)
   await app.page.keyboard.press('-')
-  await expect.poll(() => number('r')).toBeCloseTo(1, 4)
+  await soon(() => number('r')).toBeCloseTo(1, 4)
 
   await app.page.keyboard.press('Enter')
   await expect(app.field('x')).toBeFocused()

@@ -2,6 +2,7 @@
 // Columns of a file beyond the circles: shown, sorted, colored by, edited, undone, kept, linked and saved.
 import { readFileSync } from 'node:fs'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { type App, expect, test } from './page.ts'
 
 const TOWNS = `x,y,r,name,fips,kind,people
@@ -88,7 +89,7 @@ test('columns of a table are in the table, the inspector, the colors, the link, 
 
   // The column survives a link, a reload, and undo across another data set.
   const linked = async () => (await decodeLink(new URL(page.url()).hash)).attributes?.properties[0]
-  await expect.poll(linked).toBe('{"name":"Aarau","fips":"0042","kind":"town","people":1200}')
+  await soon(linked).toBe('{"name":"Aarau","fips":"0042","kind":"town","people":1200}')
   await page.reload()
   await expect(app.status).toContainText('5 circles')
   await expect(page.locator('#legend .categories')).toContainText('towncityvillage')

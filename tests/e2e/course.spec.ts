@@ -6,6 +6,7 @@ import type { AddressInfo } from 'node:net'
 import type { Page } from '@playwright/test'
 import { strFromU8, unzipSync } from 'fflate'
 import { encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { expect, test } from './page.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 2, 5, 10, 2, 9, 6, 1, 5, 4, 0.5)
@@ -76,7 +77,7 @@ test('reports "passed" to the system once the check is met, and goes on where it
   const lesson = other.frameLocator('iframe')
   await expect(lesson.getByText('Give the smallest circle three edges.')).toBeVisible()
   await expect(lesson.getByRole('status')).toHaveText('Not solved yet')
-  await expect.poll(() => circlesOf(other)).toBe(CIRCLES.length)
+  await soon(() => circlesOf(other)).toBe(CIRCLES.length)
   const value = (name: string) => other.evaluate((name) => (values as Record<string, string>)[name], name)
   expect(await value('cmi.core.lesson_status')).toBe('incomplete')
   await lesson.locator('circle-voronoi').evaluate((figure: HTMLElementTagNameMap['circle-voronoi']) => {
@@ -89,14 +90,14 @@ test('reports "passed" to the system once the check is met, and goes on where it
     ]
   })
   await expect(lesson.getByRole('status')).toHaveText('Solved')
-  await expect.poll(() => value('cmi.core.lesson_status')).toBe('passed')
+  await soon(() => value('cmi.core.lesson_status')).toBe('passed')
   expect(await value('cmi.core.score.raw')).toBe('100')
   // Opens another lesson, then this one again.
   const frame = other.locator('iframe')
   await frame.evaluate((element: HTMLIFrameElement) => {
     element.src = 'about:blank'
   })
-  await expect.poll(() => other.evaluate(() => calls.at(-1))).toBe('finish')
+  await soon(() => other.evaluate(() => calls.at(-1))).toBe('finish')
   expect(await value('cmi.core.session_time')).toMatch(/^\d{4}:\d\d:\d\d\.\d\d$/)
   await frame.evaluate((element: HTMLIFrameElement) => {
     element.src = 'lesson/index.html'

@@ -2,6 +2,7 @@
 // Regions whose polygons share borders or overlap, in the page.
 import type { Locator } from '@playwright/test'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { type App, expect, test } from './page.ts'
 
 const COUNTIES = 'MULTIPOLYGON (((-3 -3, 3 -3, 3 8, -3 8)), ((3 -3, 9 -3, 9 8, 3 8)))'
@@ -38,9 +39,10 @@ test('counties that share a border are merged where they are refused, and a link
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
   const merging = panel(app).getByLabel('Merge polygons that share borders or overlap')
   await expect(merging).toBeChecked()
-  await expect
-    .poll(async () => (await decodeLink(new URL(app.page.url()).hash)).region)
-    .toMatchObject({ type: 'MultiPolygon', dissolve: true })
+  await soon(async () => (await decodeLink(new URL(app.page.url()).hash)).region).toMatchObject({
+    type: 'MultiPolygon',
+    dissolve: true,
+  })
 })
 
 test('with the choice in the panel they are merged at once', async ({ app }) => {

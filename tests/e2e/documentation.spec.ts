@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url'
 import { expect, type Page, test } from '@playwright/test'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
+import { soon } from '../soon.ts'
 import { library } from '../web/library.ts'
 import { violationsOf } from './accessibility.ts'
 
@@ -195,9 +196,7 @@ test('the contents of the tutorial are a gallery: a figure to drag, and a pictur
   await expect(tiles).toHaveCount(12)
   for (const tile of await tiles.all()) {
     await tile.scrollIntoViewIfNeeded()
-    await expect
-      .poll(() => tile.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth))
-      .toBeGreaterThan(0)
+    await soon(() => tile.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(0)
     await expect(tile.locator('span').last()).toHaveText(/\w+ \w+/)
   }
   expect(await violationsOf(page)).toEqual([])
@@ -228,7 +227,7 @@ test.describe('without scripts', () => {
       const picture = page.locator(`#${name} img`)
       await picture.scrollIntoViewIfNeeded()
       await expect(picture).toHaveAttribute('src', `pictures/${name}.svg`)
-      await expect.poll(async () => (await picture.boundingBox())?.height).toBeGreaterThan(200)
+      await soon(async () => (await picture.boundingBox())?.height).toBeGreaterThan(200)
     }
   })
 })
@@ -254,10 +253,10 @@ test.describe('on a phone', () => {
     }
     const scale = (width - 32) / 12
     await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + height / 2)
-    await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
+    await soon(async () => before.equals(await figure.screenshot())).toBe(false)
     const tapped = await figure.screenshot()
     await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + 12)
-    await expect.poll(async () => tapped.equals(await figure.screenshot())).toBe(false)
+    await soon(async () => tapped.equals(await figure.screenshot())).toBe(false)
   })
 
   for (const { file, blocks } of readBook()) {
@@ -313,7 +312,7 @@ test.describe('on a phone', () => {
         // Taps elsewhere, so that this tap and the previous one are no double tap, which would add a circle.
         await page.touchscreen.tap(2, 2)
         await page.touchscreen.tap(box.left + at.x, box.top + at.y)
-        await expect.poll(marked, { message: name }).toEqual([true, true, true])
+        await soon(marked, name).toEqual([true, true, true])
       }
     })
   }
@@ -344,7 +343,7 @@ test.describe('on a phone', () => {
         await touch('touchStart', 0)
         for (const by of [8, 16, 24]) await touch('touchMove', by)
         await touch('touchEnd', 0)
-        await expect.poll(content, { message: name }).not.toBe(drawn)
+        await soon(content, name).not.toBe(drawn)
         expect(await scrolled(), name).toBe(before)
       }
     })

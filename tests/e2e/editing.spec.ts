@@ -3,6 +3,7 @@
 // the address.
 import type { Circle, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { App, expect, test } from './page.ts'
 
 /** Discs in two rows, with 4 units between neighbors. */
@@ -75,7 +76,7 @@ test('several are moved together and back by one undo, and scaled by the handle 
     await app.page.mouse.up()
     const moved = async () => (await circlesOf(app)).map(({ x, y }) => [x, Number(y.toFixed(1))])
     const y = expect.closeTo(-1, 1)
-    await expect.poll(moved).toEqual([
+    await soon(moved).toEqual([
       [0, y],
       [4, y],
       [8, y],
@@ -84,7 +85,7 @@ test('several are moved together and back by one undo, and scaled by the handle 
       [8, 4],
     ])
     await app.page.keyboard.press('Control+z')
-    await expect.poll(moved).toEqual([
+    await soon(moved).toEqual([
       [0, 0],
       [4, 0],
       [8, 0],
@@ -102,14 +103,14 @@ test('several are moved together and back by one undo, and scaled by the handle 
     await app.drag(handle, { x: middle.x + 1.1 * (handle.x - middle.x), y: middle.y + 1.1 * (handle.y - middle.y) })
     await app.page.mouse.up()
     const third = async () => (await circlesOf(app))[2]
-    await expect.poll(third).toEqual({ x: expect.closeTo(8.4, 1), y: 0, r: expect.closeTo(1.1, 1) })
+    await soon(third).toEqual({ x: expect.closeTo(8.4, 1), y: 0, r: expect.closeTo(1.1, 1) })
     await app.page.keyboard.press('Control+z')
     await app.canvas.focus()
     await app.page.keyboard.press('+')
-    await expect.poll(third).toEqual({ x: expect.closeTo(4 + 4 * 1.04, 9), y: 0, r: expect.closeTo(1.04, 9) })
+    await soon(third).toEqual({ x: expect.closeTo(4 + 4 * 1.04, 9), y: 0, r: expect.closeTo(1.04, 9) })
     await app.page.keyboard.press('Control+z')
     await app.page.keyboard.press('Escape')
-    await expect.poll(third).toEqual({ x: 8, y: 0, r: 1 })
+    await soon(third).toEqual({ x: 8, y: 0, r: 1 })
   })
   await test.step('one is scaled', async () => {
     await click(app, 0, 4)
@@ -117,7 +118,7 @@ test('several are moved together and back by one undo, and scaled by the handle 
     const own = at(app, 1, 3)
     await app.drag({ x: own.x + 7, y: own.y + 7 }, { x: own.x + 40, y: own.y + 40 })
     await app.page.mouse.up()
-    await expect.poll(async () => (await circlesOf(app))[3]?.r).toBeGreaterThan(1.1)
+    await soon(async () => (await circlesOf(app))[3]?.r).toBeGreaterThan(1.1)
   })
 })
 
@@ -160,10 +161,10 @@ test('keys move by steps that fit the data, ten times with Shift, a tenth with A
   // 4 pixels are 0.037 units here.
   const { scale } = app.camera(ROWS)
   expect(4 / scale).toBeCloseTo(0.04, 2)
-  await expect.poll(async () => (await circlesOf(app))[1]).toEqual({ x: 4.05, y: 0.505, r: 1 })
+  await soon(async () => (await circlesOf(app))[1]).toEqual({ x: 4.05, y: 0.505, r: 1 })
   await app.page.keyboard.press('Control+a')
   await app.page.keyboard.press('ArrowLeft')
-  await expect.poll(async () => (await circlesOf(app)).map(({ x }) => x)).toEqual([-0.05, 4, 7.95, -0.05, 3.95, 7.95])
+  await soon(async () => (await circlesOf(app)).map(({ x }) => x)).toEqual([-0.05, 4, 7.95, -0.05, 3.95, 7.95])
 })
 
 test('Control and an arrow key go to the neighbor on that side', async ({ app }) => {
@@ -178,12 +179,10 @@ test('Control and an arrow key go to the neighbor on that side', async ({ app })
     ['ArrowLeft', 1],
   ] as const) {
     // The card shows the previous circle's neighbors until this circle is described, which is one of them.
-    await expect
-      .poll(async () => {
-        const neighbors = await app.neighbors()
-        return neighbors.length > 0 && !neighbors.includes(String(last))
-      })
-      .toBe(true)
+    await soon(async () => {
+      const neighbors = await app.neighbors()
+      return neighbors.length > 0 && !neighbors.includes(String(last))
+    }).toBe(true)
     await app.page.keyboard.press(`Control+${key}`)
     await expect(app.inspector).toContainText(`Circle ${id}`)
     last = id
@@ -201,14 +200,14 @@ test('what is dragged snaps to neighbors and to the grid, with Alt or always', a
   await app.drag(from, to)
   await app.page.keyboard.up('Alt')
   await app.page.mouse.up()
-  await expect.poll(async () => (await circlesOf(app))[0]?.x).toBeCloseTo(2, 12)
+  await soon(async () => (await circlesOf(app))[0]?.x).toBeCloseTo(2, 12)
   await app.page.keyboard.press('Control+z')
   await app.page.keyboard.press('s')
   const near = at(app, -1, -1)
   await app.drag(at(app, 0, 0), { x: near.x + 3, y: near.y - 3 })
   await app.page.mouse.up()
   const place = async () => (await circlesOf(app))[0] as Circle
-  await expect.poll(async () => (await place()).x).toBeLessThan(-0.8)
+  await soon(async () => (await place()).x).toBeLessThan(-0.8)
   // Grid lines are 0.1 apart.
   const { x, y } = await place()
   expect([x, y].map((value) => Number(value.toFixed(1)))).toEqual([x, y])
@@ -224,20 +223,20 @@ test('tools: pan moves no circle, Space and the middle button pan, keys choose',
   await app.drag(from, { x: from.x + 50, y: from.y })
   await app.page.mouse.up()
   const { x: before, scale } = app.camera(ROWS)
-  await expect.poll(async () => (await view())?.x).toBeCloseTo(before - 50 / scale, 1)
+  await soon(async () => (await view())?.x).toBeCloseTo(before - 50 / scale, 1)
   await app.page.keyboard.press('v')
   await expectPressed('Select and move')
   await app.page.mouse.move(from.x + 50, from.y)
   await app.page.mouse.down({ button: 'middle' })
   await app.page.mouse.move(from.x + 90, from.y, { steps: 3 })
   await app.page.mouse.up({ button: 'middle' })
-  await expect.poll(async () => (await view())?.x).toBeCloseTo(before - 90 / scale, 1)
+  await soon(async () => (await view())?.x).toBeCloseTo(before - 90 / scale, 1)
   await app.canvas.focus()
   await app.page.keyboard.down('Space')
   await app.drag({ x: from.x + 90, y: from.y }, { x: from.x + 130, y: from.y })
   await app.page.mouse.up()
   await app.page.keyboard.up('Space')
-  await expect.poll(async () => (await view())?.x).toBeCloseTo(before - 130 / scale, 1)
+  await soon(async () => (await view())?.x).toBeCloseTo(before - 130 / scale, 1)
   expect((await circlesOf(app)).map(({ x }) => x)).toEqual([0, 4, 8, 0, 4, 8])
   await expect(app.page.getByRole('button', { name: 'Undo' })).toBeDisabled()
 })
@@ -267,14 +266,14 @@ test('what is done is said once', async ({ app }) => {
   const texts = () => app.page.evaluate(() => (window as unknown as { texts: string[] }).texts)
   await app.canvas.focus()
   await app.page.keyboard.press('Enter')
-  await expect.poll(texts).toEqual([expect.stringMatching(/^Circle \d\. (B|Unb)ounded cell, \d neighbors$/)])
+  await soon(texts).toEqual([expect.stringMatching(/^Circle \d\. (B|Unb)ounded cell, \d neighbors$/)])
   await app.page.keyboard.press('ArrowRight')
-  await expect.poll(texts).toEqual([expect.anything(), expect.stringMatching(/^Circle \d: x \S+, y \S+, r 1$/)])
+  await soon(texts).toEqual([expect.anything(), expect.stringMatching(/^Circle \d: x \S+, y \S+, r 1$/)])
   await app.page.keyboard.press('Delete')
-  await expect.poll(texts).toEqual([expect.anything(), expect.anything(), expect.stringMatching(/^Circle \d deleted$/)])
+  await soon(texts).toEqual([expect.anything(), expect.anything(), expect.stringMatching(/^Circle \d deleted$/)])
   // There are two edits; selections are none.
   const statuses = () => app.page.evaluate(() => (window as unknown as { statuses: string[] }).statuses)
-  await expect.poll(statuses).toHaveLength(2)
+  await soon(statuses).toHaveLength(2)
   // Runs all pending announcements.
   await app.page.clock.fastForward(5000)
   expect(await texts()).toHaveLength(3)
@@ -299,14 +298,14 @@ test.describe('with fingers', () => {
     const from = at(app, 4, 0)
     // Starts beside the circles, because large circles are dragged at once.
     await swipe(at(app, 2, 2), 0, -60)
-    await expect.poll(async () => (await view())?.y).toBeLessThan(1)
+    await soon(async () => (await view())?.y).toBeLessThan(1)
     expect((await circlesOf(app))[1]).toEqual({ x: 4, y: 0, r: 1 })
 
     await app.page.touchscreen.tap(from.x, from.y - 60)
     await expect(app.inspector).toContainText('Circle 1')
     await swipe({ x: from.x, y: from.y - 60 }, 0, -30)
     // More than two thirds of the drag are done.
-    await expect.poll(async () => (await circlesOf(app))[1]?.y).toBeGreaterThan(0.7)
+    await soon(async () => (await circlesOf(app))[1]?.y).toBeGreaterThan(0.7)
     const moved = await circlesOf(app)
 
     const before = (await view())?.span
@@ -318,7 +317,7 @@ test.describe('with fingers', () => {
     for (const x of [90, 110, 130])
       await touch('touchMove', { x: place.x - 10, y: place.y }, { x: place.x + x, y: place.y })
     await touch('touchEnd')
-    await expect.poll(async () => (await view())?.span).not.toBe(before)
-    await expect.poll(() => circlesOf(app)).toEqual(moved)
+    await soon(async () => (await view())?.span).not.toBe(before)
+    await soon(() => circlesOf(app)).toEqual(moved)
   })
 })

@@ -2,6 +2,7 @@
 // The embedded page, which shows the link after the # of its address.
 import { expect, type Page, test } from '@playwright/test'
 import { encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { got, heldBack } from './held-back.ts'
 
 const WAKA = 504
@@ -25,7 +26,7 @@ test('shows the link that its address has last, though the one before is slower'
   await page.evaluate((link) => {
     location.hash = link
   }, next)
-  await expect.poll(() => circlesOf(page)).toBe(WAKA)
+  await soon(() => circlesOf(page)).toBe(WAKA)
   const answered = page.waitForResponse('**/data/spruces.csv')
   answer()
   await (await answered).finished()
@@ -38,7 +39,7 @@ test('shows the link that its address has last, though the one before is slower'
 
 test('an element in a form goes back to what its attributes say when the form is reset', async ({ page }) => {
   await page.goto(`/embed.html#${await encodeLink({ dataSet: 'waka' })}`)
-  await expect.poll(() => circlesOf(page)).toBe(WAKA)
+  await soon(() => circlesOf(page)).toBe(WAKA)
   const told = await page.evaluate(async () => {
     const form = document.body.appendChild(document.createElement('form'))
     form.innerHTML =

@@ -3,6 +3,7 @@
 import { readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { expect, type Frame, test } from '@playwright/test'
+import { soon } from '../soon.ts'
 import { violationsOf } from './accessibility.ts'
 
 const EXAMPLES = fileURLToPath(new URL('../../examples/', import.meta.url))
@@ -33,7 +34,7 @@ test('each page of the examples runs in the place of its picture, and shows a di
     await figure.getByRole('button', { name: 'Run it here' }).click()
     expect(await figure.locator('iframe').boundingBox()).toEqual(place)
     const shown = await (await figure.locator('iframe').elementHandle())?.contentFrame()
-    await expect.poll(() => inkOf(shown as Frame), { message: folder, timeout: 20_000 }).toBeGreaterThan(0.02)
+    await soon(() => inkOf(shown as Frame), folder).toBeGreaterThan(0.02)
     // Removing the figure terminates its threads.
     await figure.evaluate((element) => element.remove())
   }

@@ -5,6 +5,7 @@ import type { Page } from '@playwright/test'
 import { loadFiles } from '../../web/lib/files.ts'
 import { decodeLink, LINK_LIMITS } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
+import { soon } from '../soon.ts'
 import { framesOf } from './frames.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
@@ -195,7 +196,7 @@ test('opens what is dropped', async ({ app }) => {
   await expect(app.page.locator('body')).toHaveClass('dropping')
   await app.canvas.dispatchEvent('drop', { dataTransfer: data })
   await expect(app.status).toContainText('3 circles')
-  await expect.poll(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
+  await soon(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
   await expect(app.page.locator('body')).not.toHaveClass('dropping')
   await app.page.getByRole('button', { name: 'Undo' }).click()
   await expect(app.status).toContainText('678 circles')
@@ -217,12 +218,12 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
   await app.page.getByRole('button', { name: 'Replace all circles instead' }).click()
   await expect(app.page.locator('#toast')).toBeHidden()
   await expect(app.status).toHaveText(/^3 circles/)
-  await expect.poll(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
+  await soon(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
   const link = 'v1.q1ZKSSxJDE4tUbJSSirKz6tKTcvMKUktUtJRSk3JLClWsoqOVtJV0jEzNYiNrQUA'
   await paste(`https://example.org/page#${link}`)
   await expect(app.status).toContainText('677 circles')
   const { dataSet, edits } = await decodeLink(link)
-  await expect.poll(() => linked(app)).toMatchObject({ dataSet, edits })
+  await soon(() => linked(app)).toMatchObject({ dataSet, edits })
   await app.canvas.focus()
   await app.page.keyboard.press('Enter')
   await expect(app.inspector).toBeVisible()
@@ -255,7 +256,7 @@ test('copies a link and the code of a frame, which show the same', async ({ app 
   await app.page.getByRole('button', { name: 'Copy element' }).click()
   const lines =
     /^<script type="module" src="([^"]+)"><\/script>\n<circle-voronoi src="#(v1\.[\w-]+)" controls><\/circle-voronoi>$/
-  await expect.poll(clipboard).toMatch(lines)
+  await soon(clipboard).toMatch(lines)
   const [, module, said] = lines.exec(await clipboard()) as RegExpExecArray
   expect(module).toBe(new URL('element.js', link).href)
   expect((await app.page.request.get(module as string)).status()).toBe(200)
@@ -327,7 +328,7 @@ test('columns of other names are known, or asked for with a preview; names are s
   await openPanel(app)
   await choose(app, 'german.csv', 'Ort;X-Koordinate;Y-Koordinate;Radius\nBonn;0,5;0;1\nUlm;6;0;1,5\nKiel;0;8;1\n')
   await expect(app.status).toHaveText(/^3 circles/)
-  await expect.poll(() => app.circles()).toEqual(Float64Array.of(0.5, 0, 1, 6, 0, 1.5, 0, 8, 1))
+  await soon(() => app.circles()).toEqual(Float64Array.of(0.5, 0, 1, 6, 0, 1.5, 0, 8, 1))
   const circles = Float64Array.of(0.5, 0, 1, 6, 0, 1.5, 0, 8, 1)
   const at = app.center(circles, 1)
   await page.mouse.move(at.x, at.y)
@@ -357,7 +358,7 @@ test('columns of other names are known, or asked for with a preview; names are s
   await dialog.getByLabel('r', { exact: true }).fill('0.5')
   await dialog.getByLabel('r', { exact: true }).press('Tab')
   await dialog.getByRole('button', { name: 'Open' }).click()
-  await expect.poll(() => app.circles()).toEqual(Float64Array.of(4, 1, 0.5, 8, 5, 0.5, 3, 15, 0.5))
+  await soon(() => app.circles()).toEqual(Float64Array.of(4, 1, 0.5, 8, 5, 0.5, 3, 15, 0.5))
   // Closing the dialog changes nothing.
   for (const close of [
     () => page.keyboard.press('Escape'),
@@ -386,7 +387,7 @@ test('a picture becomes circles, larger ones where it is darker', async ({ app }
   const file = { name: 'dark-corner.png', mimeType: 'image/png', buffer: Buffer.from(png) }
   await app.page.getByLabel('Open …').setInputFiles(file)
   await expect(app.status).toHaveText(/^1,800 circles/)
-  await expect.poll(async () => (await app.circles()).length).toBe(5400)
+  await soon(async () => (await app.circles()).length).toBe(5400)
   const circles = await app.circles()
   const isTopLeft = (i: number) => (circles[3 * i] as number) < 60 && (circles[3 * i + 1] as number) > 40
   const dark = Array.from({ length: 1800 }, (_, i) => i).filter(isTopLeft).length

@@ -6,6 +6,7 @@ import { expect, type Frame, type Page, test } from '@playwright/test'
 import { embedCode } from '../../web/app/files/saving.ts'
 import type { FrameMessage } from '../../web/element/frame-types.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 
 const CIRCLES = [
   [0, 0, 2],
@@ -73,14 +74,14 @@ test('tells its parent the height at which everything is seen, whatever height i
     `<iframe title="Frame" src="${await addressOf(baseURL, QUESTION)}" style="width: 100%; height: 100px; border: 0"></iframe>`,
   )
   const frame = page.locator('iframe')
-  await expect.poll(async () => (await lastOf(page))?.met).toBe(false)
+  await soon(async () => (await lastOf(page))?.met).toBe(false)
   for (const width of [1000, 390]) {
     await page.setViewportSize({ width, height: 800 })
     const texts = framed(page).locator('#texts')
     const inner = width - 16
-    await expect
-      .poll(async () => (await lastOf(page))?.height)
-      .toBe(Math.ceil(((await texts.boundingBox())?.height ?? 0) + (inner * 2) / 3))
+    await soon(async () => (await lastOf(page))?.height).toBe(
+      Math.ceil(((await texts.boundingBox())?.height ?? 0) + (inner * 2) / 3),
+    )
     // The height is stable once the frame has it.
     const height = (await lastOf(page))?.height as number
     await frame.evaluate((element, height) => {
@@ -102,7 +103,7 @@ test('tells its circles, whether they meet the check, and the answer, as they ch
     page,
     `<iframe title="Frame" src="${await addressOf(baseURL, QUESTION)}" width="600" height="400"></iframe>`,
   )
-  await expect.poll(async () => (await lastOf(page))?.met).toBe(false)
+  await soon(async () => (await lastOf(page))?.met).toBe(false)
   expect((await lastOf(page))?.state?.circles).toEqual(CIRCLES)
   const frame = framed(page)
   await expect(frame.getByText('Move the smallest circle until its cell has three edges.')).toBeVisible()
@@ -113,7 +114,7 @@ test('tells its circles, whether they meet the check, and the answer, as they ch
     const figure = document.querySelector('circle-voronoi') as HTMLElementTagNameMap['circle-voronoi']
     figure.circles = circles
   }, SOLVED)
-  await expect.poll(async () => (await lastOf(page))?.met).toBe(true)
+  await soon(async () => (await lastOf(page))?.met).toBe(true)
   const { state, answer, error } = (await lastOf(page)) as FrameMessage
   expect(state?.circles).toEqual(SOLVED)
   expect(JSON.parse(answer)).toEqual({ circles: SOLVED, check: true })
@@ -123,7 +124,7 @@ test('tells its circles, whether they meet the check, and the answer, as they ch
   for (const [x, met] of pairs) expect(met, String(pairs)).toBe(x === undefined ? undefined : x === 9)
   await expect(frame.getByRole('status')).toHaveText('Solved')
   await frame.getByRole('button', { name: 'Start over' }).click()
-  await expect.poll(async () => (await lastOf(page))?.met).toBe(false)
+  await soon(async () => (await lastOf(page))?.met).toBe(false)
   expect((await lastOf(page))?.state?.circles).toEqual(CIRCLES)
   await expect(frame.getByRole('button', { name: 'Start over' })).toBeHidden()
 })
@@ -132,16 +133,16 @@ test('takes a state or a link from its parent alone, and says what is wrong with
   const address = await addressOf(baseURL, { circles: CIRCLES })
   await openHost(page, `<iframe title="Frame" src="${address}" width="600" height="400"></iframe>`)
   const circles = async () => (await lastOf(page))?.state?.circles
-  await expect.poll(circles).toEqual(CIRCLES)
+  await soon(circles).toEqual(CIRCLES)
   expect((await lastOf(page))?.met).toBeUndefined()
   await ask(page, { type: 'circle-voronoi', state: { circles: SOLVED } })
-  await expect.poll(circles).toEqual(SOLVED)
+  await soon(circles).toEqual(SOLVED)
   // A partial state changes only its parts.
   await ask(page, { type: 'circle-voronoi', state: { check: { cell: 4, edges: 3 }, layers: { hull: true } } })
-  await expect.poll(async () => (await lastOf(page))?.met).toBe(true)
+  await soon(async () => (await lastOf(page))?.met).toBe(true)
   expect((await lastOf(page))?.state).toMatchObject({ circles: SOLVED, layers: { hull: true } })
   await ask(page, { type: 'circle-voronoi', state: address })
-  await expect.poll(circles).toEqual(CIRCLES)
+  await soon(circles).toEqual(CIRCLES)
   for (const [state, reason] of [
     [{ circles: [[0, 0, -1]] }, 'circle 0 has a negative radius'],
     [{ view: 5 }, 'the view is invalid'],
@@ -150,20 +151,20 @@ test('takes a state or a link from its parent alone, and says what is wrong with
     [{ check: { cell: 9, edges: 3 } }, 'circle 9'],
   ] as const) {
     await ask(page, { type: 'circle-voronoi', state })
-    await expect.poll(async () => (await lastOf(page))?.error).toContain(reason)
+    await soon(async () => (await lastOf(page))?.error).toContain(reason)
     expect(await circles()).toEqual(CIRCLES)
   }
   // A request without a state returns the current state.
   const count = await page.evaluate(() => told.length)
   await ask(page, { type: 'circle-voronoi' })
-  await expect.poll(() => page.evaluate(() => told.length)).toBe(count + 1)
+  await soon(() => page.evaluate(() => told.length)).toBe(count + 1)
   // Invalid requests, and requests from other windows, are ignored.
   for (const data of [null, 'circle-voronoi', { state: { circles: SOLVED } }]) await ask(page, data)
   await framed(page).evaluate((circles) => {
     window.postMessage({ type: 'circle-voronoi', state: { circles } }, '*')
   }, SOLVED)
   await ask(page, { type: 'circle-voronoi' })
-  await expect.poll(() => page.evaluate(() => told.length)).toBe(count + 2)
+  await soon(() => page.evaluate(() => told.length)).toBe(count + 2)
   expect(await circles()).toEqual(CIRCLES)
 })
 
@@ -199,7 +200,7 @@ test('the host script of the example sizes its frame and submits the answer', as
   const frame = page.locator('iframe')
   const height = async () => (await frame.boundingBox())?.height
   const width = ((await frame.boundingBox())?.width ?? 0) as number
-  await expect.poll(height).toBeGreaterThan((width * 2) / 3 + 20)
+  await soon(height).toBeGreaterThan((width * 2) / 3 + 20)
   const submit = page.getByRole('button', { name: 'Submit' })
   await expect(submit).toBeDisabled()
   await page.evaluate((circles) => {

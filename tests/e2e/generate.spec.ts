@@ -5,6 +5,7 @@ import type { Page } from '@playwright/test'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { circlesOfText } from '../../web/view/circle-text.ts'
+import { soon } from '../soon.ts'
 import { type App, expect, test } from './page.ts'
 
 const generators = await loadGenerators()
@@ -26,7 +27,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await panel.getByLabel('seed', { exact: true }).fill('7')
   await panel.getByRole('button', { name: /^clustered/ }).click()
   await expect(app.status).toContainText('50 circles')
-  await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:50' })
+  await soon(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:50' })
   await app.openPanel('Files')
   expect(await saved(page)).toEqual(generators.make({ kind: 'family', family: 'clustered', seed: 7, count: 50 }))
   await app.openPanel('Generate')
@@ -42,10 +43,10 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await expect(app.status).toContainText('50 circles')
   await page.getByRole('button', { name: 'Redo' }).click()
   await expect(app.status).toContainText('60 circles')
-  await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:60' })
+  await soon(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:60' })
 
   await page.getByRole('button', { name: 'Another random sample' }).click()
-  await expect.poll(async () => (await stateOf(app))?.dataSet).toMatch(/^clustered:(?!7:)\d+:60$/)
+  await soon(async () => (await stateOf(app))?.dataSet).toMatch(/^clustered:(?!7:)\d+:60$/)
   const name = (await stateOf(app))?.dataSet as string
   await expect(panel.getByLabel('seed', { exact: true })).toHaveValue(name.split(':')[1] as string)
 
@@ -54,7 +55,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await expect(app.inspector).toBeVisible()
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('59 circles')
-  await expect.poll(async () => (await stateOf(app))?.edits?.length).toBe(1)
+  await soon(async () => (await stateOf(app))?.edits?.length).toBe(1)
   await app.openPanel('Files')
   const edited = await saved(page)
   await app.openPanel('Generate')
@@ -71,7 +72,7 @@ test('a figure of the paper, and links to what is none', async ({ app }) => {
   await page.getByRole('button', { name: /^Figure 13b/ }).click()
   await expect(app.status).toContainText('14 circles')
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 13b')
-  await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'figure-13b' })
+  await soon(() => stateOf(app)).toEqual({ dataSet: 'figure-13b' })
   for (const [dataSet, problem] of [
     ['nonsense:1:5', 'There is no family "nonsense".'],
     ['figure-99', 'There is no figure "99".'],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A long press previews the cell of a new circle.
 import { at } from '../../web/lib/base/diagram-data.ts'
+import { soon } from '../soon.ts'
 import { framesOf } from './frames.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
@@ -29,7 +30,7 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   const first = await panel.textContent()
   // The preview follows the pointer; the circles stay.
   await page.mouse.move(place.x + 12, place.y - 9)
-  await expect.poll(() => panel.textContent()).not.toBe(first)
+  await soon(() => panel.textContent()).not.toBe(first)
   await expect(app.status).toContainText('14 circles')
   const numbers = (await panel.locator('dd').allTextContents()).map(Number)
   const total = Number(/area ([\d.]+)/.exec((await panel.textContent()) as string)?.[1])
@@ -40,7 +41,7 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   await page.mouse.up()
   await expect(app.status).toContainText('14 circles')
   await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled()
-  await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
+  await soon(() => app.circles()).toEqual(INTRODUCTION)
 
   // The tool for adding previews, too, wherever the press is.
   await page.clock.install()
@@ -55,7 +56,7 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
     await page.mouse.up()
     await expect(panel).toBeHidden()
     await expect(app.status).toContainText('15 circles')
-    await expect.poll(async () => (await app.circles()).length).toBe(45)
+    await soon(async () => (await app.circles()).length).toBe(45)
     const circles = await app.circles()
     const [x, y, r] = circles.slice(42) as unknown as [number, number, number]
     expect(Math.hypot(x - EMPTY.x, y - EMPTY.y)).toBeLessThan(0.05)

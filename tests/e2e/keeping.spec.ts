@@ -3,6 +3,7 @@
 
 import { packed } from '../../web/lib/base/compressed-text.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { got, heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
@@ -15,12 +16,10 @@ test('the address is that of what is shown, and another page shows the same', as
   await app.select(INTRODUCTION, 4)
   await app.field('x').fill('-3.25')
   await app.field('x').press('Enter')
-  await expect
-    .poll(() => decodeLink(hashOf(app)).catch(() => undefined))
-    .toMatchObject({
-      dataSet: 'introduction',
-      edits: [{ kind: 'replace', id: 4, circle: { x: -3.25, y: INTRODUCTION[13], r: INTRODUCTION[14] } }],
-    })
+  await soon(() => decodeLink(hashOf(app)).catch(() => undefined)).toMatchObject({
+    dataSet: 'introduction',
+    edits: [{ kind: 'replace', id: 4, circle: { x: -3.25, y: INTRODUCTION[13], r: INTRODUCTION[14] } }],
+  })
 
   const context = await browser.newContext()
   const other = new App(await context.newPage())
@@ -39,7 +38,7 @@ test('the address is that of what is shown, and another page shows the same', as
 test('what was changed is there after a reload at once', async ({ app }) => {
   await app.choose('Introduction')
   // The reload uses the address from before the change.
-  await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
+  await soon(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
   await app.canvas.focus()
   // Enter selects the circle in the middle, and Delete waits for it.
   await app.page.keyboard.press('Enter')
@@ -54,7 +53,7 @@ test('a link that is opened once more shows what it says, whatever was changed t
 }) => {
   const { page, status } = app
   await app.choose('Introduction')
-  await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
+  await soon(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
   const link = page.url()
   // The page is left before it has saved the change.
   await page.evaluate(() => {
@@ -73,12 +72,12 @@ test('a link that is opened once more shows what it says, whatever was changed t
 test('the view is in the address unless everything is shown', async ({ app }) => {
   await app.page.mouse.move(640, 400)
   await app.page.mouse.wheel(0, -300)
-  await expect.poll(async () => (await decodeLink(hashOf(app)).catch(() => undefined))?.view?.span).toBeLessThan(10)
+  await soon(async () => (await decodeLink(hashOf(app)).catch(() => undefined))?.view?.span).toBeLessThan(10)
   const span = (await decodeLink(hashOf(app))).view?.span as number
   await app.page.reload()
   await expect(app.status).toContainText('678 circles')
   await app.page.mouse.wheel(0, 1)
-  await expect.poll(async () => (await decodeLink(hashOf(app))).view?.span).not.toBe(span)
+  await soon(async () => (await decodeLink(hashOf(app))).view?.span).not.toBe(span)
   expect((await decodeLink(hashOf(app))).view?.span).toBeCloseTo(span, 1)
 })
 
@@ -159,7 +158,7 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
   await opened.page.goto(`/#${slow}`)
   await opened.page.getByLabel('Data set').selectOption({ label: 'Introduction' })
   await expect(opened.status).toContainText('14 circles')
-  await expect.poll(async () => (await decodeLink(hashOf(opened))).dataSet).toBe('introduction')
+  await soon(async () => (await decodeLink(hashOf(opened))).dataSet).toBe('introduction')
   const go = (link: string) =>
     page.evaluate((link) => {
       location.hash = link
@@ -182,26 +181,24 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
   await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('0 circles')
-  await expect.poll(async () => (await decodeLink(hashOf(app))).circles).toHaveLength(0)
+  await soon(async () => (await decodeLink(hashOf(app))).circles).toHaveLength(0)
 })
 
 test('a tab that was closed loses nothing, and two tabs do not destroy each other’s', async ({ app }) => {
   const context = app.page.context()
   await app.choose('Introduction')
-  await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
+  await soon(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
   const second = new App(await context.newPage())
   await second.open('')
   await expect(second.status).toHaveText(/^8 circles/)
   await second.choose('Spruces')
-  await expect
-    .poll(async () => (await decodeLink(hashOf(second)).catch(() => ({ dataSet: '' }))).dataSet)
-    .toBe('spruces')
+  await soon(async () => (await decodeLink(hashOf(second)).catch(() => ({ dataSet: '' }))).dataSet).toBe('spruces')
   await app.page.goto('/')
   await expect(app.status).toContainText('14 circles')
   await second.page.close()
   // The browser releases the lock of its name a moment later.
   const heldNames = () => app.page.evaluate(async () => (await navigator.locks.query()).held?.length)
-  await expect.poll(heldNames).toBe(1)
+  await soon(heldNames).toBe(1)
   const third = new App(await context.newPage())
   await third.open('')
   await expect(third.status).toContainText('134 circles')
@@ -220,8 +217,8 @@ test('many circles, too many for an address, are there again after a reload', as
   await expect(app.status).toContainText('6,000 circles')
   const longestKept = () =>
     app.page.evaluate(() => Math.max(0, ...Object.values(localStorage).map((kept) => kept.length)))
-  await expect.poll(longestKept).toBeGreaterThan(100_000)
-  await expect.poll(() => hashOf(app)).toBe('')
+  await soon(longestKept).toBeGreaterThan(100_000)
+  await soon(() => hashOf(app)).toBe('')
   await app.page.reload()
   await expect(app.status).toContainText('6,000 circles')
 })

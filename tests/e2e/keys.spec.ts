@@ -2,6 +2,7 @@
 // Actions by keys and fingers, and their announcements.
 import { readFileSync } from 'node:fs'
 import { decodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
@@ -47,7 +48,7 @@ test('N adds a circle in the middle of the picture, and what is duplicated is sa
   const camera = app.camera(INTRODUCTION)
   await page.keyboard.press('n')
   await expect(app.status).toContainText('15 circles')
-  await expect.poll(async () => Number(await app.field('x').inputValue())).toBeCloseTo(camera.x, 3)
+  await soon(async () => Number(await app.field('x').inputValue())).toBeCloseTo(camera.x, 3)
   const said = page.locator('#said')
   await expect(said).toHaveText(/^Circle 14 added\. /)
   await page.evaluate(() => {
@@ -59,7 +60,7 @@ test('N adds a circle in the middle of the picture, and what is duplicated is sa
   const texts = () => page.evaluate(() => (window as unknown as { texts: string[] }).texts)
   for (const count of [1, 2]) {
     await page.keyboard.press('Control+d')
-    await expect.poll(texts).toEqual(Array(count).fill(expect.stringMatching(/^Circle duplicated\. /)))
+    await soon(texts).toEqual(Array(count).fill(expect.stringMatching(/^Circle duplicated\. /)))
   }
 })
 
@@ -91,14 +92,14 @@ test('a tiny circle is zoomed to by a key and by a button', async ({ app }) => {
   await expect(app.field('r')).toHaveValue('1e-6')
   await app.field('r').press('Escape')
   const linked = () => decodeLink(new URL(page.url()).hash)
-  await expect.poll(async () => (await linked()).edits?.length).toBe(1)
+  await soon(async () => (await linked()).edits?.length).toBe(1)
   await page.keyboard.press('f')
   const span = async () => (await linked()).view?.span ?? Number.POSITIVE_INFINITY
-  await expect.poll(span).toBeLessThan(1e-5)
+  await soon(span).toBeLessThan(1e-5)
   await page.keyboard.press('0')
-  await expect.poll(span).toBe(Number.POSITIVE_INFINITY)
+  await soon(span).toBe(Number.POSITIVE_INFINITY)
   await app.inspector.getByRole('button', { name: 'Zoom to' }).click()
-  await expect.poll(span).toBeLessThan(1e-5)
+  await soon(span).toBeLessThan(1e-5)
 })
 
 test('the card says what a cell measures, and what the number of a circle is', async ({ app }) => {
@@ -129,7 +130,7 @@ test('the disc at the pointer is shown wherever it is, and what belongs to place
   // A point inside a cell and outside its circle.
   const at = app.locate(INTRODUCTION, { x: 0.2, y: 2.2 })
   await page.mouse.move(at.x, at.y)
-  await expect.poll(() => drawnAbove(app)).toBeGreaterThan(1000)
+  await soon(() => drawnAbove(app)).toBeGreaterThan(1000)
   await page.getByLabel('Disc at the pointer').uncheck()
   await page.getByLabel('Clearest path').check()
   await app.choose('Cities of Europe')
@@ -141,7 +142,7 @@ test('the disc at the pointer is shown wherever it is, and what belongs to place
     const { from, to } = ((await path()) ?? { from: { x: 0 }, to: { x: 0 } }) as unknown as Path
     return (to.x - from.x) * scale
   }
-  await expect.poll(length).toBeGreaterThan(400)
+  await soon(length).toBeGreaterThan(400)
   const { from, to } = (await path()) as unknown as Path
   for (const end of [from, to]) {
     expect(Math.abs(end.x - x) * scale).toBeLessThan(640)
@@ -193,13 +194,13 @@ test('circles move while it plays, and undo brings all of them back at once', as
     // Compares the figure without the panel, whose labels change at once.
     const before = await pixelsOf(app, 0)
     await panel.getByRole('button', { name: 'Play' }).click()
-    await expect.poll(() => pixelsOf(app, 0)).not.toBe(before)
+    await soon(() => pixelsOf(app, 0)).not.toBe(before)
     await panel.getByRole('button', { name: 'Stop' }).click()
     await expect(panel.getByRole('button', { name: 'Play' })).toBeVisible()
     // Waits until the final positions are saved before undoing anything.
-    await expect.poll(() => app.circles()).not.toEqual(INTRODUCTION)
+    await soon(() => app.circles()).not.toEqual(INTRODUCTION)
     await page.getByRole('button', { name: 'Undo' }).click()
-    await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
+    await soon(() => app.circles()).toEqual(INTRODUCTION)
   }
 })
 
@@ -239,7 +240,7 @@ test.describe('with fingers', () => {
     for (const dx of [8, 16, 24]) await touch('touchMove', { x: at.x + dx, y: at.y })
     await touch('touchEnd')
     await expect(app.inspector).toContainText('Circle 0')
-    await expect.poll(async () => Number(await app.field('x').inputValue())).toBeGreaterThan(0.3)
+    await soon(async () => Number(await app.field('x').inputValue())).toBeGreaterThan(0.3)
     // Browsers treat a tap right after a quick drag as the end of a fling, which causes no click.
     await app.inspector.getByRole('button', { name: 'Deselect' }).click()
     await expect(app.inspector).toBeHidden()
@@ -248,16 +249,16 @@ test.describe('with fingers', () => {
     await page.getByLabel('Disc at the pointer').check()
     await page.getByRole('region', { name: 'Layers' }).getByRole('button', { name: 'Close' }).tap()
     await expect(app.inspector).toBeHidden()
-    await expect.poll(() => drawnAbove(app)).toBe(0)
+    await soon(() => drawnAbove(app)).toBe(0)
     const free = { x: 30, y: 300 }
     await page.clock.install()
     await touch('touchStart', free)
     await page.clock.fastForward(700)
-    await expect.poll(() => drawnAbove(app)).toBeGreaterThan(100)
+    await soon(() => drawnAbove(app)).toBeGreaterThan(100)
     // The disc follows the finger, and no circle is added.
     const first = await pixelsOf(app, 1)
     await touch('touchMove', { x: 60, y: 340 })
-    await expect.poll(() => pixelsOf(app, 1)).not.toBe(first)
+    await soon(() => pixelsOf(app, 1)).not.toBe(first)
     await touch('touchEnd')
     await expect(app.status).toHaveText(/^8 circles/)
   })
@@ -273,12 +274,12 @@ test('a slider scales all radii between the diagram of the centers and that of t
   const before = await app.circles()
   for (const share of ['0.5', '0.25', '0']) await radii.fill(share)
   const scaled = (share: number) => before.map((value, k) => (k % 3 === 2 ? share * value : value))
-  await expect.poll(() => app.circles()).toEqual(scaled(0))
+  await soon(() => app.circles()).toEqual(scaled(0))
   await radii.fill('0.75')
-  await expect.poll(() => app.circles()).toEqual(scaled(0.75))
+  await soon(() => app.circles()).toEqual(scaled(0.75))
   await app.canvas.focus()
   await page.keyboard.press('Control+z')
-  await expect.poll(() => app.circles()).toEqual(before)
+  await soon(() => app.circles()).toEqual(before)
   await expect(radii).toHaveValue('1')
   // With reduced motion there is only the slider.
   await expect(page.locator('#layers').getByRole('button', { name: 'Play' })).toHaveCount(0)
@@ -299,10 +300,10 @@ test.describe('where motion is welcome', () => {
     await app.openPanel('Motion')
     const motion = page.locator('#motion')
     await motion.getByRole('button', { name: 'Stop' }).click()
-    await expect.poll(async () => (await app.circles())[2]).toBeLessThan(dataSet('introduction')[2] as number)
+    await soon(async () => (await app.circles())[2]).toBeLessThan(dataSet('introduction')[2] as number)
     await app.canvas.focus()
     await page.keyboard.press('Control+z')
-    await expect.poll(() => app.circles()).toEqual(dataSet('introduction'))
+    await soon(() => app.circles()).toEqual(dataSet('introduction'))
     await motion.getByLabel('Compare three diagrams').check()
     await expect(motion).toContainText('they part as the radii grow')
   })

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Panels in windows of all sizes, forced colors, and right-to-left pages.
 import type { Locator } from '@playwright/test'
+import { soon } from '../soon.ts'
 import { violationsInBoth, violationsOf } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 import { heldBack } from './held-back.ts'
@@ -250,11 +251,11 @@ for (const [width, height] of [
       await expect(page.locator('#say')).toContainText('Drag one.')
       // The count works: it is large over the circles.
       expect(await discPixelsBelow(app, '#figure')).toBeGreaterThan(1000)
-      await expect.poll(() => discPixelsBelow(app, '#say')).toBe(0)
+      await soon(() => discPixelsBelow(app, '#say')).toBe(0)
       expect(await isWhole('#say')).toBe(true)
       await page.getByRole('button', { name: 'Share', exact: true }).click()
       await expect(page.getByRole('button', { name: 'Copy element' })).toBeVisible()
-      await expect.poll(() => discPixelsBelow(app, '#share')).toBe(0)
+      await soon(() => discPixelsBelow(app, '#share')).toBe(0)
       expect(await isWhole('#share')).toBe(true)
       if (width < height) expect((await boxOf(page.locator('#share'))).height).toBeLessThan(height / 2)
       await page.locator('#share').getByRole('button', { name: 'Close' }).click()

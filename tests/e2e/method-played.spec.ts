@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Playback of the method on the page's circles.
 import { decodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { violationsOf } from './accessibility.ts'
 import { type App, expect, test } from './page.ts'
 
@@ -22,7 +23,7 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   await slider.focus()
   for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight')
   await expect(sentence).toHaveText(/^\d+ samples lie/)
-  await expect.poll(() => stepOfAddress(app)).toBe(3)
+  await soon(() => stepOfAddress(app)).toBe(3)
   const waiting = page.getByText('The method is played: layers are seen at its end.')
   await app.openPanel('Layers')
   await expect(waiting).toBeVisible()
@@ -38,7 +39,7 @@ test('is one button away, follows what is edited, and a link opens it at its ste
     link = new URL(page.url()).hash
     return stepOf(link)
   }
-  await expect.poll(readLink).toBe(3)
+  await soon(readLink).toBe(3)
   expect((await decodeLink(link)).view).toBeUndefined()
   expect(await violationsOf(page)).toEqual([])
 
@@ -56,12 +57,12 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   await expect(sentence).toContainText('There are 14 circles')
   await slider.press('End')
   await expect(sentence).toContainText('No edge is left to flip. The judge proves the diagram.')
-  await expect.poll(async () => (await decodeLink(new URL(page.url()).hash)).method).toBe('auto')
+  await soon(async () => (await decodeLink(new URL(page.url()).hash)).method).toBe('auto')
 
   await player.getByRole('button', { name: 'Close the player' }).click()
   await expect(player).toBeHidden()
   await expect(button).toBeFocused()
-  await expect.poll(() => stepOfAddress(app)).toBeUndefined()
+  await soon(() => stepOfAddress(app)).toBeUndefined()
   // Too many circles are refused; a link to the earlier ones opens at its step.
   await app.choose('Random, 10,000')
   await button.click()

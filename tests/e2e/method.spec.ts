@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The touching disc method's result by candidates and samples.
 import { decodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { expect, test } from './page.ts'
 
 test('candidates and samples change what the method finds, and not the diagram', async ({ app }) => {
@@ -45,28 +46,28 @@ test('candidates and samples change what the method finds, and not the diagram',
   await panel.getByLabel('Candidates').selectOption('uniform')
   await panel.getByLabel('m, samples on a circle').fill('3')
   await panel.getByLabel('m, samples on a circle').press('Enter')
-  await expect.poll(async () => (await found())[4]).toBe(edges)
-  await expect.poll(async () => ((await found())[3] as number) < (edges as number)).toBe(true)
-  await expect.poll(pink).toBeGreaterThan(20)
+  await soon(async () => (await found())[4]).toBe(edges)
+  await soon(async () => ((await found())[3] as number) < (edges as number)).toBe(true)
+  await soon(pink).toBeGreaterThan(20)
   expect(await counts()).toBe(before)
   const linked = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
   const few = { missedEdges: true, candidates: 'uniform', sampleCount: 3 }
-  await expect.poll(linked).toEqual(few)
+  await soon(linked).toEqual(few)
 
   // An invalid number of samples changes nothing.
   await panel.getByLabel('m, samples on a circle').fill('0')
   await panel.getByLabel('m, samples on a circle').press('Enter')
   // The link follows later changes.
   await panel.getByLabel('Convex hull').check()
-  await expect.poll(linked).toEqual({ ...few, hull: true })
+  await soon(linked).toEqual({ ...few, hull: true })
   await panel.getByLabel('Convex hull').uncheck()
   await panel.getByLabel('Candidates').selectOption('all-pairs')
   await expect(said).toContainText('From all pairs')
-  await expect.poll(async () => (await found()).slice(0, 4)).toEqual([vertices, vertices, edges, edges])
+  await soon(async () => (await found()).slice(0, 4)).toEqual([vertices, vertices, edges, edges])
   // An edit updates the result.
   await page.locator('#figure').focus()
   await page.keyboard.press('Enter')
   await expect(app.inspector).toBeVisible()
   await page.keyboard.press('Delete')
-  await expect.poll(async () => (await found())[3]).toBeLessThan(edges as number)
+  await soon(async () => (await found())[3]).toBeLessThan(edges as number)
 })

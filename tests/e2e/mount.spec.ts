@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, type Page } from '@playwright/test'
 import type { Circle } from '../../web/lib/index.ts'
+import { soon } from '../soon.ts'
 import { testOf } from './built-page.ts'
 import type { TwoViews } from './two-views/two-views.ts'
 
@@ -29,7 +30,7 @@ test('two views on one page know nothing of each other', async ({ opened: page }
   await page.mouse.down()
   await page.mouse.move(place.x + 40, place.y - 20, { steps: 4 })
   await page.mouse.up()
-  await expect.poll(async () => (await circleOf(page, 'one', 0))?.x).toBeGreaterThan(0.5)
+  await soon(async () => (await circleOf(page, 'one', 0))?.x).toBeGreaterThan(0.5)
   expect(await circleOf(page, 'other', 0)).toEqual({ x: 0, y: 0, r: 2 })
   await page.mouse.move(place.x + 100, place.y + 4000)
   expect(before.equals(await other.screenshot())).toBe(true)
@@ -55,7 +56,7 @@ test('two views on one page know nothing of each other', async ({ opened: page }
   await page.evaluate(() => views.one.dispose())
   await expect(page.locator('#one canvas')).toHaveCount(0)
   await page.evaluate(() => views.other.apply([{ kind: 'remove', id: 1 }]))
-  await expect.poll(() => circleOf(page, 'other', 1)).toBeUndefined()
+  await soon(() => circleOf(page, 'other', 1)).toBeUndefined()
   const again = await page.evaluate(async () => {
     views.other.dispose()
     const view = views.mount(document.getElementById('one') as HTMLElement)

@@ -5,6 +5,7 @@ import type { Lattice, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { fitted, toScreen } from '../../web/view/camera.ts'
 import { boxOf } from '../../web/view/domain.ts'
+import { soon } from '../soon.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { type App, expect, test } from './page.ts'
 
@@ -86,7 +87,7 @@ test.describe('a link with a lattice', () => {
     await app.choose('Introduction')
     await app.page.getByLabel('Open …').setInputFiles({ name: 'box.svg', mimeType: 'image/svg+xml', buffer })
     await expect(app.status).toContainText('12 edges')
-    await expect.poll(() => latticeOf(app)).toEqual(LATTICE)
+    await soon(() => latticeOf(app)).toEqual(LATTICE)
   })
 })
 
@@ -144,11 +145,11 @@ test.describe('the panel', () => {
     await expect(period(app, 'a, y')).toHaveValue('0')
     await expect(period(app, 'b, x')).toHaveValue('0')
     await expect(period(app, 'b, y')).toHaveValue('5.5')
-    await expect.poll(() => latticeOf(app)).toEqual({ a: [11, 0], b: [0, 5.5] })
+    await soon(() => latticeOf(app)).toEqual({ a: [11, 0], b: [0, 5.5] })
     expect(await app.circles()).toEqual(before)
     await box(app).uncheck()
     await expect(app.status).not.toContainText('12 edges')
-    await expect.poll(() => latticeOf(app)).toBeUndefined()
+    await soon(() => latticeOf(app)).toBeUndefined()
     await app.canvas.focus()
     await app.page.keyboard.press('ControlOrMeta+z')
     await expect(box(app)).toBeChecked()
@@ -167,10 +168,10 @@ test.describe('the panel', () => {
     await expect(period(app, 'b, x')).toHaveValue('0')
     await period(app, 'b, x').fill('2')
     await period(app, 'b, x').press('Enter')
-    await expect.poll(() => latticeOf(app)).toEqual({ a: [11, 0], b: [2, 5.5] })
+    await soon(() => latticeOf(app)).toEqual({ a: [11, 0], b: [2, 5.5] })
     await period(app, 'a, x').fill('5')
     await period(app, 'a, x').press('Enter')
-    await expect.poll(() => latticeOf(app)).toEqual({ a: [5, 0], b: [2, 5.5] })
+    await soon(() => latticeOf(app)).toEqual({ a: [5, 0], b: [2, 5.5] })
     // 6 is beyond the box there.
     await expect(async () => expect((await app.circles())[3]).toBeCloseTo(1, 9)).toPass()
     await expect(app.status).toContainText('4 circles')
@@ -200,7 +201,7 @@ test.describe('the panel', () => {
     await panel(app).getByRole('button', { name: 'Close polygon' }).click()
     await expect(panel(app).getByText('One outline with 3 sides')).toBeVisible()
     await expect(box(app)).not.toBeChecked()
-    await expect.poll(() => latticeOf(app)).toBeUndefined()
+    await soon(() => latticeOf(app)).toBeUndefined()
     await panel(app).getByLabel('Areas', { exact: true }).selectOption('equal')
     await expect(panel(app).getByText('Drag a point')).toBeVisible()
     await box(app).check()

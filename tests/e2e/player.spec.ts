@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, type Page } from '@playwright/test'
+import { soon } from '../soon.ts'
 import { violationsOf } from './accessibility.ts'
 import { testOf } from './built-page.ts'
 import type { PlayerPage } from './player-page/player-page.ts'
@@ -88,7 +89,7 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
       playing.seen.length = 0
     })
     await page.getByRole('button', { name: 'Play', exact: true }).click()
-    await expect.poll(() => page.evaluate(() => playing.seen.slice(0, 2))).toEqual([0, 1])
+    await soon(() => page.evaluate(() => playing.seen.slice(0, 2))).toEqual([0, 1])
     expect(await page.evaluate(() => playing.view.hasDiagram)).toBe(false)
     await page.getByRole('button', { name: 'Pause' }).click()
     await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible()
@@ -100,7 +101,7 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
     await expect(stop).toHaveAttribute('aria-pressed', 'true')
     const steps = await page.evaluate(() => playing.player.steps)
     await page.evaluate(() => playing.view.apply([{ kind: 'remove', id: 3 }]))
-    await expect.poll(() => page.evaluate(() => playing.player.steps)).not.toBe(steps)
+    await soon(() => page.evaluate(() => playing.player.steps)).not.toBe(steps)
     await page.evaluate(() => playing.stepTo(3))
     await expect(stop).toHaveAttribute('aria-pressed', 'false')
   })

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A question is made in the panel Share and asked by the embedded page.
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { violationsOf } from './accessibility.ts'
 import { App, expect, test } from './page.ts'
 
@@ -55,14 +56,14 @@ test('conditions become the question of a frame, which is solved by moving a cir
     lang: 'de',
   })
   await page.getByRole('button', { name: 'Copy question link' }).click()
-  await expect.poll(() => clipboard(app)).toBe(address)
+  await soon(() => clipboard(app)).toBe(address)
   const opening = page.waitForEvent('popup')
   await page.getByRole('button', { name: 'Try it' }).click()
   const tab = await opening
   await expect(tab).toHaveURL(address)
   await expect(tab.getByRole('status')).toHaveText('Noch nicht gelöst')
   const circlesThere = () => tab.evaluate(() => document.querySelector('circle-voronoi')?.circles.length)
-  await expect.poll(circlesThere).toBe(CIRCLES.length)
+  await soon(circlesThere).toBe(CIRCLES.length)
   await tab.evaluate(() => {
     const figure = document.querySelector('circle-voronoi') as HTMLElementTagNameMap['circle-voronoi']
     figure.circles = [
@@ -86,7 +87,7 @@ test('circles keep their names in a question where others are deleted', async ({
   await page.getByLabel('Circle of condition 1').fill('4')
   await page.getByLabel('Circle of condition 1').press('Enter')
   await page.getByRole('button', { name: 'Copy question link' }).click()
-  await expect.poll(() => clipboard(app)).toContain('embed.html#')
+  await soon(() => clipboard(app)).toContain('embed.html#')
   const { check, circles } = await decodeLink(new URL(await clipboard(app)).hash)
   expect(check).toEqual({ cell: 3, edges: 3 })
   expect([...(circles as Float64Array).slice(9)]).toEqual([5, 4, 0.5])
@@ -131,6 +132,6 @@ test('a link with a question opens in the playground with its form, also with a 
   await expect(page.getByLabel('Question', { exact: true })).toHaveValue('Q?')
   await expect(page.getByText('{"not":{"circles":5}}')).toBeVisible()
   await page.getByRole('button', { name: 'Copy question link' }).click()
-  await expect.poll(() => clipboard(app)).toContain('embed.html#')
+  await soon(() => clipboard(app)).toContain('embed.html#')
   expect(await decodeLink(new URL(await clipboard(app)).hash)).toEqual(state)
 })

@@ -6,6 +6,7 @@ import type { Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
+import { soon } from '../soon.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 import { App, expect, test } from './page.ts'
@@ -95,7 +96,7 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
   await expect(app.inspector).toContainText(String(Number((areas[0] as number).toPrecision(4))))
 
   // The link contains the region and restores it, and so does the SVG.
-  await expect.poll(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
+  await soon(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
   await app.page.reload()
   await expect(app.status).toContainText('3 circles')
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
@@ -183,7 +184,7 @@ test('a region is drawn: by clicks with a hole, by keys, canceled and taken back
   await panel(app).getByRole('button', { name: 'Undo corner' }).click()
   await page.mouse.dblclick(800, 500)
   await expect(panel(app)).toContainText('2 outlines with 7 sides')
-  await expect.poll(async () => (await linkOf(app)).region).toHaveLength(2)
+  await soon(async () => (await linkOf(app)).region).toHaveLength(2)
   await app.canvas.focus()
   await page.keyboard.press('Control+z')
   await expect(panel(app)).toContainText('One outline with 4 sides')
@@ -228,22 +229,22 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   await expect(app.inspector.getByLabel('% of the region')).toHaveValue('33.33')
 
   // While a point is dragged, the cells keep their areas. The drag is one undo step.
-  await expect.poll(async () => (await linkOf(app)).areas).toBe('equal')
+  await soon(async () => (await linkOf(app)).areas).toBe('equal')
   const before = await app.circles()
   await app.drag(place(app, [0, 0]), place(app, [1, -1]))
   await page.mouse.up()
-  await expect.poll(async () => (await app.circles())[0]).toBeCloseTo(1, 1)
+  await soon(async () => (await app.circles())[0]).toBeCloseTo(1, 1)
   await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 3))
   await app.canvas.focus()
   await page.keyboard.press('Control+z')
-  await expect.poll(() => app.circles()).toEqual(before)
+  await soon(() => app.circles()).toEqual(before)
 
   // Gives half of the region to one cell.
   const share = app.inspector.getByLabel('% of the region')
   await share.fill('50')
   await share.press('Enter')
   await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 2))
-  await expect.poll(async () => (await linkOf(app)).areas).toEqual([2, 1, 1])
+  await soon(async () => (await linkOf(app)).areas).toEqual([2, 1, 1])
   // Another change is another undo step.
   await share.fill('20')
   await share.press('Enter')
@@ -290,7 +291,7 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await choose.selectOption('by people')
   await expect(app.status).toContainText(/areas within/)
   await expect(page.locator('#toast')).toHaveText('1 of the circles have no number in people: they get the mean.')
-  await expect.poll(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
+  await soon(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
   const { x, y } = place(app, [6, 0])
   await page.mouse.click(x, y)
   await expect(app.inspector.locator('dd').first()).toHaveText(String(Number(((TOTAL * 20) / 45).toPrecision(4))))
@@ -303,10 +304,10 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await app.canvas.focus()
   await page.keyboard.press('Control+z')
   await expect(choose).toHaveValue('free')
-  await expect.poll(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).toEqual(THREE.flat())
   await page.keyboard.press('Control+Shift+z')
   await expect(choose).toHaveValue('column:people')
-  await expect.poll(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
+  await soon(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
   await page.reload()
   await expect(choose).toHaveValue('own')
   await expect(byPeople).toHaveCount(1)
@@ -335,15 +336,15 @@ test('a region is in the table, in the storage of the browser, and in a link tha
   const areas = [...diagram.cellAreas({ region: region(ring) })].map((area) => String(Number(area.toPrecision(4))))
   const inTable = async ({ page }: App) => page.locator('#circle-grid [role="row"] > :nth-child(5)').allTextContents()
   await app.openPanel('Table')
-  await expect.poll(() => inTable(app)).toEqual(expect.arrayContaining(areas))
+  await soon(() => inTable(app)).toEqual(expect.arrayContaining(areas))
 
   // Without the link in the address, the storage restores the region.
-  await expect.poll(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
+  await soon(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
   const { href } = new URL(page.url())
   await page.evaluate(() => history.replaceState(null, '', location.pathname))
   await page.reload()
   await expect(app.status).toContainText('3 circles')
-  await expect.poll(() => inTable(app)).toEqual(expect.arrayContaining(areas))
+  await soon(() => inTable(app)).toEqual(expect.arrayContaining(areas))
 
   const context = await browser.newContext()
   const other = new App(await context.newPage())
@@ -392,9 +393,9 @@ test('circles have their radii again where areas are no longer given', async ({ 
   const choose = panel(app).getByLabel('Areas')
   await choose.selectOption('disc')
   await expect(app.status).toContainText(/areas within/)
-  await expect.poll(async () => [...(await app.circles())]).not.toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).not.toEqual(THREE.flat())
   await choose.selectOption('free')
-  await expect.poll(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).toEqual(THREE.flat())
   await expect(app.status).not.toContainText(/areas within/)
 })
 
@@ -403,11 +404,11 @@ test('the cities have the outline of their land, also by a link of their name', 
   await app.openPanel('Region')
   await expect(panel(app)).toContainText('11 outlines with 2,062 sides')
   // A name stands for circles and region.
-  await expect.poll(async () => linkOf(app)).toEqual({ dataSet: 'cities' })
+  await soon(async () => linkOf(app)).toEqual({ dataSet: 'cities' })
   await app.page.reload()
   await expect(panel(app)).toContainText('11 outlines')
   await panel(app).getByRole('button', { name: 'Remove region' }).click()
-  await expect.poll(async () => linkOf(app)).toEqual({ dataSet: 'cities', region: null })
+  await soon(async () => linkOf(app)).toEqual({ dataSet: 'cities', region: null })
   await app.page.reload()
   await expect(panel(app)).not.toContainText('outlines')
 })

@@ -9,6 +9,7 @@ import { expect, type Page, test } from '@playwright/test'
 import sirv from 'sirv'
 import { writeServiceWorker } from '../../scripts/site.mjs'
 import { CHROMIUM } from '../chromium.ts'
+import { soon } from '../soon.ts'
 import { App, dataSet, test as testOfApp } from './page.ts'
 
 test.use({ launchOptions: CHROMIUM })
@@ -94,7 +95,7 @@ test.describe('kept by the browser', () => {
     await app.openPanel('Layers')
     const picture = await app.canvas.screenshot()
     await page.getByLabel('Power diagram').check()
-    await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
+    await soon(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
     // The tutorial and its search.
     await page.goto(`${url}tutorial/`)
     await page.getByRole('main').getByRole('link', { name: 'Which circle is nearest?' }).click()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files with rows without a position: the error offers to skip these rows, and says how many there are.
 import { encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { expect, test } from './page.ts'
 
 test.use({ link: await encodeLink({ dataSet: 'introduction' }) })
@@ -54,7 +55,7 @@ test('columns that were chosen keep rows, names and what can be skipped', async 
   await dialog.getByLabel('r', { exact: true }).press('Tab')
   await dialog.getByRole('button', { name: 'Open' }).click()
   const circles = Float64Array.of(8.55, 47.4, 0.25, 7.45, 46.95, 0.25, 7.6, 47.55, 0.25)
-  await expect.poll(() => app.circles()).toEqual(circles)
+  await soon(() => app.circles()).toEqual(circles)
   await app.openPanel('Table')
   const grid = page.getByRole('grid', { name: 'Circles' })
   await expect(grid.getByRole('row').nth(1)).toContainText('Zürich; Nord')
@@ -67,5 +68,5 @@ test('columns that were chosen keep rows, names and what can be skipped', async 
   const alert = page.getByRole('alert')
   await expect(alert).toContainText('odd.csv:3: rechtswert is empty.')
   await alert.getByRole('button', { name: 'Skip 1 row' }).click()
-  await expect.poll(() => app.circles()).toEqual(Float64Array.of(1, 2, 0.5, 9, 2, 0.75))
+  await soon(() => app.circles()).toEqual(Float64Array.of(1, 2, 0.5, 9, 2, 0.75))
 })

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of numbers: keyboard, mouse and fingers, pasted rows, and the selection.
 
+import { soon } from '../soon.ts'
 import { violationsOf } from './accessibility.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
@@ -28,7 +29,7 @@ class Table {
 
   /** Waits until the page has the given circles. */
   async has(circles: Float64Array): Promise<void> {
-    await expect.poll(() => this.app.circles()).toEqual(circles)
+    await soon(() => this.app.circles()).toEqual(circles)
   }
 
   /** Pastes text in the format of spreadsheets. */
@@ -187,11 +188,9 @@ test('rows are sorted by any column, and what is selected here is selected there
     ] as const) {
       await heading(name).click()
       await expect(heading(name)).toHaveAttribute('aria-sort', sort)
-      await expect
-        .poll(async () =>
-          isSorted((await columnOf(Number(column), 8))?.filter((value) => !Number.isNaN(value)) ?? [], sign),
-        )
-        .toBe(true)
+      await soon(async () =>
+        isSorted((await columnOf(Number(column), 8))?.filter((value) => !Number.isNaN(value)) ?? [], sign),
+      ).toBe(true)
     }
   }
   // The arrow key leads from the first row to the heading.

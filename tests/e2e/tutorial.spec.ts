@@ -9,6 +9,7 @@ import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
 import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 import { layersFrom } from '../../web/view/layers.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
+import { soon } from '../soon.ts'
 import { violationsOf } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 
@@ -31,9 +32,6 @@ function watch(page: Page): string[] {
   })
   return problems
 }
-
-/** Polls often, because results are expected within a few frames. */
-const soon = <T>(ask: () => Promise<T>, message = '') => expect.poll(ask, { message, intervals: [20] })
 
 const circlesOf = (figure: Locator): Promise<number[]> => figure.evaluate((element: Element) => [...element.circles])
 
@@ -288,7 +286,7 @@ async function corrupt(page: Page): Promise<void> {
   })
   await expect(verdict).toHaveText(/^The judge: no\. \w/)
   // The vertex, its disc and the circles that it claims to touch are marked.
-  await expect.poll(drawn).toMatchObject({ layers: [{ id: 'claimed' }, { id: 'marked', parts: [1, 0, 4] }] })
+  await soon(drawn).toMatchObject({ layers: [{ id: 'claimed' }, { id: 'marked', parts: [1, 0, 4] }] })
   await expect(page.locator('.numbers text')).toHaveText(['0', '1', '2', '3', '4', '5'])
   await page.getByRole('button', { name: 'Make it right again' }).click()
   await expect(verdict).toHaveText(RIGHT)
@@ -459,7 +457,7 @@ test('the two lines for teachers are a live figure', async ({ page }) => {
   await show(figure)
   expect(await circlesOf(figure)).toHaveLength(9)
   await drag(page, figure)
-  await expect.poll(() => circlesOf(figure)).not.toEqual([0, 0, 3, 9, 1, 1, 4, 8, 2])
+  await soon(() => circlesOf(figure)).not.toEqual([0, 0, 3, 9, 1, 1, 4, 8, 2])
   expect(problems).toEqual([])
 })
 

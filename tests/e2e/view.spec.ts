@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { decodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
+import { soon } from '../soon.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { dataSet, expect, test } from './page.ts'
 
@@ -14,7 +15,7 @@ test('a drag at a rim resizes, and is taken back at Escape or where something el
   const { scale } = app.camera(INTRODUCTION)
   const { x, y } = app.center(INTRODUCTION, 0)
   await app.drag({ x: x - 1.6 * scale, y }, { x: x - 2 * scale, y })
-  await expect.poll(async () => Number(await app.field('r').inputValue())).toBeCloseTo(2, 1)
+  await soon(async () => Number(await app.field('r').inputValue())).toBeCloseTo(2, 1)
   await app.page.mouse.up()
   await expect(app.field('x')).toHaveValue('0')
 
@@ -30,7 +31,7 @@ test('a drag at a rim resizes, and is taken back at Escape or where something el
   ]) {
     await app.drag(from, { x: from.x + 30, y: from.y + 20 })
     await expect(app.inspector).toContainText('Circle 4')
-    await expect.poll(() => app.field('x').inputValue()).not.toBe(String(INTRODUCTION[12]))
+    await soon(() => app.field('x').inputValue()).not.toBe(String(INTRODUCTION[12]))
     await end()
     await app.page.mouse.move(from.x + 60, from.y + 60, { steps: 4 })
     await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
@@ -64,9 +65,9 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
   await isDrawn()
   const greenish = async () =>
     (await app.colors(middles)).filter(([red, green]) => (green as number) - (red as number) > 40).length
-  await expect.poll(greenish).toBeGreaterThan(0.8 * middles.length)
+  await soon(greenish).toBeGreaterThan(0.8 * middles.length)
   await page.getByRole('checkbox', { name: 'Dual graph' }).uncheck()
-  await expect.poll(() => app.colors(middles)).toEqual(before)
+  await soon(() => app.colors(middles)).toEqual(before)
 
   const layer = (name: string) => page.getByRole('checkbox', { name, exact: true })
   for (const name of ['Circles', 'Edges', 'Vertices']) await layer(name).uncheck()
@@ -74,7 +75,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
   await cells.selectOption('none')
   const row = Array.from({ length: 900 }, (_, k) => ({ x: 320 + k, y: 300 }))
   const isBlank = async () => new Set((await app.colors(row)).map(String)).size === 1
-  await expect.poll(isBlank).toBe(true)
+  await soon(isBlank).toBe(true)
   for (const name of [
     'Power diagram',
     'Delaunay of centers',
@@ -83,12 +84,12 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
     'Directed edges left',
   ]) {
     await layer(name).check()
-    await expect.poll(isBlank).toBe(false)
+    await soon(isBlank).toBe(false)
     await layer(name).uncheck()
-    await expect.poll(isBlank).toBe(true)
+    await soon(isBlank).toBe(true)
   }
   await cells.selectOption('neighbors differ')
-  await expect.poll(isBlank).toBe(false)
+  await soon(isBlank).toBe(false)
 })
 
 test('the clearest path follows its ends and the circles', async ({ app }) => {
@@ -153,10 +154,10 @@ test('charts of the numbers before an edit are gone, with what they listened to'
   await app.choose('Introduction')
   await expect(panel).toContainText('4.46 on average')
   await expect(panel.locator('canvas')).toHaveCount(2)
-  await expect.poll(listeners).toBe(before)
+  await soon(listeners).toBe(before)
   // A closed panel computes no values.
   await app.openPanel('Numbers')
-  await expect.poll(listeners).toBeLessThan(before)
+  await soon(listeners).toBeLessThan(before)
 })
 
 test('panels that fold remember it, and layers stay in the address', async ({ app }) => {
@@ -167,7 +168,7 @@ test('panels that fold remember it, and layers stay in the address', async ({ ap
   await page.getByLabel('Colors', { exact: true }).selectOption('by area of the cell')
   await page.getByRole('checkbox', { name: 'Convex hull' }).check()
   const linked = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
-  await expect.poll(linked).toMatchObject({ cells: 'area', hull: true })
+  await soon(linked).toMatchObject({ cells: 'area', hull: true })
   await page.reload()
   await expect(layers).toHaveAttribute('aria-expanded', 'true')
   await expect(page.getByRole('checkbox', { name: 'Convex hull' })).toBeChecked()
@@ -194,14 +195,14 @@ test('says where the pointer is and how long a length is, also after a zoom', as
   await app.page.mouse.move(x, y)
   const place = app.page.locator('#scale .pointer')
   const numbers = async () => ((await place.textContent()) ?? '').split(', ').map(Number)
-  await expect.poll(async () => (await numbers())[0]).toBeCloseTo(INTRODUCTION[12] as number, 1)
-  await expect.poll(async () => (await numbers())[1]).toBeCloseTo(INTRODUCTION[13] as number, 1)
+  await soon(async () => (await numbers())[0]).toBeCloseTo(INTRODUCTION[12] as number, 1)
+  await soon(async () => (await numbers())[1]).toBeCloseTo(INTRODUCTION[13] as number, 1)
   const bar = app.page.locator('#scale .length')
   const before = Number(await bar.textContent())
   await app.page.mouse.wheel(0, -1500)
-  await expect.poll(async () => Number(await bar.textContent())).toBeLessThan(before)
+  await soon(async () => Number(await bar.textContent())).toBeLessThan(before)
   await app.page.mouse.move(5, 5)
-  await expect.poll(async () => (await numbers())[0]).not.toBeCloseTo(INTRODUCTION[12] as number, 1)
+  await soon(async () => (await numbers())[0]).not.toBeCloseTo(INTRODUCTION[12] as number, 1)
 })
 
 for (const colorScheme of ['light', 'dark'] as const) {
@@ -244,11 +245,11 @@ test('what is selected is not printed', async ({ app }) => {
         context.drawImage(canvas, 0, 0)
         return context.getImageData(0, 0, canvas.width, canvas.height).data.filter((value) => value > 0).length
       })
-  await expect.poll(drawnAbove).toBeGreaterThan(100)
+  await soon(drawnAbove).toBeGreaterThan(100)
   await page.emulateMedia({ media: 'print' })
-  await expect.poll(drawnAbove).toBe(0)
+  await soon(drawnAbove).toBe(0)
   await page.emulateMedia({ media: 'screen' })
-  await expect.poll(drawnAbove).toBeGreaterThan(100)
+  await soon(drawnAbove).toBeGreaterThan(100)
 })
 
 test('colors by a measure have a legend with numbers on the canvas', async ({ app }) => {
@@ -300,7 +301,7 @@ test('an overlay with nothing on it is not drawn again while the picture is zoom
   await app.painted()
   expect(await drawn()).toBe(0)
   await page.keyboard.press('Enter')
-  await expect.poll(drawn).toBeGreaterThan(0)
+  await soon(drawn).toBeGreaterThan(0)
 })
 
 test('the numbers of no circles are drawn without an error', async ({ app }) => {

@@ -7,20 +7,13 @@ import { createServer as createHttpServer } from 'node:http'
 import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import { dirname, join } from 'node:path'
-import { fileURLToPath } from 'node:url'
 import { chromium } from '@playwright/test'
 import sirv from 'sirv'
+import { tarball } from '../pack/project.mjs'
 
-const ROOT = fileURLToPath(new URL('../../', import.meta.url))
-
-/** The files of these tests: the packed package, and a folder for each tool. */
+/** A folder for each tool. */
 export class ToolProjects {
   #folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-tools-'))
-
-  constructor() {
-    execFileSync('npm', ['pack', '--silent', '--ignore-scripts', '--pack-destination', this.#folder], { cwd: ROOT })
-    this.tarball = join(this.#folder, readdirSync(this.#folder)[0])
-  }
 
   /** A project with `files` (texts by their paths) into which `packages` (`name@version`) and the package are installed. */
   create(name, packages, files) {
@@ -28,7 +21,7 @@ export class ToolProjects {
     const all = { 'package.json': JSON.stringify({ private: true, type: 'module' }), ...files }
     for (const [path, text] of Object.entries(all)) this.write(folder, path, text)
     const install = ['install', '--silent', '--no-audit', '--no-fund', '--no-package-lock', '--legacy-peer-deps']
-    run(folder, 'npm', [...install, this.tarball, ...packages])
+    run(folder, 'npm', [...install, tarball(), ...packages])
     return folder
   }
 
@@ -37,11 +30,9 @@ export class ToolProjects {
     writeFileSync(join(folder, path), text)
   }
 
-  /** Removes the projects, some of which take a gigabyte, but not the packed package. */
+  /** Removes the projects, some of which take a gigabyte. */
   clear() {
-    for (const entry of readdirSync(this.#folder, { withFileTypes: true })) {
-      if (entry.isDirectory()) rmSync(join(this.#folder, entry.name), { recursive: true, force: true })
-    }
+    for (const name of readdirSync(this.#folder)) rmSync(join(this.#folder, name), { recursive: true, force: true })
   }
 
   remove() {

@@ -5,6 +5,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
+import { soon } from '../soon.ts'
 import { ROOT } from './project.mjs'
 import { serve } from './static-server.ts'
 
@@ -44,11 +45,11 @@ test('a treemap has cells as large as their numbers, and a click makes one grow'
   const [china, australia] = [await areaOf(page, 'Asia/China'), await areaOf(page, 'Oceania/Australia')]
   expect(china / australia).toBeCloseTo(9597 / 7692, 2)
   await page.locator('[data-names="Oceania/Australia"]').click()
-  await expect.poll(() => areaOf(page, 'Oceania/Australia')).toBeGreaterThan(1.1 * australia)
+  await soon(() => areaOf(page, 'Oceania/Australia')).toBeGreaterThan(1.1 * australia)
   await expect(output).toHaveText(good)
   await expect(page.locator('[data-names="Oceania/Australia"]')).toBeFocused()
   await page.keyboard.press('Shift+Enter')
-  await expect.poll(() => areaOf(page, 'Oceania/Australia')).toBeCloseTo(australia, 0)
+  await soon(() => areaOf(page, 'Oceania/Australia')).toBeCloseTo(australia, 0)
   expect(problems).toEqual([])
 })
 

@@ -2,6 +2,7 @@
 // <circle-voronoi> in pages that its author does not control: on paper, in narrow places, among other styles, moved about, and as
 // a form control.
 import { expect, type Page, test } from '@playwright/test'
+import { soon } from '../soon.ts'
 import { ownPages } from './own-pages.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
@@ -42,19 +43,17 @@ test('all figures are printed as drawings, also those that nobody has scrolled t
       }),
     )
   // Each drawing for print is made a moment after its figure has started.
-  await expect
-    .poll(async () => {
-      await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
-      const isThere = await page
-        .locator('circle-voronoi')
-        .evaluateAll((figures) => figures.every((figure) => figure.shadowRoot?.querySelector('.paper > svg') !== null))
-      await page.evaluate(() => dispatchEvent(new Event('afterprint')))
-      return isThere
-    })
-    .toBe(true)
+  await soon(async () => {
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+    const isThere = await page
+      .locator('circle-voronoi')
+      .evaluateAll((figures) => figures.every((figure) => figure.shadowRoot?.querySelector('.paper > svg') !== null))
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')))
+    return isThere
+  }).toBe(true)
   // A page learns of another medium in its next frame.
   await page.emulateMedia({ media: 'print' })
-  await expect.poll(async () => (await printed()).every((size) => size > 1000)).toBe(true)
+  await soon(async () => (await printed()).every((size) => size > 1000)).toBe(true)
   const fallbacks = await page
     .locator('circle-voronoi')
     .evaluateAll((figures) =>
@@ -64,7 +63,7 @@ test('all figures are printed as drawings, also those that nobody has scrolled t
     )
   expect(new Set(fallbacks)).toEqual(new Set(['hidden']))
   await page.emulateMedia({ media: 'screen' })
-  await expect.poll(printed).toEqual(Array.from({ length: 20 }, () => 0))
+  await soon(printed).toEqual(Array.from({ length: 20 }, () => 0))
 })
 
 test('a drawing on paper is that of the circles as they are', async ({ page }) => {
@@ -80,7 +79,7 @@ test('a drawing on paper is that of the circles as they are', async ({ page }) =
       dispatchEvent(new Event('afterprint'))
       return result
     })
-  await expect.poll(isSame).toBe(true)
+  await soon(isSame).toBe(true)
 })
 
 for (const [name, html] of [
@@ -97,7 +96,7 @@ for (const [name, html] of [
     expect(box?.width).toBeLessThan(500)
     // The figure fits into less room.
     await page.setViewportSize({ width: 320, height: 600 })
-    await expect.poll(async () => (await page.locator('circle-voronoi').boundingBox())?.width).toBeLessThan(321)
+    await soon(async () => (await page.locator('circle-voronoi').boundingBox())?.width).toBeLessThan(321)
   })
 }
 
@@ -115,7 +114,7 @@ test('buttons stand below a figure of 120 pixels, and above the picture of a wid
   expect(await overlap()).toBe(false)
   await page.screenshot({ path: 'build/behaves-narrow.png' })
   await page.locator('#around').evaluate((element) => element.setAttribute('style', 'width: 500px'))
-  await expect.poll(overlap).toBe(true)
+  await soon(overlap).toBe(true)
 })
 
 test('styles of the page do not reach the player and the messages', async ({ page }) => {
@@ -168,7 +167,7 @@ test('undo goes back to before an element was moved, at once or a moment later',
   })
   expect(await circles(page)).toEqual(moved)
   await page.keyboard.press('Control+z')
-  await expect.poll(() => circles(page)).toEqual(before)
+  await soon(() => circles(page)).toEqual(before)
 })
 
 test('a region, areas and readonly that are set while an element is in no page are shown once it is back', async ({
@@ -207,7 +206,7 @@ test('a figure that becomes readonly, or gets a region, while circles are being 
   const box = await page.locator('circle-voronoi').boundingBox()
   const press = () => page.mouse.click((box?.x ?? 0) + 40, (box?.y ?? 0) + 200)
   await press()
-  await expect.poll(async () => (await circles(page)).length).toBe(12)
+  await soon(async () => (await circles(page)).length).toBe(12)
   await page.locator('circle-voronoi').evaluate((element: Element) => {
     element.readonly = true
   })
@@ -224,15 +223,18 @@ test('input and change as of form controls, and a value that is one object until
     for (const name of ['input', 'change', 'circleschange'] as const)
       element.addEventListener(name, () => told.push(name))
   })
-  const told = () => page.evaluate(() => (globalThis as unknown as { told: string[] }).told.splice(0))
+  const told = () => page.evaluate(() => (globalThis as unknown as { told: string[] }).told)
+  const forget = () => page.evaluate(() => void (globalThis as unknown as { told: string[] }).told.splice(0))
   await drag(page)
-  const all: string[] = []
-  await expect.poll(async () => [...all.splice(0, 0), ...(all.push(...(await told())), all)].at(-1)).toBe('change')
+  await soon(async () => (await told()).at(-1)).toBe('change')
+  const all = await told()
   expect(all.filter((name) => name === 'change')).toHaveLength(1)
   expect(all.filter((name) => name === 'input').length).toBe(all.filter((name) => name === 'circleschange').length)
   // A key press causes an input event and a change event at once.
+  await forget()
   await page.keyboard.press('ArrowRight')
-  await expect.poll(async () => [...all.splice(0), ...(await told())]).toEqual(['circleschange', 'input', 'change'])
+  await soon(told).toEqual(['circleschange', 'input', 'change'])
+  await forget()
   const seen = await page.locator('circle-voronoi').evaluate(async (element: Element) => {
     const { value } = element
     const isSame = element.value === value && value.length === 9

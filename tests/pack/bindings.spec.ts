@@ -5,6 +5,7 @@ import { expect, type Page, test } from '@playwright/test'
 import { build } from 'esbuild'
 import { compile as compileSvelte } from 'svelte/compiler'
 import { compileTemplate } from 'vue/compiler-sfc'
+import { soon } from '../soon.ts'
 import { ownPages } from './own-pages.ts'
 import { ROOT } from './project.mjs'
 
@@ -81,9 +82,9 @@ for (const [name, source] of [
     await page.keyboard.press('Control+z')
     await expect(page.locator('output')).toHaveText('9: 0')
     await page.getByRole('button', { name: 'One', exact: true }).click()
-    await expect.poll(() => circles(page)).toEqual([1, 1, 1])
+    await soon(() => circles(page)).toEqual([1, 1, 1])
     await page.getByRole('button', { name: 'None' }).click()
-    await expect.poll(() => circles(page)).toEqual([])
+    await soon(() => circles(page)).toEqual([])
     expect(problems).toEqual([])
   })
 }

@@ -5,6 +5,7 @@ import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { blocksRunBy } from '../readme/blocks.mjs'
 import { addModules, POLICY, pageOf, recipes, withOwnElement } from '../readme/recipes.mjs'
+import { soon } from '../soon.ts'
 import { Project, ROOT } from './project.mjs'
 import { serve } from './static-server.ts'
 
@@ -52,17 +53,17 @@ for (const { title, code } of inLanguage('js')) {
 for (const { title, code } of inLanguage('html')) {
   test(`${title}, in a page`, async ({ page }) => {
     const complaints = await shown(page, pageOf(code))
-    await expect.poll(() => colorsIn(page), { message: complaints.join() }).toBeGreaterThan(2)
+    await soon(() => colorsIn(page), complaints.join()).toBeGreaterThan(2)
     expect(complaints).toEqual([])
   })
 }
 
 test('the cell under the pointer is another one once the pointer has moved', async ({ page }) => {
   await shown(page, pageOfRecipe('Find the circle under the pointer'))
-  await expect.poll(() => colorsIn(page)).toBeGreaterThan(2)
+  await soon(() => colorsIn(page)).toBeGreaterThan(2)
   const before = await page.screenshot()
   await page.mouse.move(400, 120)
-  await expect.poll(async () => before.equals(await page.screenshot())).toBe(false)
+  await soon(async () => before.equals(await page.screenshot())).toBe(false)
 })
 
 test('districts differ by less than a twentieth in their numbers of people', async ({ page }) => {
@@ -106,9 +107,9 @@ test('what a notebook shows is a live figure', async ({ page }) => {
   expect(own).not.toBe(html)
   const complaints = await shown(page, pageOf(own))
   const figure = page.locator('circle-voronoi')
-  await expect
-    .poll(() => figure.evaluate((element) => (element as HTMLElementTagNameMap['circle-voronoi']).circles?.length))
-    .toBe(9)
+  await soon(() =>
+    figure.evaluate((element) => (element as HTMLElementTagNameMap['circle-voronoi']).circles?.length),
+  ).toBe(9)
   expect(complaints).toEqual([])
 })
 

@@ -14,6 +14,7 @@ import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { violationsOf } from '../e2e/accessibility.ts'
 import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
+import { soon } from '../soon.ts'
 import { ROOT } from './project.mjs'
 import { type Server, serve } from './static-server.ts'
 
@@ -115,9 +116,9 @@ async function expectToBeLive(page: Page): Promise<void> {
   await shown(page)
   const before = await circlesOf(page)
   await drag(page, 1, -40, 30)
-  await expect.poll(async () => (await circlesOf(page))[3]).toBeLessThan(before[3] as number)
+  await soon(async () => (await circlesOf(page))[3]).toBeLessThan(before[3] as number)
   await page.keyboard.press('Control+z')
-  await expect.poll(() => circlesOf(page)).toEqual(before)
+  await soon(() => circlesOf(page)).toEqual(before)
 }
 
 /** Uses every module: regions clip cells, areas are fitted, and power diagrams are drawn. */
@@ -186,11 +187,11 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await page.evaluate(() => scrollTo(0, 0))
   await page.mouse.click(x, y)
   await page.mouse.wheel(0, -60)
-  await expect.poll(viewOf).toBeDefined()
+  await soon(viewOf).toBeDefined()
   expect(await page.evaluate(() => scrollY)).toBe(0)
   await page.keyboard.press('Escape')
   await page.keyboard.press('0')
-  await expect.poll(viewOf).toBeUndefined()
+  await soon(viewOf).toBeUndefined()
   await page.setViewportSize({ width: 1280, height: 800 })
 
   await told()
@@ -201,20 +202,20 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await figure.focus()
   const selectedCount = () => element.evaluate((element: Element) => element.selection.length)
   await page.keyboard.press('Escape')
-  await expect.poll(selectedCount).toBe(0)
+  await soon(selectedCount).toBe(0)
   await page.keyboard.press('Enter')
-  await expect.poll(selectedCount).toBe(1)
+  await soon(selectedCount).toBe(1)
   const [selected] = await element.evaluate((element: Element) => element.selection)
   await page.keyboard.press('ArrowRight')
   const atFirst = [0, 0, 2, 10, 0, 1, 5, 8, 1.5, 4, 3, 0.5]
-  await expect
-    .poll(async () => (await circlesOf(page))[3 * (selected as number)])
-    .toBeGreaterThan(atFirst[3 * (selected as number)] as number)
+  await soon(async () => (await circlesOf(page))[3 * (selected as number)]).toBeGreaterThan(
+    atFirst[3 * (selected as number)] as number,
+  )
   await page.keyboard.press('Delete')
-  await expect.poll(async () => (await circlesOf(page)).length).toBe(9)
+  await soon(async () => (await circlesOf(page)).length).toBe(9)
   await element.getByRole('button', { name: 'Undo' }).click()
   await element.getByRole('button', { name: 'Undo' }).click()
-  await expect.poll(() => circlesOf(page)).toEqual(atFirst)
+  await soon(() => circlesOf(page)).toEqual(atFirst)
 
   // A saved state is restored, also from JSON, and exported as a drawing.
   const kept = await element.evaluate(async (element: Element) => {
@@ -248,7 +249,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
     })
   const light = await corner()
   await page.emulateMedia({ colorScheme: 'dark' })
-  await expect.poll(async () => Math.max(...(await corner()))).toBeLessThan(140)
+  await soon(async () => Math.max(...(await corner()))).toBeLessThan(140)
   expect(Math.min(...light)).toBeGreaterThan(150)
   expect(await violationsOf(page)).toEqual([])
   await page.emulateMedia({ colorScheme: 'light' })
@@ -273,7 +274,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await page.keyboard.press('0')
   await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
-  await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
+  await soon(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
   // Its thread answers after all earlier requests.
   await element.evaluate((element: Element) => element.toSVG())
   expect(await circlesOf(page)).toEqual(atFirst)
@@ -321,7 +322,7 @@ test('one file draws power diagrams, wherever its thread comes from', async ({ p
       const drawn = () => page.locator('circle-voronoi').evaluate((element: Element) => element.toSVG())
       const before = (await drawn()).match(/<path/g)?.length ?? 0
       await page.locator('circle-voronoi').evaluate((element: Element) => element.setAttribute('layers', 'power'))
-      await expect.poll(async () => (await drawn()).match(/<path/g)?.length).toBeGreaterThan(before)
+      await soon(async () => (await drawn()).match(/<path/g)?.length).toBeGreaterThan(before)
       expect(problems).toEqual([])
     }
   } finally {
@@ -409,7 +410,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   await played.evaluate((element: Element) => element.stepTo(3))
   await page.keyboard.press('Delete')
   await expect(sentence).toHaveText(/^\d+ samples lie/)
-  await expect.poll(async () => (await circlesOf(page)).length).toBe(18)
+  await soon(async () => (await circlesOf(page)).length).toBe(18)
   await played.evaluate((element: Element) => element.stepTo(1e6))
   await page.keyboard.press('Control+z')
   await expect(slider).toHaveAttribute('max', String(steps - 1))
@@ -441,10 +442,10 @@ test('the method step by step, in the figure that plays it and where a text tell
   expect(await stepOf('#told')).toBe(3)
   await expect(other.locator('.player')).toBeHidden()
   await page.getByRole('button', { name: 'pairs' }).click()
-  await expect.poll(async () => (await told('told')).at(-1)).toMatch(/^told 5\//)
+  await soon(async () => (await told('told')).at(-1)).toMatch(/^told 5\//)
   const pairs = await other.evaluate((element: Element) => element.toSVG())
   await page.getByRole('button', { name: 'diagram' }).click()
-  await expect.poll(() => stepOf('#told')).toBeUndefined()
+  await soon(() => stepOf('#told')).toBeUndefined()
   expect(await other.evaluate((element: Element) => element.toSVG())).not.toBe(pairs)
   // A picture waits for the requested step.
   const again = await other.evaluate((element: Element) => {
@@ -471,12 +472,12 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   ])
   // The distant circle no longer borders on the small one.
   await drag(page, 3, 150, 0)
-  await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(true)
+  await soon(() => element.evaluate((element: Element) => element.checkValidity())).toBe(true)
   await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toHaveText('Handed in: 5 circles, right.')
   await page.getByRole('button', { name: 'Reset' }).click()
-  await expect.poll(() => circlesOf(page)).toEqual(atFirst)
-  await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(false)
+  await soon(() => circlesOf(page)).toEqual(atFirst)
+  await soon(() => element.evaluate((element: Element) => element.checkValidity())).toBe(false)
   // A disabled form disables the figure.
   await page.evaluate(() => {
     const fields = document.createElement('fieldset')
@@ -504,7 +505,7 @@ test('in Markdown, from a file', async ({ page }) => {
   await expect(fallback).toHaveCSS('visibility', 'hidden')
   const { x, y } = await placeOf(page, 4)
   await page.mouse.click(x, y)
-  await expect.poll(() => page.locator('circle-voronoi').evaluate((element: Element) => element.selection)).toEqual([4])
+  await soon(() => page.locator('circle-voronoi').evaluate((element: Element) => element.selection)).toEqual([4])
   expect(problems).toEqual([])
 })
 
@@ -604,7 +605,7 @@ for (const [k, code] of inLanguage('jsx').entries()) {
       return isOfEvent
     })
     expect(seen).toBe(true)
-    await expect.poll(() => circlesOf(page)).toEqual([7, 7, 7])
+    await soon(() => circlesOf(page)).toEqual([7, 7, 7])
     expect(problems).toEqual([])
   })
 }
@@ -659,18 +660,18 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
     element.focus()
     element.selection = [2, 3]
   })
-  await expect.poll(told).toEqual([[0, 1, 2, 3], [2, 3], true])
+  await soon(told).toEqual([[0, 1, 2, 3], [2, 3], true])
   await page.keyboard.press('Delete')
-  await expect.poll(told).toEqual([[0, 1], [], false])
+  await soon(told).toEqual([[0, 1], [], false])
   await page.keyboard.press('Control+z')
-  await expect.poll(async () => ((await told()) as number[][])[1]?.toSorted()).toEqual([2, 3])
-  await expect.poll(async () => (await told())[2]).toBe(true)
+  await soon(async () => ((await told()) as number[][])[1]?.toSorted()).toEqual([2, 3])
+  await soon(async () => (await told())[2]).toBe(true)
   const [ids] = await told()
   expect((ids as number[]).toSorted()).toEqual([0, 1, 2, 3])
   await element.evaluate((element: Element) => {
     element.selection = [3]
   })
-  await expect.poll(() => element.evaluate((element: Element) => element.selection)).toEqual([3])
+  await soon(() => element.evaluate((element: Element) => element.selection)).toEqual([3])
   const y = await element.evaluate(
     (element: Element) => element.circles[3 * [...element.ids].indexOf(element.selection[0] as number) + 1],
   )
@@ -778,7 +779,7 @@ for (const file of ['index', 'bundle']) {
         element.check = check
         return element.toSVG()
       }, check)
-      await expect.poll(() => element.evaluate((element: Element) => element.matches(':state(met)'))).toBe(true)
+      await soon(() => element.evaluate((element: Element) => element.matches(':state(met)'))).toBe(true)
     }
     await element.evaluate((element: Element) => {
       element.areas = [1, 1, 2]
@@ -791,12 +792,12 @@ for (const file of ['index', 'bundle']) {
     await page.mouse.move(x + 300 + 120, y + 200 + 60)
     await page.mouse.move(x + 300 + 140, y + 200 + 40)
     await page.mouse.up()
-    await expect.poll(radii).not.toEqual(before)
+    await soon(radii).not.toEqual(before)
     await becomes(1, 41)
     await becomes(2, 82)
     await element.evaluate((element: Element) => element.focus())
     await page.keyboard.press('Control+z')
-    await expect.poll(radii).toEqual(before)
+    await soon(radii).toEqual(before)
 
     // The state and the link contain the values. An invalid value is reported, and the rest stays.
     const state: FigureState = await element.evaluate((element: Element) => element.getState())
@@ -877,13 +878,13 @@ test('in a frame, which opens what a link says', async ({ page }) => {
   await page.goto(`${server.address}examples/element/iframe/index.html`)
   const frame = page.frameLocator('iframe')
   const element = frame.locator('circle-voronoi')
-  await expect.poll(() => element.evaluate((element: Element) => element.circles.length)).toBe(12)
+  await soon(() => element.evaluate((element: Element) => element.circles.length)).toBe(12)
   await element.evaluate((element: Element) => element.updateComplete)
   await expect(frame.getByRole('link', { name: 'Open' })).toHaveAttribute('href', /^\.\/#v1\./)
   await element.getByRole('application').focus()
   await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
-  await expect.poll(() => element.evaluate((element: Element) => element.circles.length)).toBe(9)
+  await soon(() => element.evaluate((element: Element) => element.circles.length)).toBe(9)
   // A link to a step opens the player there.
   const link = await encodeLink({ circles: Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5), step: 3 })
   await page.goto(`${server.address}dist/site/embed.html#${link}`)
@@ -933,7 +934,7 @@ test('twenty figures share a module and a thread, and give back what is far away
           )
           .flatMap((count, k) => (count > 0 ? [k] : [])),
       )
-  await expect.poll(async () => (await pixels())[0]).toBe(0)
+  await soon(async () => (await pixels())[0]).toBe(0)
   await shown(page)
   expect((await pixels()).length).toBeLessThan(5)
   const seen = new Set<number>()
@@ -976,13 +977,13 @@ test('twenty figures share a module and a thread, and give back what is far away
   expect(twenty.heaps).toBeLessThan(8)
   expect(twenty.heaps - ten.heaps).toBeLessThan(1)
   expect(seen.size).toBe(20)
-  await expect.poll(async () => (await pixels()).length).toBeLessThan(8)
+  await soon(async () => (await pixels()).length).toBeLessThan(8)
   expect(await pixels()).not.toContain(0)
   expect(page.workers()).toHaveLength(1)
   expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
   // The first figure still exists and gets its pixels back.
   await page.evaluate(() => scrollTo(0, 0))
-  await expect.poll(pixels).toContain(0)
+  await soon(pixels).toContain(0)
   await expectToBeLive(page)
   // On paper no figure shows its fallback content. Figures without pixels are drawn as SVG.
   await page.emulateMedia({ media: 'print' })
@@ -994,7 +995,7 @@ test('twenty figures share a module and a thread, and give back what is far away
       }),
     )
   // An emulated medium takes effect in the next frame.
-  await expect.poll(printed).toEqual(Array(20).fill(['hidden', true]))
+  await soon(printed).toEqual(Array(20).fill(['hidden', true]))
   expect(problems).toEqual([])
 })
 
@@ -1022,7 +1023,7 @@ test.describe('with fingers', () => {
     const small = await placeOf(page, 3)
     await swipe(small, 30, 24)
     // The circle is where the finger was lifted.
-    await expect.poll(async () => (await placeOf(page, 3)).x).toBeCloseTo(small.x + 30, 0)
+    await soon(async () => (await placeOf(page, 3)).x).toBeCloseTo(small.x + 30, 0)
     expect(await scrolled()).toBe(before)
     await scroll(() => page.evaluate(() => scrollTo(0, 0)))
     const moved = await circlesOf(page)
@@ -1040,9 +1041,9 @@ test.describe('with fingers', () => {
       { x: x + 90, y },
     ])
     await touch('touchEnd', [])
-    await expect
-      .poll(() => page.locator('circle-voronoi').evaluate((element: Element) => element.getState().view))
-      .toBeDefined()
+    await soon(() =>
+      page.locator('circle-voronoi').evaluate((element: Element) => element.getState().view),
+    ).toBeDefined()
     expect(problems).toEqual([])
   })
 })
@@ -1183,7 +1184,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
       [name, value],
     )
     await expect(alert).toHaveText(text)
-    await expect.poll(async () => (await errors(page)).length).toBe(1)
+    await soon(async () => (await errors(page)).length).toBe(1)
     await element.evaluate((element: Element, name) => Object.assign(element, { [name]: undefined }), name)
     await expect(alert).toBeHidden()
   }
@@ -1449,7 +1450,7 @@ test('what is drawn as an SVG and as a PNG is what is seen', async ({ page }) =>
     element.selection = [1]
     await element.updateComplete
   })
-  await expect.poll(() => share('png')).toBeGreaterThan(0.002)
+  await soon(() => share('png')).toBeGreaterThan(0.002)
   expect(await svg()).toBe(before)
 })
 

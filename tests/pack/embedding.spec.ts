@@ -5,6 +5,7 @@ import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
 import { embedCode } from '../../web/app/files/saving.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
+import { soon } from '../soon.ts'
 import { Project, ROOT } from './project.mjs'
 import { INLINE_POLICY, serve } from './static-server.ts'
 
@@ -50,9 +51,9 @@ test('the lines for Quarto are a live figure in a page', async ({ page }) => {
   const server = await serve(project.folder, INLINE_POLICY)
   await page.goto(`${server.address}quarto.html`)
   const figure = page.locator('circle-voronoi')
-  await expect
-    .poll(() => figure.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.circles?.length))
-    .toBe(9)
+  await soon(() => figure.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.circles?.length)).toBe(
+    9,
+  )
   expect(await figure.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.toSVG())).toContain(
     'clipPath',
   )

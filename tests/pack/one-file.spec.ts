@@ -6,6 +6,7 @@ import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { expect, type Page, test } from '@playwright/test'
 import { build as bundle } from 'esbuild'
+import { soon } from '../soon.ts'
 import { ROOT } from './project.mjs'
 import { serve } from './static-server.ts'
 
@@ -59,7 +60,7 @@ async function expectAllOfIt(page: Page, address: string, own: RegExp): Promise<
       return (await element.toSVG()).length
     }, layers)
   const without = await drawn('')
-  await expect.poll(() => drawn('power')).toBeGreaterThan(without)
+  await soon(() => drawn('power')).toBeGreaterThan(without)
   expect(problems).toEqual([])
   expect(asked.filter((url) => !own.test(url))).toEqual([])
 }

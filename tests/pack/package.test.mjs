@@ -7,7 +7,7 @@ import { basename, join } from 'node:path'
 import { after, describe, it } from 'node:test'
 import { build as bundle } from 'esbuild'
 import { blocksRunBy } from '../readme/blocks.mjs'
-import { BIN, Project, ROOT, run } from './project.mjs'
+import { BIN, Project, ROOT, run, tarball } from './project.mjs'
 import { hasTypes } from './types.mjs'
 
 /** The result of consumer/main.js: three circles of radius 1 at the corners of a triangle with sides 6, 8 and 10. */
@@ -78,14 +78,14 @@ it('depends on nothing', () => {
 
 describe('is well made', () => {
   it('to publint', () => {
-    assert.match(project.run(join(BIN, 'publint'), 'run', project.tarball, '--strict'), /All good!/)
+    assert.match(project.run(join(BIN, 'publint'), 'run', tarball(), '--strict'), /All good!/)
   })
 
   it('to are-the-types-wrong', () => {
     const wasm = ['', '-comparison', '-files', '-regions'].map((name) => `circle-voronoi${name}.wasm`)
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
-    const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
+    const judged = project.run(join(BIN, 'attw'), tarball(), ...options)
     for (const name of ['', '/worker', '/worker-thread', '/files', ...ELEMENT])
       assert.ok(judged.includes(`"circle-voronoi${name}"`), judged)
   })
@@ -224,7 +224,7 @@ describe('the code for Node in the documentation', () => {
   it('installs the package', () => {
     const [pack, install] = inLanguage('sh')[0].code.split('\n')
     assert.match(pack, /^npm pack +# .*: builds ([\w.-]+\.tgz)$/)
-    assert.ok(pack.includes(basename(project.tarball)), pack)
+    assert.ok(pack.includes(basename(tarball())), pack)
     rmSync(project.path('node_modules'), { recursive: true })
     project.run('sh', '-c', `npm_config_offline=true ${install}`)
     assert.ok(existsSync(project.path('node_modules/circle-voronoi/package.json')))

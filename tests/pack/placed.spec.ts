@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // <circle-voronoi> wherever a page puts it: scaled, turned and zoomed, on slides that have gestures and keys of their own.
 import { expect, type Page, test } from '@playwright/test'
+import { soon } from '../soon.ts'
 import { centerOfFirst, HEIGHT, onPage, ownPlace, PLACES, WIDTH, whenPlaced, writePlaced } from './places.ts'
 import { ROOT } from './project.mjs'
 import { type Server, serve } from './static-server.ts'
@@ -55,7 +56,7 @@ for (const hasFinger of [false, true]) {
       test(`drags a circle in a figure that is ${name}`, async ({ page }) => {
         await open(page, around)
         await drag(page, hasFinger, await placeOf(page, 0.5, 0.5), await placeOf(page, 4.5, 3.5))
-        await expect.poll(() => center(page)).toEqual([4, 3])
+        await soon(() => center(page)).toEqual([4, 3])
       })
     }
   })
@@ -73,11 +74,11 @@ test('a figure that is made larger by a transform is drawn with as many pixels',
     element.style.transform = 'scale(2) rotate(20deg)'
     dispatchEvent(new Event('resize'))
   })
-  await expect.poll(pixels).toEqual([2 * WIDTH, 2 * HEIGHT])
+  await soon(pixels).toEqual([2 * WIDTH, 2 * HEIGHT])
 })
 
 /** Records the gestures and keys that reach the page, to which slides and carousels would react. */
-async function heardBy(page: Page): Promise<() => Promise<string[]>> {
+async function listen(page: Page) {
   await page.evaluate(() => {
     const heard: string[] = []
     const names = [
@@ -96,25 +97,26 @@ async function heardBy(page: Page): Promise<() => Promise<string[]>> {
     document.addEventListener('click', () => heard.push('click'))
     Object.assign(globalThis, { heard })
   })
-  return () =>
-    page.evaluate(() => {
-      const { heard } = globalThis as unknown as { heard: string[] }
-      return [...new Set(heard.splice(0))]
-    })
+  return {
+    heard: () => page.evaluate(() => [...new Set((globalThis as unknown as { heard: string[] }).heard)]),
+    forget: () => page.evaluate(() => void (globalThis as unknown as { heard: string[] }).heard.splice(0)),
+  }
 }
 
 test('a page does not hear of the mouse that drags a circle, nor of keys that the figure uses', async ({ page }) => {
   await open(page, (figure) => figure)
-  const heard = await heardBy(page)
+  const { heard, forget } = await listen(page)
   await drag(page, false, await placeOf(page, 0, 0), await placeOf(page, 4, 3))
-  await expect.poll(() => center(page)).toEqual([4, 3])
+  await soon(() => center(page)).toEqual([4, 3])
   // A click anywhere closes a menu of the page.
   expect(await heard()).toEqual(['pointermove', 'click'])
+  await forget()
   await page.keyboard.press('ArrowRight')
-  await expect.poll(async () => (await center(page))[0]).toBeGreaterThan(4)
+  await soon(async () => (await center(page))[0]).toBeGreaterThan(4)
   await page.keyboard.press('Control+z')
   await page.mouse.wheel(0, 10)
   expect(await heard()).toEqual(['Control'])
+  await forget()
   // The page receives keys that the figure does not use.
   await page.keyboard.press('m')
   expect(await heard()).toEqual(['m'])
@@ -124,18 +126,18 @@ test.describe('on a touch screen', () => {
   test.use({ hasTouch: true })
   test('a page hears of a finger that scrolls, and not of one that drags a circle', async ({ page }) => {
     await open(page, (figure) => figure)
-    const heard = await heardBy(page)
+    const { heard } = await listen(page)
     await drag(page, true, await placeOf(page, 0, 0), await placeOf(page, 4, 3))
-    await expect.poll(() => center(page)).toEqual([4, 3])
+    await soon(() => center(page)).toEqual([4, 3])
     expect(await heard()).toEqual([])
     // Keys are the figure's then, as after a drag by mouse.
     await page.keyboard.press('ArrowRight')
-    await expect.poll(async () => (await center(page))[0]).toBeGreaterThan(4)
+    await soon(async () => (await center(page))[0]).toBeGreaterThan(4)
     await page.keyboard.press('ArrowLeft')
-    await expect.poll(() => center(page)).toEqual([4, 3])
+    await soon(() => center(page)).toEqual([4, 3])
     expect(await heard()).toEqual([])
     await drag(page, true, await placeOf(page, 12, 12), await placeOf(page, 4, 12))
-    await expect.poll(heard).toEqual(expect.arrayContaining(['pointerdown', 'touchstart', 'touchmove']))
+    await soon(heard).toEqual(expect.arrayContaining(['pointerdown', 'touchstart', 'touchmove']))
     expect(await center(page)).toEqual([4, 3])
   })
 })

@@ -2,9 +2,10 @@
 export const ROOT: string
 export const BIN: string
 
+export function tarball(): string
+
 export class Project {
   readonly folder: string
-  readonly tarball: string
   path(name: string): string
   write(name: string, text: string): void
   run(program: string, ...args: string[]): string

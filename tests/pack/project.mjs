@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { execFileSync, spawnSync } from 'node:child_process'
-import { cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -9,21 +9,19 @@ export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 /** The folder of this repository's tools. */
 export const BIN = join(ROOT, 'node_modules/.bin')
 
+/** The package as `npm publish` would upload it. The build has packed it. */
+export function tarball() {
+  const folder = join(ROOT, 'build/tarball')
+  return join(folder, readdirSync(folder)[0])
+}
+
 /** An empty project outside the repository into which the packed package is installed, without a network. */
 export class Project {
-  #parent
-
   constructor() {
-    this.#parent = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
-    this.folder = join(this.#parent, 'project')
-    const packed = join(this.#parent, 'circle-voronoi')
-    for (const folder of [this.folder, packed]) mkdirSync(folder)
-    // The build is up to date when tests run, so `npm pack` does not repeat it.
-    execFileSync('npm', ['pack', '--silent', '--ignore-scripts', '--pack-destination', packed], { cwd: ROOT })
-    this.tarball = join(packed, readdirSync(packed)[0])
+    this.folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
     writeFileSync(join(this.folder, 'package.json'), JSON.stringify({ private: true, type: 'module' }))
     const install = ['install', '--silent', '--offline', '--no-audit', '--no-fund']
-    execFileSync('npm', [...install, this.tarball], { cwd: this.folder })
+    execFileSync('npm', [...install, tarball()], { cwd: this.folder })
     cpSync(new URL('consumer', import.meta.url), this.folder, { recursive: true })
   }
 
@@ -41,7 +39,7 @@ export class Project {
   }
 
   remove() {
-    rmSync(this.#parent, { recursive: true, force: true })
+    rmSync(this.folder, { recursive: true, force: true })
   }
 }
 

@@ -2,6 +2,7 @@
 // Runs the documentation's code for pages like a reader.
 import { expect, test } from '@playwright/test'
 import { blocksRunBy } from '../readme/blocks.mjs'
+import { soon } from '../soon.ts'
 import { Project } from './project.mjs'
 import { INLINE_POLICY, serve } from './static-server.ts'
 
@@ -32,9 +33,7 @@ for (const { file, code, line } of BLOCKS) {
     const server = await serve(project.folder, INLINE_POLICY)
     try {
       await page.goto(server.address)
-      await expect
-        .poll(() => page.locator('canvas').first().evaluate(inkOf), { message: complaints.join() })
-        .toBeGreaterThan(500)
+      await soon(() => page.locator('canvas').first().evaluate(inkOf), complaints.join()).toBeGreaterThan(500)
       expect(complaints).toEqual([])
     } finally {
       await server.close()

@@ -2,6 +2,7 @@
 // The step of a figure has one owner: whoever sets it last, from wherever, is what the player shows.
 import { expect, type Page, test } from '@playwright/test'
 import { encodeLink } from '../../web/lib/link.ts'
+import { soon } from '../soon.ts'
 import { ownPages } from './own-pages.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
@@ -122,11 +123,11 @@ test('edits and undo begin again, or stay at the stage; undo does not change whi
   await page.mouse.move(x - 6 * scale, y + 4 * scale, { steps: 3 })
   await page.mouse.up()
   const first = () => figure.evaluate((element: Element) => element.circles[0])
-  await expect.poll(first).toBeLessThan(-0.5)
+  await soon(first).toBeLessThan(-0.5)
   expect(await steps(page)).toEqual([0, 0, 0])
   await page.keyboard.press('Control+z')
   await figure.evaluate((element: Element) => element.stepTo(4))
-  await expect.poll(first).toBe(0)
+  await soon(first).toBe(0)
   expect((await steps(page))[0]).toBe(4)
 })
 
@@ -152,7 +153,7 @@ test('a figure that a script has played shows its diagram once the step is undef
   await page.locator('circle-voronoi').evaluate((element: Element) => {
     element.step = undefined
   })
-  await expect.poll(() => steps(page)).toEqual([undefined, undefined, undefined])
+  await soon(() => steps(page)).toEqual([undefined, undefined, undefined])
 })
 
 test('a step beyond the end is the last one, and a listener may set another one', async ({ page }) => {
