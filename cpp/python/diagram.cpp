@@ -28,10 +28,10 @@ namespace py = pybind11;
 namespace circle_voronoi::python {
 namespace {
 
-using Shared = std::shared_ptr<Diagram>;
+using SharedDiagram = std::shared_ptr<Diagram>;
 
-Shared computed(const Doubles& circles, bool weights, const std::string& method, const std::string& candidates,
-                std::optional<int> samples, bool resample, int threads) {
+SharedDiagram computed(const Doubles& circles, bool weights, const std::string& method, const std::string& candidates,
+                       std::optional<int> samples, bool resample, int threads) {
   Options options;
   options.weights = weights;
   options.samples = samples;
@@ -46,7 +46,7 @@ Shared computed(const Doubles& circles, bool weights, const std::string& method,
 }
 
 template <class Number, class Item>
-py::array view(const Shared& diagram, const std::vector<Item>& items) {
+py::array view(const SharedDiagram& diagram, const std::vector<Item>& items) {
   return viewOf<Number>(diagram, std::span<const Item>(items));
 }
 
@@ -73,10 +73,10 @@ py::dict statsOf(const Stats& stats) {
 
 /// Finds nearest circles and keeps the diagram.
 struct SharedFinder {
-  Shared diagram;
+  SharedDiagram diagram;
   std::shared_ptr<const Finder> finder;
 
-  explicit SharedFinder(Shared of) : diagram(std::move(of)), finder(std::make_shared<const Finder>(*diagram)) {}
+  explicit SharedFinder(SharedDiagram of) : diagram(std::move(of)), finder(std::make_shared<const Finder>(*diagram)) {}
 
   py::array find(const Doubles& points) const {
     auto found = interruptible(
@@ -88,25 +88,28 @@ struct SharedFinder {
 }  // namespace
 
 void addDiagram(py::module_& module) {
-  py::class_<Diagram, Shared>(module, "Diagram")
-      .def_property_readonly("circles", [](const Shared& d) { return view<double>(d, d->circles); })
-      .def_property_readonly("vertices", [](const Shared& d) { return view<double>(d, d->vertices); })
-      .def_property_readonly("vertex_circles", [](const Shared& d) { return view<std::int32_t>(d, d->vertexCircles); })
-      .def_property_readonly("edges", [](const Shared& d) { return view<std::int32_t>(d, d->edges); })
-      .def_property_readonly("hidden", [](const Shared& d) { return view<std::int32_t>(d, d->hidden); })
-      .def_property_readonly("hull", [](const Shared& d) { return view<std::int32_t>(d, d->hull); })
-      .def_property_readonly("next_side", [](const Shared& d) { return view<std::int32_t>(d, d->links.nextSide); })
-      .def_property_readonly("first_side", [](const Shared& d) { return view<std::int32_t>(d, d->links.firstSide); })
+  py::class_<Diagram, SharedDiagram>(module, "Diagram")
+      .def_property_readonly("circles", [](const SharedDiagram& d) { return view<double>(d, d->circles); })
+      .def_property_readonly("vertices", [](const SharedDiagram& d) { return view<double>(d, d->vertices); })
+      .def_property_readonly("vertex_circles",
+                             [](const SharedDiagram& d) { return view<std::int32_t>(d, d->vertexCircles); })
+      .def_property_readonly("edges", [](const SharedDiagram& d) { return view<std::int32_t>(d, d->edges); })
+      .def_property_readonly("hidden", [](const SharedDiagram& d) { return view<std::int32_t>(d, d->hidden); })
+      .def_property_readonly("hull", [](const SharedDiagram& d) { return view<std::int32_t>(d, d->hull); })
+      .def_property_readonly("next_side",
+                             [](const SharedDiagram& d) { return view<std::int32_t>(d, d->links.nextSide); })
+      .def_property_readonly("first_side",
+                             [](const SharedDiagram& d) { return view<std::int32_t>(d, d->links.firstSide); })
       .def_property_readonly("weights", [](const Diagram& d) { return d.weights; })
       .def_property_readonly("certificate", [](const Diagram& d) { return certificateOf(d.certificate); })
       .def_property_readonly("stats", [](const Diagram& d) { return statsOf(d.stats); })
       .def("neighbors", [](const Diagram& d, std::int32_t i) { return arrayOf<std::int32_t>(neighbors(d, i)); })
       .def("neighbor_pairs", [](const Diagram& d) { return arrayOf<std::int32_t>(neighborPairs(d)); })
-      .def("certify", [](const Shared& d) {
+      .def("certify", [](const SharedDiagram& d) {
         return certificateOf(interruptible([d](const Cancellation&) { return valueOf(certify(*d)); }));
       });
 
-  py::class_<SharedFinder>(module, "Finder").def(py::init<Shared>()).def("find", &SharedFinder::find);
+  py::class_<SharedFinder>(module, "Finder").def(py::init<SharedDiagram>()).def("find", &SharedFinder::find);
 
   module.def("compute", computed);
 }

@@ -23,9 +23,10 @@ namespace py = pybind11;
 namespace circle_voronoi::python {
 namespace {
 
-using Shared = std::shared_ptr<PeriodicDiagram>;
+using SharedPeriodicDiagram = std::shared_ptr<PeriodicDiagram>;
 
-Shared computed(const Doubles& circles, std::array<double, 2> a, std::array<double, 2> b, bool weights, int threads) {
+SharedPeriodicDiagram computedPeriodic(const Doubles& circles, std::array<double, 2> a, std::array<double, 2> b,
+                                       bool weights, int threads) {
   Options options;
   options.weights = weights;
   options.threads = threads;
@@ -47,7 +48,7 @@ py::tuple arraysOf(const std::vector<CircleImage>& images) {
   return py::make_tuple(arrayOf<std::int32_t>(std::move(circles)), arrayOf<std::int32_t>(std::move(shifts)));
 }
 
-py::tuple found(const Shared& periodic, const Doubles& points) {
+py::tuple found(const SharedPeriodicDiagram& periodic, const Doubles& points) {
   return arraysOf(interruptible([periodic, points = pointsOf(points)](const Cancellation& cancellation) {
     const PeriodicFinder finder(*periodic);
     std::vector<CircleImage> images;
@@ -61,7 +62,7 @@ py::tuple found(const Shared& periodic, const Doubles& points) {
 
 /// The columns of the contact table: circle, neighbor, shift, length, gap; then area and packing fraction of each
 /// circle.
-py::tuple contacts(const Shared& periodic) {
+py::tuple contacts(const SharedPeriodicDiagram& periodic) {
   ContactTable table = interruptible([periodic](const Cancellation&) { return contactTable(*periodic); });
   std::vector<CircleIndex> circles;
   std::vector<CircleImage> neighbors;
@@ -82,24 +83,27 @@ py::tuple contacts(const Shared& periodic) {
 }  // namespace
 
 void addPeriodic(py::module_& module) {
-  py::class_<PeriodicDiagram, Shared>(module, "PeriodicDiagram")
+  py::class_<PeriodicDiagram, SharedPeriodicDiagram>(module, "PeriodicDiagram")
       .def_property_readonly(
-          "diagram", [](const Shared& periodic) { return std::shared_ptr<Diagram>(periodic, &periodic->diagram); })
+          "diagram",
+          [](const SharedPeriodicDiagram& periodic) { return std::shared_ptr<Diagram>(periodic, &periodic->diagram); })
       .def_property_readonly("circle_count", [](const PeriodicDiagram& p) { return std::int32_t{p.circleCount}; })
       .def_property_readonly("lattice",
                              [](const PeriodicDiagram& p) {
                                const auto& [a, b] = p.lattice;
                                return py::make_tuple(a.x, a.y, b.x, b.y);
                              })
+      .def_property_readonly("circle_of",
+                             [](const SharedPeriodicDiagram& p) {
+                               return viewOf<std::int32_t>(p, std::span<const CircleIndex>(p->circleOf));
+                             })
       .def_property_readonly(
-          "circle_of",
-          [](const Shared& p) { return viewOf<std::int32_t>(p, std::span<const CircleIndex>(p->circleOf)); })
-      .def_property_readonly(
-          "shift_of", [](const Shared& p) { return viewOf<std::int32_t>(p, std::span<const Shift>(p->shiftOf)); })
+          "shift_of",
+          [](const SharedPeriodicDiagram& p) { return viewOf<std::int32_t>(p, std::span<const Shift>(p->shiftOf)); })
       .def("neighbors", [](const PeriodicDiagram& p, std::int32_t circle) { return arraysOf(neighbors(p, circle)); })
       .def("find", found)
       .def("contacts", contacts);
-  module.def("compute_periodic", computed);
+  module.def("compute_periodic", computedPeriodic);
 }
 
 }  // namespace circle_voronoi::python
