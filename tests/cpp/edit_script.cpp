@@ -22,16 +22,16 @@
 namespace circle_voronoi::test {
 namespace {
 
-using Triple = std::array<std::int32_t, 3>;
-constexpr Triple kUnbounded = {kNone, kNone, kNone};
+using NumberedCircles = std::array<std::int32_t, 3>;
+constexpr NumberedCircles kUnbounded = {kNone, kNone, kNone};
 
 /// The contents of a diagram, without numbers of vertices and edges.
 struct Content {
-  std::vector<std::tuple<Triple, double, double, double>> vertices;
-  std::vector<std::tuple<std::int32_t, std::int32_t, Triple, Triple>> edges;
+  std::vector<std::tuple<NumberedCircles, double, double, double>> vertices;
+  std::vector<std::tuple<std::int32_t, std::int32_t, NumberedCircles, NumberedCircles>> edges;
   std::vector<std::int32_t> hidden;
 
-  void addEdge(std::int32_t left, std::int32_t right, Triple start, Triple end) {
+  void addEdge(std::int32_t left, std::int32_t right, NumberedCircles start, NumberedCircles end) {
     if (std::tuple(right, end) < std::tuple(left, start)) {
       std::swap(left, right);
       std::swap(start, end);
@@ -50,7 +50,7 @@ Content contentOf(const Diagram& diagram) {
   const auto tripleOf = [&](std::int32_t vertex) {
     if (vertex == kNone) return kUnbounded;
     const auto& [i, j, k] = diagram.vertexCircles[static_cast<std::size_t>(vertex)];
-    return Triple{i, j, k};
+    return NumberedCircles{i, j, k};
   };
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
     const auto& [x, y, radius] = diagram.vertices[v];
@@ -213,7 +213,7 @@ std::string Mirror::difference(const Diagram& snapshot, const std::vector<Circle
     const auto found = vertices_.find(vertex);
     if (found == vertices_.end()) return kUnbounded;
     const auto& [i, j, k] = found->second.circles;
-    return Triple{rank(i), rank(j), rank(k)};
+    return NumberedCircles{rank(i), rank(j), rank(k)};
   };
   for (const auto& [number, corner] : vertices_) {
     content.vertices.emplace_back(tripleOf(number), corner.vertex.x, corner.vertex.y, corner.vertex.r);
