@@ -2,7 +2,8 @@
 import { expect } from '@playwright/test'
 
 /**
- * Asks until the expectation holds, like `expect.poll`, but every 20 ms: a page answers within a frame or two, and
- * Playwright's own intervals grow to a second.
+ * Asks until the expectation holds, like `expect.poll`, but at shorter intervals: a page answers within a few frames, and
+ * Playwright's own intervals grow to a second. Each answer that does not fit yet costs Playwright some milliseconds.
  */
-export const soon = <T>(ask: () => T | Promise<T>, message = '') => expect.poll(ask, { message, intervals: [20] })
+export const soon = <T>(ask: () => T | Promise<T>, message = '') =>
+  expect.poll(ask, { message, intervals: [20, 30, 50, 100] })
