@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { execFileSync, spawnSync } from 'node:child_process'
-import { cpSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -9,16 +9,23 @@ export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 /** The folder of this repository's tools. */
 export const BIN = join(ROOT, 'node_modules/.bin')
 
+const PACKED = join(ROOT, 'build/tarball')
+
 /** The package as `npm publish` would upload it. The build has packed it. */
 export function tarball() {
-  const folder = join(ROOT, 'build/tarball')
-  return join(folder, readdirSync(folder)[0])
+  return join(PACKED, readdirSync(PACKED)[0])
 }
 
 /** An empty project outside the repository into which the packed package is installed, without a network. */
 export class Project {
+  #parent
+
   constructor() {
-    this.folder = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
+    this.#parent = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
+    // The documentation installs the package from a clone beside the project.
+    symlinkSync(PACKED, join(this.#parent, 'circle-voronoi'))
+    this.folder = join(this.#parent, 'project')
+    mkdirSync(this.folder)
     writeFileSync(join(this.folder, 'package.json'), JSON.stringify({ private: true, type: 'module' }))
     const install = ['install', '--silent', '--offline', '--no-audit', '--no-fund']
     execFileSync('npm', [...install, tarball()], { cwd: this.folder })
@@ -39,7 +46,7 @@ export class Project {
   }
 
   remove() {
-    rmSync(this.folder, { recursive: true, force: true })
+    rmSync(this.#parent, { recursive: true, force: true })
   }
 }
 
