@@ -45,6 +45,8 @@ const { computeComparison } = await library.loadComparison()
 const power = computeComparison(CIRCLES, 'power')
 /** Removes the types, as in a program without them. */
 const d = diagram as unknown as Record<string, (...args: unknown[]) => unknown>
+const periodic = library.computePeriodic(CIRCLES, { a: [9, 0], b: [0, 9] })
+const p = periodic as unknown as Record<string, (...args: unknown[]) => unknown>
 const l = library as unknown as Record<string, (...args: unknown[]) => unknown>
 const editor = library.edit(CIRCLES)
 const trace = library.trace(CIRCLES)
@@ -282,6 +284,21 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badOption', 'What render draws on is an option: { context }.', () => d.render?.({ moveTo() {} })],
   ['badOption', 'The context is nothing to draw on, but an object.', () => d.render?.({ context: {} })],
   ['badOption', 'The options of render are not an object.', () => d.render?.('context')],
+  ...(
+    [
+      ['cell', () => d.cell?.(0, { bounds: box })],
+      ['contains', () => d.contains?.(0, 1, 1, { bounds: box })],
+      ['findAll', () => d.findAll?.([1, 1], { bounds: box })],
+      ['neighbors', () => p.neighbors?.(0, { bounds: box })],
+      ['find', () => p.find?.(1, 1, { bounds: box })],
+      ['contains', () => p.contains?.(0, 1, 1, { bounds: box })],
+      ['cellArea', () => p.cellArea?.(0, { bounds: box })],
+      ['cellCentroid', () => p.cellCentroid?.(0, { bounds: box })],
+      ['cellPerimeter', () => p.cellPerimeter?.(0, { bounds: box })],
+      ['contacts', () => p.contacts?.({ bounds: box })],
+      ['certify', () => l.certify?.(diagram, { bounds: box })],
+    ] as const
+  ).map(([name, act]) => ['badOption', `There is no option bounds of ${name}, which has none.`, act] as const),
   ...[closestPair, neighborPairs, convexHull, largestEmptyDiscCenteredInHull].map(
     (query) =>
       [

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkData, checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from '../base/check.ts'
+import {
+  checkData,
+  checkIndex,
+  checkMaxDistance,
+  checkNoOptions,
+  checkNumber,
+  refuseArgument,
+  shown,
+} from '../base/check.ts'
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import type {
   Certificate,
@@ -250,7 +258,9 @@ export class Diagram implements DiagramData {
   }
 
   /** Returns the cell of circle `i`, or `undefined` if the circle is hidden or does not exist. */
-  cell(i: number): Cell | undefined {
+  cell(i: number): Cell | undefined
+  cell(i: number, ...others: readonly unknown[]): Cell | undefined {
+    checkNoOptions(others, 'cell')
     checkNumber(i, 'cell', 'the index of a circle')
     const { cells } = this
     if (!cells.exists(i)) return undefined
@@ -287,7 +297,9 @@ export class Diagram implements DiagramData {
   }
 
   /** Returns whether (x, y) lies in the cell of circle `i`, up to rounding. Returns false if circle `i` is hidden. */
-  contains(i: number, x: number, y: number): boolean {
+  contains(i: number, x: number, y: number): boolean
+  contains(i: number, x: number, y: number, ...others: readonly unknown[]): boolean {
+    checkNoOptions(others, 'contains')
     this.#checkCircle(i, 'contains')
     checkNumber(x, 'contains', 'x')
     checkNumber(y, 'contains', 'y')
@@ -312,7 +324,9 @@ export class Diagram implements DiagramData {
    * Returns the circle nearest to each of many points, given as x and y of each. This is fastest if consecutive points
    * are close to each other.
    */
-  findAll(points: Float64Array | Float32Array | readonly number[]): Int32Array {
+  findAll(points: Float64Array | Float32Array | readonly number[]): Int32Array
+  findAll(points: Float64Array | Float32Array | readonly number[], ...others: readonly unknown[]): Int32Array {
+    checkNoOptions(others, 'findAll')
     const isList = points instanceof Float64Array || points instanceof Float32Array || Array.isArray(points)
     if (!isList) refuseArgument(`findAll takes a Float64Array of x and y for each point, not ${shown(points)}.`)
     if (points.length % 2 !== 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkIndex, checkNumber, checkThing } from '../base/check.ts'
+import { checkIndex, checkNoOptions, checkNumber, checkThing } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
 import { hypotenuse } from '../base/scale.ts'
 import type { Box, DiagramData, Int32s, Point } from '../base/types.ts'
@@ -105,7 +105,9 @@ export class PeriodicDiagram implements PeriodicData {
    * Returns the images across the sides of cell `i`, counter-clockwise. Their shifts are relative to circle `i`. A circle may
    * be its own neighbor. An image appears once for each shared edge.
    */
-  neighbors(i: number): CircleImage[] {
+  neighbors(i: number): CircleImage[]
+  neighbors(i: number, ...others: readonly unknown[]): CircleImage[] {
+    checkNoOptions(others, 'neighbors')
     this.#checkCircle(i, 'neighbors')
     return Array.from(this.diagram.cells.neighbors(i), (other) => this.#imageFrom(i, other))
   }
@@ -114,7 +116,9 @@ export class PeriodicDiagram implements PeriodicData {
    * Returns the image nearest to any point of the plane, or `undefined` if there are no circles or a coordinate is not
    * finite.
    */
-  find(x: number, y: number): CircleImage | undefined {
+  find(x: number, y: number): CircleImage | undefined
+  find(x: number, y: number, ...others: readonly unknown[]): CircleImage | undefined {
+    checkNoOptions(others, 'find')
     checkNumber(x, 'find', 'x')
     checkNumber(y, 'find', 'y')
     const { circles } = this.diagram
@@ -146,7 +150,9 @@ export class PeriodicDiagram implements PeriodicData {
   }
 
   /** Returns whether (x, y) lies in the cell of circle `i` of `diagram`, up to rounding. */
-  contains(i: number, x: number, y: number): boolean {
+  contains(i: number, x: number, y: number): boolean
+  contains(i: number, x: number, y: number, ...others: readonly unknown[]): boolean {
+    checkNoOptions(others, 'contains')
     this.#checkCircle(i, 'contains')
     return this.diagram.contains(i, x, y)
   }
@@ -166,25 +172,33 @@ export class PeriodicDiagram implements PeriodicData {
   }
 
   /** Returns the area of cell `i`. The areas of all cells sum to the area of the box. */
-  cellArea(i: number): number {
+  cellArea(i: number): number
+  cellArea(i: number, ...others: readonly unknown[]): number {
+    checkNoOptions(others, 'cellArea')
     this.#checkCircle(i, 'cellArea')
     return this.diagram.cellArea(i, { bounds: this.#bounds })
   }
 
   /** Returns the center of mass of cell `i`, or `undefined` if circle `i` is hidden. */
-  cellCentroid(i: number): Point | undefined {
+  cellCentroid(i: number): Point | undefined
+  cellCentroid(i: number, ...others: readonly unknown[]): Point | undefined {
+    checkNoOptions(others, 'cellCentroid')
     this.#checkCircle(i, 'cellCentroid')
     return this.diagram.cellCentroid(i, { bounds: this.#bounds })
   }
 
   /** Returns the length of the border of cell `i`. */
-  cellPerimeter(i: number): number {
+  cellPerimeter(i: number): number
+  cellPerimeter(i: number, ...others: readonly unknown[]): number {
+    checkNoOptions(others, 'cellPerimeter')
     this.#checkCircle(i, 'cellPerimeter')
     return this.diagram.cellPerimeter(i, { bounds: this.#bounds })
   }
 
   /** Measures all borders and cells, in linear time. Each pair of neighbors occurs twice, once from each side. */
-  contacts(): ContactTable {
+  contacts(): ContactTable
+  contacts(...others: readonly unknown[]): ContactTable {
+    checkNoOptions(others, 'contacts')
     const { diagram, circleCount } = this
     const { circles, cells } = diagram
     const contacts: number[] = []

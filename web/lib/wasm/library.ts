@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseArgument, refuseOption } from '../base/check.ts'
+import { checkNoOptions, refuseArgument, refuseOption } from '../base/check.ts'
 import {
   type Accessor,
   type CircleLike,
@@ -176,7 +176,10 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibr
   const module = await instantiate(createModule, wasm)
   const edit = editorsOf(module)
 
-  const certify = (diagram: Verifiable) => unwrap(module.certify(judgedArrays(diagram)))
+  const certify = (diagram: Verifiable, ...others: readonly unknown[]) => {
+    checkNoOptions(others, 'certify')
+    return unwrap(module.certify(judgedArrays(diagram)))
+  }
 
   const told = <Value>(options: Options, run: (options: WasmOptions) => Value): Value => {
     const { weights, method, candidates, samples, resample } = options
