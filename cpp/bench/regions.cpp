@@ -86,6 +86,24 @@ void benchRegion(const std::string& family, const std::vector<Circle>& circles, 
   std::fflush(stdout);
 }
 
+/// Polygons of a region with points along the edge between two circles. The time for each point stays the same.
+void benchAlongEdge(std::size_t points, int repetitions) {
+  const std::vector<Circle> circles = {{-1, 0, 0}, {1, 0, 0}};
+  Region::Ring ring = {{0, -1}, {3, -1}, {3, 1}};
+  for (std::size_t k = 0; k < points; ++k) {
+    ring.push_back({0, 1 - 2 * static_cast<double>(k) / static_cast<double>(points)});
+  }
+  const Diagram diagram = compute(circles).value();
+  const Region region = Region::fromRings({{ring}}).value();
+  std::vector<double> seconds;
+  for (int i = 0; i < repetitions; ++i) {
+    seconds.push_back(processorSeconds([&] { (void)ClippedDiagram::from(diagram, region)->polygons(1e-3); }));
+  }
+  const double time = median(seconds);
+  std::printf("%-24s %8zu %10.4f %10.2f\n", "points along an edge", points, time,
+              1e6 * time / static_cast<double>(points));
+}
+
 }  // namespace
 
 void benchRegions(const std::vector<std::string>& families, const std::vector<std::size_t>& sizes,
@@ -98,6 +116,8 @@ void benchRegions(const std::vector<std::string>& families, const std::vector<st
       for (const std::size_t count : sides) benchRegion(name, circles, count, repetitions);
     }
   }
+  std::printf("\n%-24s %8s %10s %10s\n", "polygons", "points", "median s", "us a point");
+  for (const std::size_t points : {6585, 13170, 26340}) benchAlongEdge(points, repetitions);
 }
 
 }  // namespace circle_voronoi::bench

@@ -142,7 +142,7 @@ class Search {
       const double size = std::abs(p.x) + std::abs(p.y) + depth + std::abs(this->circle(circle).r);
       if (nearest != circle && nearest != other && distanceFrom(diagram_, circle, p) > distance + kRounding * size)
         return;
-      // It may touch but sides.
+      // The disc of radius depth is too small to reach the circles: only sides bound it.
       if (distance > depth + kRounding * size + kRoundingOfPlace * depth) circle = other = kNone;
     }
     keep(p, std::min(depth, distance), {circle, other, kNone});
