@@ -207,7 +207,8 @@ class Checker {
 
   void checkPolygons() const {
     if (!isLarge_) return;
-    const ExportFrame frame(diagram_, {.bounds = box_}, region_, std::nullopt);
+    const Region region = Region::from(box_).value();
+    const ExportFrame frame(diagram_, {.bounds = box_}, ClippedDiagram::from(diagram_, region).value());
     const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
       for (const auto& polygon : timed("polygons", [&] { return polygons.polygons(i); })) {

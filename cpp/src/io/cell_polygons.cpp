@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "arc_measure.h"
 #include "circle_arc.h"
 #include "flatten.h"
-#include "near_vertices.h"
 #include "scale.h"
 #include "vectors.h"
 
@@ -39,6 +37,9 @@ bool hasArea(const std::vector<Point>& ring) {
   return twice > kRoundingError * (size / unit) * length;
 }
 
+/// Whether a ring neither crosses nor touches itself.
+bool isSimple(const std::vector<Point>& ring) { return static_cast<bool>(Region::fromRings({{ring}})); }
+
 void addPoint(std::vector<Point>& ring, Point p) {
   if (ring.empty() || p != ring.back()) ring.push_back(p);
 }
@@ -47,24 +48,16 @@ void closeRing(std::vector<Point>& ring) {
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
 }
 
-/// Returns the point for each vertex. Vertices at one point share the least of their places, by x and then y, which
-/// does not depend on the order of the vertices.
-std::vector<Point> sharedPlaces(const Diagram& diagram, const std::vector<std::int32_t>& firstHere) {
+/// Returns the point for each vertex. Vertices at one point share it.
+std::vector<Point> sharedPlaces(const Diagram& diagram, const ClipFlattener& flattener) {
   std::vector<Point> places;
-  places.reserve(firstHere.size());
-  for (const Vertex& vertex : diagram.vertices) places.push_back({vertex.x, vertex.y});
-  const auto isLess = [](Point p, Point q) { return std::pair(p.x, p.y) < std::pair(q.x, q.y); };
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    Point& place = places[index(firstHere[v])];
-    if (isLess(places[v], place)) place = places[v];
-  }
-  for (std::size_t v = 0; v < places.size(); ++v) places[v] = places[index(firstHere[v])];
+  places.reserve(diagram.vertices.size());
+  for (const Vertex& vertex : diagram.vertices) places.push_back(flattener.placeOf({vertex.x, vertex.y}));
   return places;
 }
 
 void follow(const Edge& edge, const EdgeCurve& curve, EdgePoints& points) {
   if (curve.isStraight()) return;
-  points.arcs.back().beyond = momentsOverChord(curve, curve.start, 1).area;
   const Point start = points.placeOf(edge.start);
   const Point end = points.placeOf(edge.end);
   if (isOneStep(curve, start, end, points.frame.tolerance)) return;
@@ -76,12 +69,10 @@ void follow(const Edge& edge, const EdgeCurve& curve, EdgePoints& points) {
 
 CellPolygons::CellPolygons(const ExportFrame& frame)
     : frame_(frame),
-      firstHere_(firstVerticesHere(frame.diagram)),
-      points_(frame, sharedPlaces(frame.diagram, firstHere_), follow) {
+      flattener_(frame.clipped, frame.tolerance),
+      points_(frame, sharedPlaces(frame.diagram, flattener_), follow),
+      areas_(frame.clipped.areas()) {
   roundPoints();
-  if (!frame.clipped) return;
-  flattener_.emplace(*frame.clipped, frame.tolerance);
-  areas_ = frame.clipped->areas();
 }
 
 /// Rounds what only edges inside the box have, with digits also what others have, and takes it back for edges that it
@@ -92,24 +83,25 @@ void CellPolygons::roundPoints() {
   auto& inner = points_.inner;
   const std::vector<Point> exactPlaces = places;
   const std::vector<Point> exactInner = inner;
-  for (Point& p : places) p = frame_.round(p);
+  const bool isOnGrid = frame_.hasDigits && frame_.isBox;
+  for (Point& p : places) p = isOnGrid ? frame_.roundOnBoundary(p) : frame_.round(p);
   for (Point& p : inner) p = frame_.round(p);
   // A restored place is recorded for the first of the vertices at one point.
   std::vector<bool> isRestored(places.size(), false);
-  const auto firstOf = [&](VertexIndex vertex) { return index(firstHere_[index(vertex)]); };
+  const auto firstOf = [&](VertexIndex vertex) { return index(flattener_.firstHere()[index(vertex)]); };
   const auto restorePlace = [&](VertexIndex vertex) {
     if (vertex == kNone) return;
     places[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
     isRestored[firstOf(vertex)] = true;
   };
-  isExact_.assign(edges.size(), !frame_.hasDigits || frame_.clipped);
+  isExact_.assign(edges.size(), !frame_.hasDigits || !frame_.isBox);
   const auto restoreEnds = [&](std::size_t edge) {
     isExact_[edge] = true;
     restorePlace(edges[edge].start);
     restorePlace(edges[edge].end);
   };
   const auto sharePlaces = [&] {
-    for (std::size_t v = 0; v < places.size(); ++v) places[v] = places[index(firstHere_[v])];
+    for (std::size_t v = 0; v < places.size(); ++v) places[v] = places[index(flattener_.firstHere()[v])];
   };
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!points_.isInside[e] && isExact_[e]) restoreEnds(e);
@@ -136,7 +128,7 @@ void CellPolygons::roundPoints() {
       restorePlace(edges[e].start);
       restorePlace(edges[e].end);
       bool isChanged = from != places[start] || to != places[end];
-      for (std::size_t k = points_.arcs[e].firstInner; k < points_.arcs[e + 1].firstInner; ++k) {
+      for (std::size_t k = points_.firstInner[e]; k < points_.firstInner[e + 1]; ++k) {
         isChanged = isChanged || inner[k] != exactInner[k];
         inner[k] = exactInner[k];
       }
@@ -151,26 +143,22 @@ void CellPolygons::roundPoints() {
   sharePlaces();
 }
 
-/// Of the edges that are not inside the box those that rounding turns around, or moves beyond one another along an arc.
+/// Edges that are not inside the box and that rounding turns around, or moves beyond other parts of a cell.
 std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
   std::vector<EdgeIndex> wrong;
   const auto count = static_cast<std::int32_t>(frame_.diagram.edges.size());
   for (EdgeIndex e = 0; e < count; ++e) {
     if (!isInside(e) && !isExact_[index(e)] && !partsTurnRight(e)) wrong.push_back(e);
   }
-  if (!frame_.limits.maxDistance || frame_.clipped) return wrong;
+  // The boundary of a cell that is cut need not turn around its center.
   for (CircleIndex i = 0; i < circleCount(); ++i) {
     if (points_.isWhole(i)) continue;
-    for (const auto& loop : limitedOutline(frame_.diagram, i, frame_.limits)) {
-      const std::size_t size = loop.size();
-      for (std::size_t k = 0; k < size; ++k) {
-        const OutlinePiece& before = loop[(k + size - 1) % size];
-        const OutlinePiece& after = loop[(k + 1) % size];
-        if (!loop[k].isOnCircle() || before.side == kNone || after.side == kNone) continue;
-        if (isLeftTurn(centerOf(i), pointsOf(before).back(), pointsOf(after).front())) continue;
-        for (const EdgeIndex edge : {Diagram::edgeOf(before.side), Diagram::edgeOf(after.side)}) {
-          if (!isExact_[index(edge)]) wrong.push_back(edge);
-        }
+    for (const auto& loop : frame_.clipped.outline(i)) {
+      if (isSimple(ringOf(i, loop, true))) continue;
+      for (const OutlinePiece& piece : loop) {
+        if (piece.side == kNone) continue;
+        const EdgeIndex edge = Diagram::edgeOf(piece.side);
+        if (!isInside(edge) && !isExact_[index(edge)]) wrong.push_back(edge);
       }
     }
   }
@@ -204,12 +192,12 @@ bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
 
 /// Whether the parts of another edge turn right; they have to stay in the box.
 bool CellPolygons::partsTurnRight(EdgeIndex edge) const {
-  const auto isRight = [&](const CurvePart& part) {
-    const Ring points = pointsOfPart(edge, part.curve);
-    const auto isIn = [&](Point p) { return frame_.region.contains(p); };
+  const auto isRight = [&](const EdgeCurve& part) {
+    const Ring points = pointsOf({part, 2 * edge, kNone});
+    const auto isIn = [&](Point p) { return frame_.hasInside(p); };
     return std::ranges::all_of(points, isIn) && turnsRight(edge, points);
   };
-  return std::ranges::all_of(keptParts(frame_.diagram, edge, frame_.limits), isRight);
+  return std::ranges::all_of(frame_.clipped.edgeParts(edge), isRight);
 }
 
 /// Adds the points of a side of an edge inside the box, but for the last.
@@ -235,37 +223,26 @@ bool CellPolygons::isDrawnIn(VertexIndex vertex, Point end) const {
   return distance <= kRoundingError * std::max(std::abs(place.x), std::abs(place.y));
 }
 
-/// The points of a part of an edge that is not inside the box.
-CellPolygons::Ring CellPolygons::pointsOfPart(EdgeIndex edge, const EdgeCurve& curve) const {
-  const Edge& ends = frame_.diagram.edges[index(edge)];
-  const auto rounded = [&](Point p) { return isExact_[index(edge)] ? p : frame_.roundInBox(p); };
-  const auto drawn = [&](VertexIndex vertex, Point end) {
-    return isDrawnIn(vertex, end) ? placeOf(vertex) : rounded(end);
-  };
-  Ring points = pointsBetween(curve, drawn(ends.start, curve.start), drawn(ends.end, curve.end), frame_.tolerance);
-  for (std::size_t k = 1; k + 1 < points.size(); ++k) points[k] = rounded(points[k]);
-  return points;
-}
-
 /// The points of a piece of an edge in the direction of the outline, the same bits from either side.
 CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
-  if (isInside(Diagram::edgeOf(piece.side))) {
-    Ring points;
+  const EdgeIndex edge = Diagram::edgeOf(piece.side);
+  Ring points;
+  if (isInside(edge)) {
     addSide(piece.side, [&](Point p) { points.push_back(p); });
     points.push_back(placeOf(frame_.diagram.targetOf(piece.side)));
     return points;
   }
-  if (frame_.clipped) {
-    Ring points = flattener_->pointsOf(piece);
-    const auto drawn = [&](VertexIndex vertex, Point& end, Point original) {
-      if (end == original && isDrawnIn(vertex, end)) end = placeOf(vertex);
-    };
-    drawn(frame_.diagram.originOf(piece.side), points.front(), piece.curve.start);
-    if (points.size() > 1) drawn(frame_.diagram.targetOf(piece.side), points.back(), piece.curve.end);
-    return points;
-  }
-  Ring points = pointsOfPart(Diagram::edgeOf(piece.side), edgeDirection(frame_.diagram, piece));
-  if (piece.side % 2 == 1) std::ranges::reverse(points);
+  points = flattener_.pointsOf(piece);
+  const auto draw = [&](Point& p, VertexIndex vertex, Point original) {
+    if (isDrawnIn(vertex, original)) {
+      p = placeOf(vertex);
+    } else if (!isExact_[index(edge)]) {
+      p = frame_.roundOnBoundary(p);
+    }
+  };
+  draw(points.front(), frame_.diagram.originOf(piece.side), piece.curve.start);
+  if (points.size() > 1) draw(points.back(), frame_.diagram.targetOf(piece.side), piece.curve.end);
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) draw(points[k], kNone, {});
   return points;
 }
 
@@ -314,9 +291,9 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
     if (loop[k].side != kNone) {
       pieces[k] = pointsOf(loop[k]);
     } else if (loop[before(k)].side == kNone && !goesOn) {
-      // A corner of the box, or a point of the circle. Where an edge meets these, the edge says where.
-      const Point start = loop[k].curve.start;
-      pieces[k] = {rounds ? frame_.roundInBox(start) : start};
+      // A corner of the region, or a point of the circle. Where an edge meets these, the edge says where.
+      const Point start = flattener_.placeOf(loop[k].curve.start);
+      pieces[k] = {rounds ? frame_.roundOnBoundary(start) : start};
     }
   }
   Ring ring;
@@ -330,45 +307,24 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
     k += arcs.size() - 1;
   }
   closeRing(ring);
-  return ring;
-}
-
-/// A loop of the outline of a cell that is not whole, in the region.
-CellPolygons::Ring CellPolygons::regionRing(const std::vector<OutlinePiece>& loop) const {
-  Ring ring;
-  for (const OutlinePiece& piece : loop) {
-    if (piece.side == kNone && !piece.isOnCircle()) {
-      addPoint(ring, flattener_->placeOf(piece.curve.start));
-      continue;
-    }
-    const auto points = piece.side != kNone ? pointsOf(piece) : flattener_->pointsOf(piece);
-    for (std::size_t k = 0; k + 1 < std::max<std::size_t>(points.size(), 2); ++k) addPoint(ring, points[k]);
-  }
-  closeRing(ring);
+  // The ring begins where the loop does, whose first point may be the end of its last piece.
+  if (!ring.empty() && pieces.front().empty()) std::ranges::rotate(ring, ring.end() - 1);
   return ring;
 }
 
 std::vector<CellPolygons::Polygon> CellPolygons::polygons(CircleIndex circle) const {
-  std::vector<Polygon> polygons;
-  const auto keep = [&](Ring ring) {
-    const bool isKept = hasArea(ring);
-    if (isKept) polygons.push_back({std::move(ring)});
-    return isKept;
-  };
   if (points_.isWhole(circle)) {
-    keep(wholeRing(circle));
-    return polygons;
-  }
-  const Outline outline = outlineIn(frame_, circle);
-  if (!frame_.clipped) {
-    for (const auto& loop : outline) {
-      if (!keep(ringOf(circle, loop, true))) keep(ringOf(circle, loop, false));
-    }
-    return polygons;
+    Ring ring = wholeRing(circle);
+    if (!hasArea(ring)) return {};
+    return {{std::move(ring)}};
   }
   std::vector<PointLoop> loops;
+  const Outline outline = frame_.clipped.outline(circle);
   for (const auto& loop : outline) {
-    loops.push_back({regionRing(loop), &loop != &outline.front() && circle_voronoi::area({loop}) < 0});
+    const bool isHole = &loop != &outline.front() && circle_voronoi::area({loop}) < 0;
+    Ring ring = ringOf(circle, loop, frame_.isBox);
+    if (frame_.isBox && !(hasArea(ring) && isSimple(ring))) ring = ringOf(circle, loop, false);
+    loops.push_back({std::move(ring), isHole});
   }
   return validPolygons(std::move(loops));
 }
@@ -376,31 +332,8 @@ std::vector<CellPolygons::Polygon> CellPolygons::polygons(CircleIndex circle) co
 std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {
   if (isInside(edge)) return {pointsOf({{}, 2 * edge, kNone})};
   std::vector<Ring> lines;
-  for (const EdgeCurve& part : partsIn(frame_, edge)) lines.push_back(pointsOf({part, 2 * edge, kNone}));
+  for (const EdgeCurve& part : frame_.clipped.edgeParts(edge)) lines.push_back(pointsOf({part, 2 * edge, kNone}));
   return lines;
-}
-
-double CellPolygons::area(CircleIndex circle) const {
-  if (frame_.clipped) return areas_[index(circle)];
-  if (points_.isWhole(circle)) {
-    const auto& vertices = frame_.diagram.vertices;
-    const auto sides = frame_.diagram.sides(circle);
-    const auto vertexAt = [&](SideIndex side) {
-      const Vertex& vertex = vertices[index(frame_.diagram.originOf(side))];
-      return Point{vertex.x, vertex.y};
-    };
-    const Point reference = vertexAt(sides.front());
-    Vector last{};
-    double sum = 0;
-    for (const SideIndex side : sides) {
-      const Vector next = vectorTo(reference, vertexAt(side));
-      const double beyond = points_.arcs[index(Diagram::edgeOf(side))].beyond;
-      sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond : -beyond);
-      last = next;
-    }
-    if (isSafe(sum) && sum > 0) return sum;
-  }
-  return circle_voronoi::area(limitedOutline(frame_.diagram, circle, frame_.limits));
 }
 
 }  // namespace circle_voronoi

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,7 +38,7 @@ class CellPolygons {
   std::vector<Ring> polylines(EdgeIndex edge) const;
 
   /// The area of a cell inside the box, but for rounding that of the cell, not of its polygon.
-  double area(CircleIndex circle) const;
+  double area(CircleIndex circle) const { return areas_[static_cast<std::size_t>(circle)]; }
 
  private:
   bool isInside(EdgeIndex edge) const { return points_.hasInside(edge); }
@@ -61,17 +60,14 @@ class CellPolygons {
   Ring pointsOf(const OutlinePiece& piece) const;
   Ring pointsOfArcs(CircleIndex circle, std::span<const OutlinePiece> arcs, Point from, Point to, bool rounds) const;
   Ring ringOf(CircleIndex circle, std::vector<OutlinePiece> loop, bool rounds) const;
-  Ring regionRing(const std::vector<OutlinePiece>& loop) const;
-  Ring pointsOfPart(EdgeIndex edge, const EdgeCurve& curve) const;
   Ring wholeRing(CircleIndex circle) const;
   bool isDrawnIn(VertexIndex vertex, Point end) const;
 
   const ExportFrame& frame_;
-  std::optional<ClipFlattener> flattener_;  ///< of edges that are not inside, if there is a region
-  std::vector<double> areas_;               ///< of cells in the region, if there is one
-  std::vector<std::int32_t> firstHere_;     ///< of the vertices at the place of each vertex
+  ClipFlattener flattener_;  ///< of edges that are not inside
   /// Vertices joined by edges of length near zero have one place, so that rounding cannot turn such an edge around.
   EdgePoints points_;
+  std::vector<double> areas_;
   /// For each edge that is not inside the box: whether its points keep all digits. Its vertices are not among them.
   std::vector<bool> isExact_;
 };

@@ -15,25 +15,20 @@ namespace circle_voronoi {
 /// The points of the edges inside the box of an export. Each such edge is followed once, and its points serve both
 /// cells and the edge itself.
 struct EdgePoints {
-  struct Arc {
-    std::size_t firstInner;  ///< of its points between its ends, in `inner`; they end where those of the next arc begin
-    double beyond = 0;       ///< the area between the arc and the chord of its vertices, positive to the right
-  };
-
   /// Takes a point for each vertex. For each edge inside the box, `follow(edge, curve, *this)` appends the points
-  /// between its ends to `inner`. It may set arcs.back().beyond.
+  /// between its ends to `inner`.
   template <class Follow>
   EdgePoints(const ExportFrame& its, std::vector<Point> pointsOfVertices, Follow follow)
       : frame(its), diagram(its.diagram), places(std::move(pointsOfVertices)) {
     isInside.reserve(diagram.edges.size());
-    arcs.reserve(diagram.edges.size() + 1);
+    firstInner.reserve(diagram.edges.size() + 1);
     for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
       const EdgeCurve curve = edgeCurve(diagram, static_cast<std::int32_t>(e));
       isInside.push_back(circle_voronoi::isInside(frame, diagram.edges[e], curve));
-      arcs.push_back({inner.size()});
+      firstInner.push_back(inner.size());
       if (isInside.back()) follow(diagram.edges[e], curve, *this);
     }
-    arcs.push_back({inner.size()});
+    firstInner.push_back(inner.size());
   }
 
   Point placeOf(VertexIndex vertex) const { return places[static_cast<std::size_t>(vertex)]; }
@@ -49,7 +44,7 @@ struct EdgePoints {
   /// Returns the points between the ends of an edge.
   std::span<const Point> innerOf(EdgeIndex edge) const {
     const auto e = static_cast<std::size_t>(edge);
-    return std::span(inner).subspan(arcs[e].firstInner, arcs[e + 1].firstInner - arcs[e].firstInner);
+    return std::span(inner).subspan(firstInner[e], firstInner[e + 1] - firstInner[e]);
   }
 
   /// Calls `visit(first, last)` with iterators over the points between the ends of a side, in its direction.
@@ -71,12 +66,12 @@ struct EdgePoints {
     const auto prefetchEdges = [this](std::int32_t circle) __attribute__((always_inline)) {
       for (const SideIndex side : diagram.sides(circle)) {
         prefetch(diagram.edges, static_cast<std::size_t>(side / 2));
-        prefetch(arcs, static_cast<std::size_t>(side / 2));
+        prefetch(firstInner, static_cast<std::size_t>(side / 2));
       }
     };
     const auto prefetchPoints = [this](std::int32_t circle) __attribute__((always_inline)) {
       for (const SideIndex side : diagram.sides(circle)) {
-        prefetch(inner, arcs[static_cast<std::size_t>(side / 2)].firstInner);
+        prefetch(inner, firstInner[static_cast<std::size_t>(side / 2)]);
         const VertexIndex vertex = diagram.originOf(side);
         if (vertex == kNone) continue;
         prefetch(places, static_cast<std::size_t>(vertex));
@@ -96,7 +91,8 @@ struct EdgePoints {
   const Diagram& diagram;
   std::vector<Point> places;   ///< of each vertex
   std::vector<bool> isInside;  ///< of each edge
-  std::vector<Arc> arcs;       ///< of each edge, and one more
+  /// For each edge where its points between its ends begin in `inner`, and the number of all at the end.
+  std::vector<std::size_t> firstInner;
   std::vector<Point> inner;
 };
 

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 #include <utility>
 
-#include "check_arrays.h"
+#include "cell_limits.h"
 #include "checks.h"
 #include "clip_parts.h"
 
@@ -63,13 +62,12 @@ Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance
   return {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
 }
 
-Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& options) {
+Result<Region> exportRegion(const Diagram& diagram, const ExportOptions& options) {
   if (auto checked = checkVertices(diagram); !checked) return checked.error();
   if (!diagram.certificate.certified()) {
     return Error{ErrorCode::notCertified, diagram.certificate.circle,
                  "The diagram is not certified: " + diagram.certificate.message};
   }
-  if (auto checked = checkArrays(diagram); !checked) return checked.error();
   if (auto checked = checkDigits(options.digits); !checked) return checked.error();
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance))) {
     return errorWith(ErrorCode::badOption, "The tolerance must be finite and positive.");
@@ -81,50 +79,28 @@ Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& 
   if (options.region != nullptr && options.bounds) {
     return errorWith(ErrorCode::badOption, "Cells are clipped to a box or to a region, not to both.");
   }
-  return ConvexPolygon::from(boxOf(diagram, options, gridOf(diagram, options)));
+  if (options.region != nullptr) return *options.region;
+  return Region::from(boxOf(diagram, options, gridOf(diagram, options)));
 }
 
-Result<std::optional<ClippedDiagram>> clipFor(const Diagram& diagram, const ExportOptions& options) {
-  std::optional<ClippedDiagram> clip;
-  if (options.region != nullptr) {
-    auto made = ClippedDiagram::from(diagram, *options.region, options.maxDistance);
-    if (!made) return made.error();
-    clip = *std::move(made);
-  }
-  return clip;
-}
-
-ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion,
-                         std::optional<ClippedDiagram> itsClip)
+ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, ClippedDiagram itsClip)
     : diagram(its),
       hasDigits(options.digits.has_value()),
       grid(gridOf(its, options)),
-      box(boxOf(its, options, grid)),
-      isClipped(options.bounds || options.region != nullptr || options.maxDistance),
-      region(std::move(itsRegion)),
-      limits{&region, options.maxDistance},
+      box(itsClip.region().bounds()),
+      isBox(options.region == nullptr),
+      isClipped(options.bounds || !isBox || options.maxDistance),
       clipped(std::move(itsClip)),
       place(options.place),
       attributes(options.attributes),
       tolerance(std::max(toleranceOf(box, options) - grid.error(), toleranceOf(box, options) / 2)) {}
 
-Point ExportFrame::roundInBox(Point p) const {
-  if (!hasDigits) return p;
+Point ExportFrame::roundOnBoundary(Point p) const {
+  if (!hasDigits || !isBox) return p;
   const auto rounded = [&](double value, double min, double max) {
     return value == min || value == max ? value : std::clamp(grid.round(value), min, max);
   };
   return {rounded(p.x, box.minX, box.maxX), rounded(p.y, box.minY, box.maxY)};
-}
-
-Outline outlineIn(const ExportFrame& frame, CircleIndex circle) {
-  return frame.clipped ? frame.clipped->outline(circle) : limitedOutline(frame.diagram, circle, frame.limits);
-}
-
-std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge) {
-  if (frame.clipped) return frame.clipped->edgeParts(edge);
-  std::vector<EdgeCurve> curves;
-  for (const CurvePart& part : keptParts(frame.diagram, edge, frame.limits)) curves.push_back(part.curve);
-  return curves;
 }
 
 namespace {
@@ -169,17 +145,9 @@ std::vector<std::vector<std::vector<Point>>> placed(const ExportFrame& frame,
 }
 
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle) {
-  if (frame.clipped) return frame.clipped->neighbors(circle);
+  if (frame.isClipped) return frame.clipped.neighbors(circle);
   std::vector<CircleIndex> neighbors;
-  std::unordered_set<std::int32_t> found;
-  for (const SideIndex side : frame.diagram.sides(circle)) {
-    const CircleIndex neighbor = frame.diagram.neighborOf(side);
-    if (frame.isClipped) {
-      if (keptParts(frame.diagram, Diagram::edgeOf(side), frame.limits).empty()) continue;
-      if (!found.insert(neighbor).second) continue;
-    }
-    neighbors.push_back(neighbor);
-  }
+  for (const SideIndex side : frame.diagram.sides(circle)) neighbors.push_back(frame.diagram.neighborOf(side));
   return neighbors;
 }
 
@@ -199,9 +167,9 @@ bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve
   if (!frame.isNear(edge.start) || !frame.isNear(edge.end)) return false;
   // Corners of the region may be near the edges of cells that its boundary crosses.
   const auto isWhole = [&](CircleIndex circle) {
-    return frame.clipped->parts().placeOf(circle) == ClippedDiagram::Place::inside;
+    return frame.clipped.parts().placeOf(circle) == ClippedDiagram::Place::inside;
   };
-  if (frame.clipped && !(isWhole(edge.left) && isWhole(edge.right))) return false;
+  if (!frame.isBox && !(isWhole(edge.left) && isWhole(edge.right))) return false;
   const double margin = frame.grid.error();
   const auto& box = frame.box;
   const auto isIn = [&](Point p) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "cell_limits.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/export.h"
@@ -16,53 +15,40 @@
 
 namespace circle_voronoi {
 
-/// Returns the box to which a diagram is clipped.
+/// Returns the region to which a diagram is clipped: that of the options, or their box, or the default box.
 /// Errors: notCertified if the diagram is not certified; badInput if there are not as many vertexCircles as vertices;
 /// badOption if an option is out of range.
-Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& options);
-
-/// Returns the diagram in the region of the options, if there is one.
-Result<std::optional<ClippedDiagram>> clipFor(const Diagram& diagram, const ExportOptions& options);
+Result<Region> exportRegion(const Diagram& diagram, const ExportOptions& options);
 
 /// The data that every writer of a drawing needs: the diagram, the region, and the tolerances of curves and
 /// coordinates.
 struct ExportFrame {
-  /// `itsRegion` is that of `exportRegion`, `itsClip` what `clipFor` returns.
-  ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion,
-              std::optional<ClippedDiagram> itsClip);
+  /// `itsClip` is the diagram in the region of `exportRegion`.
+  ExportFrame(const Diagram& its, const ExportOptions& options, ClippedDiagram itsClip);
   ExportFrame(const ExportFrame&) = delete;
   ExportFrame& operator=(const ExportFrame&) = delete;
 
   Point round(Point p) const { return {grid.round(p.x), grid.round(p.y)}; }
-  /// Returns a point on the boundary of the box, rounded along it if digits are given.
-  Point roundInBox(Point p) const;
+  /// Returns a point on the boundary of the region, rounded along it if digits are given and the region is a box.
+  Point roundOnBoundary(Point p) const;
   double area(double value) const { return hasDigits ? grid.round(value) : value; }
-
-  /// Returns whether a point lies in the region, or in the box if there is none.
-  bool hasInside(Point p) const { return clipped ? clipped->region().contains(p) : region.contains(p); }
+  bool hasInside(Point p) const { return clipped.region().contains(p); }
   /// Returns whether a vertex lies within the maximum distance.
   bool isNear(VertexIndex vertex) const {
-    return !limits.maxDistance || diagram.vertices[static_cast<std::size_t>(vertex)].r <= *limits.maxDistance;
+    return !clipped.maxDistance() || diagram.vertices[static_cast<std::size_t>(vertex)].r <= *clipped.maxDistance();
   }
 
   const Diagram& diagram;
   bool hasDigits;  ///< whether digits are given
   DecimalGrid grid;
-  Box box;
-  bool isClipped;                         ///< by options, rather than by the default box
-  ConvexPolygon region;                   ///< the box
-  Limits limits;                          ///< of cells and edges, unless there is a region
-  std::optional<ClippedDiagram> clipped;  ///< the diagram in the region, if there is one
-  std::function<Point(Point)> place;      ///< empty: none (ExportOptions)
-  const CircleAttributes* attributes;     ///< null: none
-  double tolerance;                       ///< of curves: the part that rounding leaves
+  Box box;                             ///< around the region
+  bool isBox;                          ///< whether the region is the box
+  bool isClipped;                      ///< by options, rather than by the default box
+  ClippedDiagram clipped;              ///< the diagram in the region
+  std::function<Point(Point)> place;   ///< empty: none (ExportOptions)
+  const CircleAttributes* attributes;  ///< null: none
+  double tolerance;                    ///< of curves: the part that rounding leaves
 };
-
-/// Returns the outline of the kept part of a cell.
-Outline outlineIn(const ExportFrame& frame, CircleIndex circle);
-
-/// Returns the kept parts of an edge, in its direction.
-std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge);
 
 /// Returns the neighbors of a cell. If the options clip the diagram, these are the neighbors that share a part of an
 /// edge inside, each once.
@@ -83,11 +69,11 @@ bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve
 /// Errors: also those of `exportRegion`.
 template <class Body>
 Result<void> unguardedWritingIn(std::ostream& stream, const Diagram& diagram, const ExportOptions& options, Body body) {
-  auto region = exportRegion(diagram, options);
+  const auto region = exportRegion(diagram, options);
   if (!region) return region.error();
-  auto clip = clipFor(diagram, options);
+  auto clip = ClippedDiagram::from(diagram, *region, options.maxDistance);
   if (!clip) return clip.error();
-  const ExportFrame frame(diagram, options, *std::move(region), *std::move(clip));
+  const ExportFrame frame(diagram, options, *std::move(clip));
   return unguardedWriting(stream, [&](Writer& out) { body(out, frame); });
 }
 

@@ -130,7 +130,7 @@ void writeCells(Writer& out, const EdgePoints& edges, std::int32_t count) {
       out << "Z\"/>\n";
       return;
     }
-    const Outline loops = outlineIn(frame, i);
+    const Outline loops = frame.clipped.outline(i);
     if (loops.empty()) return;
     begin();
     for (const auto& loop : loops) {
@@ -155,7 +155,7 @@ void writeEdges(Writer& out, const EdgePoints& edges, IsDrawn isDrawn) {
       out << "\"/>\n";
       continue;
     }
-    const auto parts = partsIn(frame, e);
+    const auto parts = frame.clipped.edgeParts(e);
     if (parts.empty()) continue;
     begin();
     for (const EdgeCurve& part : parts) {
@@ -308,7 +308,7 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
         << kStyle << figure.style << "</style>\n<g transform=\"scale(1,-1)\">\n";
     const auto group = [&](std::string_view name, auto write) {
       out << "<g";
-      writeClass(out, name, frame.limits.maxDistance.has_value());
+      writeClass(out, name, frame.clipped.maxDistance().has_value());
       out << ">\n";
       write();
       out << "</g>\n";

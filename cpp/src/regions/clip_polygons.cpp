@@ -11,6 +11,7 @@
 #include "clip_parts.h"
 #include "flatten.h"
 #include "in_circle.h"
+#include "near_vertices.h"
 #include "scale.h"
 #include "valid_polygons.h"
 
@@ -100,7 +101,7 @@ class RoomMaker {
 }  // namespace
 
 ClipFlattener::ClipFlattener(const ClippedDiagram& clipped, double tolerance)
-    : clipped_(clipped), tolerance_(tolerance) {
+    : clipped_(clipped), tolerance_(tolerance), firstHere_(firstVerticesHere(clipped.diagram())) {
   collectPlaces();
   collectCorners();
 }
@@ -145,11 +146,9 @@ void ClipFlattener::collectPlaces() {
   };
   const double most = mostReach();
   const auto isNear = [&](Point p, Point q, double reach) { return sizeOf(vectorTo(p, q)) <= std::min(reach, most); };
-  for (const Edge& edge : diagram.edges) {
-    if (!parts.arcs.isInside(edge.start) && !parts.arcs.isInside(edge.end)) continue;
-    if (edge.start == kNone || edge.end == kNone) continue;
-    if (!isNear(vertexAt(edge.start), vertexAt(edge.end), reachOf(edge.start))) continue;
-    join(at(edge.start), at(edge.end));
+  for (std::size_t v = 0; v < vertexCount; ++v) {
+    const Point p = vertexAt(static_cast<std::int32_t>(v));
+    if (isNear(p, vertexAt(firstHere_[v]), kInfinite)) join(v, at(firstHere_[v]));
   }
   for (std::size_t c = 0; c < crossings.size(); ++c) {
     const Crossing& crossing = crossings[c];

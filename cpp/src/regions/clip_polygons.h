@@ -30,6 +30,8 @@ class CIRCLE_VORONOI_API ClipFlattener {
 
   /// Returns the point that stands for a corner, a crossing or a vertex.
   Point placeOf(Point p) const;
+  /// Returns for each vertex the one of smallest index that is at the same point (firstVerticesHere).
+  const std::vector<std::int32_t>& firstHere() const { return firstHere_; }
 
  private:
   struct Corner {
@@ -49,6 +51,7 @@ class CIRCLE_VORONOI_API ClipFlattener {
 
   const ClippedDiagram& clipped_;
   double tolerance_;
+  std::vector<std::int32_t> firstHere_;
   std::vector<Corner> corners_;                  ///< those that are near a curved edge, by key
   std::vector<std::pair<Point, Point>> places_;  ///< points that another one stands for, sorted
 };

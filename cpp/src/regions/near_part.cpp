@@ -16,28 +16,46 @@
 namespace circle_voronoi {
 namespace {
 
-/// A part of a segment, by how far its ends are along it: from 0 to 1.
+/// A part of a segment.
 struct Chord {
-  double from = 0;
-  double to = 1;
+  Point from;
+  Point to;
+  bool isCutFrom = false;
+  bool isCutTo = false;
 };
 
 /// Returns the part of a segment inside a disc. Whether the ends of the segment are inside has been decided.
 std::optional<Chord> chordOf(Point from, Point to, bool hasFrom, bool hasTo, const Circle& disc) {
-  if (hasFrom && hasTo) return Chord{};
+  Chord chord = {from, to};
+  if (hasFrom && hasTo) return chord;
   const double unit = unitFor(disc.r);
   const double size = lengthOf(vectorTo(from, to)) / unit;
   const Vector along = measuredIn(size, measuredIn(unit, vectorTo(from, to)));
   const Vector toCenter = measuredIn(unit, vectorTo(from, Point{disc.x, disc.y}));
   const double foot = dot(along, toCenter);
-  const double height = std::abs(cross(along, toCenter));
+  const double height = cross(along, toCenter);
   const double r = disc.r / unit;
-  const double half = std::sqrt(std::max((r - height) * (r + height), 0.0));
-  Chord chord;
-  if (!hasFrom) chord.from = std::clamp((foot - half) / size, 0.0, 1.0);
-  if (!hasTo) chord.to = std::clamp((foot + half) / size, 0.0, 1.0);
+  const double half = std::sqrt(std::max((r - std::abs(height)) * (r + std::abs(height)), 0.0));
+  const auto isCutAt = [&](double place) { return 0 < place && place < size; };
+  // Seen from the center, since the ends may be far away.
+  const auto pointAt = [&](double beside) {
+    const Vector v = {beside * along.x + height * along.y, beside * along.y - height * along.x};
+    return Point{from.x == to.x ? from.x : disc.x + unit * v.x, from.y == to.y ? from.y : disc.y + unit * v.y};
+  };
+  if (!hasFrom) {
+    if (foot - half >= size) chord.from = to;
+    chord.isCutFrom = isCutAt(foot - half);
+    if (chord.isCutFrom) chord.from = pointAt(-half);
+  }
+  if (!hasTo) {
+    if (foot + half <= 0) chord.to = from;
+    chord.isCutTo = isCutAt(foot + half);
+    if (chord.isCutTo) chord.to = pointAt(half);
+  }
   // With no end inside it may pass the disc by.
-  if (!hasFrom && !hasTo && !(height < r && chord.from < chord.to)) return std::nullopt;
+  if (!hasFrom && !hasTo && !(std::abs(height) < r && half > 0 && foot - half < size && foot + half > 0)) {
+    return std::nullopt;
+  }
   return chord;
 }
 
@@ -184,14 +202,9 @@ class DiscClipper {
   std::optional<DiscPart> partOfSegment(const LoopPiece& piece, Point end) const {
     const auto chord = chordOf(piece.start, end, isInDisc(piece.start), isInDisc(end), disc_);
     if (!chord) return std::nullopt;
-    const Vector along = vectorTo(piece.start, end);
-    const auto pointAt = [&](double share) {
-      return Point{piece.start.x + share * along.x, piece.start.y + share * along.y};
-    };
-    const Point from = chord->from == 0 ? piece.start : pointAt(chord->from);
-    const Point to = chord->to == 1 ? end : pointAt(chord->to);
-    if (from == to) return std::nullopt;
-    return DiscPart{{segment(from, to), kNone, kNone, 0, piece.regionSide}, chord->from != 0, chord->to != 1};
+    if (chord->from == chord->to) return std::nullopt;
+    return DiscPart{
+        {segment(chord->from, chord->to), kNone, kNone, 0, piece.regionSide}, chord->isCutFrom, chord->isCutTo};
   }
 
   bool isInDisc(Point p) const { return lengthOf(vectorTo({disc_.x, disc_.y}, p)) <= disc_.r; }
