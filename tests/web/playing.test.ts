@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The player of the method while it plays, asks, and loses or changes its circles, without a browser.
+import type { TemplateResult } from 'lit/html.js'
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import type { TraceOptions } from '../../web/lib/wasm/trace.ts'
+import { mountPlayer, type Player } from '../../web/player/player.ts'
+import { ENGLISH_PLAYER as WORDS } from '../../web/player/words.ts'
+import { traced } from '../../web/view/painter/traced.ts'
+import type { View } from '../../web/view/view.ts'
+import { library } from './library.ts'
+
+/** What the player has rendered. */
+let page: unknown
+vi.mock('lit/html.js', async (original) => ({
+  ...(await original<object>()),
+  render: (template: unknown) => {
+    page = template
+  },
+}))
+vi.mock('../../web/view/style.ts', () => ({ computedColors: (_: unknown, colors: object) => colors }))
+
+type Press = (event?: unknown) => void
+
+/** All strings and values of a template and its nested templates, in their order. */
+function partsOf(template: unknown): unknown[] {
+  if (Array.isArray(template)) return template.flatMap(partsOf)
+  const { strings, values } = (template ?? {}) as Partial<TemplateResult>
+  if (strings === undefined) return typeof template === 'symbol' ? [] : [template]
+  return strings.flatMap((text, k) => [text, ...(k < (values?.length ?? 0) ? partsOf(values?.[k]) : [])])
+}
+const text = () =>
+  partsOf(page)
+    .filter((part) => typeof part !== 'function')
+    .join('')
+/** The listener that follows a label. */
+function after(label: string): Press {
+  const parts = partsOf(page)
+  const found = parts.slice(parts.indexOf(label)).find((part) => typeof part === 'function')
+  if (!parts.includes(label)) throw new Error(`There is no ${label}.`)
+  return found as Press
+}
+const press = (label: string) => after(label)()
+
+const FIVE = [0, 0, 2, 10, 1, 1, 5, 8, 1.5, 2, 6, 0.8, 9, 6, 2.2]
+let circles: number[]
+let listeners: Map<string, (data: unknown) => void>
+let asked: { options: TraceOptions; answer: () => void; refuse: (error: Error) => void }[]
+let step: number | undefined
+let told: [number, number][]
+let view: { hasDiagram: boolean; above: readonly unknown[] }
+let root: { dir: string; keys: ((event: unknown) => void)[] }
+let player: Player
+
+beforeEach(() => {
+  vi.useFakeTimers()
+  vi.stubGlobal(
+    'CSSStyleSheet',
+    class {
+      replaceSync() {}
+    },
+  )
+  vi.stubGlobal(
+    'ResizeObserver',
+    class {
+      observe() {}
+      disconnect() {}
+    },
+  )
+  circles = FIVE
+  listeners = new Map()
+  asked = []
+  told = []
+  step = 0
+  page = undefined
+  const fakeView = {
+    hasDiagram: true,
+    above: [] as readonly unknown[],
+    on(name: string, listen: (data: unknown) => void) {
+      listeners.set(name, listen)
+      return () => listeners.delete(name)
+    },
+    ask: (_: string, options: TraceOptions) =>
+      new Promise((resolve, reject) => {
+        const { snapshot } = { snapshot: library.edit(Float64Array.from(circles)).snapshot() }
+        asked.push({ options, answer: () => resolve(traced(library, snapshot, options)), refuse: reject })
+      }),
+  }
+  const keys: ((event: unknown) => void)[] = []
+  const fakeRoot = {
+    keys,
+    dir: '',
+    lang: '',
+    classList: { add() {}, remove() {} },
+    getRootNode: () => ({ adoptedStyleSheets: [] }),
+    addEventListener: (_: string, listen: (event: unknown) => void) => keys.push(listen),
+    querySelector: () => null,
+  }
+  view = fakeView
+  root = fakeRoot
+  player = mountPlayer(fakeRoot as unknown as HTMLElement, {
+    view: fakeView as unknown as View,
+    options: {},
+    place: () => ({ step }),
+    go: (next) => {
+      step = next
+    },
+    onstep: (...now) => told.push(now),
+  })
+})
+afterEach(() => {
+  player.dispose()
+  vi.useRealTimers()
+  vi.unstubAllGlobals()
+})
+
+/** Lets the newest request for a trace be answered. */
+async function loaded(): Promise<void> {
+  await vi.advanceTimersByTimeAsync(200)
+  asked.at(-1)?.answer()
+  await player.ready
+}
+const seconds = (count: number) => vi.advanceTimersByTime(1000 * count)
+
+it('plays a step each second, says each, and stops at the last, from where it plays from the start', async () => {
+  await loaded()
+  expect([step, view.hasDiagram, root.dir]).toEqual([0, false, 'ltr'])
+  press(WORDS.play)
+  seconds(3)
+  expect(step).toBe(3)
+  expect(told.slice(-3)).toEqual([1, 2, 3].map((k) => [k, player.steps]))
+  seconds(1000)
+  expect([step, view.hasDiagram]).toEqual([player.steps - 1, true])
+  expect(text()).toContain(WORDS.play)
+  press(WORDS.play)
+  expect([step, view.hasDiagram]).toEqual([0, false])
+  seconds(2)
+  expect(step).toBe(2)
+})
+
+it('begins to play once the trace is there, if it was told before', async () => {
+  player.play()
+  seconds(5)
+  expect(step).toBe(0)
+  await loaded()
+  seconds(2)
+  expect(step).toBe(2)
+})
+
+it('another speed counts from the next step on', async () => {
+  await loaded()
+  press(WORDS.play)
+  after(WORDS.speed)({ target: { value: '10' } })
+  vi.advanceTimersByTime(500)
+  expect(step).toBe(5)
+})
+
+it('stops at a breakpoint, goes on from there, and has none after an edit', async () => {
+  await loaded()
+  player.pause()
+  step = 2
+  player.follow()
+  press(WORDS.breakHere)
+  step = 0
+  player.follow()
+  press(WORDS.play)
+  seconds(10)
+  expect(step).toBe(2)
+  press(WORDS.play)
+  seconds(2)
+  expect(step).toBe(4)
+  circles = [...FIVE, 20, 20, 1]
+  listeners.get('changed')?.(undefined)
+  await loaded()
+  step = 0
+  player.follow()
+  press(WORDS.play)
+  seconds(10)
+  expect(step).toBeGreaterThan(2)
+})
+
+it('asks before a step whose outcome is open, keeps the score, and explains the answer beside the next step only', async () => {
+  await loaded()
+  press(WORDS.ask)
+  press(WORDS.play)
+  seconds(1000)
+  const first = step as number
+  expect(text()).toContain(WORDS.whatNext)
+  expect(first).toBeLessThan(player.steps - 1)
+  // The answers follow the question. One of them is right.
+  const parts = partsOf(page)
+  const choices = parts.slice(parts.indexOf(WORDS.whatNext)).filter((part) => typeof part === 'function') as Press[]
+  choices[0]?.()
+  expect(step).toBe(first + 1)
+  const wasRight = text().includes(WORDS.right)
+  expect(text()).toContain(WORDS.score(wasRight ? 1 : 0, 1))
+  press(WORDS.play)
+  seconds(1)
+  expect(text()).not.toContain(WORDS.score(wasRight ? 1 : 0, 1))
+  // Going back and forth does not bring the answer again.
+  step = first + 1
+  player.follow()
+  expect(text()).not.toContain(WORDS.score(wasRight ? 1 : 0, 1))
+  listeners.get('changed')?.(undefined)
+  await loaded()
+  step = first
+  player.follow()
+  after(WORDS.whatNext)()
+  expect(text()).toMatch(new RegExp(`${WORDS.score(0, 1)}|${WORDS.score(1, 1)}`))
+})
+
+it('each answer counts as right or wrong by the trace', async () => {
+  await loaded()
+  press(WORDS.ask)
+  let [right, count] = [0, 0]
+  for (step = 0; step < player.steps - 1; step++) {
+    player.follow()
+    if (!text().includes(WORDS.whatNext)) continue
+    after(WORDS.whatNext)()
+    count += 1
+    if (text().includes(WORDS.right)) right += 1
+    expect(text()).toContain(WORDS.score(right, count))
+  }
+  expect(count).toBeGreaterThan(2)
+  expect(right).toBeGreaterThan(0)
+  expect(right).toBeLessThan(count)
+})
+
+it('of circles that are refused says why, shows their diagram, and is well again with others', async () => {
+  asked[0]?.refuse(new Error('There are too many.'))
+  await expect(player.ready).rejects.toThrow('There are too many.')
+  expect(text()).toContain('There are too many.')
+  expect([view.hasDiagram, player.steps]).toEqual([true, 0])
+  player.play()
+  listeners.get('changed')?.(undefined)
+  await vi.advanceTimersByTimeAsync(10)
+  expect(text()).toContain('There are too many.')
+  await loaded()
+  expect(text()).not.toContain('There are too many.')
+  expect(step).toBe(0)
+})
+
+it('an answer about circles that have changed since is not shown', async () => {
+  circles = [...FIVE, 20, 20, 1]
+  listeners.get('changed')?.(undefined)
+  asked[0]?.answer()
+  await vi.advanceTimersByTimeAsync(10)
+  expect(player.steps).toBe(0)
+  await loaded()
+  const steps = player.steps
+  circles = FIVE
+  listeners.get('changed')?.(undefined)
+  await loaded()
+  expect(player.steps).toBeLessThan(steps)
+})
+
+it('a player that is disposed of while it plays or loads is silent, and the diagram is there again', async () => {
+  await loaded()
+  press(WORDS.play)
+  seconds(1)
+  listeners.get('changed')?.(undefined)
+  player.play()
+  player.dispose()
+  const before = [step, told.length]
+  await loaded().catch(() => {})
+  seconds(100)
+  expect([step, told.length]).toEqual(before)
+  expect([view.hasDiagram, view.above, listeners.size]).toEqual([true, [], 0])
+})
