@@ -46,6 +46,7 @@ let circles: number[]
 let listeners: Map<string, (data: unknown) => void>
 let asked: { options: TraceOptions; answer: () => void; refuse: (error: Error) => void }[]
 let step: number | undefined
+let stage: string | undefined
 let told: [number, number][]
 let view: { hasDiagram: boolean; above: readonly unknown[] }
 let root: { dir: string; keys: ((event: unknown) => void)[] }
@@ -71,6 +72,7 @@ beforeEach(() => {
   asked = []
   told = []
   step = 0
+  stage = undefined
   page = undefined
   const fakeView = {
     hasDiagram: true,
@@ -100,9 +102,10 @@ beforeEach(() => {
   player = mountPlayer(fakeRoot as unknown as HTMLElement, {
     view: fakeView as unknown as View,
     options: {},
-    place: () => ({ step }),
-    go: (next) => {
+    place: () => ({ step, stage }),
+    go: (next, line) => {
       step = next
+      stage = line
     },
     onstep: (...now) => told.push(now),
   })
@@ -265,4 +268,90 @@ it('a player that is disposed of while it plays or loads is silent, and the diag
   seconds(100)
   expect([step, told.length]).toEqual(before)
   expect([view.hasDiagram, view.above, listeners.size]).toEqual([true, [], 0])
+})
+
+/** Presses a key, and returns whether the player used it. */
+function key(name: string, more: object = {}): boolean {
+  let isUsed = false
+  const target = { closest: () => null }
+  const event = { key: name, target, preventDefault: () => (isUsed = true), stopPropagation() {}, ...more }
+  for (const listen of root.keys) listen(event)
+  return isUsed
+}
+
+it('keys go forward, back, to both ends and from stage to stage, and end playback', async () => {
+  await loaded()
+  const last = player.steps - 1
+  const seen = ['ArrowRight', 'ArrowRight', 'ArrowLeft', 'End', 'Home', 'PageDown'].map((name) => [key(name), step])
+  expect(seen.slice(0, 5)).toEqual([1, 2, 1, last, 0].map((place) => [true, place]))
+  const second = step as number
+  expect(second).toBeGreaterThan(0)
+  key('PageDown')
+  key('PageUp')
+  expect(step).toBe(second)
+  expect([
+    key('x'),
+    key('ArrowRight', { altKey: true }),
+    key('End', { ctrlKey: true }),
+    key('End', { metaKey: true }),
+  ]).toEqual([false, false, false, false])
+  expect(step).toBe(second)
+  key(' ')
+  seconds(1)
+  expect(step).toBe(second + 1)
+  key('ArrowLeft')
+  seconds(5)
+  expect(step).toBe(second)
+  key(' ')
+  key(' ')
+  seconds(5)
+  expect(step).toBe(second)
+})
+
+it('the forward button ends at the last step, and the back button at the first', async () => {
+  await loaded()
+  const isDisabled = (label: string) => {
+    const parts = partsOf(page)
+    return parts.slice(parts.indexOf(label)).find((part) => typeof part === 'boolean')
+  }
+  const seen = [0, 1, player.steps - 2, player.steps - 1].map((place) => {
+    step = place
+    player.follow()
+    return [isDisabled(WORDS.back), isDisabled(WORDS.forth)]
+  })
+  expect(seen).toEqual([
+    [true, false],
+    [false, false],
+    [false, false],
+    [false, true],
+  ])
+})
+
+it('changed circles are played from the same stage, or from the start within one, and the new step is told', async () => {
+  await loaded()
+  key('PageDown')
+  key('PageDown')
+  const before = step as number
+  const line = partsOf(page)
+    .join('')
+    .match(/aria-current=step>([^<]*)/)?.[1]
+  const change = async (more: number[]) => {
+    circles = [...circles, ...more]
+    listeners.get('changed')?.(undefined)
+    told = []
+    await loaded()
+  }
+  await change([20, 20, 1])
+  expect(told).toEqual([[step, player.steps]])
+  expect(partsOf(page).join('')).toContain(`aria-current=step>${line}`)
+  expect(step).toBeGreaterThanOrEqual(before)
+  key('End')
+  for (let k = 0; k < 8; k++) key('ArrowLeft')
+  expect(text()).toMatch(/disc/)
+  await change([-20, 20, 1])
+  expect(step).toBe(0)
+  // A player that is about to close has no step, and tells none.
+  step = undefined
+  await change([-20, -20, 1])
+  expect([told, step]).toEqual([[], undefined])
 })
