@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the view shows after "zoom to" and "show everything", without a browser.
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { Editing } from '../../web/editing/editing.ts'
+import { EditorActions } from '../../web/editing/editor-actions.ts'
+import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+import { type Camera, toScreen } from '../../web/view/camera.ts'
+import type { View } from '../../web/view/view.ts'
+import { LibraryBackend } from './library-backend.ts'
+
+const SIZE = { width: 400, height: 300 }
+const PADDING = { top: 20, right: 40, bottom: 60, left: 80 }
+
+beforeEach(() => {
+  vi.stubGlobal('requestAnimationFrame', () => 0)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+async function started(...circles: number[]) {
+  const store = createStore(INITIAL_STATE)
+  const editing: Editing = new Editing(
+    new LibraryBackend(async () => {}),
+    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
+    () => {},
+  )
+  const view = {
+    camera: { x: 0, y: 0, scale: 1 },
+    size: SIZE,
+    setCamera(camera: Camera) {
+      view.camera = camera
+    },
+  }
+  const actions = new EditorActions(store, editing, view as unknown as View, () => PADDING)
+  await editing.open({ circles: Float64Array.from(circles), dataSet: '', isEdited: false })
+  const select = (...selection: number[]) => store.update((state) => ({ ...state, selection }))
+  /** The positions of points in the part of the view that panels leave free, from 0 to 1. */
+  const shares = (...points: [number, number][]) =>
+    points.map(([x, y]) => {
+      const p = toScreen(view.camera, SIZE, { x, y })
+      const [width, height] = [SIZE.width - PADDING.left - PADDING.right, SIZE.height - PADDING.top - PADDING.bottom]
+      return [(p.x - PADDING.left) / width, (p.y - PADDING.top) / height]
+    })
+  return { actions, view, select, shares }
+}
+
+it('selected circles fill the free part of the view, whole and in its middle', async () => {
+  const { actions, select, shares } = await started(0, 0, 1, 50, 20, 2, 60, 20, 3, 500, 500, 1)
+  select(1, 2)
+  actions.zoomToSelection()
+  const [middle, low, high] = shares([55.5, 20], [48, 17], [63, 23]) as [number[], number[], number[]]
+  for (const share of middle) expect(share).toBeCloseTo(0.5, 6)
+  for (const share of [...low, ...high]) {
+    expect(share).toBeGreaterThan(0)
+    expect(share).toBeLessThan(1)
+  }
+  expect((high[0] as number) - (low[0] as number)).toBeGreaterThan(0.1)
+})
+
+it.each([
+  [0, 0],
+  [0.001, 0],
+])('a point, or several at one place, is shown at a finite size (radius %s)', async (r) => {
+  const { actions, view, select, shares } = await started(3, 4, r, 3, 4, r, 100, 0, 1)
+  select(0)
+  actions.zoomToSelection()
+  expect(Number.isFinite(view.camera.scale)).toBe(true)
+  expect(view.camera.scale).toBeGreaterThan(0)
+  for (const share of shares([3, 4])[0] as number[]) expect(share).toBeCloseTo(0.5, 6)
+  if (r === 0) expect(view.camera.scale).toBeLessThan(100)
+})
+
+it('nothing selected changes nothing', async () => {
+  const { actions, view } = await started(0, 0, 1, 5, 5, 1)
+  const before = view.camera
+  actions.zoomToSelection()
+  expect(view.camera).toBe(before)
+})
