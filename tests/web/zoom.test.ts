@@ -67,7 +67,17 @@ it.each([
   expect(Number.isFinite(view.camera.scale)).toBe(true)
   expect(view.camera.scale).toBeGreaterThan(0)
   for (const share of shares([3, 4])[0] as number[]) expect(share).toBeCloseTo(0.5, 6)
-  if (r === 0) expect(view.camera.scale).toBeLessThan(100)
+})
+
+it('a point is shown at the size of a new circle, which depends on the scale', async () => {
+  const { actions, view, select } = await started(3, 4, 0, 100, 0, 1)
+  select(0)
+  const scales = [1, 7].map((scale) => {
+    view.camera = { x: 0, y: 0, scale }
+    actions.zoomToSelection()
+    return view.camera.scale
+  })
+  expect((scales[1] as number) / (scales[0] as number)).toBeCloseTo(7, 6)
 })
 
 it('nothing selected changes nothing', async () => {
