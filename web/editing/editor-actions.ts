@@ -535,9 +535,11 @@ export class EditorActions implements GestureTarget {
     if (circles.length === 0) return
     const box = boundingBox(Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r])))
     const { camera } = this.#view
+    const [{ x: firstX, y: firstY }] = circles as [Circle]
+    const isOnePoint = circles.every(({ x, y, r }) => r === 0 && x === firstX && y === firstY)
     // A point is shown at the size of a new circle.
-    const least = USUAL_RADIUS / camera.scale
-    const half = SHOWN_AROUND * (Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2 || least)
+    const radius = isOnePoint ? USUAL_RADIUS / camera.scale : Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2
+    const half = SHOWN_AROUND * radius
     const [x, y] = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2]
     this.#view.setCamera(this.#fitted({ minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }))
   }
