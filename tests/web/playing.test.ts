@@ -9,7 +9,7 @@ import { traced } from '../../web/view/painter/traced.ts'
 import type { View } from '../../web/view/view.ts'
 import { library } from './library.ts'
 
-/** What the player has rendered. */
+/** The newest template of the player. */
 let page: unknown
 vi.mock('lit/html.js', async (original) => ({
   ...(await original<object>()),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the view shows after "zoom to" and "show everything", without a browser.
+// The viewport after "zoom to" and "show everything", without a browser.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { Editing } from '../../web/editing/editing.ts'
 import { EditorActions } from '../../web/editing/editor-actions.ts'
