@@ -194,7 +194,8 @@ class Checker {
   }
 
   void checkDisc(const std::optional<EmptyDisc>& found, bool isInside) const {
-    require(found.has_value() == !circles_.empty(), "there is no disc");
+    // Without circles only a disc inside has an end.
+    require(found.has_value() == (isInside || !circles_.empty()), "there is no disc, or one without an end");
     if (!found) return;
     const auto& [x, y, radius] = found->disc;
     require(isFinite({x, y}) && std::isfinite(radius), "a disc is not finite");
