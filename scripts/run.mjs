@@ -44,11 +44,15 @@ export async function run(program, args, env) {
   if (status !== 0) throw new Error(`${program} ${args.join(' ')}\nended with status ${status}.`)
 }
 
+/**
+ * The environment of scripts of package.json that know their inputs. They run one at a time, because each compiler uses
+ * all cores. A cache of former outputs would only grow.
+ */
+export const WIREIT = { WIREIT_PARALLEL: '1', WIREIT_CACHE: 'none', WIREIT_LOGGER: 'simple' }
+
 /** Runs scripts of package.json that rebuild outdated files. */
 export async function build(...scripts) {
-  // Runs one script at a time, because each compiler uses all cores. A cache of former outputs would only grow.
-  const env = { WIREIT_PARALLEL: '1', WIREIT_CACHE: 'none', WIREIT_LOGGER: 'simple' }
-  for (const script of scripts) await run('npm', ['run', '--silent', script], env)
+  for (const script of scripts) await run('npm', ['run', '--silent', script], WIREIT)
 }
 
 /** Runs a script's main function; a failure is one message and exit status 1. */

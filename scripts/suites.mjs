@@ -17,11 +17,13 @@ export const ENV = {
 /**
  * The suites in their order: the program, its arguments and its environment, so that it writes a JUnit report to a path
  * and runs quick tests, or with `isLong` the others. `lengths` defaults to quick tests only. `hasPages` marks suites
- * that open pages in a browser.
+ * that open pages in a browser. `script` names a script of package.json with the suite's inputs. It does nothing if these are
+ * as they were when the suite last passed.
  */
 export const SUITES = [
   {
     name: 'CTest',
+    script: 'native',
     program: 'ctest',
     args: (report, isLong) => [
       ...['--preset', 'native', '--output-junit', report, '-j', String(availableParallelism())],
@@ -47,6 +49,7 @@ export const SUITES = [
   },
   {
     name: 'Python',
+    script: 'python',
     // Debian's interpreter has the packages; another python3 may come first on the path.
     program: process.env.PYTHON_PATH ?? '/usr/bin/python3',
     args: (report) => ['-m', 'pytest', 'cpp/python/tests', '-q', '-p', 'no:cacheprovider', `--junitxml=${report}`],

@@ -308,7 +308,7 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
   }
   closeRing(ring);
   // The ring begins where the loop does, whose first point may be the end of its last piece.
-  if (!ring.empty() && pieces.front().empty()) std::ranges::rotate(ring, ring.end() - 1);
+  if (!ring.empty() && pieces.front().empty()) std::rotate(ring.begin(), ring.end() - 1, ring.end());
   return ring;
 }
 
