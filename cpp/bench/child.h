@@ -22,7 +22,7 @@ struct ChildResult {
 template <class Value, class Run>
 ChildResult<Value> runInChild(unsigned limitSeconds, Run run) {
   static_assert(std::is_trivially_copyable_v<Value>);
-  std::fflush(stdout);  // a child must not print what is waiting here
+  std::fflush(stdout);  // a child must not print the text that is waiting here
   int ends[2];
   if (pipe(ends) != 0) return {};
   const pid_t child = fork();

@@ -37,7 +37,7 @@ T valueOf(Result<T> result) {
   return std::move(result).value();
 }
 
-/// Of times of single edits, in microseconds.
+/// Percentiles of the times of single edits, in microseconds.
 struct Times {
   double median = 0;
   double most = 0;  ///< all but one in a thousand take no longer
@@ -92,8 +92,8 @@ struct SingleEdits {
   Times removals;
 };
 
-/// Moves of some circles by a hundredth of the distance to another near by, insertions of others, and removals of
-/// these.
+/// Moves of some circles by a hundredth of the distance to another near by, insertions of other circles, and removals
+/// of the inserted ones.
 SingleEdits singleEdits(const EditInput& input, bool isNear) {
   DiagramEditor editor = valueOf(DiagramEditor::from(input.circles));
   Random random(1);

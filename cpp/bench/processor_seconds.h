@@ -4,7 +4,7 @@
 #include <ctime>
 #include <functional>
 
-/// Of this process, so that others on the machine count less.
+/// The processor time of this process, so that other processes count less.
 inline double processorSeconds(const std::function<void()>& run) {
   const std::clock_t begin = std::clock();
   run();

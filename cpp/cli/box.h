@@ -16,10 +16,10 @@ enum class Sides { finite, maybeInfinite };
 /// All of the text as a number; nothing if it is none.
 std::optional<double> readNumber(std::string_view text, Sides sides = Sides::finite);
 
-/// Reads MINX,MINY,MAXX,MAXY, or says what is wrong with it; empty: nothing. A finite box is one to clip to.
+/// Reads MINX,MINY,MAXX,MAXY, or returns an error in words; an empty text is no box. A finite box is one to clip to.
 std::string readBox(std::string_view text, Box& box, Sides sides = Sides::finite);
 
-/// Reads the periods AX,AY,BX,BY, or says what is wrong with the numbers; empty: nothing.
+/// Reads the periods AX,AY,BX,BY, or returns an error in words; an empty text is no lattice.
 std::string readLattice(std::string_view text, Lattice& lattice);
 
 }  // namespace circle_voronoi::cli

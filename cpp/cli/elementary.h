@@ -18,7 +18,7 @@ struct SineCosine {
   double cosine = 1;
 };
 
-/// Of an angle in radians, of at most a few turns.
+/// Arguments are angles in radians, of at most a few turns.
 inline SineCosine sineCosine(double angle) {
   constexpr double kHalfTurnHigh = 1.57079632679489655800;  // half of pi in two parts
   constexpr double kHalfTurnLow = 6.123233995736766e-17;

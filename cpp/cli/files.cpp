@@ -39,7 +39,7 @@ class Input {
     if (descriptor_ != STDIN_FILENO) close(descriptor_);
   }
 
-  /// Of a regular file, or 0.
+  /// The size of a regular file, or 0.
   std::size_t size() const {
     struct stat status {};
     const bool isFile = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);

@@ -28,8 +28,8 @@ struct NamedOutput {
   std::string file;
 };
 
-/// Throws Failure if an output is an input or another output, by whatever names: to write it would destroy what is read
-/// or written. A file that is not regular can be both; standard output can be a single output.
+/// Throws Failure if an output is an input or another output, under any name: writing it would destroy the other file.
+/// A file that is not regular can be both; standard output can be a single output.
 void refuseSharedFiles(std::initializer_list<std::string> inputs, std::initializer_list<NamedOutput> outputs);
 
 /// Has `write` write to standard output, or to a file, which is replaced once all is written (output_file.h). Throws

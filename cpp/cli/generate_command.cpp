@@ -41,7 +41,7 @@ void runGenerate(const GenerateArguments& arguments) {
   writeText(arguments.output.file, [&](std::ostream& out) { checkWritten(writeCirclesCsv(out, circles), ""); });
 }
 
-/// A line for each family: its name and what it is.
+/// A line for each family: its name and its description.
 std::string listOfFamilies(std::string_view indent) {
   std::ostringstream list;
   for (const FamilyInfo& info : families()) {

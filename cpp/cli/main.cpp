@@ -27,7 +27,7 @@ std::string footer() {
   return text;
 }
 
-/// Says what is wrong with the first word, where CLI11 would only say that there is no command.
+/// Describes the error of the first word, where CLI11 would only say that there is no command.
 void checkCommand(const CLI::App& program, int argumentCount, char** arguments) {
   const std::string first = argumentCount > 1 ? arguments[1] : "";
   const auto commands = program.get_subcommands([](const CLI::App*) { return true; });

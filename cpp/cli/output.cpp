@@ -43,7 +43,7 @@ using WriteCircles = Result<void> (*)(std::ostream&, std::span<const Circle>, co
 const std::map<std::string, WriteCircles> kCircleFormats = {
     {"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}};
 
-/// `name` is what the input is called.
+/// `name` is the name of the input.
 void write(const Output& output, const std::string& name, ProgressLine& progress,
            const std::function<Result<void>(std::ostream&)>& writer) {
   // The terminal, or the program that reads the text, may use the same screen.

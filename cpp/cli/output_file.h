@@ -32,9 +32,9 @@ class DescriptorBuffer : public std::streambuf {
 std::filesystem::path pathToWrite(const std::string& file);
 
 /// A file to be written as a whole or not at all: the text goes to another file beside it, which takes its place, with
-/// its permissions, in `finish`. Without that, or if the program is interrupted, the other file is removed, and what
-/// was there before is still there. Symbolic links are followed. A file that is not regular (a device, a pipe), or that
-/// is a file descriptor of this program (/dev/stdout), is written directly.
+/// its permissions, in `finish`. Otherwise, or if the program is interrupted, the other file is removed, and the former
+/// file stays. Symbolic links are followed. A file that is not regular (a device, a pipe), or that is a file descriptor
+/// of this program (/dev/stdout), is written directly.
 ///
 /// There is one at a time. Functions that can fail set errno.
 class OutputFile {

@@ -8,7 +8,7 @@
 
 namespace circle_voronoi::cli {
 
-/// Adds `--progress` to a command; `when` becomes what the user says.
+/// Adds `--progress` to a command; `when` becomes the value that the user gives.
 void addProgressOption(CLI::App& command, std::string& when);
 
 /// A line on standard error that says what is being done and since when (progress_text.h), rewritten in place and

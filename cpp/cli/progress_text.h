@@ -27,7 +27,7 @@ class ProgressText {
 
   explicit ProgressText(Elapsed delay) : delay_(delay) {}
 
-  // Each returns what is to be written. `elapsed` is the time since the line began.
+  // Each returns the text to write. `elapsed` is the time since the line began.
 
   /// Tells what is being done and which part of it is done, 0 also where that is not known.
   std::string show(std::string_view stage, double done, Elapsed elapsed) {

@@ -16,7 +16,7 @@ struct TilePart {
   std::string known;
   std::string core;
   std::optional<double> maxRadius;
-  std::string open;  ///< the file for what is not final
+  std::string open;  ///< the file for the parts that are not final
 
   bool isAsked() const { return !known.empty(); }
 };

@@ -11,7 +11,7 @@
 namespace circle_voronoi::cli {
 namespace {
 
-/// A list of those that are there, which come first; nothing if there are none.
+/// A list of the circles of an event, which come first; empty if there are none.
 template <class Index>
 void writeIndices(std::ostream& out, std::string_view name, std::span<const Index> indices) {
   if (indices[0] == kNone) return;

@@ -30,7 +30,7 @@ Box frameOf(std::span<const Circle> circles) {
   return {middle.x - reach, middle.y - reach, middle.x + reach, middle.y + reach};
 }
 
-/// How well it can be seen: the smallest radius in units of the picture.
+/// The visibility of a picture: its smallest radius in units of the picture.
 double clarity(const Counterexample& example) {
   const Box box = frameOf(example.circles);
   return std::ranges::min(example.circles, {}, &Circle::r).r / (box.maxX - box.minX);

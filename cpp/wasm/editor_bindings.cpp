@@ -88,7 +88,7 @@ val editValue(std::uintptr_t address, int kind, std::int32_t id, double x, doubl
   });
 }
 
-/// Of each edit its kind, id, x, y, r.
+/// For each edit its kind, id, x, y, r.
 std::vector<Edit> editsFrom(const val& numbers) {
   std::vector<Edit> edits;
   for (const auto& [kind, id, x, y, r] : itemsFrom<double, std::array<double, 5>>(numbers)) {
@@ -104,7 +104,7 @@ val applyValue(std::uintptr_t address, const val& numbers) {
   });
 }
 
-/// The events of these edits, of one after the other.
+/// The events of the edits, one edit after the other.
 val traceEditsValue(std::uintptr_t address, const val& numbers) {
   return valueOf([&] {
     DiagramEditor& editor = sessionOf(address).editor;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace circle_voronoi;
 
-/// A name and what it stands for.
+/// A name and its meaning.
 val infoValue(std::string_view name, std::string_view description) {
   val result = val::object();
   result.set("name", std::string(name));

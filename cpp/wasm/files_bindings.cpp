@@ -230,7 +230,7 @@ val writeDiagramValue(const val& value, const std::string& format, const val& op
     diagram.metric = metricFrom(value["metric"].as<std::string>());
     const auto found = named(kExports, format);
     const bool isDrawn = found != kExports.end();
-    // Arrays can be changed, and what is drawn is drawn from a diagram that is right.
+    // Arrays can be changed, and only a certified diagram is drawn.
     const auto error = isDrawn || isJudged(diagram) ? judge(diagram) : std::nullopt;
     if (error) return errorValue(*error);
     diagram.stats = statsFrom(value["stats"]);

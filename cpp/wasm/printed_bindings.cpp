@@ -18,8 +18,8 @@ using namespace circle_voronoi;
 
 using Circles = std::array<std::int32_t, 2>;
 
-/// By the rules of these names as printed. Of each segment its two circles and its ends; of each directed edge that is
-/// left over its circles, its disc of R_min and the way from their centers to its footpoints.
+/// Follows the printed rules of these names. Of each segment its two circles and its ends; of each directed edge that
+/// is left over its circles, its disc of R_min and the way from their centers to its footpoints.
 val printedValue(const val& coordinates, const val& asPrinted) {
   return valueOf([&] {
     const auto circles = itemsFrom<double, Circle>(coordinates);

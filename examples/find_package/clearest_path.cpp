@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How wide a vehicle gets through a forest: clearest_path TREES.csv X1 Y1 X2 Y2
+// Finds the widest vehicle that gets through a forest: clearest_path TREES.csv X1 Y1 X2 Y2
 #include <circle_voronoi/cells.h>
 #include <circle_voronoi/clearest_path.h>
 #include <circle_voronoi/compute.h>

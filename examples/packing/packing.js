@@ -6,7 +6,7 @@
 const TOUCH = 0.02
 const GROWTH = 1.02
 const LEAST_GROWTH = 1.0005
-/** The overlap that is left before discs grow again, as a share of what they grow by. */
+/** The overlap that is left before discs grow again, as a share of their growth. */
 const SLACK = 0.5
 /** Discs that overlap move by more than they must, so that their neighbors settle sooner. */
 const PUSH = 1.5

@@ -67,7 +67,7 @@ def compute_tiles(client, level, tiles, task, ending):
             waiting.append(client.submit(task, *files, core, known, retries=RETRIES, pure=False))
     show(done, len(tiles), begin)
     for future in as_completed(waiting):
-        future.result()  # throws what the task threw
+        future.result()  # throws the exception of the task
         done += 1
         show(done, len(tiles), begin)
     keep_only(level / "parts", [f"{name}.{ending}" for name, *_ in tiles])

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A libFuzzer target over compute and certify. Any bytes are an input (fuzz_input.h); whatever they are,
 // - compute neither crashes nor hangs, by any method;
-// - by Method::automatic there is a certified diagram, or an error that names what is wrong with the circles;
+// - by Method::automatic there is a certified diagram, or an error that describes the fault of the circles;
 // - certify agrees with the certificate that a diagram comes with, and survives any diagram.
 #include <cstdint>
 #include <cstdio>

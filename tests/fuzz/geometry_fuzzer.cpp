@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A libFuzzer target over what is asked of a finished diagram. Any bytes are an input: six say which metric, at which
+// A libFuzzer target over queries of a finished diagram. Any bytes are an input: six say which metric, at which
 // scale and in which box, the rest are circles (fuzz_input.h). For all inputs,
 // - every call ends, under libFuzzer within a time, and what it gives is finite;
 // - an arc is no shorter than its chord and no longer than its control polygon;
@@ -30,7 +30,7 @@
 namespace circle_voronoi::fuzz {
 namespace {
 
-/// Of processor time, for each call: a hundred times what most take, under sanitizers.
+/// Limit of processor time for each call: a hundred times the usual time under sanitizers.
 [[maybe_unused]] constexpr double kMostSeconds = 0.05;
 /// Relative to the largest length involved.
 constexpr double kRounding = 1e-9;

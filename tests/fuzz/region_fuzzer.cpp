@@ -26,7 +26,7 @@ namespace circle_voronoi::fuzz {
 namespace {
 
 constexpr std::size_t kMostPoints = 24;
-/// Of the area that rounding may make, as a share of the perimeter times the size of the region.
+/// The error of areas by rounding, as a share of the perimeter times the size of the region.
 constexpr double kRounding = 1e-15;
 
 void require(bool holds, const std::string& what) {

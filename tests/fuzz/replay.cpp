@@ -15,7 +15,7 @@ void replay(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<char> bytes(std::istreambuf_iterator<char>(file), {});
   std::vector<std::uint8_t> data(bytes.begin(), bytes.end());
-  std::fprintf(stderr, "%s\n", path.c_str());  // the last one named is the one that fails
+  std::fprintf(stderr, "%s\n", path.c_str());  // the last named input is the one that fails
   LLVMFuzzerTestOneInput(data.data(), data.size());
 }
 

@@ -28,7 +28,7 @@ class Threads {
   /// of a task is rethrown here; some tasks may not have been called then.
   void run(std::size_t count, const std::function<void(std::size_t)>& task) const;
 
-  /// Into how many ranges `forRanges` divides so many items. For one thread it is one.
+  /// Returns the number of ranges into which `forRanges` divides `count` items. For one thread it is one.
   std::size_t rangesOf(std::size_t items) const {
     if (!kHasThreads || count_ == 1) return 1;
     // Some more than there are threads, for not all take as long.

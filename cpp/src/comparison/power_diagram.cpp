@@ -111,7 +111,7 @@ Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c, int scal
   const double power = (d - a.r) * (d + a.r);
   // Where so much cancels, as for centers next to a line or to each other, what is left may be but rounding.
   constexpr double kCertain = 0x1p-30;
-  // Products of what is smaller underflow, and those of what is larger overflow.
+  // Products of smaller numbers underflow, and products of larger ones overflow.
   constexpr double kSmallest = 0x1p-900;
   constexpr double kLargest = 0x1p900;
   const auto sizeOf = [](const Vector& w) { return std::abs(w.x) + std::abs(w.y); };

@@ -57,7 +57,7 @@ double largestOf(Vector v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice) {
   const auto& [a, b] = lattice;
   double largest = std::max(largestOf(a), largestOf(b));
-  // Not >, which is false for what is not a number.
+  // Not >, which is false for NaN.
   if (!(largest <= kCoordinateLimit) || !(dot(a, a) <= kInfinite) || !(dot(b, b) <= kInfinite)) {
     return Error{ErrorCode::badOption, kNone, "The periods must be finite numbers, at most 1e150."};
   }

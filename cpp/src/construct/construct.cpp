@@ -32,7 +32,7 @@ void addCounts(const FilterCounts& signs, Counts& counts) {
 
 void addCounts(const Predicates& predicates, Counts& counts) { addCounts(predicates.counts(), counts); }
 
-/// Judges a dual, given what is known of its proof, and settles its ties.
+/// Judges a dual, given the known part of its proof, and settles its ties.
 Verdict judged(Dual& dual, Proof proof, std::span<const Circle> circles, Journal& journal, Threads threads) {
   const Stopwatch watch = journal.enter(Stage::certify);
   Predicates predicates(circles);
@@ -174,7 +174,7 @@ constexpr std::int64_t kMostAngularSamples = 4'000'000;
 
 constexpr std::size_t kLargestPatch = 256;
 
-/// A dual, and what is known of its proof.
+/// A dual, and the known part of its proof.
 struct Unjudged {
   Dual dual;
   Proof proof;

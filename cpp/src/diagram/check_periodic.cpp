@@ -75,7 +75,7 @@ class FoldCheck {
     if (2 * corners_ - 3 * sides_ + 6 * cells_ != 0)
       refuse(kNone, "Vertices, edges and cells contradict Euler's formula.");
     const double box = boxArea(periodic_.lattice);
-    // Not >, which is false for what is not a number.
+    // Not >, which is false for NaN.
     if (periodic_.circleCount > 0 && !(std::abs(area_ - box) <= 0x1p-30 * box + rounding_)) {
       refuse(kNone, "The areas of the cells do not sum to that of the box.");
     }

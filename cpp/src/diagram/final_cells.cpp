@@ -44,7 +44,7 @@ class Outside {
       const double rounding = 8 * kUnitRoundoff * (size + std::abs(offset)) + kUnderflowError;
       const double inside = dot(normal, {disc.x, disc.y}) - offset;
       const double value = disc.r + reach_ - inside + (2 * error + rounding);
-      // Not std::max, which passes over what is not a number.
+      // Not std::max, which passes over NaN.
       if (!(value <= excess)) excess = value;
     }
     return std::isnan(excess) ? kInfinite : excess;

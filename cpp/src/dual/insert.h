@@ -13,7 +13,7 @@
 namespace circle_voronoi {
 
 struct Inserted {
-  Dual dual;                   ///< of those that are not hidden, in no particular order
+  Dual dual;                   ///< the circles that are not hidden, in no particular order
   std::vector<char> isHidden;  ///< whether a circle lies in another one
   std::int64_t flips = 0;
 };

@@ -29,13 +29,13 @@ class FaceTeller final : public FaceWatcher {
   /// Begins a round.
   void tellRound(int round) const;
 
-  /// Tells what has changed so far, and looks at one more face later.
+  /// Tells the changes so far, and looks at one more face later.
   void willChange(int face) override;
 
   /// One that may have changed.
   void lookAt(int face) { looked_.push_back(face); }
 
-  /// Tells what has changed among the faces that were looked at.
+  /// Tells the changes of the faces that were looked at.
   void tell();
 
   /// Tells the changes among all faces. A face that was never told counts as new.
@@ -71,7 +71,7 @@ class FaceTeller final : public FaceWatcher {
   const std::vector<Circle>& circles_;
   const Observer& observer_;
   Predicates predicates_;
-  std::vector<Face> told_;  ///< of each face what was told of it last
+  std::vector<Face> told_;  ///< for each face its last event
   std::vector<int> looked_;
   int shrinking_ = kPointAtInfinity;
 };

@@ -19,7 +19,7 @@ class WaitingCircles {
   /// From now on the circle does not wait; it is taken out of its list as that is taken.
   void leave(int circle) { listOf_[circle] = kPointAtInfinity; }
 
-  /// Makes room for the lists of so many half-edges.
+  /// Reserves memory for the lists of `count` half-edges.
   void resize(std::size_t halfEdgeCount) { lists_.resize(halfEdgeCount); }
 
   void add(int h, int circle) {
@@ -54,7 +54,7 @@ class WaitingCircles {
     int last = kEnd;
   };
   std::vector<List> lists_;  ///< of each half-edge
-  std::vector<int> next_;    ///< of each circle the one after it in its list
+  std::vector<int> next_;    ///< for each circle the next one in its list
   std::vector<int> listOf_;
 };
 

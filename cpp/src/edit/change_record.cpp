@@ -26,7 +26,7 @@ void reserveAdded(Change& change, std::size_t vertices, std::size_t edges) {
   change.edges.reserve(edges);
 }
 
-/// Adds a vertex of the new diagram. Returns an error if a number of it exceeds the largest double.
+/// Adds a vertex of the new diagram. Returns an error if one of its numbers exceeds the largest double.
 std::optional<Error> addVertex(Change& change, const EditState& state, int face) {
   const auto [i, j, k] = slotsOfVertex(state, face);
   const std::array<CircleId, 3> ids = {state.sites[i].id, state.sites[j].id, state.sites[k].id};

@@ -146,7 +146,8 @@ class EditState final : public DualKeeper {
 
     bool wasVisible() const { return site.id != kNone && !isHidden; }
   };
-  /// The former state of what has changed since the diagram was kept. Each step saves a face or site at most once.
+  /// The former state of the parts that have changed since the diagram was kept. Each step saves a face or site at most
+  /// once.
   std::vector<SavedFace> faceLog;
   std::vector<SavedSite> siteLog;
 

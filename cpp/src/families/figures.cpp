@@ -62,7 +62,7 @@ std::vector<Circle> twoRowsBetween() {
 std::vector<Circle> shortEdge() { return {{-1.95, 0.1, 0.7}, {0, -1.95, 0.6}, {2.1, 0, 0.8}, {-0.1, 1.85, 0.5}}; }
 
 std::vector<Circle> nearlyNoEdge() {
-  // Without what is added, all four touch the unit circle.
+  // Without the added distances, all four touch the unit circle.
   return {{-1.7, 0, 0.7}, {0, -1.6 - 2e-6, 0.6}, {1.8, 0, 0.8}, {0, 1.5, 0.5}};
 }
 

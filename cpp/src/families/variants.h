@@ -14,7 +14,7 @@ namespace circle_voronoi {
 
 /// Variants that make circles of any family harder: exactly `count` of them.
 struct Variant {
-  std::string_view name;  ///< what is added to the family's; empty for the family as it is
+  std::string_view name;  ///< the suffix of the family's name; empty for the family itself
   std::vector<Circle> (*make)(Family family, std::size_t count, std::uint64_t seed);
 };
 

@@ -160,7 +160,7 @@ class Fitter {
     return state;
   }
 
-  /// Moves the sites to the centers of mass of their cells. Their weights are what the next fit starts from.
+  /// Moves the sites to the centers of mass of their cells. The next fit starts from their weights.
   void moveToCentroids(const State& state) {
     const std::vector<Point> centroids = centroidsOf(state);
     for (std::size_t i = 0; i < sites_.size(); ++i) {

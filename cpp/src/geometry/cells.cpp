@@ -61,7 +61,7 @@ bool contains(const Diagram& diagram, CircleIndex circle, Point p) {
       if (other == circle) continue;
       const double its = lead(diagram, circle, other, p);
       const double rounding = roundingOfLead(diagram, circle, other);
-      // False for what is not a number, too.
+      // Also false for NaN.
       if (!(its >= (k == 0 ? 0 : -rounding))) return false;
       if (its <= rounding && met.insert(other).second) asked.push_back(other);
     }

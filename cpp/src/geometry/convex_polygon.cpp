@@ -15,18 +15,18 @@ namespace {
 
 Error fail(std::string message) { return {ErrorCode::badOption, kNone, std::move(message)}; }
 
-/// Returns what is wrong with a coordinate that is not in range.
+/// Returns an error if a coordinate is out of range.
 std::string notInRange(const char* whose) {
   return std::string(whose) + " is not finite, or beyond " + kRegionLimitText + ".";
 }
 
-/// False for what is not a number, too.
+/// Also false for NaN.
 bool isInRange(double coordinate) { return std::abs(coordinate) <= kRegionLimit; }
 
 /// Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn.
 bool isUpper(Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); }
 
-/// Returns what is wrong with the corners of a convex polygon, or nothing.
+/// Returns an error if the corners are not those of a convex polygon.
 std::optional<std::string> problemOf(std::span<const Point> corners) {
   if (corners.size() < 3) return "A convex polygon needs three corners or more.";
   for (const Point& p : corners) {

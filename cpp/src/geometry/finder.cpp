@@ -14,7 +14,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Up to so many sides it is quicker to ask every neighbor, and the nearest one makes the longest step.
+/// The largest number of sides for which asking every neighbor is faster. The nearest neighbor then makes the longest
+/// step.
 constexpr std::size_t kFewSides = 24;
 
 constexpr double kCirclesABucket = 2;

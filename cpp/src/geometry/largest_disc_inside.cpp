@@ -231,8 +231,8 @@ class Search {
 // The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
 // along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
 // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
-// circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
-// these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
+// circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All
+// candidates are tried, and each is shrunk until it is empty and inside. So rounding cannot make a result too large.
 std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region) {
   const auto centered = largestEmptyDiscCenteredIn(diagram, region);
   if (centered && centered->disc.r <= 0) return centered;

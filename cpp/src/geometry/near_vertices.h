@@ -10,8 +10,8 @@
 
 namespace circle_voronoi {
 
-/// For each vertex of a certified diagram the one of smallest index that edges of length near zero join it with, as
-/// `mergeVertices` does by default. The library of files takes it from this one.
+/// Returns for each vertex of a certified diagram the vertex of smallest index that edges of length near zero connect
+/// it to, as `mergeVertices` does by default. The library of files takes it from this one.
 CIRCLE_VORONOI_API std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram);
 
 }  // namespace circle_voronoi

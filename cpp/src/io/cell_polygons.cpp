@@ -13,7 +13,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Of coordinates: far above rounding errors, far below what can be seen.
+/// As a share of coordinates: far above rounding errors, far below visible distances.
 constexpr double kRoundingError = 0x1p-40;
 /// Rounds in which edges take back the rounding of their points, which may then turn edges beside them; few need two.
 constexpr int kMostRounds = 8;

@@ -17,8 +17,7 @@
 namespace circle_voronoi {
 
 /// Reads a JSON object with numbers of a circle among its members. Where it has several names of one number, the first
-/// in the list of names that has a number counts. Of a member that is given twice the last value counts, as in all of
-/// JSON.
+/// in the list of names that has a number counts. If a member is given twice, its last value counts, as in all of JSON.
 class CircleMembers {
  public:
   /// `first`: the first of x, y and r that the object may have.
@@ -116,7 +115,7 @@ class CircleMembers {
     }
   }
 
-  /// Returns what is number k; nothing if no member is.
+  /// Returns member k, if there is one.
   const Found* best(std::size_t k) const {
     const Found* best = nullptr;
     const auto order = [](const Found& f) { return std::pair(f.kind != JsonKind::number, f.rank); };

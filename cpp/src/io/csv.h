@@ -23,7 +23,7 @@ class CsvNumberReader {
   /// Reads a number into `value`; returns the problem if the field is not one.
   std::optional<std::string> read(const CsvField& field, double& value);
 
-  /// The decimal mark of the numbers so far; 0 if they had none.
+  /// The decimal mark of the numbers that were read; 0 if they had none.
   char mark() const { return mark_; }
   bool mayBeComma() const { return mayBeComma_; }
 
@@ -42,9 +42,9 @@ struct CsvLayout {
   bool mayBeShort = false;  ///< whether rows may end before the last column
   std::size_t width = 3;
   std::array<std::size_t, 3> columns = {0, 1, 2};      ///< of x, y and r; kNoColumn for r if all are 0
-  std::array<std::string, 3> names = {"x", "y", "r"};  ///< what the header calls these
+  std::array<std::string, 3> names = {"x", "y", "r"};  ///< their names in the header
   std::optional<std::size_t> id;                       ///< of the ids
-  std::string idName;                                  ///< what the header calls it
+  std::string idName;                                  ///< its name in the header
   std::optional<std::size_t> done;                     ///< of a tile (tile.h)
 };
 

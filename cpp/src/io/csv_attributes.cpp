@@ -32,7 +32,7 @@ bool isStructure(const std::string& text) {
   }
 }
 
-/// The types that a column can still have, given the fields read so far.
+/// The types that fit all fields of a column that were read.
 class ColumnType {
  public:
   /// `mayBePoint`, `mayBeComma`: the decimal marks that numbers of the table may have.

@@ -199,7 +199,7 @@ Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, co
     } else if (*key == "features") {
       readLast(reader, circles, JsonKind::array, [&] { return FeatureReader(reader, text, options, keep).read(); });
     } else if (*key == "bbox") {
-      reader.skip();  // of points; what is written may have another one
+      reader.skip();  // of points; the output may have another one
     } else {
       std::string member(*key);
       others.emplace_back(std::move(member), rawValue(reader, text));

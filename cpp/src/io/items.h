@@ -60,8 +60,8 @@ class ItemReader {
     }
   }
 
-  /// Returns what was read. Lists of attributes without any are empty. Throws ReadFailure if no circle has the id that
-  /// the user has named.
+  /// Returns the items that were read. Lists of attributes without any are empty. Throws ReadFailure if no circle has
+  /// the id that the user has named.
   ReadCircles take() {
     const auto& ids = result_.attributes.ids;
     if (!id_.empty() && !ids.empty() && std::ranges::all_of(ids, &std::string::empty)) {

@@ -116,7 +116,7 @@ class JsonReader {
     ++at_;
     isFirst_ = true;
   }
-  /// Of a value that is no number, by its first character.
+  /// The kind of a value other than a number, by its first character.
   JsonKind kindAfter(char c) const;
   /// The rest of a string that began at `begin` and has an escape or a character of several bytes where it is read
   /// next.

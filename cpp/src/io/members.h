@@ -38,7 +38,7 @@ class Members {
 /// The names and values of members, in the order in which they are given.
 using MemberList = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns members as text. Of a name that is given twice the last value counts, as in all of JSON.
+/// Returns members as text. If a name is given twice, its last value counts, as in all of JSON.
 std::string membersOf(const MemberList& members);
 
 /// Returns the text of a value in JSON on one line: line ends stand between values only, because in a string they are

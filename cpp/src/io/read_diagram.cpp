@@ -103,7 +103,7 @@ class DiagramReader {
   std::vector<std::size_t> circleOffsets;  ///< where each circle ends in the text
 
  private:
-  /// Fails unless the next value is of that kind. `what` says what was expected.
+  /// Fails unless the next value is of that kind. `what` names the expected value.
   template <class What>
   void expect(JsonKind kind, What what) {
     const JsonKind found = reader_.kind();

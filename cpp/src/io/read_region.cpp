@@ -99,7 +99,7 @@ void readObjects(JsonReader& reader, Polygons& polygons, int depth) {
   }
 }
 
-/// Reads a geometry, a Feature or a collection of these.
+/// Reads a geometry, a Feature or a collection.
 void readGeoJsonObject(JsonReader& reader, Polygons& polygons, int depth) {
   if (depth == kMostNested) {
     reader.fail("geometries and collections are nested more than " + std::to_string(kMostNested) + " deep.");

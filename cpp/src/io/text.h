@@ -30,7 +30,7 @@ struct ReadFailure {
   std::int64_t circle = kNone;  ///< the index of the row, the feature or the item that is no circle
 };
 
-/// The circles of a file, and the failures of those that were skipped.
+/// The circles of a file, and the failures of skipped rows.
 struct ReadCircles {
   PlacedCircles placed;
   CircleAttributes attributes;

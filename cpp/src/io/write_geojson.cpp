@@ -48,7 +48,7 @@ void writeGeometry(Writer& out, const std::vector<CellPolygons::Polygon>& polygo
   out << (isOne ? "}" : "]}");
 }
 
-/// Writes what a file said about a circle, after the properties of `writeGeoJson`.
+/// Writes the attributes of a circle from its file, after the properties of `writeGeoJson`.
 void writeAttributes(Writer& out, const CircleAttributes& attributes, std::size_t circle) {
   const std::string_view height = entryOf(attributes.heights, circle);
   const auto isOwn = [&](std::string_view name) {
@@ -86,8 +86,8 @@ std::vector<CellPolygons::Polygon> movedBack(std::vector<CellPolygons::Polygon> 
   return polygons;
 }
 
-/// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one. Of a
-/// periodic diagram the neighbors have shifts, and cells lie where the circles were given.
+/// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one. In a
+/// periodic diagram neighbors have shifts, and cells lie where the circles were given.
 bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selection, std::string_view separator,
                    const PeriodicDiagram* periodic = nullptr) {
   const Diagram& diagram = frame.diagram;

@@ -297,7 +297,7 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
     const EdgePoints edges = drawnEdges(frame);
     const double width = frame.box.maxX - frame.box.minX;
     const double height = frame.box.maxY - frame.box.minY;
-    const double unit = std::max(width, height) / figure.pixels;  // what a pixel stands for
+    const double unit = std::max(width, height) / figure.pixels;  // the length of a pixel in the plane
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
         << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height
         << "\" class=\"circle-voronoi\">\n"
@@ -335,7 +335,7 @@ constexpr double kMostCopies = 1000;
 /// The shifts of the copies of the given cells that a drawing shows.
 std::vector<Vector> copiesIn(const PeriodicDiagram& periodic, const Box& view) {
   const auto& [a, b] = periodic.lattice;
-  // The box around what the given circles are drawn as.
+  // The box around the drawing of the given circles.
   Box own = {kInfinite, kInfinite, -kInfinite, -kInfinite};
   const auto include = [&](double x, double y, double r) {
     own = {std::min(own.minX, x - r), std::min(own.minY, y - r), std::max(own.maxX, x + r), std::max(own.maxY, y + r)};

@@ -119,7 +119,7 @@ class Predicates {
 
   bool contains(const Circle& outer, const Circle& inner);
 
-  /// Returns the one of two circles that the other contains, or kPointAtInfinity.
+  /// Returns the circle that the other one contains, or kPointAtInfinity.
   int hiddenOf(int a, int b) {
     const Circle& one = circles_[a];
     const Circle& other = circles_[b];

@@ -115,7 +115,7 @@ struct Axis {
 /// - 4 A C within 2 e and 9 u^2 of itself.
 /// - The difference of the rests, at most 3 u S^2 + 4 u A C, is rounded, as is its sum with that of the values' sum, 1
 ///   u (S^2 + 4 A C) more: 7 u^2 S^2 + 9 u^2 4 A C at most.
-/// The products of e and u^2 are below 2^-50 of these.
+/// The products of e and u^2 are below 2^-50 of the products before.
 Estimate normOf(const Relative& a, const Relative& b, const Relative& c) {
   const double e = std::max({a.error, b.error, c.error});
   const double whole = a.number.value + b.number.value + c.number.value;

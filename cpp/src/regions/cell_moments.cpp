@@ -40,7 +40,7 @@ class Adder {
   }
 
   CellMoments run() {
-    // Of some cells only, the others have sums that are not complete.
+    // If only some cells are clipped, the sums of the other cells are not complete.
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       if (parts_.placeOf(static_cast<std::int32_t>(i)) == Place::outside) moments_[i] = {};
     }

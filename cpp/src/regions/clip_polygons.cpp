@@ -38,7 +38,7 @@ Point centerOf(const Diagram& diagram, CircleIndex circle) {
 }
 
 /// Divides steps around a center that corners lie beyond until all corners are on the left of the steps. The steps go
-/// counter-clockwise, and the corners lie inside what they border.
+/// counter-clockwise, and the corners lie inside the cell.
 class RoomMaker {
  public:
   RoomMaker(const Bisector& bisector, Point center) : bisector_(bisector), center_(center) {}

@@ -30,7 +30,7 @@ class CIRCLE_VORONOI_API ClipFlattener {
 
   /// Returns the point that stands for a corner, a crossing or a vertex.
   Point placeOf(Point p) const;
-  /// Returns for each vertex the one of smallest index that is at the same point (firstVerticesHere).
+  /// Returns for each vertex the vertex of smallest index at the same point (firstVerticesHere).
   const std::vector<std::int32_t>& firstHere() const { return firstHere_; }
 
  private:

@@ -349,7 +349,7 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<co
       const VertexIndex target = diagram.targetOf(side);
       isBounded = isBounded && origin != kNone && target != kNone;
       if (!isBounded) break;
-      // Twice what vertices may be off, as that moves what is between them.
+      // Twice the error of vertices, which moves the points between them.
       const double margin = 2 * std::max(signs.errorOf(origin), signs.errorOf(target));
       const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
       include(curve.start, margin);

@@ -45,7 +45,7 @@ struct Crossings {
 Crossings crossingsOf(const Diagram& diagram, const Region& region);
 
 /// Follows the boundary only where it is near some cells, and returns the crossings of their edges. Takes linear time
-/// in what is near.
+/// in the number of sides and edges nearby.
 Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
 
 }  // namespace circle_voronoi

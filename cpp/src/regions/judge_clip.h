@@ -22,8 +22,8 @@ struct ClipRecord {
   std::optional<std::span<const CircleIndex>> circles;  ///< those whose cells are clipped, if not all are
 };
 
-/// Judges a clip before its outlines and areas are derived, however it was made. Linear time. Returns what is wrong, or
-/// nullptr:
+/// Judges a clip before its outlines and areas are derived, however it was made. Linear time. Returns a description of
+/// the first fault, or nullptr:
 /// - Each vertex has the level 0 or 1, and infinity has the level 0. Along each edge the level goes up at entries and
 /// down
 ///   at exits.

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kFew = 10;
 /// Squares smaller than this share of the region are points but for rounding.
 constexpr double kFinestSquare = 0x1p-50;
-/// A disc touches what is as near as its radius, up to this share of the region.
+/// A disc touches circles and sides at a distance of its radius, up to this share of the region.
 constexpr double kRoundingOfTouch = 0x1p-44;
 constexpr int kRefinements = 2;
 

@@ -226,7 +226,7 @@ class PathGraph {
     std::vector<std::size_t> by;
   };
 
-  /// Of each node the largest key that a way from the start gives it, and the last link of this way (Dijkstra).
+  /// For each node the largest key of a path from the start, and the last link of this path (Dijkstra).
   template <class KeyAlong>
   Best best(std::size_t start, double key, KeyAlong keyAlong) const {
     Best result = {std::vector<double>(linksOf_.size(), -kInfinite), std::vector<std::size_t>(linksOf_.size())};

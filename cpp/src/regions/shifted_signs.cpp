@@ -28,7 +28,7 @@ using exact::Seen;
 using exact::seenFrom;
 using exact::signOf;
 
-/// Generous bounds on rounding, relative to what is added up.
+/// Generous bounds on rounding, relative to the sizes of the summands.
 constexpr double kSignRounding = 0x1p-48;
 /// Added where products of tiny numbers underflow.
 constexpr double kSignUnderflow = 0x1p-1000;
@@ -103,7 +103,7 @@ class Weighted {
     }
     for (const double weight : weights) squareUnit_.include(weight);
     exponent_ = unit_.exponent();
-    // Of a weight, which is an area.
+    // Weights are areas, so their exponents are halved.
     if (squareUnit_.bits() > 0) {
       const int half = squareUnit_.exponent() >= 0 ? squareUnit_.exponent() / 2 : (squareUnit_.exponent() - 1) / 2;
       exponent_ = unit_.bits() > 0 ? std::min(exponent_, half) : half;
@@ -456,7 +456,7 @@ double ShiftedSigns::shareOfCrossing(CircleIndex from, CircleIndex to, const Lin
     const exact::Floating root = square.sign() > 0 ? sqrt(exact::floating(square)) : exact::Floating(0, 0);
     const exact::Floating own = isToInner ? root : -root;
     const exact::Floating minusB = exact::floating(-b);
-    // Of the two forms of the root, that in which nothing cancels.
+    // The form of the root in which nothing cancels.
     if (b.sign() == 0 || (b.sign() < 0) == isToInner) return ((minusB + own) / exact::floating(a)).times(0);
     return (exact::floating(constant) / (minusB + -own)).times(0);
   });

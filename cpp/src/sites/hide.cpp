@@ -97,7 +97,7 @@ struct SomeCircles {
   operator NumberedCircles() const { return {circles, indices}; }
 };
 
-/// The largest circle at each center. Of equal circles, it is the first, which hides the others.
+/// The largest circle at each center. The first of equal circles hides the others.
 struct LargestOfEachCenter {
   std::vector<int> places;
   std::vector<int> which;  ///< for each circle, the index in `places` of the largest one at its center

@@ -50,7 +50,7 @@ struct BoxOfCircles {
 /// r - u . center >= c.r - u . c.center for any unit vector u. With the direction in which the circles grow, this
 /// decides where a box does not: if most circles almost hide one another, as circles do that touch one common circle.
 class Slope {
-  /// An upper bound on what the products of a reach lose to underflow.
+  /// An upper bound on the loss of the products of a reach to underflow.
   static constexpr double kUnderflow = 0x1p-1070;
 
  public:
