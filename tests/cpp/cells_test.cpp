@@ -342,7 +342,7 @@ TEST(Cells, DoNotContainWhatIsNearerToOneBeyondATiedNeighbor) {
 }
 
 TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
-  // The edge of these goes through two corners of the box.
+  // The edge between the circles goes through two corners of the box.
   const std::vector<Circle> circles = {{-1, 1, 0.5}, {1, -1, 0.5}};
   const Diagram diagram = compute(circles).value();
   for (const std::int32_t circle : {0, 1}) {

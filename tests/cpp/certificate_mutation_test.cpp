@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge judged: right diagrams are certified, and no corrupted one is unless it is still right (a tie). For each
-// kind of corruption the flaw that is named is one of those expected.
+// kind of corruption the named flaw is an expected one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

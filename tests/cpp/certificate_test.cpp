@@ -111,8 +111,8 @@ TEST(Certificate, NamesTheCircleThatIsNotHidden) {
 }
 
 TEST(Certificate, RefusesACellForAHiddenCircle) {
-  // The hidden circle gets two edges with the one that hides it and the point at infinity. Of the signs that the judge
-  // looks at none is wrong, but without a tangent line of the two they mean nothing.
+  // The hidden circle gets two edges, with its hider and with the point at infinity. No sign that the judge looks at is
+  // wrong, but without a tangent line of the two circles the signs mean nothing.
   Diagram diagram = diagramOf(kNested);
   diagram.hidden.clear();
   Dual dual = test::dualOf(diagram, kNested.size());

@@ -364,7 +364,7 @@ TEST(ClipFixtures, HaveValidPolygons) {
 }
 
 TEST(ClippedPolygons, AreRightWhereManyCornersLieAlongOneEdge) {
-  // A comb whose teeth end on the curved edge between two circles, on either side of it, and touch it.
+  // A comb whose teeth end on both sides of the curved edge between two circles, or touch it.
   const std::vector<Circle> circles = {{0, -200, 0}, {0, 200, 100}};
   const Diagram diagram = compute(circles).value();
   Region::Ring ring;

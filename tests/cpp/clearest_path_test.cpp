@@ -139,7 +139,7 @@ std::vector<Family> allFamilies() {
 INSTANTIATE_TEST_SUITE_P(Families, ClearestPaths, testing::ValuesIn(allFamilies()), nameOfPathTest);
 
 TEST(ClearestPaths, GoThroughTheWiderGap) {
-  // A ring of six circles with gaps of 1, but for one that leaves 1.5 on either side of it.
+  // A ring of six circles with gaps of 1; a smaller circle has gaps of 1.5.
   const double h = 5 * std::numbers::sqrt3 / 2;
   const std::vector<Circle> circles = {{5, 0, 2}, {2.5, h, 2}, {-2.5, h, 2}, {-5, 0, 1.5}, {-2.5, -h, 2}, {2.5, -h, 2}};
   const Diagram diagram = compute(circles).value();

@@ -21,7 +21,7 @@ namespace circle_voronoi::test {
 
 namespace {
 
-/// The program as built, or the one in WebAssembly (tests/wasm/program.test.mjs).
+/// The native program, or the program in WebAssembly (tests/wasm/program.test.mjs).
 std::string chosenProgram() {
   const char* const other = std::getenv("CIRCLE_VORONOI_PROGRAM");
   return other != nullptr ? other : CIRCLE_VORONOI_PROGRAM;

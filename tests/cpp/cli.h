@@ -10,7 +10,7 @@
 
 namespace circle_voronoi::test {
 
-/// How a program ended, and what it wrote.
+/// The exit status and the output of a program.
 struct Outcome {
   int status = -1;
   std::string out;

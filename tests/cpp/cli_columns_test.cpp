@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which columns are circles, what is skipped, and what is said on standard error, in every command.
+// The columns of circles, skipped rows, and messages on standard error, in every command.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -179,7 +179,7 @@ TEST_F(CliFit, TellsHowFarItIs) {
       run("fit " + sites_ + " --areas people --shares --progress always -o " + path("out.json") + region_);
   EXPECT_EQ(status, 0);
   EXPECT_TRUE(std::regex_search(err, std::regex("fit, \\d+ s"))) << err;
-  // Parts that grow, up to all of it.
+  // Shares that grow to the whole.
   std::vector<int> parts;
   const std::regex part("fit (\\d+) %");
   for (auto found = std::sregex_iterator(err.begin(), err.end(), part); found != std::sregex_iterator(); ++found) {

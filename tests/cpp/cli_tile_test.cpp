@@ -46,7 +46,8 @@ TEST_F(CliTile, WritesWhatIsFinalByTheIdsOfTheInput) {
   const auto lines = linesOf(result.out);
   ASSERT_GT(lines.size(), 1U);
   EXPECT_EQ(lines[0], "type,x,y,r,circle1,circle2,circle3,circle4");
-  // The circle at (3, 3) is row 24. Of its four edges those to lower ids, at greater rows, belong to other circles.
+  // The circle at (3, 3) is row 24. Two of its four edges lead to lower ids at greater rows and belong to other
+  // circles.
   std::set<std::string> edges;
   for (const std::string& line : lines) {
     if (line.starts_with("edge,,,,")) edges.insert(line.substr(8, line.find(',', 12) - 8));
@@ -227,7 +228,7 @@ TEST_F(CliTile, ReadsATableInPiecesWithItsIdsAndLineNumbers) {
                 "standard input:120003: y is not a number: \"z\" (circle 60000, fid 1).");
   expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("most"), table + "c\t-1\t0\t3\t1\t0"), 2,
                 "standard input:120003: Circle 60000 has a negative radius.");
-  // Of a piece after the first, and not the first circle in it.
+  // A circle of a piece after the first, and not the first circle of the piece.
   expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("late"), table + "c\t1\t2\t3\t1\t0\r\nc\t-1\t0\t3\t2\t0"),
                 2, "standard input:120004: Circle 60001 has a negative radius.");
 }

@@ -18,8 +18,8 @@ struct ClipInput {
   Metric metric = Metric::circles;
 };
 
-/// Returns whether polygons are promised (docs/regions.md): the region is at most 1e6 times as large as what the
-/// circles reach from the origin.
+/// Returns whether polygons are promised (docs/regions.md): the region is at most 1e6 times as large as the distance of
+/// the circles from the origin.
 bool hasPolygons(const ClipInput& input);
 
 /// Inputs where the boundary of a region meets vertices and edges of a diagram exactly.

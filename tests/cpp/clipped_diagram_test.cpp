@@ -88,7 +88,7 @@ TEST(ClippedDiagram, AreasSumToThatOfTheRegion) {
 
 TEST(ClippedDiagram, OutlinesAreClosedAndShareTheirPoints) {
   forHardRegions([](const Diagram& diagram, const Region&, const ClippedDiagram& clipped) {
-    // Of each piece of an edge, in the direction of the edge: its ends, and how often it occurs.
+    // The ends of each piece of an edge, in the direction of the edge, and how often it occurs.
     std::map<std::tuple<std::int32_t, double, double, double, double>, std::array<int, 2>> pieces;
     for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
       for (const auto& loop : clipped.outline(static_cast<std::int32_t>(i))) {

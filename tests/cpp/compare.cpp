@@ -18,7 +18,7 @@ namespace {
 
 using Triple = std::array<CircleIndex, 3>;
 
-/// Looking along an unbounded edge to infinity, the circle on its left and the one on its right.
+/// The circles on the left and on the right of an unbounded edge, seen toward infinity.
 using UnboundedEnd = std::array<std::int32_t, 2>;
 
 // --- differences of lists ---

@@ -178,7 +178,7 @@ TEST(PowerDiagram, VerticesOfCentersNextToEachOtherAreRight) {
     ASSERT_FALSE(diagram.value().vertices.empty());
     for (std::size_t v = 0; v < diagram.value().vertices.size(); ++v) {
       const auto& [x, y, radius] = diagram.value().vertices[v];
-      // Of equal powers the differences are linear in the vertex: exact in long double but for a few bits.
+      // The differences of equal powers are linear in the vertex: exact in long double but for a few bits.
       const auto circleAt = [&](std::size_t k) {
         return circles[static_cast<std::size_t>(diagram.value().vertexCircles[v][k])];
       };

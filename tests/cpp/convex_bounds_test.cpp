@@ -13,8 +13,11 @@
 #include <vector>
 
 #include "circle_voronoi/cells.h"
+#include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/queries.h"
+#include "circle_voronoi/region.h"
 #include "random.h"
 #include "regions.h"
 #include "report.h"
@@ -97,7 +100,7 @@ void print(const Circles& circles, const ConvexPolygon& polygon) {
   ADD_FAILURE() << text;
 }
 
-/// Expects that what the library says about circles in a polygon is right. Returns whether it is.
+/// Expects right areas and discs for circles in a polygon. Returns whether it is.
 bool expectRight(const Circles& circles, const ConvexPolygon& polygon, int rows = 90) {
   const auto computed = compute(circles);
   if (!computed) return true;
@@ -403,6 +406,31 @@ TEST(ConvexBoundsJudge, RefusesCorruptedDiagrams) {
   EXPECT_TRUE(isRefused([](Diagram& d) { d.links.firstSide[kMiddle] = d.links.firstSide[kMiddle + 1]; }));
   EXPECT_TRUE(isRefused([](Diagram& d) { d.links.firstSide[kMiddle] = Diagram::twin(d.links.firstSide[kMiddle]); }));
   EXPECT_TRUE(isRefused([](Diagram& d) { d.links.firstSide[kMiddle] = kNone; }));
+}
+
+/// The centers of circles of a power diagram may lie outside their cells.
+TEST(ConvexBoundsOfMetrics, CellsAreThoseInTheBoxAsARegion) {
+  for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
+    Random random(test::seedOr(5));
+    const auto integer = [&](int size) { return std::floor(random.uniform(-size, size + 1)); };
+    for (int trial = 0; trial < trialCount(); ++trial) {
+      Circles circles;
+      for (int k = 0; k < 12; ++k) circles.push_back({integer(9), integer(9), std::abs(integer(k % 2 == 0 ? 2 : 9))});
+      const Diagram diagram = computeComparison(circles, metric).value();
+      const double x = integer(20);
+      const double y = integer(20);
+      const Box box = {x, y, x + 1 + std::abs(integer(30)), y + 1 + std::abs(integer(30))};
+      const ConvexPolygon polygon = test::regionOf(box);
+      SCOPED_TRACE(testing::Message() << "metric " << static_cast<int>(metric) << ", trial " << trial);
+      const auto cells = outlines(diagram, polygon);
+      ASSERT_TRUE(cells) << cells.error().message;
+      const Region region = Region::from(box).value();
+      const auto areas = ClippedDiagram::from(diagram, region)->areas();
+      for (std::size_t i = 0; i < circles.size(); ++i) {
+        ASSERT_NEAR(area((*cells)[i]), areas[i], 1e-10 * polygon.area()) << "cell " << i;
+      }
+    }
+  }
 }
 
 class ConvexBounds : public testing::TestWithParam<std::pair<const char*, Contact>> {};

@@ -372,7 +372,7 @@ TEST(Curve, LengthOfNearlyStraightOrSharplyBentArcsIsBetweenChordAndControlPolyg
     const EdgeCurve arc = arcOf(branches[static_cast<std::size_t>(k) % branches.size()], s, s * (1 + 1e4 / (k + 1)));
     const RationalBezier bezier = rationalBezier(arc);
     const double around = distanceBetween(arc.start, bezier.control) + distanceBetween(bezier.control, arc.end);
-    // Of the rounding of points, which is that of the largest number around.
+    // The rounding of points, which is that of the largest coordinate.
     const double rounding = 1e-12 * (around + length({arc.start.x, arc.start.y}) + length({arc.end.x, arc.end.y}));
     const double found = arcLength(arc);
     ASSERT_TRUE(std::isfinite(found)) << k;

@@ -165,8 +165,8 @@ Ring randomRing(std::mt19937& random, int kind) {
   return ring;
 }
 
-/// Rings of any kind, most of which cross themselves, are a valid region; and what is not next to a side is in it where
-/// it is in one of the polygons.
+/// Rings of any kind, most of which cross themselves, are a valid region; and a point away from all sides is in the
+/// region exactly if it is in one of the polygons.
 TEST(Dissolve, ContainsWhatThePolygonsContain) {
   std::mt19937 random(static_cast<std::uint32_t>(test::seedOr(1)));
   int compared = 0;

@@ -26,7 +26,7 @@ DiagramEditor editorOf(const std::vector<Circle>& circles) {
   return std::move(editor).value();
 }
 
-/// That the diagram is the one that `compute` makes, to the bit, and is certified from outside.
+/// Expects the diagram of `compute`, to the bit, and that `certify` accepts it.
 void expectRight(const DiagramEditor& editor) {
   const auto snapshot = editor.snapshot();
   ASSERT_TRUE(snapshot.ok()) << snapshot.error().message;

@@ -238,7 +238,7 @@ Exact normalOf(const Circles& c, int corner) {
   return {a.y * b.s - a.s * b.y, a.s * b.x - a.x * b.s, a.x * b.y - a.y * b.x};
 }
 
-/// The same where N is so short that what the bound says of k hardly counts.
+/// Inputs where N is so short that the bound of k hardly counts.
 double flatDiscPart(const Circles& c) {
   const int corner = discOf(c[0], c[1], c[2]).corner;
   const Exact n = normalOf(c, corner);
@@ -247,7 +247,7 @@ double flatDiscPart(const Circles& c) {
   return abs(n.x) + abs(n.y) + abs(n.s) < 0.01 * longest ? discPart<discOf, exactDisc>(c) : 0;
 }
 
-/// Of k, whose bound is what it has to exceed.
+/// The share of k, which has to exceed its bound.
 double turnPart(const Circles& c) {
   if (hide(c[0], c[1]) || hide(c[1], c[2]) || hide(c[0], c[2])) return 0;
   const auto [disc, corner] = discOf(c[0], c[1], c[2]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact predicates against their definition, evaluated with 500 decimal digits: a disc is solved for from its
-// equations, and picked by the order in which it touches the circles. Integers of a few digits keep what is not zero
-// far above the rounding error, so what is below kZero is zero.
+// equations, and picked by the order in which it touches the circles. With integers of a few digits, results other than
+// zero are far above the rounding error, so results below kZero are zero.
 #include "exact.h"
 
 #include <gtest/gtest.h>
@@ -205,7 +205,7 @@ void compareTangentSides(const std::vector<Circle>& circles) {
   }
 }
 
-/// Those after which what is not zero is still far above the rounding error.
+/// Bits for which results other than zero are still far above the rounding error.
 constexpr std::array kDisturbed = {test::Disturbance::lastPlace, test::Disturbance::slight, test::Disturbance::far,
                                    test::Disturbance::oneHuge};
 

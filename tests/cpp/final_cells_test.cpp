@@ -142,7 +142,7 @@ struct Extent {
 };
 
 /// A box around a part of the circles: some sides at random, some so that the disc of a vertex, widened by the radius
-/// of what is outside, touches them but for next to nothing, and some infinitely far away.
+/// of the circles outside, touches them but for next to nothing, and some infinitely far away.
 Known randomKnown(const Extent& extent, Random& random, const Diagram* diagram = nullptr) {
   Known known;
   const auto& circles = extent.circles;

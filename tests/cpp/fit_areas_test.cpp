@@ -45,7 +45,7 @@ Result<AreaFit> fitShares(const std::vector<Circle>& sites, const std::vector<do
   return fitAreas(sites, shares, region, options);
 }
 
-/// Whether a fit is what it says: its areas are those of its diagram, which is certified, and as asked for.
+/// Expects that the areas of a fit are those of its certified diagram, and the requested ones.
 void expectFits(const Result<AreaFit>& fit, const std::vector<Circle>& sites, const std::vector<double>& shares,
                 const Region& region) {
   ASSERT_TRUE(fit) << fit.error().message;
@@ -95,7 +95,7 @@ TEST(AreaFitSprings, HaveTheStiffnessOfTheIntegralByQuadrature) {
   }
 }
 
-// Curved, straight, clipped and nearly hidden: what the areas gain as one weight grows is what the springs say.
+// Curved, straight, clipped and nearly hidden: the springs are the derivatives of the areas by each weight.
 TEST(AreaFitSprings, AreTheDerivativeOfTheAreas) {
   Random random(7);
   const Region region = unitSquare();
@@ -151,7 +151,7 @@ TEST(AreaFitSprings, AreSolvedInEachComponentByItself) {
   EXPECT_EQ(x[5], 0);
 }
 
-// Of two sites the border is a branch of a hyperbola, whose area up to the middle has a closed form.
+// The border of two sites is a branch of a hyperbola, and its area up to the middle has a closed form.
 TEST(AreaFit, OfTwoSitesIsTheClosedForm) {
   const std::vector<Circle> sites = {{0.25, 0.5, 0}, {0.75, 0.5, 0}};
   const double a = 0.125;
@@ -461,7 +461,7 @@ TEST(AreaFit, SaysWhatItReachedWhereItEndsTooEarly) {
   for (std::size_t i = 0; i < sites.size(); ++i) sites[i].r = weights[i];
   options.maxSteps = AreaFitOptions{}.maxSteps;
   EXPECT_TRUE(fitAreas(sites, shares, region, options));
-  // Sites far outside, where the background is what the first steps fit.
+  // Sites far outside, where the first steps fit the background.
   sites.clear();
   for (int i = 0; i < 100; ++i) sites.push_back({3 + random.unit(), 2 + random.unit(), 0});
   shares.assign(sites.size(), 1);

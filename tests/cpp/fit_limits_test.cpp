@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fits at the limits of numbers: how far the last bits of weights go, and what is refused.
+// Fits at the limits of numbers: the precision of the last bits of weights, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -21,7 +21,7 @@ constexpr std::size_t kMany = 4 * kFew;
 
 /// The factor of n log n between the two sizes is 4.8; random inputs vary by more than that leaves.
 constexpr double kMostGrowth = 6;
-/// A circle's signs, discs and flips, of which uniform circles take 19; and of these signs, those in integers.
+/// The signs, discs and flips of a circle, of which uniform circles take 19; and the number of signs in integers.
 struct Limits {
   double steps;
   double exact;

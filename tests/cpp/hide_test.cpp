@@ -78,7 +78,7 @@ TEST(Hide, IsExactWhereSlacksUnderflow) {
 TEST(Hide, OfManyCopiesTheFirstHidesAll) { check(std::vector<Circle>(1000, {1, 2, 3}), "copies"); }
 
 TEST(Hide, OfEqualCirclesTheFirstIsNamed) {
-  // All of these contain the last, none another.
+  // All other circles contain the last one, and no other pair is nested.
   std::vector<Circle> circles;
   for (int i = 99; i >= 0; --i) circles.push_back({static_cast<double>(i), 0, 1000});
   circles.push_back({50, 0, 1});

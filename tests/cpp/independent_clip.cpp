@@ -261,7 +261,7 @@ class BruteForce {
       if (nearestTo(p - aside) != i || nearestTo(p + aside) != j || !isNear(i, p - shift_)) continue;
       const Spot from = pointAt(t0);
       const Spot to = pointAt(t1);
-      // The chord as seen from the middle, and what the branch adds.
+      // The triangle of the chord and the middle, and the area between chord and branch.
       Real area = cross(from, to) / 2;
       if (s != 0) area += a * b * ((t1 - t0) - sinh(t1 - t0)) / 2;
       areas_[indices_[i]] += area;

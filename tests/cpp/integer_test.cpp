@@ -15,7 +15,7 @@ namespace {
 
 using Reference = boost::multiprecision::cpp_int;
 
-/// Near the largest magnitude of so many bits, or anywhere below.
+/// A number near the largest magnitude with a number of bits, or below.
 limbs::SignedWide randomWide(Random& random, int bits) {
   limbs::SignedWide value = 0;
   const std::size_t kind = random.below(3);

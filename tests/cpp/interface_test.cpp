@@ -132,7 +132,7 @@ TEST(Finder, CanBeMoved) {
   EXPECT_EQ(finders[0].find({7, 0}), 1);
 }
 
-/// A stream that takes so many characters and no more.
+/// A stream that fails after a number of characters.
 class Full : public std::streambuf {
  public:
   explicit Full(std::streamsize room) : room_(room) {}

@@ -47,7 +47,7 @@ std::string randomBytes(Random& random) {
   return text;
 }
 
-/// The text with a part of it cut out, doubled, or overwritten.
+/// The text with a random part cut out, doubled, or overwritten.
 std::string changed(std::string text, Random& random) {
   for (std::size_t changes = 1 + random.below(4); changes > 0; --changes) {
     const std::size_t at = random.below(text.size() + 1);

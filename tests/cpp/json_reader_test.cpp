@@ -214,8 +214,7 @@ TEST(JsonReader, WholeNumbersFitOrAreNone) {
   EXPECT_EQ(whole("1.5e1"), 15);
   EXPECT_EQ(whole("2147483647"), 2147483647);
   for (const char* text : {"2147483648", "-2147483649", "0.5", "1e10", "-1e300"}) EXPECT_EQ(whole(text), std::nullopt);
-  // Beyond 2^53 not every whole number is a double, so what is written with a point or an exponent may have been
-  // another.
+  // Beyond 2^53 not every whole number is a double, so a number with a point or an exponent may have been another one.
   const auto wide = [](const std::string& text) {
     JsonReader reader(text);
     return reader.whole<std::int64_t>();

@@ -86,7 +86,7 @@ TEST(Judge, NamesTheHalfEdgeThatDoesNotFit) {
       dual.twin[h] = wrong;
       const Verdict verdict = judged(kTriangle, dual);
       EXPECT_EQ(verdict.flaw, Flaw::adjacency);
-      // The first half-edge that is not the twin of its twin: the one changed, or that it belonged to.
+      // The first half-edge that is not the twin of its twin: the changed half-edge, or its former twin.
       EXPECT_EQ(verdict.halfEdge, std::min(h, kTriangleDual.twin[h]));
       EXPECT_EQ(verdict.face, verdict.halfEdge / 3);
     }

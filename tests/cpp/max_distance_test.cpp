@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells cut at a maximum distance from their circles, against what is known of the union of the grown circles.
+// Cells cut at a maximum distance from their circles, against the union of the grown circles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -207,7 +207,7 @@ TEST(MaxDistance, OfOneCircleIsADisc) {
   EXPECT_NEAR(area(bufferOutline(diagram, 0, -1)), kPi, 1e-14);
   EXPECT_TRUE(bufferOutline(diagram, 0, -2).empty());
   EXPECT_TRUE(bufferOutline(diagram, 0, -3).empty());
-  // A quarter, all, and nothing of it in a box; and a box inside it.
+  // Boxes with a quarter of the disc, all of the disc, and nothing; and a box inside the disc.
   const auto inBox = [&](const Box& box) { return clippedBufferOutline(diagram, 0, test::regionOf(box), 1); };
   EXPECT_NEAR(area(inBox({3, 4, 9, 9})), 9 * kPi / 4, 1e-13);
   EXPECT_NEAR(perimeter(inBox({3, 4, 9, 9})), 6 + 6 * kPi / 4, 1e-13);
@@ -221,7 +221,7 @@ TEST(MaxDistance, OfOneCircleIsADisc) {
   EXPECT_NEAR(area(inBox({4, -9, 19, 19})), segment, 1e-13);
   EXPECT_NEAR(area(inBox({-9, -9, 6, 19})), 9 * kPi, 1e-13);
   EXPECT_NEAR(area(inBox({6, -9, 19, 19})), 0, 1e-13);
-  // A side across one quarter of the circle: the rest of it is an arc of nearly a turn.
+  // A side across one quarter of the circle: the rest of the circle is an arc of nearly a turn.
   const double half = std::acos(0.9);
   const double cut = 9 * half - 2.7 * std::sqrt(9 - 2.7 * 2.7);
   const double away = 2.7 * std::sqrt(2);  // where the side passes, along either axis
@@ -568,7 +568,7 @@ TEST(MaxDistance, FilesEndWhereCirclesAreHardlySeenFromTheOrigin) {
   }
 }
 
-// By default the box has room for what is drawn.
+// By default the box has room for the whole drawing.
 TEST(MaxDistance, TheBoxGrowsWithIt) {
   const Circles circles = {{0, 0, 1}, {9, 0, 0}};
   EXPECT_EQ(exportBox(circles, 1).minX, exportBox(Circles{{0, 0, 2}, {9, 0, 1}}).minX);

@@ -2,7 +2,7 @@
 // The rate at which the touching disc method differs from the exact diagram, by family and number of samples.
 //
 // Dynamic sampling may miss an antipodal disc; the table says how often. Samples added where the certificate failed
-// mend all but a few of these. With every pair as a candidate, and by the automatic way, nothing may differ. The
+// mend nearly all mismatches. With every pair as a candidate, and by the automatic way, nothing may differ. The
 // certificate must tell the right diagrams from the wrong ones. CIRCLE_VORONOI_SEED and CIRCLE_VORONOI_TRIALS choose
 // other inputs.
 #include <gtest/gtest.h>

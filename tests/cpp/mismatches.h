@@ -24,9 +24,9 @@ struct ComparedWay {
 inline constexpr std::size_t kComparedWays = 6;
 std::span<const ComparedWay, kComparedWays> comparedWays();
 
-/// All circles of these families touch one disc or line, or nearly, and overlap, or are so far apart that rounding is
-/// all that is left of a distance. In floating point the touching disc method gets discs in a wrong order with every
-/// pair, so it is not tested on them.
+/// All circles of these families touch one disc or line, or nearly, and overlap, or are so far apart that a distance is
+/// only rounding. In floating point the touching disc method gets discs in a wrong order with every pair, so it is not
+/// tested on them.
 bool isBeyondTouchingDisc(Family family);
 
 /// Input `trial` of a family: 10 to 100 circles, of the extreme family, which is meant for a few, 5 to 14.
@@ -35,7 +35,7 @@ std::vector<Circle> comparedInput(Family family, std::uint64_t seed, std::uint64
 /// The results of one family.
 struct Mismatches {
   std::array<int, kComparedWays> wrong{};   ///< diagrams that differ from the exact one
-  std::array<int, kComparedWays> passed{};  ///< of these, those that pass the paper's check: their leftover directed
+  std::array<int, kComparedWays> passed{};  ///< mismatches that pass the paper's check: their leftover directed
                                             ///< edges form one cycle
   std::array<std::string, kComparedWays> firstProblem;
   std::string firstMisjudged;  ///< where the certificate and the comparison do not agree

@@ -13,7 +13,7 @@ namespace {
 
 using test::bruteForceVertices;
 
-/// The oracle's diagram with what it leaves out filled in from brute force.
+/// The oracle's diagram, completed by brute force.
 void expectBruteForce(std::span<const Circle> circles) {
   const Diagram exact = oracle::exactDiagram(circles);
   Diagram brute;

@@ -26,7 +26,7 @@ TEST(Pairs, OfCoincidingSamplesAreThoseOfTheirCircles) {
   EXPECT_EQ(pairNeighbors(samples, 2), (Pairs{{0, 1}}));
 }
 
-// All circles are paired through the one point that their samples share.
+// All circles are paired through the point that their samples share.
 TEST(Pairs, OfOneSampleThatManyShareAreAllOfThem) {
   const Samples samples = {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, {3, 0, 2, 1}};
   EXPECT_EQ(pairNeighbors(samples, 4), pairAll(4));

@@ -356,7 +356,7 @@ TEST(Periodic, AnImageMayHideACircle) {
 }
 
 TEST(Periodic, OfCirclesAtOnePlaceTheFirstIsVisible) {
-  // Of four points at the corners of the box, which are one, and of two inside at one place.
+  // Four points at the corners of the box, which are one point, and two equal points inside.
   for (const Circles& corners : {Circles{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.5, 0}},
                                  Circles{{1, 1, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}, {0, 0, 0.5}, {0.5, 0.5, 0.5}}}) {
     const auto computed = computePeriodic(corners, {{1, 0}, {0, 1}});
@@ -548,7 +548,7 @@ TEST(Periodic, TheContactTableHasEachContactTwiceAndSharesUpToOne) {
   }
 }
 
-/// The check sees each of these.
+/// The check notices each corruption.
 class Corrupted : public ::testing::Test {
  protected:
   Corrupted() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prints clips of all families (clip_families.h) for other programs to judge, one JSON object in a line: `family`,
 // `region` and `cells`, each of which is a list of polygons, which are lists of rings, and the `areas` of the cells.
-// Usage: circle_voronoi_print_clips COUNT SEED, for so many clips of each family.
+// Usage: circle_voronoi_print_clips COUNT SEED, for COUNT clips of each family.
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>

@@ -159,7 +159,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
       const Point center = {largest->disc.x, largest->disc.y};
       const double radius = largest->disc.r;
       const auto room = [&](Point q) { return std::min(depthIn(region, q), clearance(circles, q)); };
-      // Not above what is there, which rounding cannot make it.
+      // Rounding cannot make the result larger than the true one.
       EXPECT_NEAR(room(center), radius, rounding);
       for (const std::int32_t circle : largest->circles) {
         if (circle == kNone) continue;

@@ -185,7 +185,7 @@ TEST(LargestDiscInRegion, IsWhatASearchFinds) {
     if (best <= 0) continue;
     ASSERT_TRUE(found);
     EXPECT_NEAR(clearanceOf(circles, rings, {found->disc.x, found->disc.y}), found->disc.r, 1e-13);
-    // No search finds more, and what is found is there.
+    // No search finds a larger disc, and the disc is empty.
     EXPECT_GE(found->disc.r, best - 1e-12);
   }
 }

@@ -10,7 +10,7 @@
 
 namespace circle_voronoi::test {
 
-/// A region and what it is.
+/// A region and its description.
 struct RegionShape {
   std::string name;
   Region region;

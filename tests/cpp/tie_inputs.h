@@ -49,7 +49,7 @@ std::vector<Circle> nestedTightly(std::size_t count, Random& random);
 /// sums of them are exact.
 std::vector<Circle> onDyadicGrid(std::vector<Circle> circles);
 
-/// Hands on so many inputs of each kind, of 2 to 41 circles, disturbed in each way in turn, with the kind's name.
+/// Passes on `count` inputs of each kind, of 2 to 41 circles, disturbed in each way in turn, with the kind's name.
 void forEachTie(std::uint64_t seed, std::uint64_t trials,
                 const std::function<void(const std::vector<Circle>&, std::string_view kind)>& use);
 

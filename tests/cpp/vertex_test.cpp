@@ -30,7 +30,7 @@ void compareAll(const std::vector<Circle>& circles) {
         const Vertex right = exact::disc(face).value();
         const Vertex vertex = vertexOf(a, b, c).value();
         const double reach = length(between(a, b)) + length(between(b, c)) + std::hypot(right.x - a.x, right.y - a.y);
-        // Less than the 36 bits promised, for what the coordinates themselves are rounded to.
+        // Less than the 36 bits promised, because coordinates are rounded.
         const double size = std::abs(a.x) + std::abs(a.y) + a.r;
         const double error = 0x1p-34 * reach + 0x1p-50 * size;
         EXPECT_LE(std::abs(vertex.x - right.x), error);
@@ -74,7 +74,7 @@ TEST(Vertex, HasTheSameBitsAtEveryScale) {
 }
 
 TEST(Vertex, OfEqualCirclesThatRoundingTookOffALineIsFarAwayAndCertified) {
-  // Equal circles on a line in decimals: what is left of the bend puts a vertex far away.
+  // Equal circles on a line in decimals: the small bend by rounding puts a vertex far away.
   const std::vector<Circle> circles = {{0.1, 0.3, 0.05}, {0.2, 0.6, 0.05}, {0.7, 2.1, 0.05}};
   const Diagram diagram = compute(circles).value();
   ASSERT_EQ(diagram.vertices.size(), 1U);

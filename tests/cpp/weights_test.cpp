@@ -74,8 +74,7 @@ Listed listed(const Diagram& diagram) {
   return list;
 }
 
-/// The same topology, and the same bits of all coordinates; radii that differ by what was added, but for their
-/// rounding.
+/// The same topology, and the same bits of all coordinates; radii that differ by the added number, but for rounding.
 void expectOnlyRadiiDiffer(const Diagram& actual, const Diagram& expected, double more) {
   EXPECT_EQ(actual.hidden, expected.hidden);
   EXPECT_EQ(actual.hull, expected.hull);
@@ -211,7 +210,7 @@ TEST(Weights, AnEditorTakesThem) {
   }
 }
 
-// Far from the origin of radii rounding is that of the radii, not of what they leave of each other.
+// For large radii rounding is that of the radii, not of their differences.
 TEST(Weights, LargeOnesRoundNothingElse) {
   const std::uint64_t seed = test::seedOr(1);
   for (std::uint64_t trial = 0; trial < 20; ++trial) {

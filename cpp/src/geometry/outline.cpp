@@ -118,8 +118,8 @@ class LoopCutter {
     if (sides.empty()) {
       const double r = disc_ ? disc_->r : kFarOut * reachFrom(center(), *limits_.region);
       CutLoop loop;
-      Point last = onAxis(r, 0);
-      for (const std::size_t k : {1U, 2U, 3U, 0U}) addStep(loop, last, onAxis(r, k));
+      Point last = onAxis(center(), r, 0);
+      for (const std::size_t k : {1U, 2U, 3U, 0U}) addStep(loop, last, onAxis(center(), r, k));
       loops_.push_back(std::move(loop));
       return;
     }
@@ -139,6 +139,7 @@ class LoopCutter {
     double total = 0;
     double radius = 0;
     Gap* nearest = nullptr;
+    const Point middle = pointIn(sides);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const CutPiece& piece = sides[k];
       const CutPiece& next = sides[(k + 1) % sides.size()];
@@ -146,10 +147,10 @@ class LoopCutter {
       Gap& gap = gaps[k];
       gap.isOpen = piece.cutEnd() != kNone || next.cutStart() != kNone || piece.end() != next.start();
       if (!gap.isOpen) continue;
-      gap.from = vectorTo(center(), piece.end());
-      gap.to = vectorTo(center(), next.start());
+      gap.from = vectorTo(middle, piece.end());
+      gap.to = vectorTo(middle, next.start());
       radius = std::max({radius, lengthOf(gap.from), lengthOf(gap.to)});
-      // A cell of the power diagram need not contain the center, but it is convex.
+      // From any point of a cell of the power diagram, these directions stay in the cell: it is convex.
       if (diagram_.metric == Metric::power) {
         gap.from = piece.isAgainst() ? negative(piece.part.curve.bisector.across) : piece.part.curve.bisector.across;
         gap.to = next.isAgainst() ? next.part.curve.bisector.across : negative(next.part.curve.bisector.across);
@@ -183,7 +184,7 @@ class LoopCutter {
       if (&gap == full || (!gap.isNear && !isOneQuarter)) {
         do {
           quarter = (quarter + 1) % kAxes.size();
-          addStep(loop, last, onAxis(radius, quarter));
+          addStep(loop, last, onAxis(middle, radius, quarter));
         } while (quarter != lastQuarter);
       }
       addStep(loop, last, sides[(k + 1) % sides.size()].start());
@@ -207,7 +208,22 @@ class LoopCutter {
   }
 
   static Vector negative(Vector v) { return {-v.x, -v.y}; }
-  Point onAxis(double r, std::size_t k) const { return {center().x + r * kAxes[k].x, center().y + r * kAxes[k].y}; }
+  static Point onAxis(Point middle, double r, std::size_t k) {
+    return {middle.x + r * kAxes[k].x, middle.y + r * kAxes[k].y};
+  }
+
+  /// A point of the cell: the center, but for the power diagram the nearest end of a side, since a cell need not
+  /// contain its center.
+  Point pointIn(const CutLoop& sides) const {
+    if (diagram_.metric != Metric::power) return center();
+    Point nearest = sides.front().start();
+    for (const CutPiece& piece : sides) {
+      for (const Point p : {piece.start(), piece.end()}) {
+        if (lengthOf(vectorTo(center(), p)) < lengthOf(vectorTo(center(), nearest))) nearest = p;
+      }
+    }
+    return nearest;
+  }
 
   /// The quarter of the circle in which a direction lies: from an axis to before the next.
   static std::size_t quarterOf(Vector v) {

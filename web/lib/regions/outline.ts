@@ -149,6 +149,11 @@ function negative({ x, y }: Vector): Vector {
   return { x: -x, y: -y }
 }
 
+function onAxis(middle: Point, r: number, k: number): Point {
+  const axis = AXES[k] as Vector
+  return { x: middle.x + r * axis.x, y: middle.y + r * axis.y }
+}
+
 /** The quarter of the circle in which a direction lies: from an axis to before the next. */
 function quarterOf({ x, y }: Vector): number {
   if (y >= 0) return x > 0 ? 0 : y > 0 ? 1 : 2
@@ -214,7 +219,8 @@ class LoopCutter {
     }
     const radius = this.#radius ?? FAR_OUT * this.#limits.region.reachFrom(this.#center)
     const loop: CutPiece[] = []
-    for (const k of AXES.keys()) this.#addStep(loop, this.#onAxis(radius, k), this.#onAxis(radius, (k + 1) % 4))
+    const corner = (k: number) => onAxis(this.#center, radius, k % AXES.length)
+    for (const k of AXES.keys()) this.#addStep(loop, corner(k), corner(k + 1))
     this.#loops.push(loop)
   }
 
@@ -224,14 +230,15 @@ class LoopCutter {
     let total = 0
     let radius = 0
     let nearest: Gap | undefined
+    const middle = this.#pointIn(sides)
     const gaps = sides.map((piece, k): Gap | undefined => {
       const next = sides[(k + 1) % sides.length] as CutPiece
       total += this.#sweepOf(piece)
       if (cutEnd(piece) === NONE && cutStart(next) === NONE && isSame(endOf(piece), startOf(next))) return undefined
-      let from = between(this.#center, endOf(piece))
-      let to = between(this.#center, startOf(next))
+      let from = between(middle, endOf(piece))
+      let to = between(middle, startOf(next))
       radius = Math.max(radius, lengthOf(from), lengthOf(to))
-      // A cell of the power diagram need not contain the center, but it is convex.
+      // From any point of a cell of the power diagram, these directions stay in the cell: it is convex.
       if (metric === 'power') {
         const { across } = piece.part.curve.bisector
         const { across: nextAcross } = next.part.curve.bisector
@@ -269,7 +276,7 @@ class LoopCutter {
       if (gap === full || (!gap.isNear && !isOneQuarter)) {
         do {
           quarter = (quarter + 1) % AXES.length
-          const next = this.#onAxis(radius, quarter)
+          const next = onAxis(middle, radius, quarter)
           this.#addStep(loop, last, next)
           last = next
         } while (quarter !== lastQuarter)
@@ -295,9 +302,16 @@ class LoopCutter {
     if (!isSame(last, next)) loop.push(pieceBetween(last, next, this.#radius ?? 0, NONE))
   }
 
-  #onAxis(r: number, k: number): Point {
-    const axis = AXES[k] as Vector
-    return { x: this.#center.x + r * axis.x, y: this.#center.y + r * axis.y }
+  /**
+   * A point of the cell: the center, but for the power diagram the nearest end of a side, since a cell need not contain
+   * its center.
+   */
+  #pointIn(sides: readonly CutPiece[]): Point {
+    if (this.#cells.diagram.metric !== 'power') return this.#center
+    const distance = (p: Point) => lengthOf(between(this.#center, p))
+    return sides
+      .flatMap((piece) => [startOf(piece), endOf(piece)])
+      .reduce((nearest, p) => (distance(p) < distance(nearest) ? p : nearest))
   }
 
   /**
