@@ -32,7 +32,7 @@ it('a diagram is read as it was written', () => {
 
 it('a diagram is drawn where, how far and how closely it is asked for', () => {
   const wkt = (options: object) => files.writeDiagram(diagram, { format: 'wkt', ...options }).split('\n')[0]
-  const square = 'POLYGON ((-5 -5, 3 -5, 3 4, -5 4, -5 -5))'
+  const square = 'POLYGON ((-5 4, -5 -5, 3 -5, 3 4, -5 4))'
   expect(wkt({ bounds: [-5, -5, 10, 10] })).toBe(square)
   expect(wkt({ bounds: { minX: -5, minY: -5, maxX: 10, maxY: 10 } })).toBe(square)
   const sides = (options: object) => wkt(options)?.split(',').length ?? 0
