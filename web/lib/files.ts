@@ -77,7 +77,7 @@ export interface CircleAttributes {
 }
 
 /**
- * The circles of a file and what it says about them.
+ * The circles of a file and their attributes.
  *
  * @category Files
  */
@@ -114,7 +114,8 @@ export interface DiagramFileOptions {
   /** The box to clip to. Default: the bounding box of the circles plus a margin of a twentieth of its size. */
   readonly bounds?: Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | undefined
   /**
-   * The region to clip to, in place of bounds. A cell without a part in the region is a feature without a geometry. Cells at
+   * The region to clip to, in place of bounds. A cell without a part in the region is a feature without a geometry.
+   * Cells at
    * the boundary keep all their digits.
    */
   readonly region?: Region | undefined
@@ -153,7 +154,8 @@ export interface ReadCirclesOptions extends ReadOptions {
   /** Whether all radii are 0, so that no column is needed for them. Default: false. */
   readonly points?: boolean | undefined
   /**
-   * The column of a table, or the member of JSON objects, that has x. Columns are also called `#1`, `#2` and so on. Default: one
+   * The column of a table, or the member of JSON objects, that has x. Columns are also called `#1`, `#2` and so on.
+   * Default: one
    * of the usual names.
    */
   readonly x?: string | undefined
@@ -185,7 +187,7 @@ export interface Files {
    */
   readCircles(text: string | Uint8Array, options?: ReadCirclesOptions): Float64s
   /**
-   * Reads circles like `readCircles`, and what the file says about them. A column of a table has one type: numbers, booleans,
+   * Reads circles like `readCircles`, and their attributes. A column of a table has one type: numbers, booleans,
    * JSON or text.
    *
    * @throws CircleVoronoiError as `readCircles`
@@ -199,7 +201,7 @@ export interface Files {
    */
   readDiagram(text: string | Uint8Array, options?: ReadOptions): Diagram
   /**
-   * Reads a diagram like `readDiagram`, and what the file says about its circles.
+   * Reads a diagram like `readDiagram`, and the attributes of its circles.
    *
    * @throws CircleVoronoiError as `readCircles`
    */
@@ -211,8 +213,10 @@ export interface Files {
   /**
    * Writes a diagram and checks it again.
    *
-   * @throws CircleVoronoiError `notCertified`, if something is to be drawn of a diagram that is not right; `badOption`, also
-   *   if it is to be drawn of a power diagram, of which there is no proof; `badInput`, if arrays are not those of a diagram
+   * @throws CircleVoronoiError `notCertified`, if something is to be drawn of a diagram that is not right; `badOption`,
+   * also
+   *   if it is to be drawn of a power diagram, of which there is no proof; `badInput`, if arrays are not those of a
+   * diagram
    */
   writeDiagram(diagram: DiagramData, options?: DiagramFileOptions): string
 }
@@ -326,7 +330,7 @@ function attributesFrom({ properties, ids, heights, collection }: WasmAttributes
   }
 }
 
-/** Attributes as lines, of so many circles. They come from outside, so that each is checked. */
+/** The attributes of `count` circles as lines. They come from outside, so that each is checked. */
 function linesOf(attributes: CircleAttributes | undefined, count: number): WasmAttributes | undefined {
   if (attributes === undefined) return undefined
   const { properties = [], ids = [], heights = [], collection = '' }: Partial<CircleAttributes> = Object(attributes)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * The Voronoi diagram of circles: `loadCircleVoronoi`, then `compute`, then the methods of `Diagram`. Functions that
- * few programs need are exported one by one. In the examples, `library` and `diagram` are those of these two lines.
+ * few programs need are exported one by one. The examples use the `library` and the `diagram` of these two lines.
  *
  * ```js
  * const library = await loadCircleVoronoi()

@@ -54,7 +54,8 @@ export interface LinkView {
 }
 
 /**
- * How `embed.html` presents the figure of a link: its texts, and the question that it asks. An element and the playground
+ * How `embed.html` presents the figure of a link: its texts, and the question that it asks. An element and the
+ * playground
  * leave these fields to the page.
  *
  * @category Links
@@ -99,7 +100,9 @@ export interface LinkAttributes {
 export interface LinkState extends LinkFrame {
   /** The circles: x, y and r of each. */
   readonly circles?: Float64s | undefined
-  /** The name of each circle in `circles`, at most 200 letters long. An empty text means that the circle has no name. */
+  /**
+   * The name of each circle in `circles`, at most 200 letters long. An empty text means that the circle has no name.
+   */
   readonly names?: readonly string[] | undefined
   /** The data of a file about each circle in `circles`, as `CircleAttributes` of circle-voronoi/files. */
   readonly attributes?: LinkAttributes | undefined
@@ -157,7 +160,8 @@ const FIELDS = [
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
  *
- * @throws CircleVoronoiError `badArgument`, also for circles that `compute` would refuse; `tooManyCircles`, if a state is beyond `LINK_LIMITS`; `notLoaded`, where there is no
+ * @throws CircleVoronoiError `badArgument`, also for circles that `compute` would refuse; `tooManyCircles`, if a state
+ * is beyond `LINK_LIMITS`; `notLoaded`, where there is no
  *   `CompressionStream`
  *
  * @category Links
@@ -224,12 +228,14 @@ function jsonOf(state: LinkInput): string {
  * edits fit the circles is checked by an editor.
  *
  * @param text what stands after the `#` of an address, with it or without
- * @throws CircleVoronoiError `badInput`; `tooManyCircles`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is no
+ * @throws CircleVoronoiError `badInput`; `tooManyCircles`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is
+ * no
  *   `DecompressionStream`
  *
  * @category Links
  * @example
- * const { dataSet, edits } = await decodeLink(await encodeLink({ dataSet: 'spruces', edits: [{ kind: 'remove', id: 3 }] }))
+ * const { dataSet, edits } = await decodeLink(await encodeLink({ dataSet: 'spruces', edits: [{ kind: 'remove', id: 3 }]
+ * }))
  * dataSet // 'spruces'
  * edits // [ { kind: 'remove', id: 3 } ]
  */
@@ -387,7 +393,7 @@ function problemOfFrame({ title, question, check, readonly, alt, lang }: Record<
   return isPlain ? undefined : 'the field check is invalid'
 }
 
-/** Whether it is made of rings of finite numbers; what they are like is not checked. */
+/** Whether it is made of rings of finite numbers. Their shape is not checked. */
 function isRegion(value: unknown): boolean {
   try {
     return ringArraysOf(value as RegionShape).points.every(Number.isFinite)
@@ -396,7 +402,7 @@ function isRegion(value: unknown): boolean {
   }
 }
 
-/** Whether these are the attributes of so many circles, with texts of JSON that can be read. */
+/** Whether these are the attributes of `count` circles, with valid texts of JSON. */
 function areAttributes(value: unknown, count: number): boolean {
   if (!isRecord(value)) return false
   const { properties, ids, heights, collection } = value
@@ -425,7 +431,9 @@ function isName(value: unknown): boolean {
   return typeof value === 'string' && value.length <= LONGEST_NAME
 }
 
-/** Says why `compute` would refuse the circle whose x, y and r begin at an index of a list, in the words of the core. */
+/**
+ * Says why `compute` would refuse the circle whose x, y and r begin at an index of a list, in the words of the core.
+ */
 function problemOfCircle(numbers: readonly number[], first: number): string | undefined {
   const [x, y, r] = [numbers[first] as number, numbers[first + 1] as number, numbers[first + 2] as number]
   if (r < 0) return 'has a negative radius'

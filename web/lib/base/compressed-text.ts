@@ -2,7 +2,7 @@
 // Bytes as the letters, digits, `-` and `_` of an address, compressed by the streams of browsers and Node.
 import { CircleVoronoiError } from './errors.ts'
 
-/** `String.fromCharCode` takes so many arguments. */
+/** The largest number of arguments of `String.fromCharCode`. */
 const PART = 0x8000
 /** The bytes of a stored block, and those before them: whether it is the last, its length, and that length again. */
 const LONGEST_BLOCK = 0xffff
@@ -41,7 +41,7 @@ function lettersOf(bytes: Uint8Array): string {
 /**
  * Reverses `packed` and `packedAtOnce`.
  *
- * @param most so many bytes it may have
+ * @param most the largest number of bytes
  * @throws whatever is wrong with it; `undefined`: there is more of it
  */
 export async function unpacked(letters: string, most: number): Promise<string | undefined> {

@@ -7,8 +7,8 @@ export interface Queued<Work, Answer> {
 }
 
 /**
- * Work that waits for its turn. The newest of a key takes the place of what waits under that key, and answers for it, too: so a
- * drag is never behind by more than what is under way.
+ * Work that waits for its turn. The newest request of a key replaces the one that waits under this key, and answers
+ * both. So a drag is never behind by more than one request.
  */
 export class NewestQueue<Work, Answer> {
   #waiting: Queued<Work, Answer>[] = []

@@ -609,8 +609,8 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Whether a cell is clipped without the others: the first few after a change, as an editor asks for them. After so many
-   * questions that clipping all cells would have been as quick, all cells are clipped.
+   * Whether a cell is clipped without the others: the first few after a change, as an editor asks for them. Once
+   * clipping single cells has cost as much as clipping all of them, all cells are clipped.
    */
   #isClippedAlone(region: Region, i: number, maxDistance: number | undefined): boolean {
     if (this.#keptClip(region, maxDistance) !== undefined || this.metric !== 'circles') return false
@@ -670,7 +670,7 @@ function numberOf(value: unknown): number {
 
 /** The half-edge from the k-th circle of a triangle to the next one crosses the edge between their sides. */
 function halfedgesOf({ vertexCircles, edges, vertexSides }: DiagramData): Int32Array {
-  // Of each side the half-edge that crosses it where it begins: towards its own circle from the one before.
+  // For each side the half-edge that crosses it where it begins: towards its own circle from the previous one.
   const crossing = new Int32Array(edges.length / 2).fill(NONE)
   vertexSides.forEach((side, slot) => {
     crossing[side] = before(slot)

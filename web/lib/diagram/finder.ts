@@ -6,9 +6,12 @@ import { facing, turn } from '../base/scale.ts'
 import type { Vector } from '../base/types.ts'
 import type { Cells } from '../regions/cells.ts'
 
-/** Up to so many sides it is quicker to ask every neighbor, and the nearest one makes the longest step. */
+/**
+ * The largest number of sides for which asking every neighbor is faster. The nearest neighbor then makes the longest
+ * step.
+ */
 const FEW_SIDES = 24
-/** Of a difference of distances, of the numbers that it is made of: more than twice what its operations may lose. */
+/** The error of a difference of distances, as a share of its numbers: more than twice the loss of its operations. */
 const ROUNDING = 2 ** -49
 /** Squares of smaller numbers lose digits. */
 const SMALL = 1e-140
@@ -31,7 +34,7 @@ const FEW_CIRCLES = 16
  */
 export class Finder {
   readonly #cells: Cells
-  /** Of the grid: its corner, the side of its square buckets, and how many these are. */
+  /** The corner of the grid, the side of its square buckets, and their number. */
   readonly #minX: number = 0
   readonly #minY: number = 0
   readonly #side: number = 1
@@ -87,7 +90,8 @@ export class Finder {
     if (!this.#cells.exists(circle)) circle = this.#someCircle()
     if (circle === NONE) return NONE
     if (this.#cells.exists(hint) && this.#lead(hint, circle, x, y) > 0) circle = hint
-    // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
+    // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met
+    // again
     // that was marked at step 1, 2, 4, 8 and so on.
     let marked = circle
     for (let step = 0, markAt = 1; ; step++) {
@@ -104,7 +108,8 @@ export class Finder {
   }
 
   /**
-   * For each of many points, x and y each, the same; points near in the list that are near in the plane help. Half as many
+   * For each of many points, x and y each, the same; points near in the list that are near in the plane help. Half as
+   * many
    * indices as numbers.
    */
   findAll(points: Float64Array): Int32Array {
@@ -116,7 +121,8 @@ export class Finder {
   }
 
   /**
-   * Told that some circles of the diagram, and their cells, are others now. Returns whether this is still good for the diagram:
+   * Told that some circles of the diagram, and their cells, are others now. Returns whether this is still good for the
+   * diagram:
    * not, if it has grown too much.
    */
   follow(changed: Iterable<number>): boolean {

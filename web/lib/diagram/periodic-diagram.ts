@@ -37,14 +37,15 @@ export interface PeriodicData {
   /** For each circle of `diagram` the given circle of which it is an image. */
   readonly circleOf: Int32s
   /**
-   * For each circle of `diagram` its shift from the given circle, two numbers each. They are 0 for a given circle, unless
+   * For each circle of `diagram` its shift from the given circle, two numbers each. They are 0 for a given circle,
+   * unless
    * the given circles were too far apart and had to be moved by whole periods.
    */
   readonly shiftOf: Int32s
 }
 
 /**
- * The neighbors of all circles, and what a packing is measured by. Item k of `lengths` and `gaps` is that of contact k.
+ * The neighbors of all circles, and the measures of a packing. Item k of `lengths` and `gaps` is that of contact k.
  *
  * @category Periodic diagrams
  */
@@ -63,7 +64,8 @@ export interface ContactTable {
 
 /**
  * The Voronoi diagram of circles that repeat with two periods, made by `library.computePeriodic`. The methods take the
- * given circles, from 0 to `circleCount` - 1, and their cells are whole. `diagram` has everything else: it is the diagram of
+ * given circles, from 0 to `circleCount` - 1, and their cells are whole. `diagram` has everything else: it is the
+ * diagram of
  * the given circles and of their images around them.
  *
  * @category Periodic diagrams
@@ -102,7 +104,8 @@ export class PeriodicDiagram implements PeriodicData {
   }
 
   /**
-   * Returns the images across the sides of cell `i`, counter-clockwise. Their shifts are relative to circle `i`. A circle may
+   * Returns the images across the sides of cell `i`, counter-clockwise. Their shifts are relative to circle `i`. A
+   * circle may
    * be its own neighbor. An image appears once for each shared edge.
    */
   neighbors(i: number): CircleImage[]
@@ -124,7 +127,8 @@ export class PeriodicDiagram implements PeriodicData {
     const { circles } = this.diagram
     if (this.circleCount === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return undefined
     this.#periods ??= shortestPeriods(this.lattice)
-    // Beside the given circles a point is nearest to some image. Moved by the shift of this image, it lies beside the given
+    // Beside the given circles a point is nearest to some image. Moved by the shift of this image, it lies beside the
+    // given
     // circle and no farther from the nearest one, so this ends at a given circle, whose cell is right.
     const { steps, shift } = this.#periods.nearest(x - at(circles, 0), y - at(circles, 1))
     let p: Point = { x: x - steps.x, y: y - steps.y }

@@ -107,12 +107,12 @@ export function sinkOf({ context, digits }: TextOptions | ContextOptions, tolera
   return path
 }
 
-/** The text of what was drawn on the sink of `sinkOf`, unless that is the context of the options. */
+/** The path text of the sink of `sinkOf`, unless the sink is the context of the options. */
 export function textOf(sink: PathSink): string | undefined {
   return sink === path ? path.take() : undefined
 }
 
-/** The names of the options of what is drawn within bounds, and of what is not. */
+/** The names of the options of functions that draw within bounds, and of those that do not. */
 export const BOUNDS_OPTIONS = ['bounds', 'region', 'maxDistance']
 export const POLYGON_OPTIONS = [...BOUNDS_OPTIONS, 'tolerance']
 export const DRAW_OPTIONS = ['context', ...POLYGON_OPTIONS, 'digits']

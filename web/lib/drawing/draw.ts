@@ -12,7 +12,7 @@ import { convexHull } from '../regions/hull.ts'
 import { outlineOf } from '../regions/outline.ts'
 import { drawOutline } from './draw-clipped.ts'
 
-/** Draws what is kept of edge `e`, no farther than `tolerance` from the true curve. */
+/** Draws the kept parts of edge `e`, no farther than `tolerance` from the true curve. */
 export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits: Limits, tolerance: number): void {
   if (hasEndsInside(diagram, e, limits, tolerance)) {
     const { vertices, edges } = diagram
@@ -42,7 +42,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
   }
 }
 
-/** Draws the outline of what is kept of a cell, counter-clockwise: a closed path for each of its parts. */
+/** Draws the outline of the kept part of a cell, counter-clockwise: a closed path for each piece. */
 export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: Limits, tolerance: number): void {
   const reach = cells.reach(circle)
   if (!(distanceTo(limits.region, cells.diagram, circle) <= reach)) return
@@ -167,7 +167,8 @@ export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number):
 }
 
 /**
- * Spares the work for most of the edges outside a small region: the distance from the left center grows along a branch from
+ * Spares the work for most of the edges outside a small region: the distance from the left center grows along a branch
+ * from
  * its apex either way, so it is largest at a vertex.
  */
 function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): boolean {

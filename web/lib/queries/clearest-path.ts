@@ -38,7 +38,8 @@ export interface ClearestPath {
   /** The point where the path leaves the last edge for q; `undefined` if the path comes straight from infinity. */
   readonly exit: Point | undefined
   /**
-   * With bounds or a region, the curves of the whole path from p to q. Each ends where the next one starts. Parts of edges
+   * With bounds or a region, the curves of the whole path from p to q. Each ends where the next one starts. Parts of
+   * edges
    * are arcs, and the others are straight.
    */
   readonly curves?: readonly BoundedCurve[]
@@ -49,8 +50,9 @@ export interface ClearestPath {
  * least one circle.
  *
  * With `bounds` or a `region`, the path stays inside. The clearance counts circles only: the boundary is a limit and no
- * obstacle, so the path may run along it. To keep away from the boundary, pass a smaller region. Of the clearest paths along
- * edges and boundary, the result is the shortest one. It is `undefined` if p and q lie in different parts of the region.
+ * obstacle, so the path may run along it. To keep away from the boundary, pass a smaller region. The result is the
+ * shortest of the clearest paths along edges and boundary. It is `undefined` if p and q lie in different parts of the
+ * region.
  *
  * @throws CircleVoronoiError `badArgument`, also if p or q lies outside the bounds or the region; `badOption`
  *
@@ -152,7 +154,7 @@ interface Reach {
   readonly before: Int32Array
 }
 
-/** Infinity is a node like the vertices, the one after the last. */
+/** Infinity is the node after the last vertex. */
 function nodeOf({ vertices }: Diagram, vertex: number): number {
   return vertex === NONE ? vertices.length / 3 : vertex
 }

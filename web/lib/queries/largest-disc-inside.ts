@@ -20,9 +20,12 @@ const ROUNDING_OF_DEPTH = 2 ** -48
 const ROUNDING_OF_PLACE = 2 ** -31
 
 /**
- * Finds the largest empty disc that lies completely inside some bounds or a region. The disc may touch the boundary as well
- * as circles. Without circles it is the largest disc inside. If circles cover the region, the function returns the result
- * of `largestEmptyDiscCenteredIn`, whose radius is then not positive. The diagram must have the metric `circles`. For bounds
+ * Finds the largest empty disc that lies completely inside some bounds or a region. The disc may touch the boundary as
+ * well
+ * as circles. Without circles it is the largest disc inside. If circles cover the region, the function returns the
+ * result
+ * of `largestEmptyDiscCenteredIn`, whose radius is then not positive. The diagram must have the metric `circles`. For
+ * bounds
  * the time is proportional to the number of circles times the number of sides.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
@@ -41,12 +44,15 @@ export function largestEmptyDiscInside(
   checkOptionNames(options, caller, ['bounds', 'region'])
   const given = regionOption(options, caller)
   if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDiscInside()
-  // The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
+  // The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell
+  // or
   // along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
-  // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
-  // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region, which
-  // has some two segments for each side. All of these are tried, and of each what is really empty and inside is taken:
-  // rounding cannot make a result too large.
+  // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches
+  // three
+  // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region,
+  // which
+  // has some two segments for each side. All candidates are tried, and each is shrunk until it is empty and inside.
+  // So rounding cannot make a result too large.
   const region = ConvexPolygon.of((options as RegionOptions).bounds)
   const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
   if (centered !== undefined && centered.disc.r <= 0) return centered
@@ -132,7 +138,9 @@ interface Ridge {
   readonly depthTo: number
 }
 
-/** The medial axis: of each side the part of the region to which it is the nearest, cut out of the region side by side. */
+/**
+ * The medial axis: of each side the part of the region to which it is the nearest, cut out of the region side by side.
+ */
 function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
   const allowed = ROUNDING_OF_DEPTH * region.reachFrom(region.corner(0))
   return sides.flatMap((side, k) => {
@@ -163,7 +171,8 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
 }
 
 /**
- * The centers of discs that touch the two circles of an edge and a side. With n the normal of the side, D the depth of the
+ * The centers of discs that touch the two circles of an edge and a side. With n the normal of the side, D the depth of
+ * the
  * curve's origin, and r the radius of its circle, the distance from the circle is the depth where
  * (P - Q) s^2 - 2 K s + (P + Q) = 0, P = c + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and
  * K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).

@@ -42,11 +42,14 @@ interface Link {
 }
 
 /**
- * Finds the path of greatest clearance from `p` to `q` inside the outlines of all cells, of those the shortest along edges and
+ * Finds the path of greatest clearance from `p` to `q` inside the outlines of all cells, of those the shortest along
+ * edges and
  * boundary; `undefined` if there is none.
  *
- * To move straight away from the nearest center never loses clearance. It leads to an edge or to the boundary. So a path along
- * edges and boundary is as clear as any, with one exception: where the ray from the center passes a corner that reaches into
+ * To move straight away from the nearest center never loses clearance. It leads to an edge or to the boundary. So a
+ * path along
+ * edges and boundary is as clear as any, with one exception: where the ray from the center passes a corner that reaches
+ * into
  * the cell, the place that it leads to jumps. There the path may follow the ray.
  */
 export function pathInside(
@@ -126,7 +129,8 @@ class Graph {
   }
 
   /**
-   * Follows the ray from the center of a circle through a point, from this point to where it leaves the cell, or the region.
+   * Follows the ray from the center of a circle through a point, from this point to where it leaves the cell, or the
+   * region.
    * `least` is how far ahead that is, as a share of the distance from the center.
    */
   shoot(circle: number, from: Point, least: number): Hit | undefined {
@@ -218,7 +222,7 @@ class Graph {
     return links.reverse()
   }
 
-  /** Of each node the largest key that a way from the start gives it, and the last link of this way (Dijkstra). */
+  /** For each node the largest key of a path from the start, and the last link of this path (Dijkstra). */
   #best(start: number, key: number, keyAlong: (key: number, link: Link) => number) {
     const keys = new Float64Array(this.#links.length).fill(-Infinity)
     const by: (Link | undefined)[] = []

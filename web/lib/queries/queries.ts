@@ -79,7 +79,7 @@ export function closestPair(diagram: DiagramData, ...others: readonly unknown[])
   return closest
 }
 
-/** Of equal gaps the pair with the smallest indices counts, whatever the order of the edges. */
+/** If gaps are equal, the pair with the smallest indices counts, whatever the order of the edges. */
 function isBefore(first: number, second: number, other: ClosestPair): boolean {
   return first < other.first || (first === other.first && second < other.second)
 }

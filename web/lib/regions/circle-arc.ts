@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arcs of circles in outlines: counter-clockwise and of a quarter turn at most, so that the ends and the radius say where
+// Arcs of circles in outlines: counter-clockwise and of a quarter turn at most, so that the ends and the radius say
+// where
 // the center is, to the left of the chord.
 
 /** A region's area and the integrals of x and y over it, relative to a point, all lengths in some unit. */
@@ -15,7 +16,7 @@ import type { PathSink, Point } from '../base/types.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 
-/** Of a radius: the least tolerance of a polyline. */
+/** The least tolerance of a polyline, as a share of the radius. */
 const FINEST_POLYLINE = 1e-9
 /** They make that of any arc, of half a turn at most. */
 const MOST_HALVINGS = 16
@@ -31,7 +32,8 @@ export function arcLength({ curve: { start, end }, r }: OutlinePiece): number {
 }
 
 /**
- * The region between an arc and its chord, as that of a curve. The center of mass is 2 / 3 sin^3 h / (h - sin h cos h) radii
+ * The region between an arc and its chord, as that of a curve. The center of mass is 2 / 3 sin^3 h / (h - sin h cos h)
+ * radii
  * from the circle's center, and the chord cos h.
  */
 export function momentsOverChord({ curve, r }: OutlinePiece, reference: Point, unit: number): Moments {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells of a large diagram in a small one: some circles and their neighbors have a diagram of their own, in which the cells of
+// Cells of a large diagram in a small one: some circles and their neighbors have a diagram of their own, in which the
+// cells of
 // these circles are the same. To clip them to a region, nothing else of the large diagram is needed.
 import { at } from '../base/diagram-data.ts'
 import type { DiagramData, Float64s, Int32s } from '../base/types.ts'
@@ -10,7 +11,7 @@ export interface FewCircles {
   readonly indices: Int32s
   /** x, y and r of each. */
   readonly circles: Float64s
-  /** The places of these circles among all. */
+  /** The indices of these circles among all circles. */
   readonly chosen: Int32s
 }
 
@@ -30,8 +31,10 @@ export function fewCircles(diagram: DiagramData, circlesOfCells: readonly number
 }
 
 /**
- * Returns the side of the large diagram for each side of the first cell in the small one, or `undefined` if the cell has other
- * sides there. No input is known for which it has: where more than three circles touch one disc, their places decide which are
+ * Returns the side of the large diagram for each side of the first cell in the small one, or `undefined` if the cell
+ * has other
+ * sides there. No input is known for which it has: where more than three circles touch one disc, their places decide
+ * which are
  * neighbors, in any diagram of them. The cell has sides.
  */
 export function sidesOfFew(diagram: DiagramData, few: FewCircles, small: Sides): Map<number, number> | undefined {
@@ -42,7 +45,8 @@ export function sidesOfFew(diagram: DiagramData, few: FewCircles, small: Sides):
   const theirs = sidesFrom(small, chosen)
   if (theirs.length !== ours.length) return undefined
   const neighborOf = (side: number) => at(indices, at(small.edges, 4 * (side >> 1) + (1 - (side & 1))))
-  // Neighbors do not alternate (a, b, a, b), as the borders against two of them cross at most twice. So there is one way.
+  // Neighbors do not alternate (a, b, a, b), as the borders against two of them cross at most twice. So there is one
+  // way.
   const shift = theirs.findIndex((_, start) =>
     ours.every((side, k) => cells.neighborOf(side) === neighborOf(theirs[(start + k) % theirs.length] as number)),
   )

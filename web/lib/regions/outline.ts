@@ -12,7 +12,9 @@ import type { ConvexPolygon } from './convex-polygon.ts'
 import { middleOf, roundingOf } from './measure.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 
-/** A piece, and the same in the direction of its edge: what is made of that is the same to the bit in both of its cells. */
+/**
+ * A piece, and the same in the direction of its edge: what is made of that is the same to the bit in both of its cells.
+ */
 export interface SharedPiece extends OutlinePiece {
   readonly forward: BoundedCurve
 }
@@ -127,7 +129,7 @@ interface Chain {
 interface Gap {
   readonly from: Vector
   readonly to: Vector
-  /** Of a full turn or of none, but for rounding. */
+  /** Whether the gap is a full turn or none, but for rounding. */
   readonly isNear: boolean
   readonly sweep: number
 }
@@ -170,14 +172,15 @@ function extentOf(chains: readonly Chain[], half: HalfPlane): number {
 }
 
 /**
- * A cell as a loop, cut by one line after the other. Every step is continuous: whatever rounding does to a point moves the
+ * A cell as a loop, cut by one line after the other. Every step is continuous: whatever rounding does to a point moves
+ * the
  * result by as little.
  */
 class LoopCutter {
   readonly #cells: Cells
   readonly #circle: number
   readonly #limits: Limits
-  /** Of the disc around the circle's center that is kept, if the limits have a distance. */
+  /** The radius of the kept disc around the circle's center, if the limits have a distance. */
   readonly #radius: number | undefined
   readonly #center: Point
   readonly #halves: readonly HalfPlane[]
@@ -315,7 +318,8 @@ class LoopCutter {
   }
 
   /**
-   * Along the line, from left to right as seen from outside, exits and entries alternate: what is inside begins at an exit.
+   * Along the line, from left to right as seen from outside, exits and entries alternate: what is inside begins at an
+   * exit.
    * So the k-th exit goes on to the k-th entry, whatever rounding does to the order of those at one place.
    */
   #cut(h: number): void {

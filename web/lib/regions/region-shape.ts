@@ -37,7 +37,7 @@ export interface RingArrays {
   readonly polygonOffsets: Int32s | undefined
 }
 
-/** @throws CircleVoronoiError `badOption`, if it is none; what the rings are like is not checked */
+/** @throws CircleVoronoiError `badOption`, if it is none. The shape of the rings is not checked. */
 export function ringArraysOf(shape: RegionShape): RingArrays {
   const isList = isRingList(shape)
   const polygons = isList ? [shape] : polygonsOf(shape)
@@ -73,10 +73,11 @@ export function isDissolved(shape: RegionShape): boolean {
 }
 
 /**
- * The same region as plain data of its own: a list of rings, or a MultiPolygon. `dissolve`: whether polygons that overlap are
+ * The same region as plain data of its own: a list of rings, or a MultiPolygon. `dissolve`: whether polygons that
+ * overlap are
  * merged; those of a list of rings are one polygon then, in which a ring inside another one is a hole.
  *
- * @throws CircleVoronoiError `badOption`, if it is none; what the rings are like is not checked
+ * @throws CircleVoronoiError `badOption`, if it is none. The shape of the rings is not checked.
  */
 export function plainRegion(shape: RegionShape, dissolve: boolean = isDissolved(shape)): RegionShape {
   const { points, ringOffsets, polygonOffsets } = ringArraysOf(shape)

@@ -27,7 +27,7 @@ interface Port {
   postMessage(reply: Reply, transfer?: ArrayBuffer[]): void
 }
 
-/** Computes what the client in `worker.ts` asks for, in the thread that this is called in. */
+/** Answers the requests of the client in `worker.ts`, in the calling thread. */
 export function answerRequests(): void {
   const nodePort = globalThis.process?.getBuiltinModule?.('node:worker_threads').parentPort
   const port = (nodePort ?? globalThis) as unknown as Port

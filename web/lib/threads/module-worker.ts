@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * A worker that `make` makes of a module of a page; where that lies in another origin, from which a page takes no workers,
- * one of the same name that imports `file`: a worker takes modules from anywhere. If `file` is a text, that worker runs it.
+ * A worker that `make` makes of a module of a page; where that lies in another origin, from which a page takes no
+ * workers,
+ * one of the same name that imports `file`: a worker takes modules from anywhere. If `file` is a text, that worker runs
+ * it.
  */
 export function startModuleWorker(make: () => Worker, file: () => URL | string, name: string): Worker {
   try {
@@ -18,7 +20,7 @@ export function startModuleWorker(make: () => Worker, file: () => URL | string, 
         ? `data:text/javascript,${encodeURIComponent(script)}`
         : URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
     const worker = withTrustedUrls(() => new Worker(url, { type: isModule ? 'module' : 'classic', name }))
-    // The worker has read it once its module runs; what it says first is later.
+    // The worker has read the text once its module runs, before its first message.
     worker.addEventListener('message', () => URL.revokeObjectURL(url), { once: true })
     return worker
   }
@@ -49,7 +51,8 @@ function policyOfPage(): typeof policy {
 }
 
 /**
- * Makes a worker, also in a page that requires Trusted Types and allows the policy `circle-voronoi`. Bundlers look for the plain
+ * Makes a worker, also in a page that requires Trusted Types and allows the policy `circle-voronoi`. Bundlers look for
+ * the plain
  * expression `new Worker(new URL(...))`, so `Worker` itself is replaced while `make` runs.
  */
 function withTrustedUrls(make: () => Worker): Worker {

@@ -40,7 +40,8 @@ export interface EditorOptions {
  */
 export interface EditorMethods {
   /**
-   * A callback for each change, called before the method that made the change returns. An error that it throws is reported as
+   * A callback for each change, called before the method that made the change returns. An error that it throws is
+   * reported as
    * uncaught, and the change stands.
    */
   onchange: ((change: Change) => void) | undefined
@@ -107,7 +108,8 @@ export interface EditorMethods {
  * when the outer circle goes. The diagram does not depend on the edits that led to it: it equals the result of
  * `compute`.
  *
- * Errors contain the id of the circle as `circle`, or `undefined` for a new circle. After `dispose`, every method throws
+ * Errors contain the id of the circle as `circle`, or `undefined` for a new circle. After `dispose`, every method
+ * throws
  * `badArgument`.
  *
  * The editor holds WebAssembly memory. `dispose` or `using` frees it; otherwise the garbage collector does so at some
@@ -173,7 +175,7 @@ export function checkedEdits(edits: Iterable<Edit>, weights: boolean): CheckedEd
   })
 }
 
-/** Embind makes other numbers of what is no id. */
+/** Embind converts values that are no ids to other numbers. */
 export function checkId(id: unknown, caller: string): asserts id is number {
   checkNumber(id, caller, 'the id of a circle')
   if (!Number.isInteger(id) || (id as number) < NONE || (id as number) >= 2 ** 31) {
@@ -181,7 +183,10 @@ export function checkId(id: unknown, caller: string): asserts id is number {
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, and the codes of `compute`; by the id, where the core knows of places in a list */
+/**
+ * @throws CircleVoronoiError `badInput`, and the codes of `compute`; by the id, where the core knows of places in a
+ * list
+ */
 export function checkedCircle(circle: CircleLike, weights: boolean, id?: number): Circle {
   const [x, y, r]: readonly unknown[] = [circleX(circle), circleY(circle), circleRadius(circle)]
   const who = id === undefined ? 'The new circle' : `Circle ${id}`

@@ -83,7 +83,7 @@ export interface CircleVoronoi {
     fr: Accessor<Datum>,
     options?: Options,
   ): Diagram
-  /** Computes the diagram of data that have the properties x, y and r, or are arrays of these three. */
+  /** Computes the diagram of data with the properties x, y and r, or of arrays [x, y, r]. */
   from<Datum extends CircleLike>(
     data: Iterable<Datum>,
     fx?: Accessor<Datum>,
@@ -93,10 +93,12 @@ export interface CircleVoronoi {
   ): Diagram
   /**
    * Computes the Voronoi diagram of circles in a plane that repeats with two periods: in a box whose opposite sides are
-   * glued together. The box is any parallelogram. The circles may lie anywhere, be larger than the box, and be their own
+   * glued together. The box is any parallelogram. The circles may lie anywhere, be larger than the box, and be their
+   * own
    * neighbors.
    *
-   * Centers and periods are rounded once, to multiples of 2^-50 of the largest coordinate. The result is checked: borders
+   * Centers and periods are rounded once, to multiples of 2^-50 of the largest coordinate. The result is checked:
+   * borders
    * have twins across the sides of the box, Euler's formula holds, and the areas sum to that of the box.
    *
    * @throws CircleVoronoiError as `compute`; `badArgument` if the lattice is none; `badOption` if the periods are zero,
@@ -134,7 +136,8 @@ export interface CircleVoronoi {
    * circles there are outside the box. A cell is final if it is bounded and the discs of its vertices, widened by
    * `maxRadius`, lie inside the box.
    *
-   * @throws CircleVoronoiError `badArgument` if the box or the radius is none; `badInput` if an array has the wrong type or
+   * @throws CircleVoronoiError `badArgument` if the box or the radius is none; `badInput` if an array has the wrong
+   * type or
    *   length; `badOption` if the box is empty or the radius negative or not finite.
    */
   finalCells(diagram: Verifiable, known: Known): FinalCells
@@ -257,7 +260,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibr
   }
 }
 
-/** Ends the computation when a callback throws, and keeps what it threw: no exception of JavaScript passes the core. */
+/** Ends the computation when a callback throws, and keeps the exception: no exception of JavaScript passes the core. */
 class Reporter {
   readonly progress: ((...told: Parameters<Progress>) => boolean) | undefined
   #thrown: { readonly error: unknown } | undefined

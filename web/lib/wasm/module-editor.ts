@@ -160,7 +160,7 @@ export class Editor implements EditorMethods {
   }
 }
 
-/** Of each edit its kind, id, x, y and r. */
+/** For each edit its kind, id, x, y and r. */
 function numbersOf(edits: readonly CheckedEdit[]): Float64Array {
   const numbers = new Float64Array(5 * edits.length)
   let place = 0

@@ -78,7 +78,7 @@ export function checkOptions(options: Options, caller: string, more: readonly st
   const { weights, method, candidates, samples, resample, progress }: { [Name in keyof Options]: unknown } = options
   const isText = (value: unknown) => value === undefined || typeof value === 'string'
   if (!isText(method) || !isText(candidates)) refuseOption('The options method and candidates are strings.')
-  // -1 is what the core has for the default.
+  // -1 stands for the default in the core.
   if (
     samples !== undefined &&
     !(Number.isInteger(samples) && 0 <= (samples as number) && (samples as number) < 2 ** 31)

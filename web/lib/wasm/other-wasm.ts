@@ -2,12 +2,14 @@
 // The addresses of the files that threads load.
 import { defaultComparisonWasm, defaultRegionsWasm } from './default-wasm.ts'
 
-/** The address of `circle-voronoi-comparison.wasm`; `undefined` if this module has none, or the thread has the bytes. */
+/**
+ * The address of `circle-voronoi-comparison.wasm`; `undefined` if this module has none, or the thread has the bytes.
+ */
 export function comparisonAddress(): URL | undefined {
   return addressOf(defaultComparisonWasm)
 }
 
-/** The address of `circle-voronoi-regions.wasm`, likewise. */
+/** The address of `circle-voronoi-regions.wasm`. */
 export function regionsAddress(): URL | undefined {
   return addressOf(defaultRegionsWasm)
 }

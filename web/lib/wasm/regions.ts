@@ -27,7 +27,8 @@ import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from '
  */
 export interface DissolveOptions {
   /**
-   * Whether polygons that share borders or overlap, as administrative areas do, become their union. Points where sides cross
+   * Whether polygons that share borders or overlap, as administrative areas do, become their union. Points where sides
+   * cross
    * are rounded. Default: false; such polygons are then an error.
    */
   readonly dissolve?: boolean | undefined
@@ -42,7 +43,8 @@ export interface Regions {
   /**
    * Makes a region from GeoJSON or a list of rings, and checks it.
    *
-   * @throws CircleVoronoiError `badOption`, if it is none, or rings cross themselves or one another and `dissolve` is not
+   * @throws CircleVoronoiError `badOption`, if it is none, or rings cross themselves or one another and `dissolve` is
+   * not
    *   set; the message names the rings, the sides and the point
    * @example
    * const counties = { type: 'MultiPolygon', coordinates: [[[[0, 0], [5, 0], [5, 9]]], [[[5, 0], [9, 9], [5, 9]]]] }
@@ -66,7 +68,8 @@ export interface Regions {
    */
   fitAreas(sites: Circles | Iterable<SiteLike>, areas: Float64Array | readonly number[], options: FitOptions): AreaFit
   /**
-   * Finds weights for which each site's cell has a given area in a box whose opposite sides are glued together. The areas
+   * Finds weights for which each site's cell has a given area in a box whose opposite sides are glued together. The
+   * areas
    * sum to that of the box. Sites may lie in any box.
    *
    * @throws CircleVoronoiError as with a region, and as `computePeriodic`; sites that differ by whole periods are equal
@@ -113,7 +116,7 @@ let newest: CompiledWasm | undefined
 export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm): Promise<RegionsOfModule> {
   const module = (await instantiate(createModule, wasm)) as WasmRegionsModule
   newest = wasm
-  // Free what is no longer used.
+  // Frees the memory of regions that are no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))
   const addresses = new WeakMap<Region, number>()

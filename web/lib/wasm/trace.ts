@@ -16,20 +16,26 @@ import type { Options } from './options.ts'
  * - `sampleTaken`: `disc` is the point, of radius 0, on its circle less the smallest of all radii;
  * - `samplesJoined`: an edge of the Delaunay graph of the samples, of which `numbers` are two;
  * - `pairFound`: two circles get an antipodal disc;
- * - `antipodalDiscAccepted`: it is empty, and its two directed edges follow; `antipodalDiscUsed`: a footpoint lies on an arc
+ * - `antipodalDiscAccepted`: it is empty, and its two directed edges follow; `antipodalDiscUsed`: a footpoint lies on
+ * an arc
  *   that the diagram has used already; `antipodalDiscNotEmpty`: it meets the third circle;
- * - `threeTouchDiscFormed`: put into the queue by the two directed edges `numbers`; `threeTouchDiscStale`: discarded, as these
+ * - `threeTouchDiscFormed`: put into the queue by the two directed edges `numbers`; `threeTouchDiscStale`: discarded,
+ * as these
  *   are gone or no longer adjacent; `branchDisc`: it is empty, and makes a vertex;
  * - `directedEdgePlaced`, `directedEdgeDeleted`: from the first circle to the second; `disc` is its disc of R_min;
  * - `segmentFinished`: the Voronoi segment of a directed edge, which ends at a vertex; `disc` is its disc of R_max.
  *
- * Of flips and edits, which change the triangulation that is dual to the diagram: its faces as they are, then of each change
- * the reason, if one can be named, the faces that go and those that come. The faces that are left are those of the diagram.
+ * Of flips and edits, which change the triangulation that is dual to the diagram: its faces as they are, then of each
+ * change
+ * the reason, if one can be named, the faces that go and those that come. The faces that are left are those of the
+ * diagram.
  *
- * - `faceMade`, `faceRemoved`: a face of three circles, with the disc that touches them if they have one, which is then a
+ * - `faceMade`, `faceRemoved`: a face of three circles, with the disc that touches them if they have one, which is then
+ * a
  *   vertex of the diagram; or of two, an unbounded end. `numbers` is its number, which may be that of another later;
  * - `discNotEmpty`: the disc of a face meets `circles[2]`, or ties with it: the edge between the first two goes;
- *   `discMissing`: three circles of a face have no disc, and the edge between the first two goes; `tangentNotClear`: the
+ *   `discMissing`: three circles of a face have no disc, and the edge between the first two goes; `tangentNotClear`:
+ * the
  *   tangent line of two neighbors on the hull meets the third circle; `hullNotConvex`: the first circle lies within the
  *   tangent line of the others, its neighbors on the hull, and leaves it;
  * - `circleInserted`, `circleRemoved`, `circleReplaced`: an edit of the first circle, by its id; `disc` is the circle;
@@ -79,7 +85,10 @@ export type TraceKind = (typeof TRACE_KINDS)[number]
  * @category Tracing
  */
 export interface TraceOptions extends Options {
-  /** Edits to the diagram of `circles`, in which circle i has the id i. The only other option that they can be combined with is `weights`. */
+  /**
+   * Edits to the diagram of `circles`, in which circle i has the id i. The only other option that they can be combined
+   * with is `weights`.
+   */
   readonly edits?: Iterable<Edit> | undefined
 }
 
@@ -141,7 +150,7 @@ export interface TraceState {
   readonly queue: Int32Array
   /** The events that made the current faces. */
   readonly faces: Int32Array
-  /** The edits of circles so far, of all rounds. */
+  /** The edits of circles in all rounds before. */
   readonly edits: Int32Array
 }
 

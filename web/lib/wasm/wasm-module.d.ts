@@ -53,7 +53,7 @@ interface WasmModule {
     r: number,
     hint: number,
   ): WasmError | Uint8Array
-  /** Of each edit its kind, id, x, y and r. */
+  /** For each edit its kind, id, x, y and r. */
   applyEdits(editor: number, edits: Float64Array): WasmError | Uint8Array
   /** Applies edits and returns their events; the change is not reported. */
   traceEdits(editor: number, edits: Float64Array): WasmError | import('./trace.ts').TraceArrays
@@ -104,7 +104,10 @@ interface WasmRegionsModule {
   ):
     | WasmError
     | (import('../regions/few-circles.ts').Sides & { readonly cells: import('../regions/region.ts').ClippedCells })
-  /** The cell of the first of some points, as circles of radius 0. Row i is that of point i, and only row 0 has polygons. */
+  /**
+   * The cell of the first of some points, as circles of radius 0. Row i is that of point i, and only row 0 has
+   * polygons.
+   */
   clipFirstCell(region: number, points: Float64Array): WasmError | import('../regions/region.ts').ClippedPolygons
   clippedCells(clip: number): WasmError | import('../regions/region.ts').ClippedCells
   clippedEdges(clip: number): WasmError | import('../regions/region.ts').ClippedEdges
