@@ -72,21 +72,24 @@ std::optional<Place> outsideRange(const Diagram& diagram) {
 /// Precondition: all indices are in range.
 std::optional<Place> wronglyLinked(const Diagram& diagram) {
   const auto& [nextSide, vertexSides, firstSide] = diagram.links;
+  // In the order of the array, so that no access waits for another one.
+  for (std::size_t k = 0; k < nextSide.size(); ++k) {
+    const auto side = SideIndex(static_cast<std::int32_t>(k));
+    const SideIndex next = nextSide[k];
+    if (diagram.circleOf(next) != diagram.circleOf(side) || diagram.originOf(next) != diagram.targetOf(side)) {
+      return Place{"side", k};
+    }
+  }
   // A side leads to sides of the same cell, so cycles around different cells have no side in common.
   std::size_t count = 0;
   for (std::size_t i = 0; i < firstSide.size(); ++i) {
     const SideIndex first = firstSide[i];
     if (first == kNone) continue;
-    const CircleIndex circle = static_cast<std::int32_t>(i);
-    if (diagram.circleOf(first) != circle) return Place{"circle", i};
+    if (diagram.circleOf(first) != static_cast<std::int32_t>(i)) return Place{"circle", i};
     SideIndex side = first;
     do {
       if (++count > nextSide.size()) return Place{"circle", i};
-      const SideIndex next = nextSide[static_cast<std::size_t>(side)];
-      if (diagram.circleOf(next) != circle || diagram.originOf(next) != diagram.targetOf(side)) {
-        return Place{"side", static_cast<std::size_t>(side)};
-      }
-      side = next;
+      side = nextSide[static_cast<std::size_t>(side)];
     } while (side != first);
   }
   if (count != nextSide.size()) return Place{"side", count};
