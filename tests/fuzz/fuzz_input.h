@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,5 +36,18 @@ inline constexpr std::size_t kMostCircles = 24;
 
 /// The diagram with numbers overwritten, which may be right or wrong afterwards.
 Diagram corrupted(Diagram diagram, std::span<const Edit> edits);
+
+/// Whether the products of four numbers of a power diagram do not underflow (powerDiagram).
+inline bool isExact(const Diagram& diagram) {
+  double largest = 0;
+  double least = 1e300;
+  for (const Circle& c : diagram.circles) {
+    for (const double value : {std::abs(c.x), std::abs(c.y), c.r}) {
+      largest = std::max(largest, value);
+      if (value > 0) least = std::min(least, value);
+    }
+  }
+  return diagram.metric != Metric::power || least > 0x1p-190 * largest;
+}
 
 }  // namespace circle_voronoi::fuzz

@@ -91,7 +91,7 @@ class Checker {
     for (const auto& [x, y, r] : circles_) largest = std::max({largest, std::abs(x), std::abs(y), r});
     rounding_ = std::max(kRounding * largest, kLeastRounding);
     for (const auto& [x, y, radius] : diagram.vertices) largest = std::max({largest, std::abs(x), std::abs(y)});
-    isLarge_ = largest < kMostRange * size_ && size_ > 1e-140;
+    isLarge_ = largest < kMostRange * size_ && size_ > 1e-140 && isExact(diagram);
   }
 
   void run() {

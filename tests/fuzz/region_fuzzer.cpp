@@ -70,19 +70,6 @@ Point pointOf(const Diagram& diagram, const Box& box, std::uint8_t first, std::u
   return p;
 }
 
-/// Whether the products of four numbers of a power diagram do not underflow (powerDiagram).
-bool isExact(const Diagram& diagram) {
-  double largest = 0;
-  double least = 1e300;
-  for (const Circle& c : diagram.circles) {
-    for (const double value : {std::abs(c.x), std::abs(c.y), c.r}) {
-      largest = std::max(largest, value);
-      if (value > 0) least = std::min(least, value);
-    }
-  }
-  return diagram.metric != Metric::power || least > 0x1p-190 * largest;
-}
-
 void checkClip(const Diagram& diagram, const Region& region) {
   const auto clipped = ClippedDiagram::from(diagram, region);
   if (!clipped && !isExact(diagram)) return;
