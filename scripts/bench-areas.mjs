@@ -12,8 +12,8 @@ const MOST_OF_WASM = 10_000
  * and, from a cold start, seconds of d3-voronoi-map with its defaults and the relative error of its worst cell. Needs dist/lib.
  */
 export async function benchAreas(table) {
-  const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
-  const { region, fitAreas } = await (await loadCircleVoronoi()).loadRegions()
+  const { loadRegions } = await import(`${ROOT}dist/lib/regions.js`)
+  const { region, fitAreas } = await loadRegions()
   const square = region([
     [
       [0, 0],

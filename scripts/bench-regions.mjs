@@ -10,8 +10,9 @@ const LIVE = { circles: 100_000, sides: 1000, edits: 300 }
  */
 export async function benchRegions() {
   const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
+  const { loadRegions } = await import(`${ROOT}dist/lib/regions.js`)
   const library = await loadCircleVoronoi()
-  const { region } = await library.loadRegions()
+  const { region } = await loadRegions()
   return [polygons(library, region), edits(library, region)]
 }
 

@@ -26,12 +26,9 @@ async function lib() {
     const file = `lib/generated/circle-voronoi${name}`
     copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
   }
-  const exported = await Promise.all(['index', 'worker'].map((name) => import(`${ROOT}dist/lib/${name}.js`)))
-  const text = await oneFile('lib', [
-    replacing('web/lib/threads/regions-script.ts', 'web/lib/bundled/threads/regions-script.ts'),
-    replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
-    replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/scripts-beside.ts'),
-  ])
+  const entries = ['comparison', 'index', 'link', 'regions', 'worker']
+  const exported = await Promise.all(entries.map((name) => import(`${ROOT}dist/lib/${name}.js`)))
+  const text = await oneFile('lib', [replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts')])
   writeFileSync(`${ROOT}dist/lib/bundle.js`, moduleOf(text, exported.flatMap(Object.keys)))
   // Removes the map of the module that the compiler made.
   rmSync(`${ROOT}dist/lib/bundle.js.map`)
@@ -260,11 +257,11 @@ function replacing(module, other) {
   }
 }
 
-/** The element's replacements: no JSON of diagrams, and a thread in one file. */
+/** The element's replacements: no JSON of diagrams, and a thread with the scripts of all modules. */
 const ELEMENT = [
   styles,
   replacing('web/lib/diagram/diagram-file.ts', 'web/element/no-diagram-file.ts'),
-  replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/scripts-inside.ts'),
+  replacing('web/view/painter/other-modules.ts', 'web/element/modules-inside.ts'),
 ]
 
 await { lib, element, picture, cli }[process.argv[2]]()

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import sirv from 'sirv'
-import { addModules, pageOf, recipes, withOwnElement } from '../tests/readme/recipes.mjs'
+import { addModules, pageOf, pageOfComponent, recipes, withOwnElement } from '../tests/readme/recipes.mjs'
 import { recipeDrawings } from './recipe-drawings.mjs'
 import { isMain, main, ROOT } from './run.mjs'
 import { chromiumPath } from './setup.mjs'
@@ -42,6 +42,7 @@ export async function pictureRecipes(browser) {
   const drawings = await recipeDrawings()
   for (const { language, title, code, picture } of recipes()) {
     if (language === 'html') await take(pageOf(code), picture)
+    else if (language === 'jsx') await take(await pageOfComponent(code), picture)
     else if (language === 'py') {
       const [, html = ''] = /"""([\s\S]*)"""/.exec(code) ?? []
       await take(pageOf(withOwnElement(html)), picture)

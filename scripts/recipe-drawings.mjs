@@ -37,6 +37,7 @@ export async function recipeDrawings() {
         )
       },
     },
+    'Find the nearest of your data': { names: ['diagram'], draw: ({ diagram }) => drawn(diagram, [-11, -5, 16.2, 12]) },
     'Show cells on a MapLibre map': { names: ['data'], draw: ({ data }) => onMap(data) },
     'Draw cells with d3-geo': { names: ['svg'], draw: ({ svg }) => svg },
     'Show cells with deck.gl': { names: ['data'], draw: ({ data }) => asPolygons(data) },

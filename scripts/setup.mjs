@@ -86,10 +86,7 @@ export async function setup(purpose, meanwhile) {
       browsers.map(([, , what]) => what),
     )
   }
-  await Promise.all([installNpmPackages(''), meanwhile?.()])
-  // An old compiler for the tests of the package. It is installed apart because its program has the same name as the
-  // current one.
-  if (tests) await installNpmPackages('tests/pack/typescript-5.0/')
+  await Promise.all([installNpmPackages(), meanwhile?.()])
 }
 
 /** The path of Chromium for tests. */
@@ -150,14 +147,14 @@ function checkOtherSystem(libraries, tests, missingBrowsers) {
 }
 
 /** Installs the packages of the lock file in a folder. */
-async function installNpmPackages(folder) {
+async function installNpmPackages() {
   const lock = createHash('sha256')
-    .update(readFileSync(`${ROOT}${folder}package-lock.json`))
+    .update(readFileSync(`${ROOT}package-lock.json`))
     .digest('hex')
-  const stamp = `${ROOT}${folder}node_modules/.installed-lock`
+  const stamp = `${ROOT}node_modules/.installed-lock`
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === lock) return
   console.log('Installing npm packages')
-  await run('npm', ['ci', '--no-audit', '--no-fund', '--prefix', `${ROOT}${folder}`])
+  await run('npm', ['ci', '--no-audit', '--no-fund'])
   writeFileSync(stamp, lock)
 }
 

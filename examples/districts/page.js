@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cities of Europe in districts of equal population
-import { loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadRegions } from '../../dist/lib/regions.js'
 import { districtsOf } from './districts.js'
 
 /** Radius of a city of a million, in kilometers. The areas of the file's circles are proportional to populations. */
 const RADIUS = 30
 const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#a99bd0', '#e39a6f', '#9db4a0']
 
-const regions = await (await loadCircleVoronoi()).loadRegions()
+const regions = await loadRegions()
 const rows = (await (await fetch('../../public/data/cities.csv')).text()).trim().split('\n').slice(1)
 const cities = rows.map((row) => {
   const [x, y, r] = row.split(',').map(Number)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A treemap in a page
 // Click a cell, or reach it with the tab key, to make it grow. Shift makes it shrink.
-import { loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadRegions } from '../../dist/lib/regions.js'
 import { disc, LAND } from './land.js'
 import { svgOf } from './svg.js'
 import { sumOf, treemap } from './treemap.js'
@@ -9,7 +9,7 @@ import { sumOf, treemap } from './treemap.js'
 const SIZE = 800
 const GROWTH = 1.25
 
-const regions = await (await loadCircleVoronoi()).loadRegions()
+const regions = await loadRegions()
 const whole = regions.region([disc({ x: SIZE / 2, y: SIZE / 2, r: SIZE / 2 - 4 })])
 const tree = structuredClone(LAND)
 const picture = document.querySelector('#picture')

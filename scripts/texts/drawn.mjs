@@ -35,7 +35,8 @@ export async function loadDrawn(library) {
   const { KINDS, heightOf, paintCones, WIDTH, colorsOf, extrasOf } = await import(pathToFileURL(BUNDLE).href)
   const style = ['style/tokens.css', 'tutorial/drawn.css'].map((name) => readFileSync(`${ROOT}web/${name}`, 'utf8'))
 
-  const regions = await library.loadRegions()
+  const { loadRegions } = await import(`${ROOT}dist/lib/regions.js`)
+  const regions = await loadRegions()
 
   const draw = ({ kind, view, point, region, at = 0, tilt, turn }, circles) => {
     if (kind === undefined) {

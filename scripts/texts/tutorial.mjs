@@ -57,12 +57,13 @@ export function readBook() {
 export async function tutorialTexts(folder) {
   const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
   const { loadFiles } = await import(`${ROOT}dist/lib/files.js`)
+  const { loadRegions } = await import(`${ROOT}dist/lib/regions.js`)
   const { encodeLink } = await import(`${ROOT}dist/lib/link.js`)
   const [library, files, circlesOf] = [await loadCircleVoronoi(), await loadFiles(), await loadFigureCircles()]
   const printedOf = await loadPrinted(library)
   const drawing = await loadDrawn(library)
   const posterOf = posterMaker(library, drawing)
-  const fittedOf = fittedPoster(await library.loadRegions(), drawing)
+  const fittedOf = fittedPoster(await loadRegions(), drawing)
   const book = readBook()
   mkdirSync(`${folder}/tutorial/pictures`, { recursive: true })
 

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs'
 import type { Locator } from '@playwright/test'
 import type { Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
 import { soon } from '../soon.ts'
@@ -31,7 +32,7 @@ const HOLE = [
 const PAPER = '250,248,244'
 
 const geojson = (...rings: number[][][]) => JSON.stringify({ type: 'Polygon', coordinates: rings })
-const { region } = await (await loadCircleVoronoi()).loadRegions()
+const { region } = await loadRegions()
 const TOTAL = region([SQUARE as [number, number][], HOLE as [number, number][]]).area
 
 test.use({ link: await encodeLink({ circles: THREE as [number, number, number][] }) })

@@ -5,7 +5,9 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { guessedColumns, type Table, unknownTable } from '../../web/app/files/columns.ts'
 import { columnsOf } from '../../web/editing/attributes.ts'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import { loadFiles, type ReadCirclesOptions } from '../../web/lib/files.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { circlesOfText } from '../../web/view/circle-text.ts'
 import { readRegion } from '../../web/view/region-text.ts'
 import { library } from '../web/library.ts'
@@ -134,7 +136,7 @@ describe('files that people bring', () => {
   })
 
   it('shared-border.wkt: the error names dissolve, and it helps', async () => {
-    const regions = await library.loadRegions()
+    const regions = await loadRegions()
     const shape = readRegion(textOf('shared-border.wkt'))
     expect(() => regions.region(shape)).toThrow('`dissolve`')
     expect(regions.region(shape, { dissolve: true }).area).toBe(100)
@@ -142,7 +144,7 @@ describe('files that people bring', () => {
 
   it('bubbles.csv: power cells cut by their circles are refused with a reason', async () => {
     expectCircles('bubbles.csv', [8, 10, 6, 20, 8, 4, 18, 20, 12])
-    const { computeComparison } = await library.loadComparison()
+    const { computeComparison } = await loadComparison({ library })
     const diagram = computeComparison(circlesOfText(textOf('bubbles.csv')), 'power')
     const message = 'maximum distance of a power diagram, which has no distances.'
     expect(() => files.writeDiagram(diagram, { format: 'geojson', maxDistance: 5 })).toThrow(message)

@@ -81,8 +81,8 @@ function listedAfter(words: string, message: string): string[] {
 }
 
 it('the options of compute are those of the command line and of the core, with the same values', () => {
-  const unknown = messageOf(() => library.compute(CIRCLES, { sample: 1 } as object))
-  expect(listedAfter('its options are ', unknown)).toEqual(Object.keys(OPTIONS))
+  const unknown = messageOf(() => library.trace(CIRCLES, { sample: 1 } as object))
+  expect(listedAfter('its options are ', unknown)).toEqual([...Object.keys(OPTIONS), 'edits'])
   // On the command line, each stage of progress is a line.
   for (const name of Object.keys(OPTIONS)) expect(HELP).toMatch(new RegExp(`^  --${name}[ \\n]`, 'm'))
   for (const [name, values] of Object.entries({ method: METHODS, candidates: CANDIDATES })) {

@@ -224,10 +224,6 @@ class Questions {
   }
 
   void askQueries() const {
-    {
-      Answer answer("neighborPairs");
-      for (const auto& pair : neighborPairs(diagram_)) answer.list(pair);
-    }
     if (const auto pair = closestPair(diagram_)) Answer("closestPair") << pair->first << pair->second << pair->gap;
     askDisc("largestEmptyDiscCenteredInHull", largestEmptyDiscCenteredInHull(diagram_));
     for (const ConvexPolygon& region : regions_) {

@@ -6,4 +6,4 @@ import { hasTypes } from '../pack/types.mjs'
 
 const project = new Project()
 after(() => project.remove())
-hasTypes(project, ({ compiler }) => compiler !== 'tsc')
+hasTypes(project, (compiler) => compiler !== 'tsc')

@@ -4,7 +4,7 @@ import { existsSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { blocksRunBy } from '../readme/blocks.mjs'
-import { addModules, POLICY, pageOf, recipes, withOwnElement } from '../readme/recipes.mjs'
+import { addModules, POLICY, pageOf, pageOfComponent, recipes, withOwnElement } from '../readme/recipes.mjs'
 import { soon } from '../soon.ts'
 import { Project, ROOT } from './project.mjs'
 import { serve } from './static-server.ts'
@@ -28,7 +28,7 @@ test.afterAll(() => project.remove())
 
 test('all of them are run, and each section has a picture', () => {
   expect(blocksRunBy('tests/pack/cookbook.spec.ts').map(({ code }) => code)).toEqual(RECIPES.map(({ code }) => code))
-  expect(new Set(RECIPES.map(({ language }) => language))).toEqual(new Set(['html', 'js', 'py']))
+  expect(new Set(RECIPES.map(({ language }) => language))).toEqual(new Set(['html', 'js', 'jsx', 'py']))
   const text = readFileSync(join(ROOT, 'docs/cookbook.md'), 'utf8')
   const sections = text.split(/^## /m).slice(1)
   expect(sections.length).toBeGreaterThan(18)
@@ -64,6 +64,54 @@ test('the cell under the pointer is another one once the pointer has moved', asy
   const before = await page.screenshot()
   await page.mouse.move(400, 120)
   await soon(async () => before.equals(await page.screenshot())).toBe(false)
+})
+
+test('a component of React colors the cell under the pointer', async ({ page }) => {
+  const [{ code } = { code: '' }] = inLanguage('jsx')
+  const complaints = await shown(page, await pageOfComponent(code))
+  const cell = page.locator('svg path').first()
+  const first = await cell.getAttribute('d')
+  for (const [x, y] of [
+    [400, 120],
+    [400, 170],
+  ] as const) {
+    await page.mouse.move(x, y)
+    await soon(() => cell.evaluate((path, point) => (path as SVGPathElement).isPointInFill(point), { x, y })).toBe(true)
+  }
+  expect(await cell.getAttribute('d')).not.toBe(first)
+  expect(complaints).toEqual([])
+})
+
+test('a picture is saved from a page as an SVG file that is the one shown', async ({ page }) => {
+  await shown(page, pageOfRecipe('Save an SVG in a browser'))
+  const link = page.getByRole('link', { name: 'Save the picture' })
+  const [download] = await Promise.all([page.waitForEvent('download'), link.click()])
+  expect(download.suggestedFilename()).toBe('cells.svg')
+  const text = readFileSync(await download.path(), 'utf8')
+  expect(text).toMatch(/^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg"/)
+  const shape = await page.locator('svg').evaluate((svg) => svg.innerHTML)
+  expect(
+    await page.evaluate((svg) => new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement.innerHTML, text),
+  ).toContain(/d="[^"]+"/.exec(shape)?.[0])
+})
+
+test('cells end at the polygon to which they are clipped', async ({ page }) => {
+  await shown(page, pageOfRecipe('Clip cells to a polygon'))
+  await soon(() => colorsIn(page)).toBeGreaterThan(2)
+  const inked = (x: number, y: number, width: number, height: number) =>
+    page
+      .locator('canvas')
+      .evaluate(
+        (canvas, box) =>
+          ((canvas as HTMLCanvasElement).getContext('2d') as CanvasRenderingContext2D)
+            .getImageData(...(box as [number, number, number, number]))
+            .data.some((value) => value > 0),
+        [x, y, width, height],
+      )
+  // Below the arch of the gate and above its roof nothing is drawn, although cells reach there.
+  expect(await inked(160, 200, 160, 90)).toBe(false)
+  expect(await inked(0, 0, 100, 60)).toBe(false)
+  expect(await inked(150, 20, 180, 160)).toBe(true)
 })
 
 test('districts differ by less than a twentieth in their numbers of people', async ({ page }) => {

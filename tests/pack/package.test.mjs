@@ -86,7 +86,7 @@ describe('is well made', () => {
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), tarball(), ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/files', ...ELEMENT])
+    for (const name of ['', '/worker', '/worker-thread', '/regions', '/comparison', '/files', '/link', ...ELEMENT])
       assert.ok(judged.includes(`"circle-voronoi${name}"`), judged)
   })
 
@@ -134,11 +134,12 @@ describe('in Node', () => {
       'forgetful.mjs',
       `import { readFileSync } from 'node:fs'
       import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
+      import { loadComparison } from 'circle-voronoi/comparison'
       import { createWorker } from 'circle-voronoi/worker'
       const module = WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]))
       const wasm = readFileSync(${JSON.stringify(project.path('node_modules/circle-voronoi/dist/lib/generated/circle-voronoi.wasm'))})
       const failed = [
-        loadCircleVoronoi(), loadCircleVoronoi({ wasm }).then((library) => library.loadComparison()), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
+        loadCircleVoronoi(), loadCircleVoronoi({ wasm }).then((library) => loadComparison({ library })), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
         loadCircleVoronoi({ wasm: module }), loadCircleVoronoi({ wasm: Promise.reject('none') }),
       ].map((promise) => promise.catch((error) => error instanceof CircleVoronoiError ? error.code + ': ' + error.message : 'raw: ' + error))
       Promise.all(failed).then((lines) => console.log(lines.join('\\n')))`,
@@ -183,8 +184,8 @@ describe('in Node', () => {
   it('from the bundle, fits in its worker', () => {
     project.write(
       'bundle-fit.mjs',
-      `import { createWorker, loadCircleVoronoi } from './node_modules/circle-voronoi/dist/lib/bundle.js'
-      const { region } = await (await loadCircleVoronoi()).loadRegions()
+      `import { createWorker, loadRegions } from './node_modules/circle-voronoi/dist/lib/bundle.js'
+      const { region } = await loadRegions()
       const square = region([[[0, 0], [4, 0], [4, 4], [0, 4]]])
       const { areas } = await createWorker().fitAreas([[1, 1], [3, 2]], [4, 12], { region: square })
       console.log(Array.from(areas, Math.round).join())`,
@@ -200,7 +201,7 @@ describe('in Node', () => {
   })
 })
 
-describe('has types', () => hasTypes(project, ({ compiler }) => compiler === 'tsc'))
+describe('has types', () => hasTypes(project, (compiler) => compiler === 'tsc'))
 
 describe('the code for Node in the documentation', () => {
   const blocks = blocksRunBy('tests/pack/package.test.mjs')

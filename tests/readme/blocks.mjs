@@ -97,7 +97,7 @@ const RUN_BY = [
   })),
   { by: 'tests/e2e/tutorial.spec.ts', file: `${CHAPTERS}/teachers.md` },
   { by: NATIVE, file: MANUAL_PAGE },
-  ...['index', 'diagram/diagram', 'wasm/editor', 'wasm/library', 'worker'].map((name) => ({
+  ...['index', 'wasm/editor', 'wasm/library', 'worker'].map((name) => ({
     by: COMMENTS,
     file: `web/lib/${name}.ts`,
   })),

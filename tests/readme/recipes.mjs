@@ -3,6 +3,7 @@
 import { existsSync, mkdirSync, readFileSync, symlinkSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { build } from 'esbuild'
 import { slugOf } from '../../scripts/texts/markdown.mjs'
 import { blocksOfMarkdown } from './blocks.mjs'
 
@@ -31,6 +32,27 @@ export function addModules(folder) {
 /** Completes a recipe to a page. */
 export function pageOf(code) {
   return `<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>Recipe</title><body style="margin: 0">\n${code}`
+}
+
+/** Makes a page of a React component that shows a diagram. */
+export async function pageOfComponent(code) {
+  const contents = `${code}
+    import { createRoot } from 'react-dom/client'
+    import { loadCircleVoronoi } from './node_modules/circle-voronoi/dist/lib/index.js'
+    const { compute } = await loadCircleVoronoi()
+    const diagram = compute([[90, 90, 50], [240, 70, 20], [380, 120, 40], [180, 220, 35]])
+    createRoot(document.getElementById('root')).render(<Cells diagram={diagram} />)`
+  const { outputFiles } = await build({
+    stdin: { contents, loader: 'jsx', resolveDir: ROOT },
+    jsx: 'automatic',
+    bundle: true,
+    minify: true,
+    format: 'esm',
+    define: { 'process.env.NODE_ENV': '"production"' },
+    external: ['./node_modules/circle-voronoi/*'],
+    write: false,
+  })
+  return pageOf(`<div id="root"></div><script type="module">${outputFiles[0].text}</script>`)
 }
 
 /** Replaces the element in a notebook's output by that of the folder's own modules. */

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process'
 import { readdirSync } from 'node:fs'
 import { it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { Diagram, loadCircleVoronoi } from '../../dist/lib/index.js'
+import { fromJSON, loadCircleVoronoi } from '../../dist/lib/index.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const run = (args, input) => execFileSync(`${ROOT}build/native/circle-voronoi`, args, { input, encoding: 'utf8' })
@@ -15,7 +15,7 @@ const library = await loadCircleVoronoi()
 for (const fixture of readdirSync(`${ROOT}tests/fixtures`).filter((name) => name.endsWith('.csv'))) {
   it(`${fixture} there and back`, () => {
     const written = run(['compute', `${ROOT}tests/fixtures/${fixture}`])
-    const diagram = Diagram.fromJSON(written)
+    const diagram = fromJSON(written)
     assert.equal(library.certify(diagram).certified, true)
     const text = JSON.stringify(diagram)
     const { hidden, vertices, edges } = diagram

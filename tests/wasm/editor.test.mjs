@@ -256,8 +256,8 @@ describe('an editor in a worker', () => {
     await rejects(editor.remove(7), 'unknownCircle', 7)
     await rejects(editor.replace(1, [0, 0, -1]), 'negativeRadius', 1)
     await rejects(editor.insert([0, 0]), 'badInput', undefined)
-    await rejects(editor.apply([{ kind: 'move' }]), 'badArgument', undefined)
-    await rejects(editor.nearest('0', 0), 'badArgument', undefined)
+    await rejects(editor.apply([{ kind: 'move' }]), 'badInput', undefined)
+    await rejects(editor.nearest('0', 0), 'badInput', undefined)
     await rejects(worker.edit([[0, 0, -1]]), 'negativeRadius', 0)
     await rejects(worker.edit('circles'), 'badInput', undefined)
     editor.onchange = () => {

@@ -10,7 +10,7 @@ import { inspect } from 'node:util'
 import { blocksRunBy } from '../readme/blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
-const MODULES = ['index', 'worker', 'files']
+const MODULES = ['index', 'worker', 'regions', 'comparison', 'files', 'link']
 /** The common beginning of the examples, as the module's own comment gives it. */
 const BEGIN = `
 const library = await loadCircleVoronoi()
@@ -69,7 +69,7 @@ describe('the code in a comment', () => {
   for (const { file, line, code } of blocksRunBy('tests/wasm/examples.test.mjs')) {
     it(`${file}:${line} runs, and what it asks to be told it is told`, async () => {
       const module = `${folder}/${file.replaceAll('/', '-')}-${line}.mjs`
-      const given = ['library', 'diagram', 'editor', 'worker', 'circles', 'redraw', 'canvas']
+      const given = ['library', 'diagram', 'editor', 'worker', 'circles', 'canvas']
       // An inner block allows the example to redeclare names.
       const made = [...code.matchAll(/^const (?:\[id\]|\{ (\w+) \}|(\w+)) = /gm)].flatMap(([, ...names]) =>
         names.filter(Boolean),
@@ -86,26 +86,20 @@ describe('the code in a comment', () => {
         [0, 8, 1],
       ]
       const library = await loadCircleVoronoi()
-      const redrawn = []
       const canvas = {}
       const worker = createWorker()
       const editor = library.edit(circles)
       try {
         const computed = library.compute(circles)
-        const { diagram = computed, editor: used = editor } = await run({
+        const { diagram = computed } = await run({
           library,
           diagram: computed,
           editor,
           worker,
           circles,
-          redraw: (path) => redrawn.push(path),
           canvas,
         })
         assert.equal(diagram.vertices.length, 3)
-        if (code.includes('redraw')) {
-          used.insert({ x: 3, y: 4, r: 1 })
-          assert.equal(redrawn.length, 4)
-        }
         if (code.includes('onpointermove')) {
           await canvas.onpointermove({ offsetX: 1, offsetY: 2 })
           assert.deepEqual([...diagram.circles.subarray(0, 3)], [1, 2, 5])

@@ -6,17 +6,19 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'n
 import { tmpdir } from 'node:os'
 import { describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
+import { loadComparison } from '../../dist/lib/comparison.js'
 import { loadFiles } from '../../dist/lib/files.js'
 import { CircleVoronoiError, loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadRegions } from '../../dist/lib/regions.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const FIXTURES = readdirSync(`${ROOT}tests/fixtures`).filter((name) => name.endsWith('.csv'))
 const CORPUS = `${ROOT}tests/fuzz/reader_corpus`
 
 const library = await loadCircleVoronoi()
-const comparison = await library.loadComparison()
+const comparison = await loadComparison({ library })
 const files = await loadFiles()
-const { region } = await library.loadRegions()
+const { region } = await loadRegions()
 
 function run(args, input) {
   const { status, stdout, stderr } = spawnSync(`${ROOT}build/native/circle-voronoi`, args, {

@@ -87,9 +87,9 @@ describe('finalCells', () => {
     }
     assert.equal(codeOf(diagram, { box: { ...box, maxX: box.minX }, maxRadius: 0 }), 'badOption')
     assert.equal(codeOf(diagram, { box, maxRadius: -1 }), 'badOption')
-    assert.equal(codeOf(diagram, { box }), 'badArgument')
-    assert.equal(codeOf(diagram, { box: [0, 0, 1, 1], maxRadius: 0 }), 'badArgument')
-    assert.equal(codeOf(diagram, undefined), 'badArgument')
+    assert.equal(codeOf(diagram, { box }), 'badInput')
+    assert.equal(codeOf(diagram, { box: [0, 0, 1, 1], maxRadius: 0 }), 'badInput')
+    assert.equal(codeOf(diagram, undefined), 'badInput')
     assert.equal(
       codeOf({ ...diagram, vertexCircles: diagram.vertexCircles.map((i) => i + 1000) }, { box, maxRadius: 0 }),
       'badInput',

@@ -8,25 +8,23 @@ import { tmpdir } from 'node:os'
 import { createInterface } from 'node:readline'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
+import { distanceFrom } from '../../dist/lib/base/metric.js'
+import { loadComparison } from '../../dist/lib/comparison.js'
+import { bezierPointAt } from '../../dist/lib/curves/bezier.js'
 import { linkSides } from '../../dist/lib/diagram/link-sides.js'
 import {
-  bezierPointAt,
   ConvexPolygon,
   clearestPath,
   clipCurve,
   closestPair,
   convexHull,
   cubicBeziers,
-  curveLength,
-  distanceFrom,
   edgeCurve,
-  exportBox,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
   loadCircleVoronoi,
   mergeVertices,
-  neighborPairs,
   outlineArea,
   outlineCentroid,
   outlinePerimeter,
@@ -36,6 +34,8 @@ import {
   rationalBezier,
 } from '../../dist/lib/index.js'
 import { keptParts } from '../../dist/lib/regions/cell-limits.js'
+import { exportBox } from '../../dist/lib/regions/export-box.js'
+import { curveLength } from '../../dist/lib/regions/measure.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const NATIVE = `${ROOT}build/native/circle-voronoi`
@@ -47,7 +47,7 @@ const PLACES = 7
 const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 
 const library = await loadCircleVoronoi()
-const { computeComparison } = await library.loadComparison()
+const { computeComparison } = await loadComparison({ library })
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 /** Answers requests in order. */
 const child = spawn(ANSWERS, { stdio: ['pipe', 'pipe', 'inherit'] })
@@ -264,7 +264,6 @@ function answersOf(diagram, box, maxDistance) {
   }
 
   if (metric !== 'circles') return answers
-  say('neighborPairs', ...neighborPairs(diagram))
   const pair = closestPair(diagram)
   if (pair !== undefined) say('closestPair', pair.first, pair.second, pair.gap)
   const sayDisc = (name, found) =>

@@ -7,7 +7,9 @@ import { tmpdir } from 'node:os'
 import { basename } from 'node:path'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { edgeAt, exportBox, loadCircleVoronoi, vertexAt } from '../../dist/lib/index.js'
+import { edgeAt, loadCircleVoronoi, vertexAt } from '../../dist/lib/index.js'
+import { exportBox } from '../../dist/lib/regions/export-box.js'
+import { loadRegions } from '../../dist/lib/regions.js'
 import { realData } from '../../scripts/data.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
@@ -24,7 +26,7 @@ const OPTIONS = [
 ]
 
 const library = await loadCircleVoronoi()
-const { region, fitAreas } = await library.loadRegions()
+const { region, fitAreas } = await loadRegions()
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 after(() => rmSync(folder, { recursive: true }))
 const fixtures = readdirSync(`${ROOT}tests/fixtures`, { recursive: true }).filter(

@@ -3,10 +3,10 @@
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { it } from 'node:test'
-import { loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadRegions } from '../../dist/lib/regions.js'
 import { NATIVE } from './native-program.mjs'
 
-const { fitAreas } = await (await loadCircleVoronoi()).loadRegions()
+const { fitAreas } = await loadRegions()
 
 for (const [count, lattice] of [
   [3, [4, 0, 1, 3]],

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict'
 import { after, describe, it } from 'node:test'
 import { loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadRegions } from '../../dist/lib/regions.js'
 import { createWorker } from '../../dist/lib/worker.js'
 
 const BOX = { a: [40, 0], b: [10, 30] }
@@ -17,7 +18,7 @@ describe('a worker', () => {
     const errors = []
     const onStep = ({ error }) => errors.push(error)
     const there = await worker.fitAreas(CIRCLES, areas, { lattice: BOX, shares: true, onStep })
-    const { fitAreas } = await (await loadCircleVoronoi()).loadRegions()
+    const { fitAreas } = await loadRegions()
     const here = fitAreas(CIRCLES, areas, { lattice: BOX, shares: true })
     assert.deepEqual(there.weights, here.weights)
     assert.deepEqual(there.areas, here.areas)

@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { after, describe, it } from 'node:test'
 import { loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadRegions } from '../../dist/lib/regions.js'
 import { createWorker } from '../../dist/lib/worker.js'
 
 const CLIENT = new URL('../../dist/lib/worker.js', import.meta.url).href
@@ -61,6 +62,19 @@ describe('compute', () => {
     assert.equal((await worker.compute([])).circles.length, 0)
   })
 
+  it('takes data and the functions that find circles in them, which stay here', async () => {
+    const library = await loadCircleVoronoi()
+    const data = [
+      [0, 0, 'a'],
+      [10, 0, 'b'],
+    ]
+    const functions = { x: (datum) => datum[0], r: (_, i) => i }
+    assert.deepEqual((await worker.compute(data, functions)).circles, Float64Array.of(0, 0, 0, 10, 0, 1))
+    const box = { a: [20, 0], b: [0, 20] }
+    const { diagram } = await worker.computePeriodic(data, box, functions)
+    assert.deepEqual(diagram.vertices, library.computePeriodic(data, box, functions).diagram.vertices)
+  })
+
   it('does not hold up what goes on here', async () => {
     let turns = 0
     let isOver = false
@@ -102,7 +116,7 @@ describe('fitAreas', () => {
   }
 
   it('gives what the library gives, to the bit, with the same steps', async () => {
-    const { region, fitAreas } = await (await loadCircleVoronoi()).loadRegions()
+    const { region, fitAreas } = await loadRegions()
     const hall = region([
       [
         [0, 0],
@@ -140,7 +154,7 @@ describe('fitAreas', () => {
   })
 
   it('is canceled by a signal, and the worker goes on', async () => {
-    const { region } = await (await loadCircleVoronoi()).loadRegions()
+    const { region } = await loadRegions()
     const square = region([
       [
         [0, 0],

@@ -212,7 +212,7 @@ describe('the outline of a cell', () => {
         () => diagram.cellArea(i),
       ]
       for (const ask of asks) {
-        expect(ask).toThrow(expect.objectContaining({ code: 'badArgument' }))
+        expect(ask).toThrow(expect.objectContaining({ code: 'badInput' }))
       }
     }
     const nested = library.compute(Float64Array.of(0, 0, 5, 1, 0, 1))

@@ -3,6 +3,7 @@
 // modules work afterwards.
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import { loadFiles } from '../../web/lib/files.ts'
 import {
   CircleVoronoiError,
@@ -11,19 +12,22 @@ import {
   convexHull,
   Diagram,
   type DiagramData,
+  DiagramSnapshot,
   edgeCurve,
+  fromJSON,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
   type Metric,
   mergeVertices,
-  neighborPairs,
+  type SnapshotData,
 } from '../../web/lib/index.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 
 const bytesOf = (name: string) => readFileSync(new URL(`../../web/lib/generated/${name}.wasm`, import.meta.url))
-const { region } = await library.loadRegions({ wasm: bytesOf('circle-voronoi-regions') })
-const { computeComparison } = await library.loadComparison({ wasm: bytesOf('circle-voronoi-comparison') })
+const { region } = await loadRegions({ wasm: bytesOf('circle-voronoi-regions') })
+const { computeComparison } = await loadComparison({ library, wasm: bytesOf('circle-voronoi-comparison') })
 const files = await loadFiles({ wasm: bytesOf('circle-voronoi-files') })
 
 const hall = region([
@@ -76,7 +80,7 @@ const CALLS: Record<string, (diagram: Diagram) => unknown> = {
   contains: (d) => [d.contains(4, 30, 30), d.contains(0, 1, 1)],
   find: (d) => [d.find(30, 30), d.find(1, 2, 5), d.findAll([3, 4, 50, 60])],
   halfedges: (d) => d.halfedges,
-  json: (d) => Diagram.fromJSON(JSON.stringify(d)),
+  json: (d) => fromJSON(JSON.stringify(d)),
   certify: (d) => library.certify(d),
   finalCells: (d) => library.finalCells(d, { box: { minX: 0, minY: 0, maxX: 100, maxY: 100 }, maxRadius: 1 }),
   edit: (d) => library.edit(d).dispose(),
@@ -84,7 +88,7 @@ const CALLS: Record<string, (diagram: Diagram) => unknown> = {
   filesInRegion: (d) => files.writeDiagram(d, { format: 'wkt', region: hall }),
   merge: (d) => mergeVertices(d),
   mergeMuch: (d) => mergeVertices(d, 30),
-  pairs: (d) => [closestPair(d), neighborPairs(d)],
+  pair: (d) => closestPair(d),
   path: (d) => clearestPath(d, p, q),
   discIn: (d) => largestEmptyDiscCenteredIn(d, { bounds }),
   discInRegion: (d) => largestEmptyDiscCenteredIn(d, { region: hall }),
@@ -194,8 +198,8 @@ it('the arrays of a snapshot that an edit is applied to are a result or an error
   for (const name of ARRAYS) {
     const editor = library.edit(circles)
     for (const [change, array] of changesOf(editor.snapshot()[name], random)) {
-      const data: DiagramData = { ...editor.snapshot(), [name]: array }
-      const diagram = new Diagram(data)
+      const data: SnapshotData = { ...editor.snapshot(), [name]: array }
+      const diagram = new DiagramSnapshot(data)
       const outcome = outcomeOf(() => {
         diagram.apply(editor.insert({ x: 100 * random(), y: 100 * random(), r: 20 * random() }))
         diagram.apply(editor.remove(3 + Math.floor(20 * random())))

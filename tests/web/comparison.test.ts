@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { distanceFrom } from '../../web/lib/base/metric.ts'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   ConvexPolygon,
   convexHull,
   type Diagram,
-  distanceFrom,
   type Metric,
   NONE,
   outlineArea,
@@ -16,7 +17,7 @@ import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf } from './oracle.ts'
 
-const { computeComparison } = await library.loadComparison()
+const { computeComparison } = await loadComparison({ library })
 
 function distanceTo(circles: Float64Array, i: number, { x, y }: Point, metric: Metric): number {
   const [cx, cy, r] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
@@ -154,5 +155,5 @@ it('refuses what compute refuses, whatever the metric', () => {
 
 it('says so when its module is another', async () => {
   const wasm = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])
-  await expect(library.loadComparison({ wasm })).rejects.toMatchObject({ code: 'notLoaded' })
+  await expect(loadComparison({ library, wasm })).rejects.toMatchObject({ code: 'notLoaded' })
 })

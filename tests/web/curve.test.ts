@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { bezierPointAt } from '../../web/lib/curves/bezier.ts'
 import { movedApart } from '../../web/lib/curves/bisector.ts'
 import { carlson } from '../../web/lib/curves/carlson.ts'
 import { reversed, segment } from '../../web/lib/curves/curve.ts'
 import {
   type BoundedCurve,
-  bezierPointAt,
   bisector,
   type CubicBezier,
   cubicBeziers,
-  curveLength,
   edgeCurve,
   isBoundedCurve,
   type Point,
@@ -20,6 +19,7 @@ import {
   rationalBezier,
   traceArc,
 } from '../../web/lib/index.ts'
+import { curveLength } from '../../web/lib/regions/measure.ts'
 import { anyCircles, circlePair, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { distanceFromArc, scaleOf, signedDistance } from './oracle.ts'

@@ -2,6 +2,7 @@
 // The cookbook names the counterpart of each name of d3-delaunay.
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
+import { recipes } from '../readme/recipes.mjs'
 import { library } from './library.ts'
 
 const { Delaunay, Voronoi } = await import('d3-delaunay' as string)
@@ -13,6 +14,17 @@ const diagram = library.compute([
   [6, 0, 1],
   [0, 8, 1],
 ])
+
+it('shows five tasks in at most fifteen lines each', () => {
+  const [, list = ''] = /Five frequent tasks, each in at most fifteen lines: ([\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
+  const titles = Array.from(list.matchAll(/\]\(#([\w-]+)\)/g), ([, slug]) => slug as string)
+  expect(titles).toHaveLength(5)
+  for (const slug of titles) {
+    const { code } = recipes().find(({ picture }) => picture.endsWith(`/${slug}.png`)) ?? { code: '' }
+    expect(code, slug).not.toBe('')
+    expect(code.trim().split('\n').length, slug).toBeLessThanOrEqual(15)
+  }
+})
 
 it('knows each of its methods', () => {
   const methods = [Delaunay.prototype, Voronoi.prototype]

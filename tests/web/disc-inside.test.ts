@@ -3,10 +3,11 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { largestEmptyDiscInside } from '../../web/lib/index.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await library.loadRegions({ wasm })
+const { region } = await loadRegions({ wasm })
 const ROOM: [number, number][] = [
   [0, 0],
   [6, 0],

@@ -4,7 +4,9 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { type DiagramBackend, Editing } from '../../web/editing/editing.ts'
 import { opened } from '../../web/element/data-of.ts'
-import type { Circle, Diagram, Edit, Point, RegionShape } from '../../web/lib/index.ts'
+import type { Circle, Diagram, Edit, Point } from '../../web/lib/index.ts'
+import type { RegionShape } from '../../web/lib/regions.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { boxOf } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -24,7 +26,7 @@ import { library, seededRandom } from './library.ts'
 import { RecordingSink } from './recording-sink.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const regions = { ...(await library.loadRegions({ wasm })), fitted, fittedEdits }
+const regions = { ...(await loadRegions({ wasm })), fitted, fittedEdits }
 
 const SQUARE: RegionShape = [
   [

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { randomCircles } from '../../web/app/random-circles.ts'
-import { ConvexPolygon, convexHull, Diagram, edgeAt, exportBox, type Point } from '../../web/lib/index.ts'
-import { exportTolerance } from '../../web/lib/regions/export-box.ts'
+import { ConvexPolygon, convexHull, Diagram, edgeAt, type Point } from '../../web/lib/index.ts'
+import { exportBox, exportTolerance } from '../../web/lib/regions/export-box.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink } from './recording-sink.ts'
@@ -198,7 +198,7 @@ describe('an SVG path', () => {
   })
 
   it.each([-1, 0.5, Number.NaN, Number.POSITIVE_INFINITY, 1e9])('of what is not there is refused: %d', (index) => {
-    const refusal = expect.objectContaining({ code: 'badArgument' })
+    const refusal = expect.objectContaining({ code: 'badInput' })
     expect(() => diagram.edgePath(index)).toThrow(refusal)
     expect(() => diagram.cellPath(index)).toThrow(refusal)
   })

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tutorial's own figures show correct diagrams.
+
 import { describe, expect, it, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
 import { areaOf, areasIn, frameIn, heightOver, stiffnessIn, weighted } from '../../web/tutorial/drawn/areas.ts'
 import { frontOf, grow, tellMoment } from '../../web/tutorial/drawn/growing.ts'
@@ -16,7 +18,7 @@ import { showExtras, shrunkenRims, stepsBetween } from '../../web/tutorial/extra
 import { library, seededRandom } from './library.ts'
 
 const circlesOf = await loadFigureCircles()
-const regions = await library.loadRegions()
+const regions = await loadRegions()
 const SPECS = readBook().flatMap(({ blocks }) =>
   blocks.filter(({ spec }) => spec.name !== undefined).map(({ kind, spec }) => ({ block: kind, ...spec })),
 )

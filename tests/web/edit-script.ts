@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random edits, and a form of diagrams that does not depend on the numbering of their parts.
-import type { Circle, DiagramData, DiagramEditor, Edit } from '../../web/lib/index.ts'
+import type { Circle, DiagramEditor, Edit, SnapshotData } from '../../web/lib/index.ts'
 
 /** Circles on the points of a grid, with ties, nested and equal circles; or at any points. */
 export function someCircle(random: () => number, isOnGrid: boolean): Circle {
@@ -28,8 +28,7 @@ export function edited(editor: DiagramEditor, edit: Edit) {
 }
 
 /** The contents of a snapshot by ids, each part in a canonical order. The hiding circles are left out. */
-export function contentOf({ circles, vertices, vertexCircles, edges, hidden, hull, numbers }: DiagramData) {
-  if (numbers === undefined) throw new Error('This is no snapshot.')
+export function contentOf({ circles, vertices, vertexCircles, edges, hidden, hull, numbers }: SnapshotData) {
   const ids = numbers.circles
   const three = (list: ArrayLike<number>, i: number) => [list[3 * i], list[3 * i + 1], list[3 * i + 2]]
   const leastFirst = (list: number[]) => {

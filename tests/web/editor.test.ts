@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it, vi } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Change,
   type Circle,
   CircleVoronoiError,
-  Diagram,
+  type Diagram,
+  DiagramSnapshot,
   type Edit,
+  fromJSON,
   NONE,
-  type SnapshotNumbers,
 } from '../../web/lib/index.ts'
 import { contentOf, edited, someCircle, someEdit } from './edit-script.ts'
 import { library, seededRandom } from './library.ts'
@@ -17,7 +19,7 @@ const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 /**
  * Expects that a diagram which follows an editor equals the editor's snapshot, is certified, and answers queries alike.
  */
-function expectSame(diagram: Diagram, snapshot: Diagram, random: () => number) {
+function expectSame(diagram: DiagramSnapshot, snapshot: DiagramSnapshot, random: () => number) {
   expect(contentOf(diagram)).toEqual(contentOf(snapshot))
   const { message } = library.certify(diagram)
   expect(message).toBe('')
@@ -29,16 +31,11 @@ function expectSame(diagram: Diagram, snapshot: Diagram, random: () => number) {
     const [x, y] = [10 * random() - 1, 10 * random() - 1]
     const distance = (i: number) =>
       i === NONE ? NONE : Math.hypot(x - circleOf(diagram, i).x, y - circleOf(diagram, i).y) - circleOf(diagram, i).r
-    const least = Math.min(...[...numbersOf(diagram).circles.keys()].map(distance), Infinity)
+    const least = Math.min(...[...diagram.numbers.circles.keys()].map(distance), Infinity)
     const found = distance(diagram.find(x, y))
     if (found !== NONE) expect(found).toBeCloseTo(least, 9)
     else expect(diagram.circles).toHaveLength(0)
   }
-}
-
-function numbersOf({ numbers }: Diagram): SnapshotNumbers {
-  if (numbers === undefined) throw new Error('This is no snapshot.')
-  return numbers
 }
 
 function circleOf({ circles }: Diagram, i: number): Circle {
@@ -129,7 +126,7 @@ describe('a diagram that follows an editor', () => {
   it('is a snapshot still after a structured clone', () => {
     const editor = library.edit(THREE)
     const first = editor.snapshot().apply(editor.insert({ x: 3, y: 4, r: 1 }))
-    const clone = new Diagram(structuredClone(first))
+    const clone = new DiagramSnapshot(structuredClone(first))
     expectSame(clone.apply(editor.remove(1)), editor.snapshot(), seededRandom(1))
     expect(clone.indexOf(1)).toBe(NONE)
     expect(circleOf(clone, clone.indexOf(3))).toEqual({ x: 3, y: 4, r: 1 })
@@ -141,7 +138,7 @@ describe('a diagram that follows an editor', () => {
       .snapshot()
       .apply(editor.insert({ x: 3, y: 4, r: 1 }))
       .apply(editor.remove(0))
-    const read = Diagram.fromJSON(JSON.stringify(diagram))
+    const read = fromJSON(JSON.stringify(diagram))
     expect(library.certify(read).certified).toBe(true)
     expect(read.circles).toEqual(diagram.circles)
     expect(diagram.render({ bounds: [-9, -9, 9, 9] })).toBe(read.render({ bounds: [-9, -9, 9, 9] }))
@@ -217,7 +214,7 @@ describe('an editor', () => {
     const computed = library.compute(snapshot.circles)
     const numbers = {
       revision: 0,
-      circles: numbersOf(snapshot).circles,
+      circles: snapshot.numbers.circles,
       vertices: new Int32Array(),
       edges: new Int32Array(),
       hiders: new Int32Array(),
@@ -226,7 +223,7 @@ describe('an editor', () => {
     expect(snapshot.hidden).toEqual(computed.hidden)
     expect(snapshot.hull).toEqual(computed.hull)
     const before = contentOf(snapshot)
-    editor.remove(numbersOf(snapshot).circles[0] as number)
+    editor.remove(snapshot.numbers.circles[0] as number)
     expect(contentOf(snapshot)).toEqual(before)
   })
 
@@ -280,10 +277,10 @@ describe('an editor', () => {
   })
 
   it('takes circles alone', async () => {
-    const { computeComparison } = await library.loadComparison()
+    const { computeComparison } = await loadComparison({ library })
     expect(() => library.edit(computeComparison(THREE, 'power'))).toThrow(
       expect.objectContaining({
-        code: 'badArgument',
+        code: 'badInput',
         message: 'edit takes a diagram of the metric circles, not of power.',
       }),
     )
@@ -312,7 +309,7 @@ describe('an editor', () => {
       () => editor.snapshot(),
       () => editor.certificate(),
     ]) {
-      expect(act).toThrow(expect.objectContaining({ code: 'badArgument', message: 'The editor has been disposed of.' }))
+      expect(act).toThrow(expect.objectContaining({ code: 'badInput', message: 'The editor has been disposed of.' }))
     }
     expect(kept.find(5, 1)).toBe(1)
   })
@@ -363,6 +360,6 @@ describe('an editor of additive weights', () => {
     expect(() => editor.insert({ x: 3, y: 3, r: -1e151 })).toThrow(far)
     const edits: Edit[] = [{ kind: 'insert', circle: [3, 3, -4] }]
     const trace = library.trace(circles, { edits, weights: true })
-    expect(contentOf(trace.diagram)).toEqual(contentOf(editor.snapshot()))
+    expect(contentOf(trace.diagram as DiagramSnapshot)).toEqual(contentOf(editor.snapshot()))
   })
 })

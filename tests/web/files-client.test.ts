@@ -78,7 +78,7 @@ it('writes a link without names if it would be too large with them', async () =>
   const link = links.linkOf({ circles, names: ['A'] })
   const [thread] = threads
   expect(thread?.calls[0]?.args).toEqual([{ circles, names: ['A'] }])
-  thread?.reply({ error: { code: 'tooManyCircles', circle: undefined, message: 'The link is too large.' } })
+  thread?.reply({ error: { code: 'linkTooLong', circle: undefined, message: 'The link is too large.' } })
   await vi.waitFor(() => expect(thread?.calls).toHaveLength(2))
   expect(thread?.calls[1]?.args).toEqual([{ circles, names: undefined }])
   thread?.reply({ value: 'v1.x' })

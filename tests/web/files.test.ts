@@ -51,9 +51,9 @@ it('what is not right is said, and not drawn', () => {
 /** Removes the types, as in a program without them. */
 const f = files as unknown as Record<keyof typeof files, (...args: unknown[]) => unknown>
 const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown])[] = [
-  ['badArgument', 'readCircles takes a text or its bytes, not 5.', () => f.readCircles(5)],
-  ['badArgument', 'readDiagram takes a text or its bytes, not an object.', () => f.readDiagram({})],
-  ['badArgument', 'holdsDiagram takes a text or its bytes, not undefined.', () => f.holdsDiagram()],
+  ['badInput', 'readCircles takes a text or its bytes, not 5.', () => f.readCircles(5)],
+  ['badInput', 'readDiagram takes a text or its bytes, not an object.', () => f.readDiagram({})],
+  ['badInput', 'holdsDiagram takes a text or its bytes, not undefined.', () => f.holdsDiagram()],
   ['badInput', 'the text:1: expected three numbers x,y,r separated by commas.', () => f.readCircles('1,2')],
   ['badInput', 'a.csv:1: the text is empty.', () => f.readCircles('', { name: 'a.csv' })],
   ['negativeRadius', 'the text:1: Circle 0 has a negative radius.', () => f.readCircles('0,0,-1')],

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each value that a page may give is used as intended or refused in one sentence.
+
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { checkedAreas } from '../../web/element/attributes.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { checkedLayers, checkLayers, DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { shownValue } from '../../web/view/refusal.ts'
@@ -26,7 +28,7 @@ describe('circles of data', () => {
 
 it('areas that are no numbers are named', async () => {
   const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-  const regions = await library.loadRegions({ wasm })
+  const regions = await loadRegions({ wasm })
   const region = regions.region({
     type: 'Polygon',
     coordinates: [

@@ -4,7 +4,9 @@ import { describe, expect, it, vi } from 'vitest'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { saidOf } from '../../web/app/panels/method-found.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
-import { type Edit, mergeVertices, neighborPairs } from '../../web/lib/index.ts'
+import { loadComparison } from '../../web/lib/comparison.ts'
+import { type Edit, mergeVertices } from '../../web/lib/index.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import {
   checkedLayers,
   checkLayers,
@@ -35,7 +37,7 @@ import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/styl
 import { dataSet, library, seededRandom } from './library.ts'
 
 const random = seededRandom(23)
-const comparison = await library.loadComparison()
+const comparison = await loadComparison({ library })
 
 function randomCircles(count: number): Float64Array {
   return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.9 * random() ** 3 : 20 * random()))
@@ -52,9 +54,8 @@ function randomEdits(ids: ArrayLike<number>): Edit[] {
 
 describe('colors of which neighbors have different ones', () => {
   const expectProper = ({ diagram }: Picture, colorOf: (i: number) => number) => {
-    const pairs = neighborPairs(diagram)
-    for (let k = 0; k < pairs.length; k += 2) {
-      const [one, other] = [colorOf(at(pairs, k)), colorOf(at(pairs, k + 1))]
+    for (let e = 0; e < diagram.edges.length; e += 4) {
+      const [one, other] = [colorOf(at(diagram.edges, e)), colorOf(at(diagram.edges, e + 1))]
       expect(one).not.toBe(other)
       expect(Math.max(one, other)).toBeLessThan(MAP_COLORS)
     }
@@ -180,7 +181,7 @@ describe('what cells are measured by', () => {
     expect(measures.valueOf(1)).toBeNaN()
     expect(picture.colorOf(1)).toBe(-1)
     // In a region every cell has an area.
-    const square = (await library.loadRegions()).region([
+    const square = (await loadRegions()).region([
       [
         [-9, -9],
         [9, -9],
@@ -564,7 +565,7 @@ describe('layers that are set', () => {
       checkLayers({ ...DEFAULT_LAYERS, ...change } as Layers)
       return undefined
     } catch (error) {
-      expect(error).toMatchObject({ name: 'CircleVoronoiError', code: 'badArgument' })
+      expect(error).toMatchObject({ name: 'CircleVoronoiError', code: 'badInput' })
       return (error as Error).message
     }
   }

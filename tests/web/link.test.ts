@@ -2,8 +2,9 @@
 import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
 import { packed } from '../../web/lib/base/compressed-text.ts'
-import { type Check, CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import {
+  type Check,
   decodeLink,
   encodeLink,
   encodeLinkAtOnce,
@@ -13,7 +14,7 @@ import {
 } from '../../web/lib/link.ts'
 import { library } from './library.ts'
 
-const TOO_MUCH = expect.objectContaining({ code: 'tooManyCircles', message: 'Too large for a link.' })
+const TOO_MUCH = expect.objectContaining({ code: 'linkTooLong', message: 'Too large for a link.' })
 
 const finite = fc.double({ noNaN: true, noDefaultInfinity: true }).map((value) => value + 0)
 const coordinate = fc.double({ min: -1e150, max: 1e150, noNaN: true }).map((value) => value + 0)
@@ -348,9 +349,7 @@ describe('what is no link', () => {
     [{ view: {} }, 'The state cannot be written as a link: the view is invalid.'],
     [{ layers: { a: () => 1 } }, 'The state cannot be written as a link: the layers are invalid.'],
   ])('is made of no such state: %j', async (state, message) => {
-    await expect(encodeLink(state as LinkInput)).rejects.toThrow(
-      expect.objectContaining({ code: 'badArgument', message }),
-    )
+    await expect(encodeLink(state as LinkInput)).rejects.toThrow(expect.objectContaining({ code: 'badInput', message }))
   })
 
   it('is said where the streams are missing', async () => {

@@ -2,11 +2,12 @@
 // Fits of areas in a box whose opposite sides are glued together, judged by computePeriodic.
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { type CircleVoronoiError, type Lattice, PeriodicDiagram, type PeriodicFitOptions } from '../../web/lib/index.ts'
+import { type CircleVoronoiError, type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
+import { loadRegions, type PeriodicFitOptions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region, fitAreas } = await library.loadRegions({ wasm })
+const { region, fitAreas } = await loadRegions({ wasm })
 const BOX: Lattice = { a: [4, 0], b: [1, 3] }
 
 function sitesInBox(count: number): [number, number][] {
@@ -73,7 +74,7 @@ describe('areas in a box', () => {
       ],
     ])
     expect(problem({ lattice: BOX, region: square })).toBe('badOption: fitAreas takes a region or a lattice, not both.')
-    expect(problem({ lattice: { a: [1, 0] } })).toMatch(/^badArgument: fitAreas takes a lattice as/)
+    expect(problem({ lattice: { a: [1, 0] } })).toMatch(/^badInput: fitAreas takes a lattice as/)
     expect(problem({ lattice: { a: [1, 0], b: [2, 0] } })).toMatch(/^badOption: The periods must not be zero or par/)
     expect(problem({ lattice: { a: [1, 0], b: [Infinity, 0] } })).toMatch(/^badOption: The periods must be finite/)
     expect(

@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
 import type { ComputeRequest, FitRequest, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
@@ -10,7 +11,7 @@ import { useThreads } from './fake-threads.ts'
 import { library } from './library.ts'
 
 const read = (name: string) => readFileSync(new URL(`../../web/lib/generated/${name}.wasm`, import.meta.url))
-const { fitAreas } = await library.loadRegions({ wasm: read('circle-voronoi-regions') })
+const { fitAreas } = await loadRegions({ wasm: read('circle-voronoi-regions') })
 const BOX: Lattice = { a: [4, 0], b: [1, 3] }
 const CIRCLES: [number, number, number][] = [
   [1, 1, 0.5],
@@ -62,8 +63,8 @@ it('computes a periodic diagram as the library does', async () => {
 
 it('refuses a lattice that is none before it asks the thread', async () => {
   const problem = (lattice: unknown) => worker.computePeriodic(CIRCLES, lattice as Lattice)
-  await expect(problem(undefined)).rejects.toMatchObject({ code: 'badArgument' })
-  await expect(problem({ a: [1, 0], b: ['0', 1] })).rejects.toMatchObject({ code: 'badArgument' })
+  await expect(problem(undefined)).rejects.toMatchObject({ code: 'badInput' })
+  await expect(problem({ a: [1, 0], b: ['0', 1] })).rejects.toMatchObject({ code: 'badInput' })
   await expect(worker.computePeriodic(CIRCLES, BOX, { method: 1 } as object)).rejects.toMatchObject({
     code: 'badOption',
   })

@@ -168,7 +168,7 @@ describe('a periodic diagram', () => {
 
   it('says what is wrong', () => {
     const wrong = (lattice: unknown) => problemOf(() => library.computePeriodic([[0, 0, 1]], lattice as Lattice))
-    const misfit = 'badArgument: computePeriodic takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.'
+    const misfit = 'badInput: computePeriodic takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.'
     for (const lattice of [
       undefined,
       {},
@@ -183,8 +183,8 @@ describe('a periodic diagram', () => {
     expect(wrong({ a: [1, 0], b: [0, Infinity] })).toMatch(/^badOption: The periods must be finite/)
     expect(problemOf(() => library.computePeriodic([[0, 0, -1]], BOX))).toMatch(/^negativeRadius/)
     const periodic = library.computePeriodic([[0, 0, 1]], BOX)
-    expect(problemOf(() => periodic.neighbors(1))).toMatch(/^badArgument: neighbors: there is no circle 1/)
-    expect(problemOf(() => periodic.cellArea(-1))).toMatch(/^badArgument/)
-    expect(problemOf(() => new PeriodicDiagram({} as never))).toMatch(/^badArgument/)
+    expect(problemOf(() => periodic.neighbors(1))).toMatch(/^badInput: neighbors: there is no circle 1/)
+    expect(problemOf(() => periodic.cellArea(-1))).toMatch(/^badInput/)
+    expect(problemOf(() => new PeriodicDiagram({} as never))).toMatch(/^badInput/)
   })
 })

@@ -10,10 +10,9 @@ import {
   largestEmptyDiscCenteredIn,
   largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
-  neighborPairs,
   type Point,
 } from '../../web/lib/index.ts'
-import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
+import { KINDS, unit } from './arbitrary-circles.ts'
 import { library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
 
@@ -177,26 +176,6 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
   })
 })
 
-it('neighbor pairs are those of the edges, in order, each once', () => {
-  fc.assert(
-    fc.property(anyCircles, (circles) => {
-      const diagram = library.compute(circles)
-      const pairs = neighborPairs(diagram)
-      const texts = Array.from({ length: pairs.length / 2 }, (_, k) => [...pairs.subarray(2 * k, 2 * k + 2)])
-      const expected = new Set<string>()
-      for (let e = 0; e < diagram.edges.length; e += 4) {
-        expected.add(String([...diagram.edges.subarray(e, e + 2)].sort((one, other) => one - other)))
-      }
-      expect(texts.map(String)).toEqual(
-        [...expected].sort((one, other) => {
-          const [a, b, c, d] = `${one},${other}`.split(',').map(Number) as [number, number, number, number]
-          return a - c || b - d
-        }),
-      )
-    }),
-  )
-})
-
 it('the largest empty disc may touch two circles from the edge of the hull', () => {
   const largest = largestEmptyDiscCenteredInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
   expect(largest?.disc.x).toBeCloseTo(5, 14)
@@ -227,7 +206,6 @@ it('no circles have no answers', () => {
   // Bounds alone have a largest disc.
   const inside = { disc: { x: 0.5, y: 0.5, r: 0.5 }, circles: [] }
   expect(largestEmptyDiscInside(diagram, { bounds: [0, 0, 1, 1] })).toEqual(inside)
-  expect(neighborPairs(diagram)).toHaveLength(0)
   expect(convexHull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
 })
 
@@ -237,16 +215,12 @@ it('of several closest pairs that with the smallest indices is found', () => {
     const grid = Array.from({ length: 25 }, (_, k) => [4 * (k % 5), 4 * Math.floor(k / 5), 1, random()] as const)
     const circles = grid.toSorted((one, other) => one[3] - other[3]).flatMap((circle) => circle.slice(0, 3))
     const diagram = library.compute(Float64Array.from(circles))
-    const pairs = neighborPairs(diagram)
-    const gaps = Array.from({ length: pairs.length / 2 }, (_, k) => {
-      const [c, d] = [
-        circleAt(diagram.circles, pairs[2 * k] as number),
-        circleAt(diagram.circles, pairs[2 * k + 1] as number),
-      ]
-      return Math.hypot(c.x - d.x, c.y - d.y) - c.r - d.r
+    const pairs = Array.from({ length: 25 }, (_, i) => Array.from(diagram.neighbors(i).sort(), (j) => [i, j] as const))
+    const closest = pairs.flat().find(([i, j]) => {
+      const [c, d] = [circleAt(diagram.circles, i), circleAt(diagram.circles, j)]
+      return Math.hypot(c.x - d.x, c.y - d.y) - c.r - d.r === 2
     })
-    const k = gaps.indexOf(2)
-    expect(closestPair(diagram)).toEqual({ first: pairs[2 * k], second: pairs[2 * k + 1], gap: 2 })
+    expect(closestPair(diagram)).toEqual({ first: closest?.[0], second: closest?.[1], gap: 2 })
   }
 })
 

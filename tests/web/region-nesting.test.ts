@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import type { CircleVoronoiError, RegionShape } from '../../web/lib/index.ts'
+import type { CircleVoronoiError } from '../../web/lib/index.ts'
+import type { RegionShape } from '../../web/lib/regions.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { readRegion } from '../../web/view/region-text.ts'
-import { library } from './library.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await library.loadRegions({ wasm })
+const { region } = await loadRegions({ wasm })
 
 const POLYGON = '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4]]]}'
 const LEVELS = [

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { describe, expect, it, vi } from 'vitest'
+import { distanceFrom } from '../../web/lib/base/metric.ts'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Bounds,
   type Circles,
@@ -10,23 +12,20 @@ import {
   clipCurve,
   convexHull,
   Diagram,
-  distanceFrom,
   edgeCurve,
-  type FitStep,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscInside,
   type Outline,
   outlineArea,
   type PathSink,
-  Region,
-  type RegionShape,
 } from '../../web/lib/index.ts'
 import type { RegionModule } from '../../web/lib/regions/region.ts'
+import { type FitStep, loadRegions, Region, type RegionShape } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const comparison = readFileSync(new URL('../../web/lib/generated/circle-voronoi-comparison.wasm', import.meta.url))
-const { region, fitAreas } = await library.loadRegions({ wasm })
+const { region, fitAreas } = await loadRegions({ wasm })
 
 const HALL = [
   [
@@ -336,7 +335,7 @@ describe('a diagram in a region', () => {
         [1, 7],
       ],
     ])
-    const { computeComparison } = await library.loadComparison({ wasm: comparison })
+    const { computeComparison } = await loadComparison({ library, wasm: comparison })
     const data = circles(120, 12)
     const shifted = data.map(([x, y, r]) => [x, y, r - 0.2] as const)
     const diagrams = [
@@ -557,7 +556,7 @@ describe('fitted areas', () => {
       /^badInput: The areas sum to 0.9, but the area of the region is 1/,
     )
     expect(problem([1], { region: square })).toMatch(/^badInput: There is 1 area for 2 sites/)
-    expect(problem('12', { region: square })).toMatch(/^badArgument: /)
+    expect(problem('12', { region: square })).toMatch(/^badInput: /)
     expect(problem([0.5, 0.5], { region: square, weights: [1] })).toMatch(/^badOption: There is 1 weight for 2 sites/)
     expect(problem([0.9, 0.1], { region: square, maxSteps: 1 })).toMatch(
       /^notConverged: The fit stopped after 1 step: /,

@@ -3,6 +3,7 @@
 // smallest to the largest numbers that `compute` takes.
 import { describe, expect, it } from 'vitest'
 import { unitFor } from '../../web/lib/base/scale.ts'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Box,
   clearestPath,
@@ -10,10 +11,8 @@ import {
   closestPair,
   convexHull,
   cubicBeziers,
-  curveLength,
   type Diagram,
   edgeCurve,
-  exportBox,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
@@ -26,9 +25,11 @@ import {
   pointAt,
   polyline,
 } from '../../web/lib/index.ts'
+import { exportBox } from '../../web/lib/regions/export-box.ts'
+import { curveLength } from '../../web/lib/regions/measure.ts'
 import { library, seededRandom } from './library.ts'
 
-const comparison = await library.loadComparison()
+const comparison = await loadComparison({ library })
 
 /** Results with their dimension: 0 for a number, 1 for a length, 2 for an area. */
 class Measures {

@@ -100,7 +100,7 @@ it('a question is about circles by their places in the link, as an address and a
 })
 
 it('too many circles for a link are refused, and other errors are told', async () => {
-  linkOf = async () => Promise.reject(new CircleVoronoiError('tooManyCircles', 'x'))
+  linkOf = async () => Promise.reject(new CircleVoronoiError('linkTooLong', 'x'))
   expect(await actions.copyLink()).toBe(false)
   expect(problem).toMatch(/too many circles for a link: save them as a file/)
   linkOf = async () => 'a'.repeat(2_000_001)

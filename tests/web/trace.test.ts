@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs'
 import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
 import createModule from '../../web/lib/generated/circle-voronoi.js'
-import { type Diagram, NONE, TRACE_KINDS, type Trace, type TraceState } from '../../web/lib/index.ts'
+import { type Diagram, DiagramSnapshot, NONE, TRACE_KINDS, type Trace, type TraceState } from '../../web/lib/index.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { Editor } from '../../web/lib/wasm/module-editor.ts'
 import { instantiate } from '../../web/lib/wasm/wasm.ts'
@@ -249,7 +249,9 @@ describe('a trace', () => {
       expect([...ids]).toEqual('edits' in options ? [80, 5, 7] : [])
       const vertices = Array.from(faces, (k) => trace.event(k)).filter((face) => face.circles.length === 3)
       // The events name circles by id.
-      const idOf = (index: number) => trace.diagram.numbers?.circles[index] ?? index
+      const { diagram } = trace
+      const { circles: idsOf = [] } = diagram instanceof DiagramSnapshot ? diagram.numbers : {}
+      const idOf = (index: number) => idsOf[index] ?? index
       const triples = Array.from({ length: trace.diagram.vertices.length / 3 }, (_, v) =>
         tripleOf([0, 1, 2].map((k) => idOf(trace.diagram.vertexCircles[3 * v + k] as number))),
       )

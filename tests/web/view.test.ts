@@ -94,7 +94,7 @@ describe('the frame of a picture', () => {
   ])('is none that no browser draws: %j times %d', (size, scale) => {
     expect(() => pictureFrame(camera, size, scale)).toThrow(
       expect.objectContaining({
-        code: 'badArgument',
+        code: 'badInput',
         message: `A picture ${scale} times as large as this one is too large.`,
       }),
     )

@@ -4,7 +4,8 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import {
   convexHull,
-  Diagram,
+  type Diagram,
+  fromJSON,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscCenteredInHull,
   mergeVertices,
@@ -77,14 +78,14 @@ describe('weights', () => {
   it('are what files say they are', () => {
     const diagram = library.compute(NEGATIVE, WEIGHTS)
     const text = JSON.stringify(diagram)
-    const read = Diagram.fromJSON(text)
+    const read = fromJSON(text)
     expect(read.weights).toBe(true)
     expect(read.circles).toEqual(diagram.circles)
     expect(library.certify(read).certified).toBe(true)
-    expect(() => Diagram.fromJSON(text.replace('"weights":true,', ''))).toThrow(
+    expect(() => fromJSON(text.replace('"weights":true,', ''))).toThrow(
       expect.objectContaining({ code: 'negativeRadius' }),
     )
-    expect(() => Diagram.fromJSON(text.replace('"weights":true', '"weights":1'))).toThrow(/not true or false/)
+    expect(() => fromJSON(text.replace('"weights":true', '"weights":1'))).toThrow(/not true or false/)
     expect(JSON.stringify(library.compute([[0, 0, 1]]))).not.toContain('weights')
   })
 })

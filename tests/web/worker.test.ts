@@ -3,8 +3,9 @@
 // threads.
 import { readFileSync } from 'node:fs'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { CircleVoronoiError, Diagram, Region } from '../../web/lib/index.ts'
+import { CircleVoronoiError, Diagram } from '../../web/lib/index.ts'
 import type { RegionModule } from '../../web/lib/regions/region.ts'
+import { loadRegions, Region } from '../../web/lib/regions.ts'
 import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
 import type { ComputeRequest, FitRequest, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
@@ -229,7 +230,7 @@ describe('a worker', () => {
 
 describe('a fit in a worker', async () => {
   const bytes = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-  const { region, fitAreas } = await library.loadRegions({ wasm: bytes })
+  const { region, fitAreas } = await loadRegions({ wasm: bytes })
   const square = region([
     [
       [0, 0],

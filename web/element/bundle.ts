@@ -3,6 +3,8 @@
  * `<circle-voronoi>` in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do not use it with
  * bundlers: its thread would not find their output.
  */
+// First, because it brings Emscripten's scripts, which are compressed to a third if they follow one another.
+import '../view/painter/other-modules.ts'
 import { answerViews } from '../view/painter/painter-thread.ts'
 import { THREAD_NAME } from '../view/painter-file.ts'
 

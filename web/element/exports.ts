@@ -8,11 +8,10 @@ export type {
   ErrorCode,
   Float64s,
   Options,
-  RegionShape,
-  RingShape,
   Stats,
 } from '../lib/index.ts'
 export type { LayerValue, LinkAttributes, LinkFrame, LinkInput, LinkView } from '../lib/link.ts'
+export type { RegionShape, RingShape } from '../lib/regions/region-shape.ts'
 export type { DiagramCounts } from '../view/diagram-counts.ts'
 export type { Areas } from '../view/domain.ts'
 export type { CellColors, CellValues, DataLayer, Layers } from '../view/layers.ts'

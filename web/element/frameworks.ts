@@ -2,8 +2,9 @@
 // Declares the element in JSX and in templates. Declarations for frameworks that are not installed have no effect.
 
 import type { Check } from '../lib/check-types.ts'
-import type { Circles, Lattice, Method, RegionShape } from '../lib/index.ts'
+import type { Circles, Lattice, Method } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
+import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { Areas } from '../view/domain.ts'
 import type { Layers } from '../view/layers.ts'
 import type { CircleVoronoiEventMap } from './circle-voronoi-element.ts'

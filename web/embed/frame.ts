@@ -2,16 +2,16 @@
 // A page of one figure, with the title and the question that its link has. `embed.ts` shows it in a frame, `course.ts` in a course.
 import type { CircleVoronoiElement } from '../element/circle-voronoi-element.ts'
 import type { FrameMessage, FrameRequest } from '../element/frame-types.ts'
-import type { RegionShape } from '../lib/index.ts'
 import {
   decodeLink,
   encodeLinkAtOnce,
-  frameOf,
   type LinkFrame,
   type LinkInput,
   type LinkState,
   type LinkView,
 } from '../lib/link.ts'
+import { frameOf } from '../lib/link-frame.ts'
+import type { RegionShape } from '../lib/regions/region-shape.ts'
 import { type FrameWords, frameWords } from './words.ts'
 
 /** The circles of a data set, and its region if it has one. */

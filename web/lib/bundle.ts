@@ -3,10 +3,17 @@
  * The library and its worker in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do not use
  * it with bundlers: its worker would not find their output.
  */
+// First, because Emscripten's scripts are compressed to a third if they follow one another.
+import './generated/circle-voronoi.js'
+import './generated/circle-voronoi-comparison.js'
+import './generated/circle-voronoi-regions.js'
 import { answerRequests } from './threads/answer-requests.ts'
 import { THREAD_NAME } from './threads/thread-file.ts'
 
+export * from './comparison.ts'
 export * from './index.ts'
+export * from './link.ts'
+export * from './regions.ts'
 export * from './worker.ts'
 
 // The same file is what its workers run.

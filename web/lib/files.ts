@@ -10,7 +10,7 @@ import {
   checkOptionNames,
   checkTolerance,
   isRecord,
-  refuseArgument,
+  refuseInput,
   refuseOption,
   shown,
 } from './base/check.ts'
@@ -379,7 +379,7 @@ function parsed(json: unknown): unknown {
 
 function textOf(text: unknown, caller: string): string | Uint8Array {
   if (typeof text !== 'string' && !(text instanceof Uint8Array)) {
-    refuseArgument(`${caller} takes a text or its bytes, not ${shown(text)}.`)
+    refuseInput(`${caller} takes a text or its bytes, not ${shown(text)}.`)
   }
   return text
 }

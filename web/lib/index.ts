@@ -12,10 +12,9 @@
  */
 
 export { REGION_LIMIT } from './base/coordinate-limits.ts'
-export type { Accessor, CircleLike, Circles } from './base/coordinates.ts'
+export type { Accessor, Accessors, CircleLike, Circles } from './base/coordinates.ts'
 export { circleAt, edgeAt, NONE, vertexAt } from './base/diagram-data.ts'
 export { CircleVoronoiError, ERROR_CODES, type ErrorCode, type ErrorDetails } from './base/errors.ts'
-export { distanceFrom } from './base/metric.ts'
 export type {
   Box,
   Candidates,
@@ -33,6 +32,7 @@ export type {
   PathSink,
   Point,
   Seconds,
+  SnapshotData,
   SnapshotNumbers,
   Stats,
   Vector,
@@ -40,9 +40,7 @@ export type {
   Way,
 } from './base/types.ts'
 export { METRICS, type Metric } from './base/types.ts'
-export type { CellCheck, Check, DiagramCheck, NumberCondition } from './check-types.ts'
 export {
-  bezierPointAt,
   type CubicBezier,
   cubicBeziers,
   polyline,
@@ -53,8 +51,11 @@ export {
 export { type Bisector, bisector, parameterAt, pointAt } from './curves/bisector.ts'
 export { type BoundedCurve, type EdgeCurve, edgeCurve, isBoundedCurve } from './curves/curve.ts'
 export type { Change, EditWay } from './diagram/change.ts'
+export { ComputedDiagram } from './diagram/computed-diagram.ts'
 export { type Cell, Diagram } from './diagram/diagram.ts'
 export type { DiagramFile } from './diagram/diagram-file.ts'
+export { DiagramSnapshot } from './diagram/diagram-snapshot.ts'
+export { fromJSON } from './diagram/from-json.ts'
 export type { Lattice, Shift } from './diagram/lattice.ts'
 export {
   type CircleImage,
@@ -73,18 +74,6 @@ export type {
 } from './drawing/draw-options.ts'
 export type { Polygon } from './drawing/polygon.ts'
 export { SvgPath } from './drawing/svg-path.ts'
-export {
-  decodeLink,
-  encodeLink,
-  encodeLinkAtOnce,
-  type LayerValue,
-  LINK_LIMITS,
-  type LinkAttributes,
-  type LinkFrame,
-  type LinkInput,
-  type LinkState,
-  type LinkView,
-} from './link.ts'
 export { type ClearestPath, clearestPath } from './queries/clearest-path.ts'
 export { largestEmptyDiscInside } from './queries/largest-disc-inside.ts'
 export {
@@ -93,33 +82,20 @@ export {
   largestEmptyDiscCenteredInHull,
 } from './queries/largest-empty-disc.ts'
 export { type MergedDiagram, mergeVertices } from './queries/merged.ts'
-export { type ClosestPair, closestPair, neighborPairs } from './queries/queries.ts'
+export { type ClosestPair, closestPair } from './queries/queries.ts'
 export { Cells } from './regions/cells.ts'
 export { clipCurve } from './regions/clip.ts'
-export { type Bounds, ConvexPolygon, type RegionOptions } from './regions/convex-polygon.ts'
-export { exportBox } from './regions/export-box.ts'
+export { type Bounds, type ConvexBoundsOptions, ConvexPolygon } from './regions/convex-polygon.ts'
 export { convexHull, type Hull, type HullArc } from './regions/hull.ts'
-export { curveLength, outlineArea, outlineCentroid, outlinePerimeter } from './regions/measure.ts'
+export { outlineArea, outlineCentroid, outlinePerimeter } from './regions/measure.ts'
 export type { Outline, OutlinePiece } from './regions/outline-piece.ts'
-export { Region } from './regions/region.ts'
-export type { RegionShape, RingShape } from './regions/region-shape.ts'
-export type { Comparison } from './wasm/comparison.ts'
+export type { Region } from './regions/region.ts'
 export type { DiagramEditor, Edit, EditorMethods, EditorOptions } from './wasm/editor.ts'
-export type {
-  AreaFit,
-  CommonFitOptions,
-  FitOptions,
-  FitStep,
-  PeriodicAreaFit,
-  PeriodicFitOptions,
-  SiteLike,
-} from './wasm/fit.ts'
 export type { Verifiable } from './wasm/judged-arrays.ts'
 export type { CircleVoronoi, FinalCells, Known } from './wasm/library.ts'
 export type { LoadOptions } from './wasm/load-options.ts'
 export { loadCircleVoronoi } from './wasm/loader.ts'
 export type { Options, Progress, Stage } from './wasm/options.ts'
-export type { DissolveOptions, Regions } from './wasm/regions.ts'
 export {
   TRACE_KINDS,
   Trace,

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part after the `#` of a link to the page: circles or a data set, edits, and the view. It is compressed, and
-// whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
-import { isRecord, refuseArgument, shown } from './base/check.ts'
+/**
+ * The part after the `#` of a link to the page: circles or a data set, edits, and the view. It is compressed, and
+ * whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
+ *
+ * @module circle-voronoi/link
+ */
+import { isRecord, refuseInput, shown } from './base/check.ts'
 import { packed, packedAtOnce, unpacked } from './base/compressed-text.ts'
 import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from './base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './base/coordinates.ts'
 import { CircleVoronoiError } from './base/errors.ts'
 import type { Float64s } from './base/types.ts'
-import type { Check } from './check-types.ts'
 import { type Lattice, latticeNumbers } from './diagram/lattice.ts'
+import { frameOf, type LinkFrame } from './link-frame.ts'
 import { plainRegion, type RegionShape, ringArraysOf } from './regions/region-shape.ts'
 import type { Edit } from './wasm/editor.ts'
+
+export type { CellCheck, Check, DiagramCheck, NumberCondition } from './check-types.ts'
+export type { LinkFrame } from './link-frame.ts'
 
 /**
  * The limits of links: letters, bytes of unpacked JSON, circles, edits, and values of layers.
@@ -51,28 +58,6 @@ export interface LinkView {
   readonly y: number
   /** The smallest visible width or height in units of the input, above 0. */
   readonly span: number
-}
-
-/**
- * How `embed.html` presents the figure of a link: its texts, and the question that it asks. An element and the
- * playground
- * leave these fields to the page.
- *
- * @category Links
- */
-export interface LinkFrame {
-  /** The title of the figure, at most 200 letters long. */
-  readonly title?: string | undefined
-  /** The task for readers, at most 2000 letters long. */
-  readonly question?: string | undefined
-  /** The condition that the circles must meet. Circle `i` of the link has the id `i`. */
-  readonly check?: Check | undefined
-  /** Whether readers cannot edit the circles. */
-  readonly readonly?: boolean | undefined
-  /** The name of the figure for screen readers, at most 200 letters long. */
-  readonly alt?: string | undefined
-  /** The language of the frame, such as `de`. */
-  readonly lang?: string | undefined
 }
 
 /**
@@ -141,7 +126,6 @@ const LONGEST_QUESTION = 2000
 const DEEPEST_LAYER = 8
 /** A check has as many levels, each of which is an object and may have a list. */
 const DEEPEST_CHECK = 20
-const FRAME_FIELDS = ['title', 'question', 'check', 'readonly', 'alt', 'lang'] as const
 const FIELDS = [
   'circles',
   'names',
@@ -160,9 +144,8 @@ const FIELDS = [
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
  *
- * @throws CircleVoronoiError `badArgument`, also for circles that `compute` would refuse; `tooManyCircles`, if a state
- * is beyond `LINK_LIMITS`; `notLoaded`, where there is no
- *   `CompressionStream`
+ * @throws CircleVoronoiError `badInput`, also for circles that `compute` would refuse; `linkTooLong`, if a state is beyond
+ *   `LINK_LIMITS`; `notLoaded`, where there is no `CompressionStream`
  *
  * @category Links
  * @example
@@ -197,10 +180,10 @@ function linkFrom(letters: string): string {
 
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null)
-    refuseArgument(`The state of a link must be an object, not ${shown(state)}.`)
+    refuseInput(`The state of a link must be an object, not ${shown(state)}.`)
   const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = state
   if (edits !== undefined && !Array.isArray(edits))
-    refuseArgument(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
+    refuseInput(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> & LinkFrame = {
     circles: circles && [...coordinatesOf(circles)],
     names,
@@ -217,7 +200,7 @@ function jsonOf(state: LinkInput): string {
     ...frameOf(state),
   }
   const problem = problemOf(said)
-  if (problem !== undefined) refuseArgument(`The state cannot be written as a link: ${problem}.`)
+  if (problem !== undefined) refuseInput(`The state cannot be written as a link: ${problem}.`)
   const json = JSON.stringify({ ...said, region: region && plainRegion(region) })
   if (json.length > LINK_LIMITS.bytes) tooMuch()
   return json
@@ -228,8 +211,7 @@ function jsonOf(state: LinkInput): string {
  * edits fit the circles is checked by an editor.
  *
  * @param text what stands after the `#` of an address, with it or without
- * @throws CircleVoronoiError `badInput`; `tooManyCircles`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is
- * no
+ * @throws CircleVoronoiError `badInput`; `linkTooLong`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is no
  *   `DecompressionStream`
  *
  * @category Links
@@ -240,7 +222,7 @@ function jsonOf(state: LinkInput): string {
  * edits // [ { kind: 'remove', id: 3 } ]
  */
 export async function decodeLink(text: string): Promise<LinkState> {
-  if (typeof text !== 'string') refuseArgument(`decodeLink takes a text, not ${shown(text)}.`)
+  if (typeof text !== 'string') refuseInput(`decodeLink takes a text, not ${shown(text)}.`)
   if (text.length > LINK_LIMITS.letters) tooMuch()
   const [, version, letters] = /^#?v(\d{1,9})\.([\w-]*)$/.exec(text) ?? refuse('it is not a link of this page')
   if (`v${version}` !== VERSION) refuse(`it has version ${version}, and this library reads version ${VERSION.slice(1)}`)
@@ -256,11 +238,6 @@ export async function decodeLink(text: string): Promise<LinkState> {
   const problem = problemOf(said)
   if (problem !== undefined) refuse(problem)
   return stateOf(said as EncodedLink)
-}
-
-/** The fields of a state that are about the frame. */
-export function frameOf(state: LinkFrame): LinkFrame {
-  return Object.fromEntries(FRAME_FIELDS.flatMap((name) => (state[name] === undefined ? [] : [[name, state[name]]])))
 }
 
 /** The encoded form of a link, with lists of numbers. */
@@ -312,7 +289,7 @@ function listOf(edit: Edit): Exclude<EncodedLink['edits'], undefined>[number] {
     case 'replace':
       return ['=', edit.id, ...circle(edit.circle)]
     default:
-      refuseArgument(`An edit of a link must be an insertion, a removal or a replacement, not ${shown(edit)}.`)
+      refuseInput(`An edit of a link must be an insertion, a removal or a replacement, not ${shown(edit)}.`)
   }
 }
 
@@ -469,5 +446,5 @@ function refuse(reason: string): never {
 }
 
 function tooMuch(): never {
-  throw new CircleVoronoiError('tooManyCircles', 'Too large for a link.')
+  throw new CircleVoronoiError('linkTooLong', 'Too large for a link.')
 }

@@ -6,7 +6,7 @@
  */
 
 import { refuseOption } from './base/check.ts'
-import { type Circles, coordinatesOf } from './base/coordinates.ts'
+import { type Accessors, type Circles, coordinatesOf } from './base/coordinates.ts'
 import { receivedError, workerFailure } from './base/errors.ts'
 import { loadedOnce } from './base/loaded-once.ts'
 import type { DiagramData, Disposal } from './base/types.ts'
@@ -31,7 +31,7 @@ import {
   type SiteLike,
 } from './wasm/fit.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
-import { checkOptions, type Options } from './wasm/options.ts'
+import { ACCESSORS, checkOptions, type Options } from './wasm/options.ts'
 import { newestWasm, wasmOf } from './wasm/regions.ts'
 import { type CompiledWasm, compileWasm } from './wasm/wasm.ts'
 
@@ -54,6 +54,8 @@ export interface AsyncOptions extends Options {
  * @category Workers
  */
 export interface WorkerMethods {
+  /** Computes a diagram of circles that functions find in data, which are called in this thread. */
+  compute<Datum>(data: Iterable<Datum>, options: AsyncOptions & Accessors<Datum>): Promise<Diagram>
   /**
    * Computes a diagram in the worker, with the arguments of `compute` of the library, without blocking this thread.
    * Arrays are transferred to the worker and back; only the input is copied. An error thrown by `progress` cancels the
@@ -63,6 +65,12 @@ export interface WorkerMethods {
    * AbortError if the worker is disposed of. Each as a rejection.
    */
   compute(circles: Circles, options?: AsyncOptions): Promise<Diagram>
+  /** Computes a periodic diagram of circles that functions find in data. */
+  computePeriodic<Datum>(
+    data: Iterable<Datum>,
+    lattice: Lattice,
+    options: AsyncOptions & Accessors<Datum>,
+  ): Promise<PeriodicDiagram>
   /**
    * Computes a periodic diagram in the worker, with the arguments of `computePeriodic` of the library.
    *
@@ -92,7 +100,7 @@ export interface WorkerMethods {
    * disposed of. Each as a rejection.
    *
    * @example
-   * const { region } = await library.loadRegions()
+   * const { region } = await loadRegions()
    * const square = region([[[0, 0], [1, 0], [1, 1], [0, 1]]])
    * const worker = createWorker()
    * const fit = await worker.fitAreas([[0.3, 0.3], [0.7, 0.6]], [3, 1], { region: square, shares: true })
@@ -160,6 +168,9 @@ interface Observer {
   readonly signal: AbortSignal | undefined
 }
 
+/** The options of a computation, some of which find circles in data. */
+type ReadOptions<Datum> = AsyncOptions & Partial<Accessors<Datum>>
+
 /** The arrays that the region is made of again in the worker. */
 function arraysOf({ points, ringOffsets, polygonOffsets }: Region): RingArrays {
   return { points, ringOffsets, polygonOffsets }
@@ -180,29 +191,34 @@ class Client implements CircleVoronoiWorker {
     this.#module = loadedOnce(() => compileCircleVoronoi(loadOptions))
   }
 
-  async compute(circles: Circles, options: AsyncOptions = {}): Promise<Diagram> {
+  async compute<Datum>(circles: Circles | Iterable<Datum>, options: ReadOptions<Datum> = {}): Promise<Diagram> {
     const reply = await this.#computed('compute', circles, {}, options)
     return new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram)
   }
 
-  async computePeriodic(circles: Circles, lattice: Lattice, options: AsyncOptions = {}): Promise<PeriodicDiagram> {
+  async computePeriodic<Datum>(
+    circles: Circles | Iterable<Datum>,
+    lattice: Lattice,
+    options: ReadOptions<Datum> = {},
+  ): Promise<PeriodicDiagram> {
     const [ax, ay, bx, by] = latticeNumbers(lattice, 'computePeriodic') as unknown as [number, number, number, number]
     const reply = await this.#computed('computePeriodic', circles, { lattice: { a: [ax, ay], b: [bx, by] } }, options)
     return new PeriodicDiagram((reply as Extract<Reply, { periodic: unknown }>).periodic)
   }
 
-  #computed(
+  #computed<Datum>(
     caller: string,
-    circles: Circles,
+    data: Circles | Iterable<Datum>,
     more: { readonly lattice?: Lattice },
-    options: AsyncOptions,
+    options: ReadOptions<Datum>,
   ): Promise<Reply> {
-    checkOptions(options, caller, ['signal'])
-    const { signal, progress, ...rest } = options
+    checkOptions(options, caller, ['signal', ...ACCESSORS])
+    const { signal, progress, x, y, r, ...rest } = options
     checkSignal(signal)
-    const request = { circles: coordinatesOf(circles), ...more, options: rest, tellsProgress: progress !== undefined }
+    const circles = coordinatesOf(data, { x, y, r })
+    const request = { circles, ...more, options: rest, tellsProgress: progress !== undefined }
     const tell = (reply: Reply) => 'progress' in reply && progress?.(...reply.progress)
-    return this.#ask(request, [request.circles.buffer], { tell, signal })
+    return this.#ask(request, [circles.buffer], { tell, signal })
   }
 
   fitAreas(

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Editing } from '../editing/editing.ts'
 import { cameraLooking } from '../editing/scene-link.ts'
-import { checkOptionNames, isRecord, refuseArgument, refuseOption, shown } from '../lib/base/check.ts'
+import { checkOptionNames, isRecord, refuseInput, refuseOption, shown } from '../lib/base/check.ts'
 import { coordinatesOf } from '../lib/base/coordinates.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
 import { Diagram } from '../lib/diagram/diagram.ts'
 import { decodeLink, encodeLinkAtOnce, type LinkInput, type LinkState } from '../lib/link.ts'
-import { loadComparison } from '../lib/wasm/comparison.ts'
+import { comparisonOf } from '../lib/wasm/comparison.ts'
 import { circleVoronoiOf } from '../lib/wasm/library.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
 import { Trace } from '../lib/wasm/trace.ts'
@@ -47,7 +47,7 @@ const LONGEST_SIDE = 100_000
  *
  * @param state a state as `getState` returns it, or a link with circles as text. A link to a data set of the playground is
  *   not enough, because its circles are there
- * @throws CircleVoronoiError as `decodeLink` and `compute`; `badArgument`, `badOption`
+ * @throws CircleVoronoiError as `decodeLink` and `compute`; `badInput`, `badOption`
  *
  * @category Pictures
  * @example
@@ -90,7 +90,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     const layers = played === undefined ? layersFrom(given) : withoutDiagram(layersFrom(given))
     scene.setLayers(layers)
     if (scene.isMethodMissing) scene.addMethod()
-    if (scene.isPowerMissing) scene.addPower(await loadComparison(scene.library, {}))
+    if (scene.isPowerMissing) scene.addPower(await comparisonOf(scene.library, undefined))
     return svgPicture(frame, scene.svg(frame, style), style, layers, played ?? [])
   } finally {
     scene.dispose()
@@ -100,7 +100,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
 /** Checks all fields of a state as a link's fields are checked. */
 async function checked(state: LinkInput | string): Promise<LinkState & { circles: Float64Array }> {
   if (typeof state !== 'string' && !isRecord(state)) {
-    refuseArgument(`renderSVG takes a state or a link, not ${shown(state)}.`)
+    refuseInput(`renderSVG takes a state or a link, not ${shown(state)}.`)
   }
   const said =
     typeof state === 'string'
@@ -112,7 +112,7 @@ async function checked(state: LinkInput | string): Promise<LinkState & { circles
   const { circles, dataSet } = said
   if (circles === undefined) {
     const reason = dataSet === undefined ? 'has no circles' : `names the data set "${dataSet}" of the playground`
-    refuseArgument(`The state ${reason}: renderSVG needs the circles themselves.`)
+    refuseInput(`The state ${reason}: renderSVG needs the circles themselves.`)
   }
   return { ...said, circles }
 }

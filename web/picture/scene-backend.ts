@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { DiagramBackend } from '../editing/editing.ts'
 import type { Edit } from '../lib/index.ts'
-import type { ComputingLibrary } from '../lib/wasm/library.ts'
-import { loadRegions } from '../lib/wasm/load-regions.ts'
+import { loadRegions } from '../lib/regions.ts'
+import type { CircleVoronoi } from '../lib/wasm/library.ts'
 import { CircleTable, NO_CHANGE } from '../view/circle-table.ts'
 import { PaintedScene } from '../view/painter/painted-scene.ts'
 import type { Edited } from '../view/painter.ts'
@@ -13,7 +13,7 @@ export class SceneBackend implements DiagramBackend {
   readonly scene: PaintedScene
   circles = new CircleTable(new Float64Array())
 
-  constructor(library: ComputingLibrary) {
+  constructor(library: CircleVoronoi) {
     this.scene = new PaintedScene(library)
   }
 
@@ -35,5 +35,5 @@ export class SceneBackend implements DiagramBackend {
 }
 
 async function regionsFor({ region, fit }: DomainChange = {}) {
-  return (region ?? undefined) === undefined && fit === undefined ? undefined : loadRegions({})
+  return (region ?? undefined) === undefined && fit === undefined ? undefined : loadRegions()
 }

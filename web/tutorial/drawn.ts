@@ -38,7 +38,9 @@ export async function bringToLife(page: Document): Promise<void> {
   for (const [k, figure] of figures.entries()) {
     const spec = specs[k] as DrawnSpec
     if (KINDS[spec.kind].hasRegions)
-      void library.loadRegions().then((regions) => new Drawn(figure, spec, library, regions))
+      void import('../lib/regions.ts')
+        .then(({ loadRegions }) => loadRegions())
+        .then((regions) => new Drawn(figure, spec, library, regions))
     else new Drawn(figure, spec, library)
   }
 }

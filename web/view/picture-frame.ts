@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseArgument, shown } from '../lib/base/check.ts'
+import { refuseInput, shown } from '../lib/base/check.ts'
 import type { Camera, Size } from './camera.ts'
 import type { Frame } from './painter/frame.ts'
 
@@ -9,14 +9,14 @@ const MOST_PIXELS = 2 ** 27
 
 /**
  * The frame of a camera in a picture of `scale` pixels per CSS pixel.
- * @throws CircleVoronoiError `badArgument` if the picture is too large for browsers
+ * @throws CircleVoronoiError `badInput` if the picture is too large for browsers
  */
 export function pictureFrame(camera: Camera, { width, height }: Size, scale: number): Frame {
   if (typeof scale !== 'number' || !(scale > 0)) {
-    refuseArgument(`The scale of a picture is a positive number, not ${shown(scale)}.`)
+    refuseInput(`The scale of a picture is a positive number, not ${shown(scale)}.`)
   }
   if (scale * Math.max(width, height) > LONGEST_SIDE || scale * scale * width * height > MOST_PIXELS) {
-    refuseArgument(`A picture ${scale} times as large as this one is too large.`)
+    refuseInput(`A picture ${scale} times as large as this one is too large.`)
   }
   const pixels = (length: number) => Math.max(Math.round(length * scale), 1)
   return { ...camera, scale: camera.scale * scale, width: pixels(width), height: pixels(height) }

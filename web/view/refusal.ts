@@ -79,7 +79,7 @@ export interface LocalizedError<Words> extends Error {
 export class Refusal<Words = Refusals> extends CircleVoronoiError implements LocalizedError<Words> {
   readonly say: (words: Words) => string
 
-  constructor(english: Words, say: (words: Words) => string, code: ErrorCode = 'badArgument') {
+  constructor(english: Words, say: (words: Words) => string, code: ErrorCode = 'badInput') {
     super(code, say(english))
     this.say = say
   }

@@ -260,7 +260,7 @@ export class View {
 
   /**
    * Changes some layers; the others stay.
-   * @throws CircleVoronoiError `badArgument` if a layer is invalid, and the browser's error if it cannot be sent to a
+   * @throws CircleVoronoiError `badInput` if a layer is invalid, and the browser's error if it cannot be sent to a
    * thread. The layers stay unchanged
    */
   setLayers(change: Partial<Layers>): void {
@@ -331,7 +331,7 @@ export class View {
 
   /**
    * Returns the visible part, or another one, as a PNG of `scale` pixels per CSS pixel.
-   * @throws CircleVoronoiError `badArgument` if the picture is too large for browsers
+   * @throws CircleVoronoiError `badInput` if the picture is too large for browsers
    */
   async toPNG(scale = devicePixelRatio, { camera, size }: ExportView = this): Promise<Blob> {
     const frame = pictureFrame(camera, size, scale)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uses the package as its README says, in the same way in Node and in a page.
 import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
+import { loadComparison } from 'circle-voronoi/comparison'
+import { loadRegions } from 'circle-voronoi/regions'
 import { createWorker } from 'circle-voronoi/worker'
 
 export const CIRCLES = [
@@ -18,13 +20,13 @@ const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).m
 export async function use(options, comparisonOptions, regionsOptions) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)
-  const { computeComparison } = await library.loadComparison(comparisonOptions)
+  const { computeComparison } = await loadComparison({ library, ...comparisonOptions })
   const power = computeComparison(CIRCLES, 'power')
   const worker = createWorker(options)
   const stages = []
   const canceled = await canceledIn(worker)
   const there = await worker.compute(CIRCLES, { progress: (stage) => stages.push(stage) })
-  const { region } = await library.loadRegions(regionsOptions)
+  const { region } = await loadRegions(regionsOptions)
   const square = region([
     [
       [0, 0],

@@ -2,18 +2,20 @@
 // Only type-checked.
 import {
   type Certificate,
+  type ComputedDiagram,
   Diagram,
   type DiagramFile,
-  decodeLink,
+  type DiagramSnapshot,
   ERROR_CODES,
   type ErrorCode,
-  encodeLink,
-  type LinkState,
+  fromJSON,
   loadCircleVoronoi,
   type PathSink,
   type Stage,
 } from 'circle-voronoi'
+import { loadComparison } from 'circle-voronoi/comparison'
 import { loadFiles } from 'circle-voronoi/files'
+import { decodeLink, encodeLink, type LinkState } from 'circle-voronoi/link'
 import { type CircleVoronoiWorker, createWorker } from 'circle-voronoi/worker'
 
 const library = await loadCircleVoronoi({ wasm: new URL('https://example.org/circle-voronoi.wasm') })
@@ -22,7 +24,7 @@ export const certificate: Certificate = library.certify(diagram)
 export const path: string = diagram.render()
 export const neighbors: Int32Array = diagram.neighbors(0)
 export const code: ErrorCode | undefined = ERROR_CODES[0]
-export const power: Diagram = (await library.loadComparison()).computeComparison([], 'power')
+export const power: Diagram = (await loadComparison({ library })).computeComparison([], 'power')
 
 // Uses every option.
 const { bounds, ...rest } = { bounds: [0, 0, 1, 1] as const, tolerance: 0.1 }
@@ -52,24 +54,18 @@ library.compute([[0, 0, 1]], {
   progress: (stage: Stage, done: number) => `${stage} ${done}`,
 })
 library.compute(new Set([new Float32Array(3)]))
-library.from(
-  [{ city: 'a', size: 2 }],
-  ({ size }) => size,
-  (_, i) => i,
-  () => 1,
-)
-export const updated: Diagram = library.from([[0, 0, 1]]).update()
+library.compute([{ city: 'a', size: 2 }], { x: ({ size }) => size, y: (_, i) => i, r: () => 1, weights: true })
+library.compute([{ x: 0, y: 0 }], { r: ({ x }) => x })
+library.compute([[0, 0]], { r: () => 1 })
+export const updated: ComputedDiagram = library.compute([[0, 0, 1]]).update()
+export const followed: DiagramSnapshot = library.edit([[0, 0, 1]]).snapshot()
 export const file: DiagramFile = diagram.toJSON()
 
 // Transfers a diagram to another thread and back without a copy.
 declare function postMessage(message: unknown, transfer: ArrayBuffer[]): void
 postMessage(diagram, [diagram.vertices.buffer, diagram.edges.buffer])
 export const received: Diagram = new Diagram(structuredClone(diagram, { transfer: [diagram.circles.buffer] }))
-export const reads: Diagram[] = [
-  Diagram.fromJSON(JSON.stringify(diagram)),
-  Diagram.fromJSON(file),
-  new Diagram(diagram),
-]
+export const reads: Diagram[] = [fromJSON(JSON.stringify(diagram)), fromJSON(file), new Diagram(diagram)]
 const files = await loadFiles()
 export const circlesRead: Float64Array = files.readCircles(new Uint8Array(), { name: 'circles.csv' })
 export const written: string[] = [
@@ -100,4 +96,8 @@ diagram.render(context)
 // @ts-expect-error: what is drawn is not written as text
 diagram.render({ context, digits: 3 })
 // @ts-expect-error: a datum without x, y and r needs functions that find them
-library.from([{ city: 'a' }])
+library.compute([{ city: 'a' }], { x: () => 1, y: () => 2 })
+// @ts-expect-error: only diagrams that compute made can be computed again
+new Diagram(diagram).update()
+// @ts-expect-error: only snapshots follow an editor
+diagram.indexOf(0)

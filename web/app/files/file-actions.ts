@@ -350,7 +350,7 @@ export class FileActions {
     try {
       return await this.#threads.links.linkOf(state ?? {})
     } catch (error) {
-      if (error instanceof CircleVoronoiError && error.code === 'tooManyCircles') return ''
+      if (error instanceof CircleVoronoiError && error.code === 'linkTooLong') return ''
       throw error
     }
   }

@@ -95,7 +95,7 @@ async function write(
   attributes?: LinkAttributes,
 ): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
-  const { compute, computePeriodic, loadRegions } = await library()
+  const { compute, computePeriodic } = await library()
   switch (format) {
     case 'csv':
       return writeCircles(circles, { format, attributes })
@@ -106,6 +106,7 @@ async function write(
     case 'cells': {
       if (lattice !== undefined) return cellsInPeriods(computePeriodic(circles, lattice), attributes)
       if (region === undefined) return cellsInBox(compute(circles), writeDiagram, attributes)
+      const { loadRegions } = await import('../../lib/regions.ts')
       const clip = (await loadRegions()).region(region)
       return writeDiagram(compute(circles), { format: 'geojson', region: clip, attributes })
     }

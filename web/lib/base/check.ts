@@ -5,9 +5,9 @@ import { REGION_LIMIT, REGION_LIMIT_TEXT } from './coordinate-limits.ts'
 import { CircleVoronoiError } from './errors.ts'
 import type { DiagramData, Metric, Point } from './types.ts'
 
-/** @throws CircleVoronoiError `badArgument` */
-export function refuseArgument(message: string): never {
-  throw new CircleVoronoiError('badArgument', message)
+/** @throws CircleVoronoiError `badInput` */
+export function refuseInput(message: string): never {
+  throw new CircleVoronoiError('badInput', message)
 }
 
 /** @throws CircleVoronoiError `badOption` */
@@ -44,40 +44,40 @@ export function checkNoOptions([options]: readonly unknown[], caller: string): v
   if (name !== undefined) refuseOption(`There is no option ${name} of ${caller}, which has none.`)
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `value` is not a number */
+/** @throws CircleVoronoiError `badInput`, if `value` is not a number */
 export function checkNumber(value: unknown, caller: string, name: string): void {
-  if (typeof value !== 'number') refuseArgument(`${caller} takes a number as ${name}, not ${shown(value)}.`)
+  if (typeof value !== 'number') refuseInput(`${caller} takes a number as ${name}, not ${shown(value)}.`)
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `length` is no number, or NaN */
+/** @throws CircleVoronoiError `badInput`, if `length` is no number, or NaN */
 export function checkLength(length: unknown, caller: string, name: string): void {
-  if (Number.isNaN(length)) refuseArgument(`${caller} takes a number as ${name}, not NaN.`)
+  if (Number.isNaN(length)) refuseInput(`${caller} takes a number as ${name}, not NaN.`)
   checkNumber(length, caller, name)
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `index` is not one of `count` things */
+/** @throws CircleVoronoiError `badInput`, if `index` is not one of `count` things */
 export function checkIndex(index: unknown, count: number, caller: string, thing: string): void {
   checkNumber(index, caller, `the index of ${thing === 'edge' ? 'an' : 'a'} ${thing}`)
   if (!Number.isInteger(index) || (index as number) < 0 || (index as number) >= count) {
-    refuseArgument(`${caller}: there is no ${thing} ${index}; the diagram has ${count}.`)
+    refuseInput(`${caller}: there is no ${thing} ${index}; the diagram has ${count}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `diagram` has no methods: `new Diagram(data)` gives it some */
+/** @throws CircleVoronoiError `badInput`, if `diagram` has no methods: `new Diagram(data)` gives it some */
 export function checkDiagram(diagram: unknown, caller: string): void {
   if (typeof (diagram as { find?: unknown } | null | undefined)?.find !== 'function') {
-    refuseArgument(`${caller} takes a Diagram, not ${shown(diagram)}; new Diagram(data) makes one of plain data.`)
+    refuseInput(`${caller} takes a Diagram, not ${shown(diagram)}; new Diagram(data) makes one of plain data.`)
   }
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `value` is nothing that has a `part`, by which a `thing` is known */
+/** @throws CircleVoronoiError `badInput`, if `value` is nothing that has a `part`, by which a `thing` is known */
 export function checkThing(value: unknown, part: string, caller: string, thing: string): void {
   if (typeof value !== 'object' || value === null || !(part in value)) {
-    refuseArgument(`${caller} takes ${thing}, not ${shown(value)}.`)
+    refuseInput(`${caller} takes ${thing}, not ${shown(value)}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `data` is no diagram, with or without methods */
+/** @throws CircleVoronoiError `badInput`, if `data` is no diagram, with or without methods */
 export function checkData(data: unknown, caller: string): void {
   checkThing(data, 'vertexCircles', caller, 'a diagram')
 }
@@ -96,44 +96,44 @@ export function refuseInfinite(circles: Float64Array): never {
   })
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `circles` are not x, y and r of each in one array */
+/** @throws CircleVoronoiError `badInput`, if `circles` are not x, y and r of each in one array */
 export function checkCircles(circles: unknown, caller: string): void {
   if (!(circles instanceof Float64Array)) {
-    refuseArgument(`${caller} takes a Float64Array of x, y and r for each circle, not ${shown(circles)}.`)
+    refuseInput(`${caller} takes a Float64Array of x, y and r for each circle, not ${shown(circles)}.`)
   }
   if (circles.length % 3 !== 0) {
-    refuseArgument(`${caller} takes three numbers for each circle, but there are ${circles.length}.`)
+    refuseInput(`${caller} takes three numbers for each circle, but there are ${circles.length}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `curve` has no two ends */
+/** @throws CircleVoronoiError `badInput`, if `curve` has no two ends */
 export function checkBoundedCurve(curve: unknown, caller: string): void {
   checkThing(curve, 'bisector', caller, 'a curve')
   const { start, end } = curve as { start?: unknown; end?: unknown }
   if (start === undefined || end === undefined) {
-    refuseArgument(`${caller} takes a curve with two ends; clipCurve makes some of one that goes to infinity.`)
+    refuseInput(`${caller} takes a curve with two ends; clipCurve makes some of one that goes to infinity.`)
   }
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `outline` is no list of loops */
+/** @throws CircleVoronoiError `badInput`, if `outline` is no list of loops */
 export function checkOutline(outline: unknown, caller: string): void {
   if (!(Array.isArray(outline) && outline.every(Array.isArray))) {
-    refuseArgument(`${caller} takes an outline, a list of closed loops, not ${shown(outline)}.`)
+    refuseInput(`${caller} takes an outline, a list of closed loops, not ${shown(outline)}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badArgument`, if `point` is no finite point */
+/** @throws CircleVoronoiError `badInput`, if `point` is no finite point */
 export function checkPoint(point: unknown, caller: string): asserts point is Point {
   const { x, y }: Partial<Point> = Object(point)
   if (!Number.isFinite(x) || !Number.isFinite(y)) {
-    refuseArgument(`${caller} takes points { x, y } of finite numbers, not ${shown(point)}.`)
+    refuseInput(`${caller} takes points { x, y } of finite numbers, not ${shown(point)}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badArgument`, if a question has no answer in the metric of a diagram */
+/** @throws CircleVoronoiError `badInput`, if a question has no answer in the metric of a diagram */
 export function checkMetric({ metric }: DiagramData, caller: string, ...known: readonly Metric[]): void {
   if (!known.includes(metric)) {
-    refuseArgument(`${caller} takes a diagram of the metric ${listed(known)}, not of ${metric}.`)
+    refuseInput(`${caller} takes a diagram of the metric ${listed(known)}, not of ${metric}.`)
   }
 }
 

@@ -18,32 +18,43 @@ export type CircleLike = Circle | ArrayLike<number>
 export type Circles = Float64Array | Float32Array | Iterable<CircleLike>
 
 /**
- * A copy of the circles as x, y, r of each.
- *
- * @throws CircleVoronoiError `badInput`: embind would convert whatever it is given, so types are checked here.
- */
-export function coordinatesOf(circles: Circles): Float64s {
-  if (circles instanceof Float64Array || circles instanceof Float32Array) {
-    if (circles.length % 3 !== 0) refuse(`Three numbers per circle are needed, but there are ${circles.length}.`)
-    return new Float64Array(circles)
-  }
-  return coordinatesFrom(circles, circleX, circleY, circleRadius)
-}
-
-/**
- * An accessor function, as in d3-delaunay.
+ * A function that finds a number in a datum, as in d3-delaunay.
  *
  * @category Loading
  */
 export type Accessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
 
 /**
- * The circles that three functions find in data.
+ * Options for data that are not circles: functions that find x, y and r in a datum. A datum that has a number of that
+ * name, or the first three items of an array, needs no function.
  *
- * @throws CircleVoronoiError `badInput`, if the data cannot be gone through or a function gives something else than a
- * number; what the functions throw
+ * @category Loading
  */
-export function coordinatesFrom<Datum>(
+export type Accessors<Datum> = {
+  readonly [Name in keyof Circle as Datum extends ArrayLike<number> | Pick<Circle, Name>
+    ? never
+    : Name]: Accessor<Datum>
+} & { readonly [Name in keyof Circle]?: Accessor<Datum> | undefined }
+
+/**
+ * A copy of the circles as x, y, r of each.
+ *
+ * @throws CircleVoronoiError `badInput`: embind would convert whatever it is given, so types are checked here; what the
+ * functions throw
+ */
+export function coordinatesOf<Datum>(
+  circles: Circles | Iterable<Datum>,
+  { x: fx, y: fy, r: fr }: { readonly [Name in keyof Circle]?: Accessor<Datum> | undefined } = {},
+): Float64s {
+  const isRead = fx !== undefined || fy !== undefined || fr !== undefined
+  if (!isRead && (circles instanceof Float64Array || circles instanceof Float32Array)) {
+    if (circles.length % 3 !== 0) refuse(`Three numbers per circle are needed, but there are ${circles.length}.`)
+    return new Float64Array(circles)
+  }
+  return coordinatesFrom(circles as Iterable<Datum>, fx ?? circleX, fy ?? circleY, fr ?? circleRadius)
+}
+
+function coordinatesFrom<Datum>(
   data: Iterable<Datum>,
   fx: Accessor<Datum>,
   fy: Accessor<Datum>,
@@ -69,17 +80,17 @@ export function coordinatesFrom<Datum>(
 }
 
 /** The accessors of an object or an array; of anything else nothing, which is refused. */
-export function circleX(circle: CircleLike): number {
+export function circleX(circle: unknown): number {
   return part(circle, 0, 'x')
 }
-export function circleY(circle: CircleLike): number {
+export function circleY(circle: unknown): number {
   return part(circle, 1, 'y')
 }
-export function circleRadius(circle: CircleLike): number {
+export function circleRadius(circle: unknown): number {
   return part(circle, 2, 'r')
 }
 
-function part(circle: CircleLike | null | undefined, k: number, name: keyof Circle): number {
+function part(circle: unknown, k: number, name: keyof Circle): number {
   const named = (circle as Circle | null | undefined)?.[name]
   // An object that has the name is none with numbered items, whatever its length is: data may have a key of that name.
   if (named !== undefined || typeof circle !== 'object' || circle === null || !('length' in circle))

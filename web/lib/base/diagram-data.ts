@@ -15,7 +15,7 @@ export const NONE = -1
 /**
  * Returns circle `i` of a flat array of x, y, r.
  *
- * @throws CircleVoronoiError `badArgument`, if there is none
+ * @throws CircleVoronoiError `badInput`, if there is none
  *
  * @category Diagrams
  * @example
@@ -35,7 +35,7 @@ export function circleOf(circles: Float64Array, i: number): Circle {
 /**
  * Returns vertex `v` of a diagram.
  *
- * @throws CircleVoronoiError `badArgument`, if there is none
+ * @throws CircleVoronoiError `badInput`, if there is none
  *
  * @category Diagrams
  * @example
@@ -55,7 +55,7 @@ export function vertexOf({ vertices }: DiagramData, v: number): Vertex {
 /**
  * Returns edge `e` of a diagram.
  *
- * @throws CircleVoronoiError `badArgument`, if there is none
+ * @throws CircleVoronoiError `badInput`, if there is none
  *
  * @category Diagrams
  * @example

@@ -34,16 +34,16 @@ export const ERROR_CODES = [
  * - `notCertified`: no construction led to a certified diagram
  * - `notConverged`: an iteration did not reach its tolerance
  * - `unknownCircle`: an editor has no circle with this id
- * - `badInput`: the input cannot be read as circles
- * - `badArgument`: another argument of a method or function is invalid
+ * - `badInput`: the input cannot be read as circles, or another argument that is no option is invalid
  * - `badArithmetic`: the program does not round to nearest (in C++ only)
  * - `notWritten`: a stream did not accept the whole text (in C++ only)
+ * - `linkTooLong`: a link, or what it is to contain, is beyond `LINK_LIMITS`
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` is the reason
  * - `internal`: the library itself failed; please report the input
  *
  * @category Errors
  */
-export type ErrorCode = (typeof ERROR_CODES)[number] | 'badArgument' | 'notLoaded'
+export type ErrorCode = (typeof ERROR_CODES)[number] | 'linkTooLong' | 'notLoaded'
 
 /**
  * The error that all functions of this library throw. `message` is one sentence.

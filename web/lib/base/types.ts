@@ -222,7 +222,7 @@ export interface Stats {
 /**
  * The ids and numbers that an editor uses for the circles, vertices and edges of a snapshot.
  *
- * @category Diagrams
+ * @category Editing
  */
 export interface SnapshotNumbers {
   /** The number of changes that the editor had made. */
@@ -286,8 +286,15 @@ export interface DiagramData {
   readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
-  /** The ids and numbers of an editor; only in snapshots of an editor. */
-  readonly numbers?: SnapshotNumbers
+}
+
+/**
+ * A snapshot of an editor as plain data; `new DiagramSnapshot(data)` adds the methods.
+ *
+ * @category Editing
+ */
+export interface SnapshotData extends DiagramData {
+  readonly numbers: SnapshotNumbers
 }
 
 /**

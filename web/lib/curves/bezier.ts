@@ -6,7 +6,7 @@
 //
 //     w = (sqrt(to / from) + sqrt(from / to)) / 2.
 
-import { checkBoundedCurve, checkLength, checkNumber, checkThing } from '../base/check.ts'
+import { checkBoundedCurve, checkLength } from '../base/check.ts'
 import { hypotenuse } from '../base/scale.ts'
 import type { PathSink, Point } from '../base/types.ts'
 import { type Bisector, inPlane, pointOf } from './bisector.ts'
@@ -39,7 +39,7 @@ export interface CubicBezier {
 /**
  * Converts a bounded arc to a rational Bézier curve, exactly.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Curves
  * @example
@@ -52,19 +52,8 @@ export function rationalBezier(curve: BoundedCurve): RationalBezier {
   return { start, control: controlPoint(bisector, from, to), end, weight: 1 + excessOf(from, to) }
 }
 
-/**
- * Returns the point of a rational Bézier curve at the parameter 0 <= u <= 1.
- *
- * @throws CircleVoronoiError `badArgument`
- *
- * @category Curves
- * @example
- * const [arc] = clipCurve(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), { bounds: [-9, -9, 9, 9] })
- * bezierPointAt(rationalBezier(arc), 0.5).x.toFixed(6) // '2.000000'
- */
+/** The point of a rational Bézier curve at the parameter 0 <= u <= 1. */
 export function bezierPointAt(bezier: RationalBezier, u: number): Point {
-  checkThing(bezier, 'weight', 'bezierPointAt', 'a rational Bezier curve')
-  checkNumber(u, 'bezierPointAt', 'u')
   const { start, control, end, weight } = bezier
   const first = (1 - u) * (1 - u)
   const second = 2 * u * (1 - u) * weight
@@ -81,7 +70,7 @@ export function bezierPointAt(bezier: RationalBezier, u: number): Point {
  * tangents of the arc at both ends and meets it in the middle, or is straight. The smallest effective tolerance is
  * 1e-12 of the extent of the arc.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Curves
  * @example
@@ -113,7 +102,7 @@ export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezie
 /**
  * Draws a bounded arc as the curves of `cubicBeziers`. The path must already be at the start of the arc.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Curves
  * @example
@@ -182,7 +171,7 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
  * Converts a bounded arc to the points of a polyline within `tolerance` of it: at least two points, and as few as
  * possible. The smallest effective tolerance is 1e-9 of the extent of the arc.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Curves
  * @example

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkCircles, checkIndex, checkNumber, checkThing, refuseArgument, shown } from '../base/check.ts'
+import { checkCircles, checkIndex, checkNumber, checkThing, refuseInput, shown } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
 import { hypotenuse, powerOfTwoIn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
@@ -61,7 +61,7 @@ const FARTHEST_APEX = 1e300
 /**
  * Returns the bisector of two circles that both have cells. `circles` has x, y, r of each circle.
  *
- * @throws CircleVoronoiError `badArgument`, if there are no such circles, or they have one center, or of an unknown metric
+ * @throws CircleVoronoiError `badInput`, if there are no such circles, or they have one center, or of an unknown metric
  *
  * @category Curves
  * @example
@@ -71,9 +71,9 @@ export function bisector(circles: Float64Array, left: number, right: number, met
   checkCircles(circles, 'bisector')
   checkIndex(left, circles.length / 3, 'bisector', 'circle')
   checkIndex(right, circles.length / 3, 'bisector', 'circle')
-  if (!METRICS.includes(metric)) refuseArgument(`There is no metric ${shown(metric)}.`)
+  if (!METRICS.includes(metric)) refuseInput(`There is no metric ${shown(metric)}.`)
   const isSame = (k: number) => circles[3 * left + k] === circles[3 * right + k]
-  if (isSame(0) && isSame(1)) refuseArgument('bisector takes two circles with different centers.')
+  if (isSame(0) && isSame(1)) refuseInput('bisector takes two circles with different centers.')
   return bisectorOf(circles, left, right, metric)
 }
 
@@ -133,7 +133,7 @@ export function measureBisector(
 /**
  * Returns the point of the bisector at the parameter 0 < s < infinity.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Curves
  * @example
@@ -142,7 +142,7 @@ export function measureBisector(
 export function pointAt(bisector: Bisector, s: number): Point {
   checkThing(bisector, 'apex', 'pointAt', 'a bisector')
   if (!(typeof s === 'number' && s > 0 && s < Number.POSITIVE_INFINITY)) {
-    refuseArgument(`pointAt takes a finite number above 0 as parameter, not ${shown(s)}.`)
+    refuseInput(`pointAt takes a finite number above 0 as parameter, not ${shown(s)}.`)
   }
   return pointOf(bisector, s)
 }
@@ -161,7 +161,7 @@ export function inPlane({ origin, unit, along, across }: Bisector, u: number, v:
 /**
  * Returns the parameter of a point (x, y) that lies on the bisector up to rounding.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Curves
  * @example

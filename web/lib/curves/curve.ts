@@ -59,7 +59,7 @@ export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
  * its two centers, the centers are moved apart to 2^-900 of that distance. This change is invisible from there, and it
  * keeps parameters in the range of numbers.
  *
- * @throws CircleVoronoiError `badArgument`, if there is no such edge
+ * @throws CircleVoronoiError `badInput`, if there is no such edge
  *
  * @category Curves
  * @example

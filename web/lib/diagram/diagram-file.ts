@@ -65,8 +65,6 @@ export function fileOf(diagram: DiagramData): DiagramFile {
 /**
  * The diagram of such a file, which is text or has been parsed. Whether it is one is not judged, and what the file says of
  * that is not believed; but all indices are those of its circles and vertices.
- *
- * @throws CircleVoronoiError `badInput`, `negativeRadius`, `coordinateTooLarge`
  */
 export function dataFrom(json: unknown): DiagramData {
   const file = typeof json === 'string' ? parsed(json) : json

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { refuseArgument, refuseArrays } from '../base/check.ts'
+import { refuseArrays, refuseInput } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData, Float64s, Int32s, SnapshotNumbers } from '../base/types.ts'
 import type { Change } from './change.ts'
@@ -66,11 +66,11 @@ export class DiagramPatch {
   /**
    * Returns the circles, by their indices, whose cells, places or indices are others now.
    *
-   * @throws CircleVoronoiError `badArgument`, if it is not the change that comes next
+   * @throws CircleVoronoiError `badInput`, if it is not the change that comes next
    */
   apply(change: Change): Set<number> {
     if (change?.revision !== this.#revision + 1) {
-      refuseArgument(
+      refuseInput(
         `The diagram is that of the editor after ${this.#revision} changes; what is applied has to be the next one.`,
       )
     }

@@ -6,22 +6,12 @@ import {
   checkMaxDistance,
   checkNoOptions,
   checkNumber,
-  refuseArgument,
+  refuseInput,
   shown,
 } from '../base/check.ts'
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import type {
-  Certificate,
-  DiagramData,
-  Float64s,
-  Int32s,
-  Metric,
-  PathSink,
-  Point,
-  SnapshotNumbers,
-  Stats,
-} from '../base/types.ts'
-import { drawCell, drawCircle, drawDual, drawEdge, drawHull, drawRegion } from '../drawing/draw.ts'
+import type { Certificate, DiagramData, Float64s, Int32s, Metric, PathSink, Point, Stats } from '../base/types.ts'
+import { drawBounds, drawCell, drawCircle, drawDual, drawEdge, drawHull } from '../drawing/draw.ts'
 import {
   clippedOutline,
   clippedSides,
@@ -59,9 +49,7 @@ import { AreaJudge, areaOf, centroidOf, perimeterOf } from '../regions/measure.t
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import { type ClippedCells, type ClippedDiagram, Region, regionOption } from '../regions/region.ts'
-import type { Change } from './change.ts'
-import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
-import { DiagramPatch } from './diagram-patch.ts'
+import { type DiagramFile, fileOf } from './diagram-file.ts'
 import { Finder } from './finder.ts'
 import { before } from './link-sides.ts'
 
@@ -87,8 +75,9 @@ export interface Cell {
 
 /**
  * The Voronoi diagram of n circles: flat arrays, and methods that draw, measure and query them. A structured clone, for
- * example one made by `postMessage`, is plain `DiagramData`; `new Diagram(data)` restores the methods, and
- * `Diagram.fromJSON` reads JSON. Nothing has to be freed.
+ * example one made by `postMessage`, is plain `DiagramData`; `new Diagram(data)` restores the methods, and `fromJSON`
+ * reads JSON. Nothing has to be freed. `compute` returns a `ComputedDiagram`, and editors return a `DiagramSnapshot`,
+ * which have further methods.
  *
  * Drawing methods take one object of options. With a `context` (a canvas, a `Path2D` or any other `PathSink`) they
  * draw; without one they return the `d` attribute of an SVG path. Curves are approximated by Bézier curves within
@@ -96,7 +85,7 @@ export interface Cell {
  * input; the default is the bounding box of the circles plus a margin of a twentieth of its size.
  *
  * The methods expect a certified diagram. Data structures that they need are built in linear time on first use. All
- * methods throw a `CircleVoronoiError`: `badOption` for options that make no sense, `badArgument` for other arguments,
+ * methods throw a `CircleVoronoiError`: `badOption` for options that make no sense, `badInput` for other arguments,
  * and `badInput` or `nonFinite` if a program has changed the arrays so that they no longer fit together.
  *
  * @category Diagrams
@@ -120,12 +109,10 @@ export class Diagram implements DiagramData {
   readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
-  declare readonly numbers?: SnapshotNumbers
   #cells: Cells | undefined
   #finder: Finder | undefined
   #bounds: ConvexPolygon | undefined
   #halfedges: Int32Array | undefined
-  #patch: DiagramPatch | undefined
   #lastLimits: Limits | undefined
   #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
   /** The number of cells clipped one by one since the last change. */
@@ -147,19 +134,6 @@ export class Diagram implements DiagramData {
     this.firstSide = data.firstSide
     this.certificate = data.certificate
     this.stats = data.stats
-    if (data.numbers !== undefined) this.numbers = data.numbers
-  }
-
-  /**
-   * Reads a diagram from the text of a JSON file or from the object that `JSON.parse` makes of it, as
-   * `JSON.stringify(diagram)` and the command line write it. Numbers round-trip exactly. The diagram is not checked;
-   * use `certify` of the library for that.
-   *
-   * @throws CircleVoronoiError `badInput`, if it is no such file or an index is none of its circles or vertices;
-   *   `negativeRadius`, `coordinateTooLarge`
-   */
-  static fromJSON(json: string | object): Diagram {
-    return new Diagram(dataFrom(json))
   }
 
   /** Returns the content of a JSON file as the command line writes and reads it. Only the sign of a zero is lost. */
@@ -168,70 +142,17 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Computes the diagram again after `circles` was changed in place, with the original options. If that fails, the
-   * diagram stays unchanged.
-   *
-   * @throws CircleVoronoiError as `compute`; `badArgument`, if the diagram was not made by `compute` here
+   * @internal Takes the arrays of another diagram, and forgets what was derived from the old ones. `follow` changes the
+   * search structure of `find`, and returns whether it could; then the cells stay valid, too.
    */
-  update(): this {
-    const recompute = recomputations.get(this)
-    if (recompute === undefined) refuseArgument('update takes a diagram that compute made here.')
-    Object.assign(this, recompute(this.circles))
-    this.#cells = undefined
-    this.#finder = undefined
+  protected renew(data: Partial<DiagramData>, follow?: (finder: Finder) => boolean): void {
+    Object.assign(this, data)
+    if (follow === undefined) this.#cells = undefined
+    if (this.#finder !== undefined && !follow?.(this.#finder)) this.#finder = undefined
     this.#bounds = undefined
     this.#clip = undefined
     this.#alone = 0
     this.#halfedges = undefined
-    return this
-  }
-
-  /**
-   * Applies the next change of an editor to this snapshot of it, in time proportional to the change. Arrays are changed
-   * in place; an array whose length changes is replaced. `cells` and the search structure of `find` stay valid. Indices
-   * have no gaps: when a circle, vertex or edge is removed, the last one may take its index. Use `indexOf` to find the
-   * index of a circle and `numbers.circles` for the ids. The `by` of a hidden circle is a circle that contains it, but
-   * not always the largest.
-   *
-   * @throws CircleVoronoiError `badArgument`, if the diagram is no snapshot of an editor, or a change has been left out
-   *
-   * @example
-   * ```js
-   * const diagram = editor.snapshot()
-   * editor.onchange = (change) => {
-   *   diagram.apply(change)
-   *   for (const id of change.cells) redraw(diagram.cellPath(diagram.indexOf(id)))
-   * }
-   * ```
-   */
-  apply(change: Change): this {
-    const patch = this.#patchable('apply')
-    const changed = patch.apply(change)
-    const { hidden, circles } = Object.assign(this, patch.arrays())
-    const counts = { ...this.stats.counts, circles: circles.length / 3, hidden: hidden.length / 2 }
-    Object.assign(this, { stats: { ...this.stats, counts } })
-    if (this.#finder?.follow(changed) === false) this.#finder = undefined
-    this.#bounds = undefined
-    this.#clip = undefined
-    this.#alone = 0
-    this.#halfedges = undefined
-    return this
-  }
-
-  /**
-   * Returns the index of the circle with this id in a snapshot of an editor, or `NONE` if there is none.
-   *
-   * @throws CircleVoronoiError `badArgument`, if it is no such snapshot
-   */
-  indexOf(id: number): number {
-    checkNumber(id, 'indexOf', 'the id of a circle')
-    return this.#patchable('indexOf').indexOf(id)
-  }
-
-  #patchable(caller: string): DiagramPatch {
-    if (this.numbers === undefined) refuseArgument(`${caller} takes a diagram that is a snapshot of an editor.`)
-    this.#patch ??= new DiagramPatch(this, this.numbers)
-    return this.#patch
   }
 
   /** The cells with their sides. */
@@ -328,9 +249,9 @@ export class Diagram implements DiagramData {
   findAll(points: Float64Array | Float32Array | readonly number[], ...others: readonly unknown[]): Int32Array {
     checkNoOptions(others, 'findAll')
     const isList = points instanceof Float64Array || points instanceof Float32Array || Array.isArray(points)
-    if (!isList) refuseArgument(`findAll takes a Float64Array of x and y for each point, not ${shown(points)}.`)
+    if (!isList) refuseInput(`findAll takes a Float64Array of x and y for each point, not ${shown(points)}.`)
     if (points.length % 2 !== 0) {
-      refuseArgument(`findAll takes two numbers for each point, but there are ${points.length}.`)
+      refuseInput(`findAll takes two numbers for each point, but there are ${points.length}.`)
     }
     const coordinates = points instanceof Float64Array ? points : Float64Array.from(points, numberOf)
     this.#finder ??= new Finder(this.cells)
@@ -391,7 +312,7 @@ export class Diagram implements DiagramData {
   renderBounds(options?: PolygonOptions & TextOptions): string
   renderBounds(options: PolygonOptions & ContextOptions): void
   renderBounds(options: DrawOptions = {}): string | undefined {
-    return this.#drawn('renderBounds', options, (sink, { region }) => drawRegion(sink, region), drawRings)
+    return this.#drawn('renderBounds', options, (sink, { bounds }) => drawBounds(sink, bounds), drawRings)
   }
 
   /** Draws all circles, including hidden ones. */
@@ -450,7 +371,7 @@ export class Diagram implements DiagramData {
       return multiPolygonOf(this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i)
     }
     const limits = this.#limitsOf('cellPolygon', options)
-    return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
+    return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.bounds))
   }
 
   /** Generates the polygons of all cells that are not empty, each with the `index` of its circle. */
@@ -491,7 +412,7 @@ export class Diagram implements DiagramData {
   cellArea(i: number, options: BoundsOptions = {}): number {
     const area = areaOf(this.#outline(i, 'cellArea', options))
     if (options.region === undefined) {
-      new AreaJudge(this.#limitsOf('cellArea', options).region, this.metric).add(area, circleOf(this.circles, i), i)
+      new AreaJudge(this.#limitsOf('cellArea', options).bounds, this.metric).add(area, circleOf(this.circles, i), i)
     }
     return area
   }
@@ -517,7 +438,7 @@ export class Diagram implements DiagramData {
   cellAreas(options: BoundsOptions = {}): Float64Array {
     const areas = this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
     if (options.region !== undefined || this.hull.length === 0) return areas
-    const judge = new AreaJudge(this.#limitsOf('cellAreas', options).region, this.metric)
+    const judge = new AreaJudge(this.#limitsOf('cellAreas', options).bounds, this.metric)
     areas.forEach((area, i) => {
       judge.add(area, circleOf(this.circles, i), i)
     })
@@ -575,7 +496,7 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, caller, DRAW_OPTIONS)
     const region = this.#regionIn(caller, options)
     const limits = region ?? this.#limitsOf(caller, options)
-    const tolerance = toleranceOf(options, limits instanceof Region ? limits : limits.region)
+    const tolerance = toleranceOf(options, limits instanceof Region ? limits : limits.bounds)
     const sink = sinkOf(options, tolerance)
     if (limits instanceof Region) drawIn(sink, limits, tolerance)
     else drawWithin(sink, limits, tolerance)
@@ -622,15 +543,15 @@ export class Diagram implements DiagramData {
   #limitsOf(caller: string, { bounds, maxDistance }: BoundsOptions): Limits {
     checkMaxDistance(this, caller, maxDistance)
     const last = this.#lastLimits
-    let region: ConvexPolygon
+    let polygon: ConvexPolygon
     if (bounds === undefined) {
       const isCut = maxDistance !== undefined
-      region = isCut ? ConvexPolygon.of(exportBox(this.circles, maxDistance)) : this.#defaultBounds()
+      polygon = isCut ? ConvexPolygon.of(exportBox(this.circles, maxDistance)) : this.#defaultBounds()
     } else {
-      region = last !== undefined && isBoxOf(last.region, bounds) ? last.region : ConvexPolygon.of(bounds)
+      polygon = last !== undefined && isBoxOf(last.bounds, bounds) ? last.bounds : ConvexPolygon.of(bounds)
     }
-    if (last?.region === region && last.maxDistance === maxDistance) return last
-    this.#lastLimits = { region, maxDistance }
+    if (last?.bounds === polygon && last.maxDistance === maxDistance) return last
+    this.#lastLimits = { bounds: polygon, maxDistance }
     return this.#lastLimits
   }
 
@@ -653,15 +574,6 @@ function isBoxOf({ isBox, box }: ConvexPolygon, bounds: Bounds): boolean {
 
 /** Number of cells that are clipped together in the time of one alone. */
 const CELLS_FOR_ONE = 64
-
-/** The functions that repeat a computation of `compute`. */
-const recomputations = new WeakMap<Diagram, (circles: Float64s) => DiagramData>()
-
-/** Has `update` compute a diagram again with `recompute`, and returns the diagram. */
-export function updatable(diagram: Diagram, recompute: (circles: Float64s) => DiagramData): Diagram {
-  recomputations.set(diagram, recompute)
-  return diagram
-}
 
 function numberOf(value: unknown): number {
   checkNumber(value, 'findAll', 'a coordinate')

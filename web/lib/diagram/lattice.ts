@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { refuseArgument } from '../base/check.ts'
+import { refuseInput } from '../base/check.ts'
 import { cross, dot } from '../base/point.ts'
 import type { Point } from '../base/types.ts'
 
@@ -25,7 +25,7 @@ export type Shift = readonly [a: number, b: number]
 /**
  * The numbers of a lattice: embind would convert whatever it is given. The core judges their values.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  */
 export function latticeNumbers(lattice: Lattice, caller: string): Float64Array<ArrayBuffer> {
   const { a, b }: Partial<Record<keyof Lattice, unknown>> = Object(lattice)
@@ -34,7 +34,7 @@ export function latticeNumbers(lattice: Lattice, caller: string): Float64Array<A
     period.length === 2 &&
     period.every((value: unknown) => typeof value === 'number')
   if (!isPeriod(a) || !isPeriod(b))
-    refuseArgument(`${caller} takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.`)
+    refuseInput(`${caller} takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.`)
   return Float64Array.of(...a, ...b)
 }
 

@@ -17,7 +17,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
   if (hasEndsInside(diagram, e, limits, tolerance)) {
     const { vertices, edges } = diagram
     const [start, end] = [at(edges, 4 * e + 2), at(edges, 4 * e + 3)]
-    // An edge that is its chord cannot leave the region between its ends.
+    // An edge that is its chord cannot leave the bounds between its ends.
     if (isNearChord(diagram, e, tolerance)) {
       sink.moveTo(at(vertices, 3 * start), at(vertices, 3 * start + 1))
       sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
@@ -26,7 +26,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
     const curve = borrowCurve(diagram, 2 * e) as BoundedCurve
     try {
       // An arc lies in the triangle of its Bezier points.
-      if (isWithin(limits.region.box, controlPoint(curve.bisector, curve.from, curve.to), 0)) {
+      if (isWithin(limits.bounds.box, controlPoint(curve.bisector, curve.from, curve.to), 0)) {
         sink.moveTo(curve.start.x, curve.start.y)
         addArc(sink, curve, tolerance)
         return
@@ -35,7 +35,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
       returnCurve()
     }
   }
-  if (isBeyondEdge(diagram, e, limits.region)) return
+  if (isBeyondEdge(diagram, e, limits.bounds)) return
   for (const { curve } of keptParts(diagram, e, limits)) {
     sink.moveTo(curve.start.x, curve.start.y)
     addArc(sink, curve, tolerance)
@@ -45,7 +45,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
 /** Draws the outline of the kept part of a cell, counter-clockwise: a closed path for each piece. */
 export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: Limits, tolerance: number): void {
   const reach = cells.reach(circle)
-  if (!(distanceTo(limits.region, cells.diagram, circle) <= reach)) return
+  if (!(distanceTo(limits.bounds, cells.diagram, circle) <= reach)) return
   if (isKeptWhole(cells.diagram, circle, reach, limits)) {
     drawWholeCell(sink, cells, circle, tolerance)
     return
@@ -53,7 +53,7 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: L
   drawOutline(sink, outlineOf(cells, circle, limits), tolerance)
 }
 
-/** Draws a cell that lies inside the region, without cutting it: most cells of a view do. */
+/** Draws a cell that lies inside the bounds, without cutting it: most cells of a view do. */
 function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: number): void {
   const { vertices, firstSide, nextSide } = cells.diagram
   const first = at(firstSide, circle)
@@ -101,19 +101,19 @@ function isNearChord({ circles, edges, vertices, metric }: DiagramData, e: numbe
   return Math.abs(difference) * (x * x + y * y) <= most
 }
 
-/** Whether an edge has two ends, which lie inside a region that is a box, farther than drawing may err. */
+/** Whether an edge has two ends, which lie inside bounds that are a box, farther than drawing may err. */
 function hasEndsInside(
   { edges, vertices }: DiagramData,
   e: number,
-  { region, maxDistance }: Limits,
+  { bounds, maxDistance }: Limits,
   tolerance: number,
 ): boolean {
   const start = at(edges, 4 * e + 2)
   const end = at(edges, 4 * e + 3)
-  if (maxDistance !== undefined || !region.isBox || start === NONE || end === NONE) return false
+  if (maxDistance !== undefined || !bounds.isBox || start === NONE || end === NONE) return false
   return (
-    isVertexWithin(region.box, vertices, start, 4 * tolerance) &&
-    isVertexWithin(region.box, vertices, end, 4 * tolerance)
+    isVertexWithin(bounds.box, vertices, start, 4 * tolerance) &&
+    isVertexWithin(bounds.box, vertices, end, 4 * tolerance)
   )
 }
 
@@ -139,8 +139,8 @@ export function drawHull(sink: PathSink, diagram: DiagramData): void {
   if (arcs.length > 0) sink.closePath()
 }
 
-/** Draws the outline of a region. */
-export function drawRegion(sink: PathSink, { corners }: ConvexPolygon): void {
+/** Draws the outline of bounds. */
+export function drawBounds(sink: PathSink, { corners }: ConvexPolygon): void {
   corners.forEach(({ x, y }, k) => {
     if (k === 0) sink.moveTo(x, y)
     else sink.lineTo(x, y)
@@ -167,11 +167,11 @@ export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number):
 }
 
 /**
- * Spares the work for most of the edges outside a small region: the distance from the left center grows along a branch
+ * Spares the work for most of the edges outside small bounds: the distance from the left center grows along a branch
  * from
  * its apex either way, so it is largest at a vertex.
  */
-function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): boolean {
+function isBeyondEdge(diagram: DiagramData, e: number, bounds: ConvexPolygon): boolean {
   const { circles, edges, vertices } = diagram
   const left = at(edges, 4 * e)
   const start = at(edges, 4 * e + 2)
@@ -181,10 +181,10 @@ function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): b
   const y = at(circles, 3 * left + 1)
   const toStart = hypotenuse(at(vertices, 3 * start) - x, at(vertices, 3 * start + 1) - y)
   const toEnd = hypotenuse(at(vertices, 3 * end) - x, at(vertices, 3 * end + 1) - y)
-  return Math.max(toStart, toEnd) < distanceTo(region, diagram, left)
+  return Math.max(toStart, toEnd) < distanceTo(bounds, diagram, left)
 }
 
-/** At most the distance from a circle's center to the region. */
+/** At most the distance from a circle's center to the bounds. */
 function distanceTo({ box }: ConvexPolygon, { circles }: DiagramData, circle: number): number {
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)

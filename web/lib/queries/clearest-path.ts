@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkDiagram, checkMetric, checkOptionNames, checkPoint, refuseArgument } from '../base/check.ts'
+import { checkDiagram, checkMetric, checkOptionNames, checkPoint, refuseInput } from '../base/check.ts'
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import { distanceOf } from '../base/metric.ts'
+import { distanceFrom } from '../base/metric.ts'
 import { between } from '../base/point.ts'
 import { facing } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
@@ -11,7 +11,7 @@ import { type BoundedCurve, curveOf, type EdgeCurve } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { clippedOutline } from '../drawing/draw-clipped.ts'
 import { LineCrossing } from '../regions/clip.ts'
-import { type Bounds, ConvexPolygon, type RegionOptions } from '../regions/convex-polygon.ts'
+import { type Bounds, type ConvexBoundsOptions, ConvexPolygon } from '../regions/convex-polygon.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import { Region, regionOption } from '../regions/region.ts'
 import { Heap } from './heap.ts'
@@ -54,7 +54,7 @@ export interface ClearestPath {
  * shortest of the clearest paths along edges and boundary. It is `undefined` if p and q lie in different parts of the
  * region.
  *
- * @throws CircleVoronoiError `badArgument`, also if p or q lies outside the bounds or the region; `badOption`
+ * @throws CircleVoronoiError `badInput`, also if p or q lies outside the bounds or the region; `badOption`
  *
  * @category Questions
  * @example
@@ -64,14 +64,14 @@ export function clearestPath(
   diagram: Diagram,
   p: Point,
   q: Point,
-  options: RegionOptions | { readonly region: Region },
+  options: ConvexBoundsOptions | { readonly region: Region },
 ): ClearestPath | undefined
 export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
 export function clearestPath(
   diagram: Diagram,
   p: Point,
   q: Point,
-  options: Partial<RegionOptions> & { readonly region?: Region } = {},
+  options: Partial<ConvexBoundsOptions> & { readonly region?: Region } = {},
 ): ClearestPath | undefined {
   checkDiagram(diagram, 'clearestPath')
   checkOptionNames(options, 'clearestPath', ['bounds', 'region'])
@@ -79,13 +79,13 @@ export function clearestPath(
   checkMetric(diagram, 'clearestPath', 'circles')
   checkPoint(p, 'clearestPath')
   checkPoint(q, 'clearestPath')
-  if (diagram.circles.length === 0) refuseArgument('clearestPath takes a diagram of one circle or more.')
+  if (diagram.circles.length === 0) refuseInput('clearestPath takes a diagram of one circle or more.')
   if (region !== undefined || options.bounds !== undefined) {
     const given = region ?? ConvexPolygon.of(options.bounds as Bounds)
     for (const point of [p, q]) {
       const isInside = given instanceof Region ? given.contains(point.x, point.y) : given.contains(point)
       if (!isInside)
-        refuseArgument(`clearestPath: (${point.x}, ${point.y}) lies outside the ${region ? 'region' : 'bounds'}.`)
+        refuseInput(`clearestPath: (${point.x}, ${point.y}) lies outside the ${region ? 'region' : 'bounds'}.`)
     }
     return pathInside(diagram, p, q, outlinesIn(diagram, given))
   }
@@ -100,8 +100,8 @@ export function clearestPath(
   return {
     clearance: Math.min(
       route.clearance,
-      distanceOf(diagram, fromCircle, p.x, p.y),
-      distanceOf(diagram, toCircle, q.x, q.y),
+      distanceFrom(diagram, fromCircle, p.x, p.y),
+      distanceFrom(diagram, toCircle, q.x, q.y),
     ),
     edges: Int32Array.from(route.edges),
     entry: from?.point,
@@ -170,7 +170,7 @@ function endOf(diagram: Diagram, edge: number): number {
 /** The least distance from its circles along a part of an edge: at the apex if that is inside, else at an end. */
 function clearanceOf(diagram: Diagram, { bisector }: EdgeCurve, edge: number, from: number, to: number): number {
   const { x, y } = pointOf(bisector, Math.min(Math.max(1, from), to))
-  return distanceOf(diagram, at(diagram.edges, 4 * edge), x, y)
+  return distanceFrom(diagram, at(diagram.edges, 4 * edge), x, y)
 }
 
 /** The best paths from a place on an edge, or from infinity, to all nodes. */

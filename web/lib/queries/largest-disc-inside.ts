@@ -2,7 +2,7 @@
 
 import { checkDiagram, checkMetric, checkOptionNames } from '../base/check.ts'
 import { at, circleOf, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
-import { distanceOf } from '../base/metric.ts'
+import { distanceFrom } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, ROUNDING, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
@@ -10,7 +10,7 @@ import { pointOf } from '../curves/bisector.ts'
 import { curveOf } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { boundedPart, partsInside } from '../regions/clip.ts'
-import { ConvexPolygon, type RegionOptions } from '../regions/convex-polygon.ts'
+import { type ConvexBoundsOptions, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { type Region, regionOption } from '../regions/region.ts'
 import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
 
@@ -28,7 +28,7 @@ const ROUNDING_OF_PLACE = 2 ** -31
  * bounds
  * the time is proportional to the number of circles times the number of sides.
  *
- * @throws CircleVoronoiError `badArgument`, `badOption`
+ * @throws CircleVoronoiError `badInput`, `badOption`
  *
  * @category Questions
  * @example
@@ -36,7 +36,7 @@ const ROUNDING_OF_PLACE = 2 ** -31
  */
 export function largestEmptyDiscInside(
   diagram: Diagram,
-  options: RegionOptions | { readonly region: Region },
+  options: ConvexBoundsOptions | { readonly region: Region },
 ): EmptyDisc | undefined {
   const caller = 'largestEmptyDiscInside'
   checkDiagram(diagram, caller)
@@ -53,7 +53,7 @@ export function largestEmptyDiscInside(
   // which
   // has some two segments for each side. All candidates are tried, and each is shrunk until it is empty and inside.
   // So rounding cannot make a result too large.
-  const region = ConvexPolygon.of((options as RegionOptions).bounds)
+  const region = ConvexPolygon.of((options as ConvexBoundsOptions).bounds)
   const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
   if (centered !== undefined && centered.disc.r <= 0) return centered
   const sides = sidesOf(region)
@@ -66,7 +66,7 @@ export function largestEmptyDiscInside(
     const inside = depthOf(p)
     if (!(inside > radius())) return
     const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
-    const empty = nearest === NONE ? Infinity : distanceOf(diagram, nearest, p.x, p.y)
+    const empty = nearest === NONE ? Infinity : distanceFrom(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
@@ -74,7 +74,7 @@ export function largestEmptyDiscInside(
       return
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleOf(diagram.circles, circles[0]).r)
-    if (!circles.includes(nearest) && distanceOf(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    if (!circles.includes(nearest) && distanceFrom(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }

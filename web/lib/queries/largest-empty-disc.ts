@@ -2,7 +2,7 @@
 
 import { checkDiagram, checkMetric, checkNoOptions, checkOptionNames } from '../base/check.ts'
 import { at, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
-import { distanceOf } from '../base/metric.ts'
+import { distanceFrom } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
 import { largestOf } from '../base/scale.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
@@ -11,7 +11,7 @@ import { curveOf, seenFrom } from '../curves/curve.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { boundedPart, LineCrossing, partsInside } from '../regions/clip.ts'
-import { ConvexPolygon, type RegionOptions } from '../regions/convex-polygon.ts'
+import { type ConvexBoundsOptions, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
 import { type Region, regionOption } from '../regions/region.ts'
 
@@ -31,7 +31,7 @@ export interface EmptyDisc {
  * circles. The disc may stick out. Its radius is negative if circles cover all points. Returns `undefined` if there are no
  * circles. The diagram must have the metric `circles`.
  *
- * @throws CircleVoronoiError `badArgument`, `badOption`
+ * @throws CircleVoronoiError `badInput`, `badOption`
  *
  * @category Questions
  * @example
@@ -39,7 +39,7 @@ export interface EmptyDisc {
  */
 export function largestEmptyDiscCenteredIn(
   diagram: Diagram,
-  options: RegionOptions | { readonly region: Region },
+  options: ConvexBoundsOptions | { readonly region: Region },
 ): EmptyDisc | undefined {
   const caller = 'largestEmptyDiscCenteredIn'
   checkDiagram(diagram, caller)
@@ -47,7 +47,7 @@ export function largestEmptyDiscCenteredIn(
   checkOptionNames(options, caller, ['bounds', 'region'])
   const given = regionOption(options, caller)
   if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDisc()
-  const region = ConvexPolygon.of((options as RegionOptions).bounds)
+  const region = ConvexPolygon.of((options as ConvexBoundsOptions).bounds)
   // The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
   // cell it is convex along every line.
   const largest = new Largest(diagram)
@@ -75,7 +75,7 @@ export function largestEmptyDiscCenteredIn(
  * Finds the largest empty disc whose center lies in the convex hull of the circles. Its radius is not negative. Returns
  * `undefined` if there are no circles. The diagram must have the metric `circles`.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Questions
  * @example
@@ -160,7 +160,7 @@ class Largest {
 
   /** The disc around a point that touches these circles. */
   offerAround({ x, y }: Point, ...circles: readonly number[]): void {
-    this.#offer({ x, y, r: distanceOf(this.#diagram, circles[0] as number, x, y) }, circles)
+    this.#offer({ x, y, r: distanceFrom(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
   /** A point of a circle that has grown. */

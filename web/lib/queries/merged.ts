@@ -35,7 +35,7 @@ export interface MergedDiagram {
  * vertex do not depend on the order of the input, except for their indices, as long as no edge is about as long as
  * `nearZero`.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Questions
  * @example

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { circleOf, NONE } from '../base/diagram-data.ts'
-import { distanceOf } from '../base/metric.ts'
+import { distanceFrom } from '../base/metric.ts'
 import { between, cross, dot } from '../base/point.ts'
 import { facing, lengthOf, measuredIn, turn } from '../base/scale.ts'
 import type { Circle, Point, Vector } from '../base/types.ts'
@@ -65,7 +65,7 @@ export function pathInside(
   graph.link()
   const route = graph.route(from.point, to.point)
   if (route === undefined) return undefined
-  const clearanceAt = (point: Point) => distanceOf(diagram, diagram.find(point.x, point.y), point.x, point.y)
+  const clearanceAt = (point: Point) => distanceFrom(diagram, diagram.find(point.x, point.y), point.x, point.y)
   const legs = [segmentsOf(p, from.point), route.map(({ curve }) => curve), segmentsOf(to.point, q)]
   return {
     clearance: Math.min(clearanceAt(p), clearanceAt(q), ...route.map(({ clearance }) => clearance)),
@@ -125,7 +125,7 @@ class Graph {
     if (!(turn(along, onward) < 0) || !(turn(along, ray) > 0 || turn(onward, ray) > 0)) return
     const hit = this.shoot(circle, corner, SLACK)
     if (hit === undefined) return
-    this.#add(segment(corner, hit.point), NONE, distanceOf(this.#diagram, circle, corner.x, corner.y))
+    this.#add(segment(corner, hit.point), NONE, distanceFrom(this.#diagram, circle, corner.x, corner.y))
   }
 
   /**
@@ -177,13 +177,13 @@ class Graph {
   #clearanceOf({ bisector, from, to, start, end }: BoundedCurve, isEdge: boolean, circle: number): number {
     if (isEdge) {
       const { x, y } = pointOf(bisector, Math.min(Math.max(1, from), to))
-      return distanceOf(this.#diagram, circle, x, y)
+      return distanceFrom(this.#diagram, circle, x, y)
     }
     const along = between(start, end)
     const size = lengthOf(along)
     const share = dot(measuredIn(size, along), between(start, circleOf(this.#diagram.circles, circle))) / size
     const within = Math.min(Math.max(share, 0), 1)
-    return distanceOf(this.#diagram, circle, start.x + within * along.x, start.y + within * along.y)
+    return distanceFrom(this.#diagram, circle, start.x + within * along.x, start.y + within * along.y)
   }
 
   #add(curve: BoundedCurve, edge: number, clearance: number): void {

@@ -8,35 +8,6 @@ import { lengthOf } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
 
 /**
- * Returns the pairs of circles whose cells share an edge, as two indices each. The smaller index comes first; pairs are
- * sorted, and each appears once.
- *
- * @throws CircleVoronoiError `badArgument`
- *
- * @category Questions
- * @example
- * neighborPairs(diagram) // Int32Array(6) [ 0, 1, 0, 2, 1, 2 ]
- */
-export function neighborPairs(diagram: DiagramData): Int32Array
-export function neighborPairs(diagram: DiagramData, ...others: readonly unknown[]): Int32Array {
-  checkNoOptions(others, 'neighborPairs')
-  checkData(diagram, 'neighborPairs')
-  const { circles, edges } = diagram
-  const count = circles.length / 3
-  // As numbers i n + j, which doubles hold exactly.
-  const keys = new Float64Array(edges.length / 4).map((_, e) => {
-    const left = at(edges, 4 * e)
-    const right = at(edges, 4 * e + 1)
-    return Math.min(left, right) * count + Math.max(left, right)
-  })
-  const pairs = keys.sort().filter((key, k) => key !== keys[k - 1])
-  return new Int32Array(2 * pairs.length).map((_, k) => {
-    const key = at(pairs, k >> 1)
-    return k & 1 ? key % count : Math.floor(key / count)
-  })
-}
-
-/**
  * Two circles and the gap between them.
  *
  * @category Questions
@@ -52,7 +23,7 @@ export interface ClosestPair {
 /**
  * Finds the two visible circles with the smallest gap. Returns `undefined` if fewer than two circles are visible.
  *
- * @throws CircleVoronoiError `badArgument`, if the diagram is of another metric than `circles`
+ * @throws CircleVoronoiError `badInput`, if the diagram is of another metric than `circles`
  *
  * @category Questions
  * @example

@@ -6,9 +6,9 @@ import { curveOf } from '../curves/curve.ts'
 import { boundedPart, type Part, partNear, partsInside } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 
-/** The limits of cells and edges: the inside of a region and, if there is one, a distance from the nearest circle. */
+/** The limits of cells and edges: the inside of bounds and, if there is one, a distance from the nearest circle. */
 export interface Limits {
-  readonly region: ConvexPolygon
+  readonly bounds: ConvexPolygon
   readonly maxDistance: number | undefined
 }
 
@@ -19,23 +19,23 @@ export function reachFrom({ circles, metric }: DiagramData, circle: number, maxD
 
 /** Whether all of a cell is kept, for all points up to `reach` from its circle's center are. */
 export function isKeptWhole(diagram: DiagramData, circle: number, reach: number, limits: Limits): boolean {
-  const { region, maxDistance } = limits
+  const { bounds, maxDistance } = limits
   if (maxDistance !== undefined && !(reach < reachFrom(diagram, circle, maxDistance))) return false
   const x = at(diagram.circles, 3 * circle)
   const y = at(diagram.circles, 3 * circle + 1)
-  const { minX, minY, maxX, maxY } = region.box
+  const { minX, minY, maxX, maxY } = bounds.box
   if (!(minX <= x - reach && x + reach <= maxX && minY <= y - reach && y + reach <= maxY)) return false
-  if (region.isBox) return true
-  return [-reach, reach].every((dx) => [-reach, reach].every((dy) => region.contains({ x: x + dx, y: y + dy })))
+  if (bounds.isBox) return true
+  return [-reach, reach].every((dx) => [-reach, reach].every((dy) => bounds.contains({ x: x + dx, y: y + dy })))
 }
 
 /**
- * The part of an edge within the distance, or without one the edge with ends far outside the region in place of those at
+ * The part of an edge within the distance, or without one the edge with ends far outside the bounds in place of those at
  * infinity.
  */
-export function partAtDistance(diagram: DiagramData, edge: number, { region, maxDistance }: Limits): Part | undefined {
+export function partAtDistance(diagram: DiagramData, edge: number, { bounds, maxDistance }: Limits): Part | undefined {
   const curve = curveOf(diagram, edge)
-  if (maxDistance === undefined) return boundedPart(curve, region)
+  if (maxDistance === undefined) return boundedPart(curve, bounds)
   const reachOf = (end: number) => reachFrom(diagram, at(diagram.edges, 4 * edge + end), maxDistance)
   return partNear(curve, Math.min(reachOf(0), reachOf(1)))
 }
@@ -43,5 +43,5 @@ export function partAtDistance(diagram: DiagramData, edge: number, { region, max
 /** The parts of an edge that are kept, in its direction. */
 export function keptParts(diagram: DiagramData, edge: number, limits: Limits): Part[] {
   const part = partAtDistance(diagram, edge, limits)
-  return part === undefined ? [] : partsInside(part, limits.region)
+  return part === undefined ? [] : partsInside(part, limits.bounds)
 }

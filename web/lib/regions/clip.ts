@@ -7,20 +7,20 @@ import { largestOf, measuredIn, powerOfTwoIn, turn, unitFor } from '../base/scal
 import type { Point, Vector } from '../base/types.ts'
 import { type Bisector, parameterAtDistance, pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from '../curves/curve.ts'
-import { type ConvexPolygon, type RegionOptions, regionOf } from './convex-polygon.ts'
+import { boundsOf, type ConvexBoundsOptions, type ConvexPolygon } from './convex-polygon.ts'
 
 /** In place of a side of a polygon: the circle that cuts a cell at the maximum distance. */
 export const CIRCLE_CUT = -2
 /** In place of a side of a polygon: nothing. The end of the curve is at infinity, which here is a point far outside. */
 const FAR_CUT = -3
 /**
- * Ends at infinity are moved to that many times the distance of the region from the centers. From there, its directions
+ * Ends at infinity are moved to that many times the distance of the bounds from the centers. From there, its directions
  * are those at infinity up to a few degrees.
  */
 const FAR = 64
 
 /**
- * A part of a curve inside a region. `cutFrom` and `cutTo` are the sides of the region, or `CIRCLE_CUT`, on which the ends
+ * A part of a curve inside bounds. `cutFrom` and `cutTo` are the sides of the bounds, or `CIRCLE_CUT`, on which the ends
  * of the part lie; `NONE` if the part ends where the curve does.
  */
 export interface Part {
@@ -92,24 +92,24 @@ export class HalfPlane {
 }
 
 /**
- * Returns the pieces of an arc inside a region, in order. Each piece is bounded; there are several if the arc leaves
- * the region and comes back.
+ * Returns the pieces of an arc inside bounds, in order. Each piece is bounded; there are several if the arc leaves
+ * the bounds and comes back.
  *
- * @throws CircleVoronoiError `badArgument`, `badOption`
+ * @throws CircleVoronoiError `badInput`, `badOption`
  *
  * @category Curves
  * @example
  * clipCurve(edgeCurve(diagram, 0), { bounds: [-5, -5, 10, 10] }).length // 1
  */
-export function clipCurve(curve: EdgeCurve, options: RegionOptions): BoundedCurve[] {
+export function clipCurve(curve: EdgeCurve, options: ConvexBoundsOptions): BoundedCurve[] {
   checkThing(curve, 'bisector', 'clipCurve', 'a curve')
-  const region = regionOf(options, 'clipCurve')
-  return partsInside(boundedPart(curve, region), region).map((part) => part.curve)
+  const bounds = boundsOf(options, 'clipCurve')
+  return partsInside(boundedPart(curve, bounds), bounds).map((part) => part.curve)
 }
 
-/** Returns a curve with its ends at infinity moved to points far outside a region, as they are then cut off. */
-export function boundedPart(whole: EdgeCurve, region: ConvexPolygon): Part {
-  const reach = Math.max(region.reachFrom(whole.bisector.left), region.reachFrom(whole.bisector.right))
+/** Returns a curve with its ends at infinity moved to points far outside bounds, as they are then cut off. */
+export function boundedPart(whole: EdgeCurve, bounds: ConvexPolygon): Part {
+  const reach = Math.max(bounds.reachFrom(whole.bisector.left), bounds.reachFrom(whole.bisector.right))
   const curve = seenFrom(whole, reach)
   if (isBoundedCurve(curve)) return { curve, cutFrom: NONE, cutTo: NONE }
   const { bisector } = curve
@@ -175,9 +175,9 @@ export function movedOntoSides(part: Part, halves: readonly HalfPlane[]): Part {
   return { ...part, curve: { bisector, from, to, start: moved(cutFrom, curve.start), end: moved(cutTo, curve.end) } }
 }
 
-/** Returns the parts of a part of a curve inside a region, in order. */
-export function partsInside(part: Part, region: ConvexPolygon): Part[] {
-  const halves = HalfPlane.of(region)
+/** Returns the parts of a part of a curve inside bounds, in order. */
+export function partsInside(part: Part, bounds: ConvexPolygon): Part[] {
+  const halves = HalfPlane.of(bounds)
   let parts = [part]
   for (const half of halves) {
     parts = parts.flatMap((rest) => cutPart(rest, half)).filter((rest) => !isPoint(rest))

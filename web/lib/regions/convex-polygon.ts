@@ -13,16 +13,16 @@ import type { Box, Point, Vector } from '../base/types.ts'
 export type Bounds = Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | ConvexPolygon
 
 /**
- * Options that name a region.
+ * The bounds of functions that take nothing else.
  *
  * @category Cells
  */
-export interface RegionOptions {
+export interface ConvexBoundsOptions {
   readonly bounds: Bounds
 }
 
-/** @throws CircleVoronoiError `badOption`, if they say no region, or more */
-export function regionOf(options: RegionOptions, caller: string): ConvexPolygon {
+/** @throws CircleVoronoiError `badOption`, if they say no bounds, or more */
+export function boundsOf(options: ConvexBoundsOptions, caller: string): ConvexPolygon {
   checkOptionNames(options, caller, ['bounds'])
   return ConvexPolygon.of(options.bounds)
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkCircles, checkDistance } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
 import type { Box } from '../base/types.ts'
 
@@ -9,18 +8,10 @@ const LEAST_MARGIN = 2 ** -50
 const TOLERANCE = 1e-5
 
 /**
- * Returns the box that drawings are clipped to by default: the bounding box of the circles, each grown by
- * `maxDistance`, plus a margin of a twentieth of its size. `circles` has x, y, r of each circle.
- *
- * @throws CircleVoronoiError `badArgument`, `badOption`
- *
- * @category Cells
- * @example
- * exportBox(diagram.circles) // { minX: -1.5, minY: -1.5, maxX: 7.5, maxY: 9.5 }
+ * The box that drawings are clipped to by default: the bounding box of the circles, each grown by `maxDistance`, plus a
+ * margin of a twentieth of its size. `circles` has x, y, r of each circle.
  */
 export function exportBox(circles: Float64Array, maxDistance = 0): Box {
-  checkCircles(circles, 'exportBox')
-  checkDistance(maxDistance)
   if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
   for (let i = 0; i < circles.length; i += 3) {

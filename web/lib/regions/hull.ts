@@ -43,7 +43,7 @@ const THREE_QUARTER_TURN = 1.5 * Math.PI
  * of the centers. If weights on the hull are negative, all circles are first grown by one amount, which makes the circle
  * with the smallest of these weights a point.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Questions
  * @example

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkBoundedCurve, checkOutline } from '../base/check.ts'
+import { checkOutline } from '../base/check.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import { between, cross } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
@@ -31,7 +31,7 @@ const ROUNDING_OF_COORDINATES = 2 ** -48
  * Returns the area of an outline, exact up to rounding: polygons plus closed forms for the parts between arcs and their
  * chords, which need only square roots.
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Cells
  * @example
@@ -67,7 +67,7 @@ export function roundingOf(
  * Returns the centroid of an outline, exact up to rounding. For an outline without area it is the centroid of its end
  * points; for an empty outline, (0, 0).
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Cells
  * @example
@@ -98,7 +98,7 @@ export function centroidOf(outline: Outline): Point {
 /**
  * Returns the total length of an outline, exact up to rounding (see `curveLength`).
  *
- * @throws CircleVoronoiError `badArgument`
+ * @throws CircleVoronoiError `badInput`
  *
  * @category Cells
  * @example
@@ -165,27 +165,14 @@ export class AreaJudge {
 
 /** The length of a piece. */
 export function lengthOfPiece(piece: OutlinePiece): number {
-  return isCircleArc(piece) ? circleArcLength(piece) : lengthOfCurve(piece.curve)
+  return isCircleArc(piece) ? circleArcLength(piece) : curveLength(piece.curve)
 }
 
 /**
- * Returns the length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which
- * takes a few dozen square roots for every arc.
- *
- * @throws CircleVoronoiError `badArgument`
- *
- * @category Curves
- * @example
- * const [arc] = clipCurve(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), { bounds: [-9, -9, 9, 9] })
- * curveLength(arc).toFixed(3) // '18.662'
+ * The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes a few
+ * dozen square roots for every arc.
  */
-export function curveLength(curve: BoundedCurve): number {
-  checkBoundedCurve(curve, 'curveLength')
-  return lengthOfCurve(curve)
-}
-
-/** Does what `curveLength` does, for arguments that have been checked. */
-function lengthOfCurve({ bisector, from, to, start, end }: BoundedCurve): number {
+export function curveLength({ bisector, from, to, start, end }: BoundedCurve): number {
   const { unit, a, b } = bisector
   const chord = lengthOf(between(start, end))
   if (a === 0 || !(to > from)) return chord

@@ -25,7 +25,7 @@ const AXES: readonly Vector[] = [
   { x: -1, y: 0 },
   { x: 0, y: -1 },
 ]
-/** Where there is no side to say how far outside is far, as a multiple of the distance of the region. */
+/** Where there is no side to say how far outside is far, as a multiple of the distance of the bounds. */
 const FAR_OUT = 64
 /**
  * Tolerance for the crossings of a line and a curve, relative to the size of the part that is clipped. If the two are
@@ -38,15 +38,15 @@ const NEAR = 2 ** -20
 /** Does what `Diagram.cellOutline` does, for arguments that have been checked. */
 export function outlineOf(cells: Cells, circle: number, limits: Limits): readonly (readonly SharedPiece[])[] {
   if (!cells.exists(circle)) return []
-  const { region, maxDistance } = limits
+  const { bounds, maxDistance } = limits
   const radius = maxDistance === undefined ? undefined : reachFrom(cells.diagram, circle, maxDistance)
   if (radius !== undefined && !(radius > 0)) return []
-  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return [wholeLoop(cells, circle, region)]
+  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return [wholeLoop(cells, circle, bounds)]
   return new LoopCutter(cells, circle, limits, radius).run()
 }
 
-/** The outline of a cell that the region contains, without cutting it. */
-function wholeLoop(cells: Cells, circle: number, region: ConvexPolygon): SharedPiece[] {
+/** The outline of a cell that the bounds contain, without cutting it. */
+function wholeLoop(cells: Cells, circle: number, bounds: ConvexPolygon): SharedPiece[] {
   const { diagram } = cells
   const pieces: SharedPiece[] = []
   const first = at(diagram.firstSide, circle)
@@ -54,7 +54,7 @@ function wholeLoop(cells: Cells, circle: number, region: ConvexPolygon): SharedP
   do {
     const whole = curveOf(diagram, side >> 1)
     const { left, right } = whole.bisector
-    const forward = seenFrom(whole, Math.max(region.reachFrom(left), region.reachFrom(right))) as BoundedCurve
+    const forward = seenFrom(whole, Math.max(bounds.reachFrom(left), bounds.reachFrom(right))) as BoundedCurve
     const curve = side & 1 ? reversed(forward) : forward
     pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), r: 0 })
     side = at(diagram.nextSide, side)
@@ -78,7 +78,7 @@ interface CutPiece {
   readonly side: number
   /** The radius of an arc. */
   readonly r: number
-  /** The side of the region on whose line a segment lies; `NONE`: far outside. */
+  /** The side of the bounds on whose line a segment lies; `NONE`: far outside. */
   readonly line: number
 }
 
@@ -195,7 +195,7 @@ class LoopCutter {
     this.#radius = radius
     const { x, y } = circleOf(cells.diagram.circles, circle)
     this.#center = { x, y }
-    this.#halves = HalfPlane.of(limits.region)
+    this.#halves = HalfPlane.of(limits.bounds)
   }
 
   run(): SharedPiece[][] {
@@ -207,7 +207,7 @@ class LoopCutter {
   }
 
   /**
-   * The cell within the disc; without one, as far as its sides are bounded, and around the region from where they go to
+   * The cell within the disc; without one, as far as its sides are bounded, and around the bounds from where they go to
    * infinity.
    */
   #begin(): void {
@@ -220,7 +220,7 @@ class LoopCutter {
       this.#loops.push(this.#closed(sides))
       return
     }
-    const radius = this.#radius ?? FAR_OUT * this.#limits.region.reachFrom(this.#center)
+    const radius = this.#radius ?? FAR_OUT * this.#limits.bounds.reachFrom(this.#center)
     const loop: CutPiece[] = []
     const corner = (k: number) => onAxis(this.#center, radius, k % AXES.length)
     for (const k of AXES.keys()) this.#addStep(loop, corner(k), corner(k + 1))

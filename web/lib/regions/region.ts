@@ -63,7 +63,7 @@ export interface RegionModule {
  *
  * @category Regions
  * @example
- * const { region } = await library.loadRegions()
+ * const { region } = await loadRegions()
  * const hall = region([[[0, 0], [9, 0], [9, 9], [0, 9]], [[3, 3], [6, 3], [6, 6], [3, 6]]])
  * hall.area // 72
  * hall.contains(4, 4) // false

@@ -3,13 +3,13 @@
 import { CircleVoronoiError, type PostedError, postedError, reasonOf } from '../base/errors.ts'
 import { loadedOnce } from '../base/loaded-once.ts'
 import { Diagram } from '../diagram/diagram.ts'
+import createRegionsModule from '../generated/circle-voronoi-regions.js'
 import type { DiagramEditor } from '../wasm/editor.ts'
 import type { FitStep } from '../wasm/fit.ts'
-import { type CircleVoronoi, type ComputingLibrary, circleVoronoiOf } from '../wasm/library.ts'
+import { type CircleVoronoi, circleVoronoiOf } from '../wasm/library.ts'
 import type { Progress } from '../wasm/options.ts'
 import { regionsOf } from '../wasm/regions.ts'
-import { type CompiledWasm, scriptNotLoaded } from '../wasm/wasm.ts'
-import { loadRegionsScript } from './regions-script.ts'
+import type { CompiledWasm } from '../wasm/wasm.ts'
 import type {
   CallResult,
   ComputeRequest,
@@ -31,7 +31,7 @@ interface Port {
 export function answerRequests(): void {
   const nodePort = globalThis.process?.getBuiltinModule?.('node:worker_threads').parentPort
   const port = (nodePort ?? globalThis) as unknown as Port
-  let library: Promise<ComputingLibrary> | undefined
+  let library: Promise<CircleVoronoi> | undefined
   const answerCalls = editing()
   const fitted = fitting()
 
@@ -43,7 +43,7 @@ export function answerRequests(): void {
       return
     }
     if ('calls' in data) {
-      const results = await answerCalls(data.calls, library as Promise<ComputingLibrary>)
+      const results = await answerCalls(data.calls, library as Promise<CircleVoronoi>)
       const snapshots = results.flatMap((result) =>
         'value' in result && result.value instanceof Diagram ? [result.value] : [],
       )
@@ -53,7 +53,7 @@ export function answerRequests(): void {
     const tell = (told: Reply) => port.postMessage(told)
     const reply = await ('fit' in data
       ? fitted(data, tell)
-      : computed(data, library as Promise<ComputingLibrary>, tell)
+      : computed(data, library as Promise<CircleVoronoi>, tell)
     ).catch((error: unknown): Reply => ({ error: posted(error) }))
     port.postMessage(reply, buffersIn(reply))
   }
@@ -63,7 +63,7 @@ type Tell = (told: Reply) => void
 
 async function computed(
   { circles, lattice, options, tellsProgress }: ComputeRequest,
-  library: Promise<ComputingLibrary>,
+  library: Promise<CircleVoronoi>,
   tell: Tell,
 ): Promise<Reply> {
   const { compute, computePeriodic } = await library
@@ -76,10 +76,7 @@ async function computed(
 
 /** Answers the fits of a thread, the first of which loads the module. */
 function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
-  const regionsIn = loadedOnce(async (wasm: CompiledWasm) => {
-    const { default: createModule } = await loadRegionsScript().catch(scriptNotLoaded('The regions'))
-    return regionsOf(createModule, wasm)
-  })
+  const regionsIn = loadedOnce((wasm: CompiledWasm) => regionsOf(createRegionsModule, wasm))
   return async ({ fit, region: rings, wasm, tellsProgress }, tell) => {
     const { regionOf, fitAreas } = await regionsIn(wasm)
     const { sites, areas, lattice, ...options } = fit
@@ -92,7 +89,7 @@ function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
 }
 
 /** Answers the calls of an editor, the first of which makes it. */
-function editing(): (calls: readonly EditorCall[], library: Promise<ComputingLibrary>) => Promise<CallResult[]> {
+function editing(): (calls: readonly EditorCall[], library: Promise<CircleVoronoi>) => Promise<CallResult[]> {
   let editor: DiagramEditor | undefined
   return (calls, library) =>
     Promise.all(

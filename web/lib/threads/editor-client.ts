@@ -5,9 +5,9 @@ import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { callListener, receivedError, workerFailure } from '../base/errors.ts'
 import { NewestQueue, type Queued } from '../base/newest-queue.ts'
-import type { Certificate, Circle, DiagramData, Float64s, Int32s } from '../base/types.ts'
+import type { Certificate, Circle, Float64s, Int32s, SnapshotData } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
-import { Diagram } from '../diagram/diagram.ts'
+import { DiagramSnapshot } from '../diagram/diagram-snapshot.ts'
 import { checkedCircle, checkedEdits, checkId, type Edit } from '../wasm/editor.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 import { startThread, type Thread } from './thread.ts'
@@ -94,8 +94,8 @@ export class EditorClient implements AsyncEditorMethods {
     return this.#inOrder('ids')
   }
 
-  async snapshot(): Promise<Diagram> {
-    return new Diagram(await this.#inOrder<DiagramData>('snapshot'))
+  async snapshot(): Promise<DiagramSnapshot> {
+    return new DiagramSnapshot(await this.#inOrder<SnapshotData>('snapshot'))
   }
 
   async certificate(): Promise<Certificate> {

@@ -3,7 +3,7 @@
 import type { CircleLike } from '../base/coordinates.ts'
 import type { Certificate, Circle, Disposal, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
-import type { Diagram } from '../diagram/diagram.ts'
+import type { DiagramSnapshot } from '../diagram/diagram-snapshot.ts'
 import type { Edit } from '../wasm/editor.ts'
 
 /** The methods of an editor in a worker. */
@@ -32,8 +32,8 @@ export interface AsyncEditorMethods {
   isHidden(id: number): Promise<boolean>
   /** Returns the ids of all circles in increasing order. */
   ids(): Promise<Int32s>
-  /** Returns a copy of the current diagram in this thread. `Diagram.apply` updates it with later changes. */
-  snapshot(): Promise<Diagram>
+  /** Returns a copy of the current diagram in this thread. Its `apply` updates it with later changes. */
+  snapshot(): Promise<DiagramSnapshot>
   /** Checks the whole diagram again in linear time. */
   certificate(): Promise<Certificate>
   /** Ends the thread of the editor and rejects all pending requests. */

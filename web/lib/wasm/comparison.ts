@@ -4,11 +4,11 @@ import { type Circles, coordinatesOf } from '../base/coordinates.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import type { Metric } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
+import createModule from '../generated/circle-voronoi-comparison.js'
 import { defaultComparisonWasm } from './default-wasm.ts'
-import type { ComputingLibrary } from './library.ts'
+import type { CircleVoronoi } from './library.ts'
 import type { LoadOptions } from './load-options.ts'
-import { loadComparisonScript } from './module-scripts.ts'
-import { compileWasm, instantiate, scriptNotLoaded, unwrap } from './wasm.ts'
+import { compileWasm, instantiate, unwrap } from './wasm.ts'
 
 /**
  * Computes two related diagrams of the same circles, to show how they differ: the ordinary Voronoi diagram of the
@@ -38,12 +38,8 @@ export interface Comparison {
  *
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function loadComparison(library: ComputingLibrary, { wasm }: LoadOptions): Promise<Comparison> {
-  const { default: createModule } = await loadComparisonScript().catch(scriptNotLoaded('The comparison diagrams'))
-  return comparisonOf(library, await instantiate(createModule, await compileWasm(wasm, defaultComparisonWasm)))
-}
-
-function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {
+export async function comparisonOf({ compute }: CircleVoronoi, wasm: LoadOptions['wasm']): Promise<Comparison> {
+  const module = await instantiate(createModule, await compileWasm(wasm, defaultComparisonWasm))
   return {
     computeComparison(circles, metric) {
       const coordinates = coordinatesOf(circles)
@@ -52,11 +48,11 @@ function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): 
       }
       // Without radii nobody would see what is wrong with them.
       const isRefused = coordinates.some((value, k) => k % 3 === 2 && !(value >= 0 && value <= COORDINATE_LIMIT))
-      if (metric === 'circles' || isRefused) return library.compute(coordinates)
+      if (metric === 'circles' || isRefused) return compute(coordinates)
       if (metric !== 'centers') {
         throw new CircleVoronoiError('badOption', 'Unknown metric: the choice is circles, centers or power.')
       }
-      const centers = library.compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
+      const centers = compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
       return new Diagram({ ...centers, metric, circles: coordinates })
     },
   }

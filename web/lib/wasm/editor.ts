@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkMetric, checkNumber, checkOptionNames, refuseArgument, shown } from '../base/check.ts'
+import { checkMetric, checkNumber, checkOptionNames, refuseInput, shown } from '../base/check.ts'
 import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from '../base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
 import type { Certificate, Circle, DiagramData, Disposal, Float64s, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
-import type { Diagram } from '../diagram/diagram.ts'
+import type { DiagramSnapshot } from '../diagram/diagram-snapshot.ts'
 import { checkWeights } from './options.ts'
 
 /**
@@ -49,19 +49,19 @@ export interface EditorMethods {
    * Inserts a circle. Its id is `inserted[0]` of the change. `hint` is the id of a nearby circle, if you know one; by
    * default the search starts at the last edit.
    *
-   * @throws CircleVoronoiError as `compute`, `badArgument`
+   * @throws CircleVoronoiError as `compute`, `badInput`
    */
   insert(circle: CircleLike, hint?: number): Change
   /**
    * Removes the circle with this id. Circles that only it hid get cells, or wait in another circle that contains them.
    *
-   * @throws CircleVoronoiError `unknownCircle`, `badArgument`
+   * @throws CircleVoronoiError `unknownCircle`, `badInput`
    */
   remove(id: number): Change
   /**
    * Moves or resizes a circle.
    *
-   * @throws CircleVoronoiError `unknownCircle`; as `compute`, `badArgument`
+   * @throws CircleVoronoiError `unknownCircle`; as `compute`, `badInput`
    */
   replace(id: number, circle: CircleLike): Change
   /**
@@ -90,9 +90,9 @@ export interface EditorMethods {
   ids(): Int32s
   /**
    * Returns a copy of the current diagram in linear time, with its circles in the order of their ids. The copy does not
-   * change by itself; `Diagram.apply` updates it with later changes, in time proportional to each change.
+   * change by itself; its `apply` updates it with later changes, in time proportional to each change.
    */
-  snapshot(): Diagram
+  snapshot(): DiagramSnapshot
   /** Checks the whole diagram again in linear time. Each edit has already been certified. */
   certificate(): Certificate
   /** Frees the memory. Calling any method afterwards throws. */
@@ -110,7 +110,7 @@ export interface EditorMethods {
  *
  * Errors contain the id of the circle as `circle`, or `undefined` for a new circle. After `dispose`, every method
  * throws
- * `badArgument`.
+ * `badInput`.
  *
  * The editor holds WebAssembly memory. `dispose` or `using` frees it; otherwise the garbage collector does so at some
  * point.
@@ -140,7 +140,7 @@ export interface EditorStart {
 /**
  * Copies the circles to edit.
  *
- * @throws CircleVoronoiError `badInput`, `badArgument`, `badOption`
+ * @throws CircleVoronoiError `badInput`, `badOption`
  */
 export function editorStart(circles: Circles | DiagramData, options: EditorOptions): EditorStart {
   checkOptionNames(options, 'edit', ['weights'])
@@ -162,13 +162,13 @@ export interface CheckedEdit {
 /** @throws CircleVoronoiError as `apply`, but for ids that the editor does not know */
 export function checkedEdits(edits: Iterable<Edit>, weights: boolean): CheckedEdit[] {
   if (typeof (edits as Partial<Iterable<Edit>> | null | undefined)?.[Symbol.iterator] !== 'function') {
-    refuseArgument(`apply takes a list of edits, not ${shown(edits)}.`)
+    refuseInput(`apply takes a list of edits, not ${shown(edits)}.`)
   }
   return Array.from(edits, (edit) => {
     const { kind, id, circle }: { kind?: Edit['kind']; id?: number; circle?: CircleLike } = Object(edit)
     if (kind === 'insert') return { kind, circle: checkedCircle(circle as CircleLike, weights) }
     if (kind !== 'remove' && kind !== 'replace') {
-      refuseArgument(`An edit has a kind, insert, remove or replace, not ${shown(kind)}.`)
+      refuseInput(`An edit has a kind, insert, remove or replace, not ${shown(kind)}.`)
     }
     checkId(id, 'apply')
     return kind === 'remove' ? { kind, id } : { kind, id, circle: checkedCircle(circle as CircleLike, weights, id) }

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arguments and results of fits, here and in a worker.
-import { checkOptionNames, refuseArgument, refuseOption, shown } from '../base/check.ts'
-import {
-  type CircleLike,
-  type Circles,
-  circleRadius,
-  circleX,
-  circleY,
-  coordinatesFrom,
-  coordinatesOf,
-} from '../base/coordinates.ts'
+import { checkOptionNames, refuseInput, refuseOption, shown } from '../base/check.ts'
+import { type Circles, circleRadius, coordinatesOf } from '../base/coordinates.ts'
 import type { Float64s } from '../base/types.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
@@ -128,7 +120,7 @@ export interface FitInput {
   readonly lattice?: Float64Array<ArrayBuffer> | undefined
 }
 
-/** @throws CircleVoronoiError `badOption`, `badArgument`, `badInput` */
+/** @throws CircleVoronoiError `badInput`, `badOption` */
 export function fitInput(
   sites: Circles | Iterable<SiteLike>,
   areas: Float64Array | readonly number[],
@@ -172,10 +164,7 @@ function sitesWith(
   weights: Float64Array | readonly number[] | undefined,
 ): Float64s {
   const isFlat = sites instanceof Float64Array || sites instanceof Float32Array
-  const weightOf = (site: CircleLike) => circleRadius(site) ?? 0
-  const circles = isFlat
-    ? coordinatesOf(sites)
-    : coordinatesFrom(sites as Iterable<CircleLike>, circleX, circleY, weightOf)
+  const circles = coordinatesOf(sites, isFlat ? {} : { r: (site) => circleRadius(site) ?? 0 })
   if (weights === undefined) return circles
   const start = numbersOf(weights, 'weights')
   if (start.length !== circles.length / 3) {
@@ -187,11 +176,11 @@ function sitesWith(
 
 function numbersOf(list: unknown, name: string): Float64s {
   const isList = list instanceof Float64Array || list instanceof Float32Array || Array.isArray(list)
-  if (!isList) refuseArgument(`fitAreas takes a list of numbers as ${name}, not ${shown(list)}.`)
+  if (!isList) refuseInput(`fitAreas takes a list of numbers as ${name}, not ${shown(list)}.`)
   const items = list as readonly unknown[]
   for (let k = 0; k < items.length; k++) {
     if (typeof items[k] === 'number') continue
-    refuseArgument(`fitAreas takes a list of numbers as ${name}, but item ${k} is ${shown(items[k])}.`)
+    refuseInput(`fitAreas takes a list of numbers as ${name}, but item ${k} is ${shown(items[k])}.`)
   }
   return Float64Array.from(items as readonly number[])
 }

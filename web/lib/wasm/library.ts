@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkNoOptions, refuseArgument, refuseOption } from '../base/check.ts'
-import {
-  type Accessor,
-  type CircleLike,
-  type Circles,
-  circleRadius,
-  circleX,
-  circleY,
-  coordinatesFrom,
-  coordinatesOf,
-} from '../base/coordinates.ts'
+import { checkNoOptions, refuseInput, refuseOption } from '../base/check.ts'
+import { type Accessors, type Circles, coordinatesOf } from '../base/coordinates.ts'
 import type { Box, Certificate, DiagramData, Float64s } from '../base/types.ts'
-import { Diagram, updatable } from '../diagram/diagram.ts'
+import { ComputedDiagram } from '../diagram/computed-diagram.ts'
+import { Diagram } from '../diagram/diagram.ts'
 import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
 import type { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 import createModule from '../generated/circle-voronoi.js'
-import type { Comparison } from './comparison.ts'
 import { type DiagramEditor, type EditorOptions, editorStart } from './editor.ts'
 import { judgedArrays, type Verifiable } from './judged-arrays.ts'
-import type { LoadOptions } from './load-options.ts'
 import { editorsOf } from './module-editor.ts'
 import { periodicOf } from './module-periodic.ts'
-import { checkOptions, type Options, type Progress } from './options.ts'
-import type { Regions } from './regions.ts'
+import { ACCESSORS, checkOptions, type Options, type Progress } from './options.ts'
 import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
@@ -62,35 +51,26 @@ export interface FinalCells {
  */
 export interface CircleVoronoi {
   /**
+   * Computes the diagram of circles that the functions `x`, `y` and `r` find in data, like `Delaunay.from` of
+   * d3-delaunay. Each function is called with a datum, its index and the data.
+   *
+   * @throws CircleVoronoiError as below; what the functions throw
+   *
+   * @example
+   * const cities = [{ at: [0, 0], people: 4 }, { at: [6, 0], people: 1 }]
+   * library.compute(cities, { x: (d) => d.at[0], y: (d) => d.at[1], r: (d) => Math.sqrt(d.people) }).find(3.2, 0) // 0
+   */
+  compute<Datum>(data: Iterable<Datum>, options: Options & Accessors<Datum>): ComputedDiagram
+  /**
    * Computes the Voronoi diagram of any number of circles, given as x, y, r of each in one `Float64Array` or
    * `Float32Array`, or as a list of objects `{ x, y, r }` or arrays `[x, y, r]`. They may be disjoint, intersecting,
    * tangent, nested, equal or points, in any position. The input is copied.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
-  compute(circles: Circles, options?: Options): Diagram
-  /**
-   * Computes the diagram of circles that three accessor functions find in data, like `Delaunay.from` of d3-delaunay.
-   * Each function is called with a datum, its index and the data. By default x, y and r are the properties of an
-   * object, or the first three items of an array.
-   *
-   * @throws CircleVoronoiError as `compute`; what the functions throw
-   */
-  from<Datum>(
-    data: Iterable<Datum>,
-    fx: Accessor<Datum>,
-    fy: Accessor<Datum>,
-    fr: Accessor<Datum>,
-    options?: Options,
-  ): Diagram
-  /** Computes the diagram of data with the properties x, y and r, or of arrays [x, y, r]. */
-  from<Datum extends CircleLike>(
-    data: Iterable<Datum>,
-    fx?: Accessor<Datum>,
-    fy?: Accessor<Datum>,
-    fr?: Accessor<Datum>,
-    options?: Options,
-  ): Diagram
+  compute(circles: Circles, options?: Options): ComputedDiagram
+  /** Computes the periodic diagram of circles that functions find in data, as `compute` does. */
+  computePeriodic<Datum>(data: Iterable<Datum>, lattice: Lattice, options: Options & Accessors<Datum>): PeriodicDiagram
   /**
    * Computes the Voronoi diagram of circles in a plane that repeats with two periods: in a box whose opposite sides are
    * glued together. The box is any parallelogram. The circles may lie anywhere, be larger than the box, and be their
@@ -101,7 +81,7 @@ export interface CircleVoronoi {
    * borders
    * have twins across the sides of the box, Euler's formula holds, and the areas sum to that of the box.
    *
-   * @throws CircleVoronoiError as `compute`; `badArgument` if the lattice is none; `badOption` if the periods are zero,
+   * @throws CircleVoronoiError as `compute`; `badInput` if the lattice is none; `badOption` if the periods are zero,
    *   parallel or not finite.
    *
    * @example
@@ -121,7 +101,7 @@ export interface CircleVoronoi {
   /**
    * Creates an editor for the diagram of `circles`, or for the circles of a diagram. Circle i gets the id i.
    *
-   * @throws CircleVoronoiError as `compute`; `badArgument`, if it is a diagram of another metric
+   * @throws CircleVoronoiError as `compute`; `badInput`, if it is a diagram of another metric
    */
   edit(circles: Circles | DiagramData, options?: EditorOptions): DiagramEditor
   /**
@@ -136,46 +116,13 @@ export interface CircleVoronoi {
    * circles there are outside the box. A cell is final if it is bounded and the discs of its vertices, widened by
    * `maxRadius`, lie inside the box.
    *
-   * @throws CircleVoronoiError `badArgument` if the box or the radius is none; `badInput` if an array has the wrong
-   * type or
-   *   length; `badOption` if the box is empty or the radius negative or not finite.
+   * @throws CircleVoronoiError `badInput` if the box or the radius is none, or an array has the wrong type or length; `badOption` if the box is empty or the radius negative or not finite.
    */
   finalCells(diagram: Verifiable, known: Known): FinalCells
-  /**
-   * Loads a second WebAssembly module, which computes two related diagrams: the ordinary Voronoi diagram of the
-   * centers, and the power diagram.
-   *
-   * @param options `wasm`: the source of `circle-voronoi-comparison.wasm`. Default: the file beside the library.
-   * @throws CircleVoronoiError `notLoaded`, `badOption`. Each as a rejection.
-   *
-   * @example
-   * ```js
-   * const { computeComparison } = await library.loadComparison()
-   * computeComparison([[0, 0, 3], [10, 0, 1]], 'power').find(5.2, 0) // 0
-   * ```
-   */
-  loadComparison(options?: LoadOptions): Promise<Comparison>
-  /**
-   * Loads a WebAssembly module that clips diagrams to regions, and fits cells to given areas.
-   *
-   * @param options `wasm`: the source of `circle-voronoi-regions.wasm`. Default: the file beside the library.
-   * @throws CircleVoronoiError `notLoaded`, `badOption`. Each as a rejection.
-   *
-   * @example
-   * ```js
-   * const { region } = await library.loadRegions()
-   * const triangle = region([[[0, 0], [9, 0], [0, 9]]])
-   * diagram.cellArea(0, { region: triangle }) // 12
-   * ```
-   */
-  loadRegions(options?: LoadOptions): Promise<Regions>
 }
 
-/** The part of the library that is there from the start. */
-export type ComputingLibrary = Omit<CircleVoronoi, 'loadComparison' | 'loadRegions'>
-
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
-export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibrary> {
+export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
   const edit = editorsOf(module)
 
@@ -197,31 +144,19 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibr
     return { metric: 'circles', circles: coordinates, ...unwrap(result) }
   }
 
-  const diagramOf = (coordinates: Float64s, options: Options): Diagram =>
-    updatable(new Diagram(dataOf(coordinates, options)), (circles) => dataOf(circles, options))
-
   return {
-    compute(circles, options = {}) {
-      checkOptions(options, 'compute')
-      return diagramOf(coordinatesOf(circles), options)
+    compute<Datum>(circles: Circles | Iterable<Datum>, options: Options & Partial<Accessors<Datum>> = {}) {
+      checkOptions(options, 'compute', ACCESSORS)
+      return new ComputedDiagram(coordinatesOf(circles, options), (coordinates) => dataOf(coordinates, options))
     },
-    from(
-      data: Iterable<never>,
-      fx: Accessor<never> = circleX,
-      fy: Accessor<never> = circleY,
-      fr: Accessor<never> = circleRadius,
-      options: Options = {},
+    computePeriodic<Datum>(
+      circles: Circles | Iterable<Datum>,
+      lattice: Lattice,
+      options: Options & Partial<Accessors<Datum>> = {},
     ) {
-      checkOptions(options, 'from')
-      if (![fx, fy, fr].every((accessor) => typeof accessor === 'function')) {
-        refuseArgument('from takes three functions, for x, y and r of a datum.')
-      }
-      return diagramOf(coordinatesFrom(data, fx, fy, fr), options)
-    },
-    computePeriodic(circles, lattice, options = {}) {
-      checkOptions(options, 'computePeriodic')
+      checkOptions(options, 'computePeriodic', ACCESSORS)
       const numbers = latticeNumbers(lattice, 'computePeriodic')
-      const coordinates = coordinatesOf(circles)
+      const coordinates = coordinatesOf(circles, options)
       const computed = unwrap(told(options, (chosen) => module.computePeriodic(coordinates, numbers, chosen)))
       return periodicOf(computed, coordinates.length / 3)
     },
@@ -253,7 +188,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibr
       const { minX, minY, maxX, maxY }: Partial<Box> = Object(box)
       const sides = [minX, minY, maxX, maxY] as number[]
       if (![...sides, maxRadius].every((value) => typeof value === 'number')) {
-        refuseArgument('finalCells takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.')
+        refuseInput('finalCells takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.')
       }
       return unwrap(module.finalCells(judgedArrays(diagram), Float64Array.from(sides), maxRadius as number))
     },

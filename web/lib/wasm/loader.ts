@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type CircleVoronoi, circleVoronoiOf } from './library.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
-import { withModules } from './with-modules.ts'
 
 /**
  * Loads the library in a page, in a worker or in Node. Each call creates an instance with memory of its own. To compile
@@ -17,5 +16,5 @@ import { withModules } from './with-modules.ts'
  */
 export async function loadCircleVoronoi(options: LoadOptions = {}): Promise<CircleVoronoi> {
   checkLoadOptions(options, 'loadCircleVoronoi')
-  return withModules(await circleVoronoiOf(await compileCircleVoronoi(options)))
+  return circleVoronoiOf(await compileCircleVoronoi(options))
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkNumber, refuseArgument } from '../base/check.ts'
+import { checkNumber, refuseInput } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { callListener } from '../base/errors.ts'
 import type { Certificate, Circle, Int32s } from '../base/types.ts'
 import { type Change, changeOf } from '../diagram/change.ts'
-import { Diagram } from '../diagram/diagram.ts'
+import { DiagramSnapshot } from '../diagram/diagram-snapshot.ts'
 import {
   type CheckedEdit,
   checkedCircle,
@@ -126,9 +126,9 @@ export class Editor implements EditorMethods {
     return unwrap(this.#module.idsOfEditor(this.#live()))
   }
 
-  snapshot(): Diagram {
+  snapshot(): DiagramSnapshot {
     const { numbers, ...data } = unwrap(this.#module.snapshotOfEditor(this.#live()))
-    return new Diagram({ metric: 'circles', ...data, numbers: { revision: this.#revision, ...numbers } })
+    return new DiagramSnapshot({ metric: 'circles', ...data, numbers: { revision: this.#revision, ...numbers } })
   }
 
   certificate(): Certificate {
@@ -147,7 +147,7 @@ export class Editor implements EditorMethods {
   }
 
   #live(): number {
-    if (this.#address === 0) refuseArgument('The editor has been disposed of.')
+    if (this.#address === 0) refuseInput('The editor has been disposed of.')
     return this.#address
   }
 

@@ -66,6 +66,8 @@ export interface Options {
 
 /** The names of the options of `compute`. */
 const NAMES = ['weights', 'method', 'candidates', 'samples', 'resample', 'progress']
+/** The names of the functions that find circles in data. */
+export const ACCESSORS = ['x', 'y', 'r'] as const
 
 /**
  * Refuses options of another name or type than theirs: embind converts whatever it is given. The core judges the other
@@ -75,7 +77,7 @@ const NAMES = ['weights', 'method', 'candidates', 'samples', 'resample', 'progre
  */
 export function checkOptions(options: Options, caller: string, more: readonly string[] = []): void {
   checkOptionNames(options, caller, [...NAMES, ...more])
-  const { weights, method, candidates, samples, resample, progress }: { [Name in keyof Options]: unknown } = options
+  const { weights, method, candidates, samples, resample }: { [Name in keyof Options]: unknown } = options
   const isText = (value: unknown) => value === undefined || typeof value === 'string'
   if (!isText(method) || !isText(candidates)) refuseOption('The options method and candidates are strings.')
   // -1 stands for the default in the core.
@@ -87,7 +89,10 @@ export function checkOptions(options: Options, caller: string, more: readonly st
   }
   if (weights !== undefined) checkWeights(weights)
   if (resample !== undefined && typeof resample !== 'boolean') refuseOption('The option resample is true or false.')
-  if (progress !== undefined && typeof progress !== 'function') refuseOption('The option progress is a function.')
+  for (const name of ['progress', ...ACCESSORS]) {
+    const value = (options as Record<string, unknown>)[name]
+    if (value !== undefined && typeof value !== 'function') refuseOption(`The option ${name} is a function.`)
+  }
 }
 
 /** @throws CircleVoronoiError `badOption` */

@@ -59,9 +59,9 @@ export interface Regions {
    * @throws CircleVoronoiError `badInput`, if there are not as many areas as sites, an area is not positive and finite,
    *   two sites are equal, or the areas do not sum to that of the region; `notConverged`, with
    *   a message that says how many steps there were and what they reached, and with the weights after the last step as
-   *   `error.weights`; `badOption`, `badArgument`, and the codes of `compute`
+   *   `error.weights`; `badOption`, `badInput`, and the codes of `compute`
    * @example
-   * const { region, fitAreas } = await library.loadRegions()
+   * const { region, fitAreas } = await loadRegions()
    * const square = region([[[0, 0], [1, 0], [1, 1], [0, 1]]])
    * const fit = fitAreas([[0.3, 0.3], [0.7, 0.6]], [3, 1], { region: square, shares: true })
    * fit.areas // Float64Array(2) [ 0.75, 0.25 ]
@@ -74,7 +74,7 @@ export interface Regions {
    *
    * @throws CircleVoronoiError as with a region, and as `computePeriodic`; sites that differ by whole periods are equal
    * @example
-   * const { fitAreas } = await library.loadRegions()
+   * const { fitAreas } = await loadRegions()
    * const fit = fitAreas([[0.3, 0.3], [0.7, 0.6]], [3, 1], { lattice: { a: [1, 0], b: [0, 1] }, shares: true })
    * fit.periodic.cellArea(0) // 0.75
    */

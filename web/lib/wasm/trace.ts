@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkNumber, refuseArgument } from '../base/check.ts'
+import { checkNumber, refuseInput } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import type { Float64s, Int32s, Vertex } from '../base/types.ts'
 import type { Diagram } from '../diagram/diagram.ts'
@@ -222,12 +222,12 @@ export class Trace implements TraceArrays {
   /**
    * Returns event `k`, counted from 0 in the order in which the construction makes the events.
    *
-   * @throws CircleVoronoiError `badArgument`, if there is no such event
+   * @throws CircleVoronoiError `badInput`, if there is no such event
    */
   event(k: number): TraceEvent {
     checkNumber(k, 'event', 'the index of an event')
     if (!(Number.isInteger(k) && 0 <= k && k < this.length)) {
-      refuseArgument(`event: there is no event ${k}; the trace has ${this.length}.`)
+      refuseInput(`event: there is no event ${k}; the trace has ${this.length}.`)
     }
     const number = at(this.kinds, k)
     const vertex = at(this.vertices, k)
@@ -246,12 +246,12 @@ export class Trace implements TraceArrays {
    * Returns the state after the first `k` events, with `k` from 0 to `length`. It takes the time to look once at the
    * kind of each event so far, because snapshots of the state are kept now and then.
    *
-   * @throws CircleVoronoiError `badArgument`, if there are not so many events
+   * @throws CircleVoronoiError `badInput`, if there are not so many events
    */
   at(k: number): TraceState {
     checkNumber(k, 'at', 'the number of events')
     if (!(Number.isInteger(k) && 0 <= k && k <= this.length)) {
-      refuseArgument(`at takes a number of events from 0 to ${this.length}, not ${k}.`)
+      refuseInput(`at takes a number of events from 0 to ${this.length}, not ${k}.`)
     }
     const { round, directedEdges, queue, faces } = this.#replayedTo(k)
     const events = this.#eventsByKind(round, k)

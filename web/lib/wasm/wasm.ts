@@ -112,13 +112,6 @@ async function compileResponse(response: Response): Promise<CompiledWasm> {
   return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer())
 }
 
-/** Makes an error of the reason why the script of a module cannot be loaded, and throws it. */
-export function scriptNotLoaded(what: string): (cause: unknown) => never {
-  return (cause) => {
-    throw new CircleVoronoiError('notLoaded', `${what} cannot be loaded: ${reasonOf(cause)}.`, { cause })
-  }
-}
-
 function notLoaded(place: string, cause: unknown): CircleVoronoiError {
   const message = `The WebAssembly cannot be loaded ${place}: ${reasonOf(cause)}.`
   return new CircleVoronoiError('notLoaded', message, { cause })

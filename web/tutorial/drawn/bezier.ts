@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An arc of a border as a Bézier curve: both ends, the pulling point where the tangents meet, and its weight.
-import { type BoundedCurve, bezierPointAt, bisector, type Point, pointAt, rationalBezier } from '../../lib/index.ts'
+import { bezierPointAt } from '../../lib/curves/bezier.ts'
+import { type BoundedCurve, bisector, type Point, pointAt, rationalBezier } from '../../lib/index.ts'
 import { colorsOf, coordinatesOf, drawDiscs, type Kind, Pen, said } from './scene.ts'
 
 /** Ends of the longest arc, as a parameter of the border. */

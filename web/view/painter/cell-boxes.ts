@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
-import type { Diagram } from '../../lib/index.ts'
+import type { Diagram, SnapshotData } from '../../lib/index.ts'
 import { addAround, addBox, addEdge, addFarPart, clearBox, emptyBoxes } from './boxes.ts'
 
 /** Extends a box by a circle and its cell, up to `reach`. */
@@ -50,12 +50,14 @@ function addCenter(boxes: Float64Array, k: number, { circles }: Diagram, i: numb
   addAround(boxes, k, at(circles, 3 * i), at(circles, 3 * i + 1), 0)
 }
 
-/** A diagram that is not an editor's snapshot uses indices as ids. */
-export function idOf({ numbers }: Diagram, i: number): number {
+/** A diagram of an editor, whose circles have ids, or another one, whose indices serve as ids. */
+export type Identified = Diagram & Partial<Pick<SnapshotData, 'numbers'>>
+
+export function idOf({ numbers }: Identified, i: number): number {
   return numbers === undefined ? i : at(numbers.circles, i)
 }
 
-function idCount(diagram: Diagram): number {
+function idCount(diagram: Identified): number {
   const count = diagram.circles.length / 3
   const { numbers } = diagram
   return numbers === undefined ? count : numbers.circles.reduce((most, id) => Math.max(most, id + 1), 0)

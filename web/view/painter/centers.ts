@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
 import type { Change, Diagram, Edit } from '../../lib/index.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import { idOf } from './cell-boxes.ts'
 import { type Difference, Picture } from './picture.ts'
 
@@ -11,7 +11,7 @@ export class Centers {
   /** Maps each circle's id to the id of its center. */
   readonly #ids = new Map<number, number>()
 
-  constructor(library: ComputingLibrary, diagram: Diagram) {
+  constructor(library: CircleVoronoi, diagram: Diagram) {
     this.picture = new Picture(library.edit(diagram.circles.map((value, k) => (k % 3 === 2 ? 0 : value))))
     for (let i = 0; i < diagram.circles.length / 3; i++) this.#ids.set(idOf(diagram, i), i)
   }

@@ -2,14 +2,14 @@
 import type { Diagram, PathSink } from '../../lib/index.ts'
 import { fewCircles } from '../../lib/regions/few-circles.ts'
 import type { Region } from '../../lib/regions/region.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 
 /** The region of a scene, and the parts of cells inside it. */
 export class Clip {
   readonly region: Region
-  readonly #library: ComputingLibrary
+  readonly #library: CircleVoronoi
 
-  constructor(library: ComputingLibrary, region: Region) {
+  constructor(library: CircleVoronoi, region: Region) {
     this.#library = library
     this.region = region
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, NONE } from '../../lib/base/diagram-data.ts'
-import type { Diagram } from '../../lib/index.ts'
+import type { Diagram, DiagramSnapshot } from '../../lib/index.ts'
 import { MAP_COLORS } from '../style.ts'
-import { idOf } from './cell-boxes.ts'
+import { type Identified, idOf } from './cell-boxes.ts'
 
 /**
  * Colors cells with six colors so that neighbors differ.
@@ -25,7 +25,7 @@ export class Coloring {
    * Applies a change of cells, given by their ids. Returns the ids of cells with another color; `undefined` if all were
    * recolored.
    */
-  follow(diagram: Diagram, changed: Iterable<number>): number[] | undefined {
+  follow(diagram: DiagramSnapshot, changed: Iterable<number>): number[] | undefined {
     const recolored: number[] = []
     for (const id of changed) {
       const i = diagram.indexOf(id)
@@ -71,7 +71,7 @@ function freeColor(taken: number, from: number): number | undefined {
   return undefined
 }
 
-function colored(diagram: Diagram): Uint8Array {
+function colored(diagram: Identified): Uint8Array {
   const count = diagram.circles.length / 3
   const order = smallestLast(diagram)
   const colors = new Uint8Array(count).fill(UNCOLORED)

@@ -25,7 +25,7 @@ export function toleranceOf({ scale }: Pick<Frame, 'scale'>): number {
 }
 
 /** The visible part of the plane, with a margin that hides the ends of strokes. */
-export function regionOf({ x, y, scale, width, height }: Frame): ConvexPolygon {
+export function boundsOf({ x, y, scale, width, height }: Frame): ConvexPolygon {
   const halfWidth = (width / 2 + MARGIN) / scale
   const halfHeight = (height / 2 + MARGIN) / scale
   return ConvexPolygon.of({ minX: x - halfWidth, minY: y - halfHeight, maxX: x + halfWidth, maxY: y + halfHeight })

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
 import type { Diagram } from '../../lib/index.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import { type Layers, type MethodLayer, SAMPLES } from '../layers.ts'
 import type { MethodFound } from '../protocol.ts'
 import { methodOutcome } from './method-outcome.ts'
@@ -22,7 +22,7 @@ export interface MethodResult {
   readonly missed: ReadonlySet<number>
 }
 
-export function methodResult(library: ComputingLibrary, diagram: Diagram, layers: Layers): MethodResult {
+export function methodResult(library: CircleVoronoi, diagram: Diagram, layers: Layers): MethodResult {
   const { circles } = diagram
   const { candidates, sampleCount = SAMPLES[candidates].usual } = layers
   const trace = library.trace(circles, { candidates, ...(candidates !== 'all-pairs' && { samples: sampleCount }) })

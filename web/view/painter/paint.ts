@@ -66,7 +66,7 @@ export function paint(painting: Painting): void {
 function copiesOf(painting: Painting): readonly Painting[] {
   const { drawing, frame, pixelRatio, picture, style, limits } = painting
   if (picture.torus === undefined) return [painting]
-  return picture.copiesIn(limits.region.box).map(({ x, y }) => {
+  return picture.copiesIn(limits.bounds.box).map(({ x, y }) => {
     const moved = { ...frame, x: frame.x - x, y: frame.y - y }
     return new Painting(drawing, moved, pixelRatio, picture, style)
   })

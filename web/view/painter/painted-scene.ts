@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { at, circleAt } from '../../lib/base/diagram-data.ts'
-import type { Box, Comparison, Diagram, Edit, Float64s } from '../../lib/index.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { Comparison } from '../../lib/comparison.ts'
+import type { Box, Diagram, Edit, Float64s } from '../../lib/index.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange } from '../circle-table.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
@@ -28,7 +29,7 @@ import { commandsOf } from './commands.ts'
 import { CanvasDrawing, type Drawing } from './drawing.ts'
 import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
 import { found } from './found.ts'
-import { type Frame, regionOf, toleranceOf } from './frame.ts'
+import { boundsOf, type Frame, toleranceOf } from './frame.ts'
 import { frameOf, intersection, mergeOverlapping, pixelsOf, tilesOf } from './grid.ts'
 import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
@@ -61,7 +62,7 @@ interface FitResult {
 
 /** The diagram of one view and the tiles already sent to it. */
 export class PaintedScene {
-  readonly library: ComputingLibrary
+  readonly library: CircleVoronoi
   /** Identifies the current circles. Edits for other circles are ignored. */
   opening = 0
   /** The diagram and how it is drawn. */
@@ -84,7 +85,7 @@ export class PaintedScene {
   #hovered: number | undefined
 
   /** A scene starts without circles. */
-  constructor(library: ComputingLibrary) {
+  constructor(library: CircleVoronoi) {
     this.library = library
     this.picture = new Picture(library.edit([]))
   }
@@ -447,7 +448,7 @@ export class PaintedScene {
     const tolerance = toleranceOf(grid)
     const { clip } = this.picture
     if (clip !== undefined) return commandsOf((context) => clip.drawCells(context, diagram, circles, tolerance))
-    const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance }
+    const options = { bounds: boundsOf(frameOf(grid, wanted)), tolerance }
     return commandsOf((context) => {
       for (const i of circles) diagram.cellPath(i, { context, ...options })
     })

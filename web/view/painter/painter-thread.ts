@@ -2,14 +2,12 @@
 
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
-import { loadComparison } from '../../lib/wasm/comparison.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
-import { circleVoronoiOf } from '../../lib/wasm/library.ts'
-import { loadRegions } from '../../lib/wasm/load-regions.ts'
+import { type CircleVoronoi, circleVoronoiOf } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import type { OtherModules } from '../load.ts'
 import type { DomainChange, FromPainter, InProgress, Patch, ToPainter } from '../protocol.ts'
 import { answers, type Steps } from './answers.ts'
+import { comparisonFor, regionsFrom } from './other-modules.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** Time slice for painting, in milliseconds, before the thread handles messages. */
@@ -22,8 +20,8 @@ const port = globalThis as unknown as {
   postMessage(message: FromPainter, transfer?: Transferable[]): void
 }
 
-let begin: (library: ComputingLibrary | Promise<ComputingLibrary>) => void
-const library = new Promise<ComputingLibrary>((resolve) => {
+let begin: (library: CircleVoronoi | Promise<CircleVoronoi>) => void
+const library = new Promise<CircleVoronoi>((resolve) => {
   begin = resolve
 })
 const scenes = new Map<number, PaintedScene>()
@@ -35,8 +33,8 @@ interface Measuring {
 }
 let measuring: Measuring[] = []
 let others: OtherModules = {}
-const comparison = loadedOnce(async () => loadComparison(await library, { wasm: others.comparisonWasm }))
-const regions = loadedOnce(() => loadRegions({ wasm: others.regionsWasm }))
+const comparison = loadedOnce(async () => comparisonFor(await library, others))
+const regions = loadedOnce(() => regionsFrom(others))
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Yields to messages that have arrived. */

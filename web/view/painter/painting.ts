@@ -5,7 +5,7 @@ import type { Limits } from '../../lib/regions/cell-limits.ts'
 import { isMeasure, type Layers } from '../layers.ts'
 import type { Style } from '../style.ts'
 import type { Drawing } from './drawing.ts'
-import { type Frame, regionOf, toleranceOf } from './frame.ts'
+import { boundsOf, type Frame, toleranceOf } from './frame.ts'
 import { FrameSink } from './frame-sink.ts'
 import type { Picture } from './picture.ts'
 
@@ -40,9 +40,9 @@ export class Painting {
     this.picture = picture
     this.layers = picture.layers
     this.style = style
-    this.limits = { region: regionOf(frame), maxDistance: this.layers.maxDistance }
+    this.limits = { bounds: boundsOf(frame), maxDistance: this.layers.maxDistance }
     this.tolerance = toleranceOf(frame)
-    this.circles = picture.circlesIn(this.limits.region.box)
+    this.circles = picture.circlesIn(this.limits.bounds.box)
     this.width = (picture.cellWidth * frame.scale) / pixelRatio
     this.lineWidth = pixelRatio * Math.min(this.width / CELL_WIDTH_PER_LINE_WIDTH, THICKEST_LINE)
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, NONE } from '../../lib/base/diagram-data.ts'
-import type { Box, Change, Diagram, DiagramEditor, Point } from '../../lib/index.ts'
+import type { Box, Change, Diagram, DiagramEditor, DiagramSnapshot, Point } from '../../lib/index.ts'
 import { boundingBox } from '../camera.ts'
 import {
   type CellColors,
@@ -54,13 +54,13 @@ export interface IndexedData {
 export class Picture {
   readonly editor: DiagramEditor
   /** The editor's current diagram, extended by images if the circles repeat. */
-  diagram: Diagram
+  diagram: DiagramSnapshot
   /** The bounding boxes of circles and their cells, by circle id. */
   index: BoxIndex
   /** The box in which the circles repeat, if they do. */
   readonly torus: Torus | undefined
   /** The editor's current diagram without images. */
-  readonly #snapshot: Diagram
+  readonly #snapshot: DiagramSnapshot
   /** The bounding box of all circles and cells without images. */
   #extent: Box = EMPTY_BOX
   /** The approximate distance between neighboring circles. */

@@ -3,9 +3,9 @@ import { circleRadius, circleX, circleY } from '../../lib/base/coordinates.ts'
 import { at } from '../../lib/base/diagram-data.ts'
 import { cross } from '../../lib/base/point.ts'
 import type { Box, Edit, Lattice, PeriodicDiagram, Point } from '../../lib/index.ts'
-import { Diagram } from '../../lib/index.ts'
+import { DiagramSnapshot } from '../../lib/index.ts'
 import type { Region } from '../../lib/regions/region.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import { emptyBoxes } from './boxes.ts'
 import { addCell, addStar, idOf } from './cell-boxes.ts'
 
@@ -21,12 +21,12 @@ export class Torus {
   /** The outline of the box, with a corner at the origin. */
   readonly border: Border
   readonly area: number
-  readonly #library: ComputingLibrary
+  readonly #library: CircleVoronoi
   readonly #a: Point
   readonly #b: Point
 
   /** @throws CircleVoronoiError as `computePeriodic`, for periods that span no box */
-  constructor(library: ComputingLibrary, lattice: Lattice) {
+  constructor(library: CircleVoronoi, lattice: Lattice) {
     library.computePeriodic([], lattice)
     this.#library = library
     this.lattice = lattice
@@ -49,7 +49,7 @@ export class Torus {
    *
    * @throws CircleVoronoiError as `computePeriodic`
    */
-  diagramOf(snapshot: Diagram): RepeatedDiagram {
+  diagramOf(snapshot: DiagramSnapshot): RepeatedDiagram {
     const { circles, weights } = snapshot
     return new RepeatedDiagram(snapshot, this.#library.computePeriodic(circles, this.lattice, { weights }))
   }
@@ -101,11 +101,11 @@ export class Torus {
 }
 
 /** The circles of a snapshot by their ids, and their images, which have the ids of their circles. */
-export class RepeatedDiagram extends Diagram {
+export class RepeatedDiagram extends DiagramSnapshot {
   readonly periodic: PeriodicDiagram
-  readonly #snapshot: Diagram
+  readonly #snapshot: DiagramSnapshot
 
-  constructor(snapshot: Diagram, periodic: PeriodicDiagram) {
+  constructor(snapshot: DiagramSnapshot, periodic: PeriodicDiagram) {
     const ids = periodic.circleOf.map((i) => idOf(snapshot, i))
     const none = new Int32Array()
     super({ ...periodic.diagram, numbers: { revision: 0, circles: ids, vertices: none, edges: none } })

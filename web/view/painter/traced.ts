@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { Diagram, Edit } from '../../lib/index.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { DiagramSnapshot, Edit } from '../../lib/index.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import { MOST_PLAYED } from '../layers.ts'
 import type { Traced } from '../protocol.ts'
@@ -12,7 +12,7 @@ import { wholeNumber } from '../whole-number.ts'
  * Traces a method on the circles of an editor's diagram, whose indices have no particular order.
  * @throws CircleVoronoiError as `trace`; `tooManyCircles`
  */
-export function traced(library: ComputingLibrary, { circles, numbers }: Diagram, options: TraceOptions): Traced {
+export function traced(library: CircleVoronoi, { circles, numbers }: DiagramSnapshot, options: TraceOptions): Traced {
   const count = circles.length / 3
   if (count > MOST_PLAYED) {
     const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(count)}.`

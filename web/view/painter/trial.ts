@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import type { Box, Circle, Diagram } from '../../lib/index.ts'
-import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { Trial } from '../protocol.ts'
 import { boxAt, emptyBoxes } from './boxes.ts'
 import { addCell, idOf } from './cell-boxes.ts'
@@ -19,7 +19,7 @@ interface Local {
 
 /** Computes the area that a new circle would take from each cell, without changing the diagram. */
 export function trialOf(
-  library: ComputingLibrary,
+  library: CircleVoronoi,
   picture: Picture,
   circle: Circle,
   nearest: number,
@@ -55,7 +55,7 @@ export function trialOf(
  * its neighbors in the local diagram, its former cell was the same as among all circles, because a cell depends on its
  * neighbors alone. So the area lost here equals the area lost among all circles, and the new cell is the same, too.
  */
-function localDiagram(library: ComputingLibrary, whole: Diagram, { x, y, r }: Circle, nearest: number): Local {
+function localDiagram(library: CircleVoronoi, whole: Diagram, { x, y, r }: Circle, nearest: number): Local {
   const indices: number[] = []
   const known = new Set<number>()
   const take = (i: number) => {

@@ -34,7 +34,7 @@ function drawData(painting: Painting, { layer, points, segments, discs }: Indexe
   const sink = painting.sink()
   const lines = painting.drawing.path()
   const dots = painting.drawing.path()
-  const { box } = limits.region
+  const { box } = limits.bounds
   const x = (list: Float64Array | undefined, k: number) => sink.x(at(list as Float64Array, k))
   const y = (list: Float64Array | undefined, k: number) => sink.y(at(list as Float64Array, k))
   for (const k of segments?.search(box) ?? []) {

@@ -37,7 +37,7 @@ export const ordinary: Layer = {
     const { centers } = painting.picture
     if (centers === undefined) return
     const { picture } = centers
-    strokeDashed(painting, picture.diagram, picture.circlesIn(painting.limits.region.box), painting.style.ordinary)
+    strokeDashed(painting, picture.diagram, picture.circlesIn(painting.limits.bounds.box), painting.style.ordinary)
   },
 }
 
@@ -49,7 +49,7 @@ export const power: Layer = {
   draw(painting) {
     const { power } = painting.picture
     if (power === undefined) return
-    strokeDashed(painting, power.diagram, power.index.search(painting.limits.region.box), painting.style.power)
+    strokeDashed(painting, power.diagram, power.index.search(painting.limits.bounds.box), painting.style.power)
   },
 }
 
@@ -98,7 +98,7 @@ function strokeDashed(painting: Painting, diagram: Diagram, circles: readonly nu
   const add = (sink: FrameSink, e: number) => {
     const { x, y, dx, dy } = lineOf(diagram, e)
     const [beginX, beginY] = [sink.x(x), sink.y(y)]
-    for (const { curve } of keptParts(diagram, e, { region: limits.region, maxDistance: undefined })) {
+    for (const { curve } of keptParts(diagram, e, { bounds: limits.bounds, maxDistance: undefined })) {
       // Pixel coordinates are y-down.
       const along = [curve.start, curve.end].map((end) => (sink.x(end.x) - beginX) * dx - (sink.y(end.y) - beginY) * dy)
       const [from, to] = [Math.min(...along), Math.max(...along)]

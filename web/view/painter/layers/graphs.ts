@@ -33,7 +33,7 @@ function strokeDual(painting: Painting, picture: Picture, color: string): void {
   let path = painting.drawing.path()
   let count = 0
   const stroke = () => painting.stroke(path, color, lineWidth)
-  const seen = new Set(picture.starsIn(limits.region.box))
+  const seen = new Set(picture.starsIn(limits.bounds.box))
   for (const i of seen) {
     for (const side of diagram.cells.sides(i)) {
       // Adds each edge once, also if its left circle is not in view.

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Replaces web/view/painter/other-modules.ts in the element. The scripts of the modules are imported statically: Vite up
+// to 7 cannot split the code of a worker, and a script that is opened from a disk can import nothing. They are imported
+// first and together, because they are alike and so compressed to a third.
+import '../lib/generated/circle-voronoi.js'
+import '../lib/generated/circle-voronoi-comparison.js'
+import '../lib/generated/circle-voronoi-regions.js'
+import { loadRegions } from '../lib/regions.ts'
+import { type Comparison, comparisonOf } from '../lib/wasm/comparison.ts'
+import type { CircleVoronoi } from '../lib/wasm/library.ts'
+import type { Regions } from '../lib/wasm/regions.ts'
+import type { OtherModules } from '../view/load.ts'
+
+export function comparisonFor(library: CircleVoronoi, { comparisonWasm }: OtherModules): Promise<Comparison> {
+  return comparisonOf(library, comparisonWasm)
+}
+
+export function regionsFrom({ regionsWasm }: OtherModules): Promise<Regions> {
+  return loadRegions({ wasm: regionsWasm })
+}
