@@ -202,7 +202,7 @@ function answersOf(diagram, box, maxDistance) {
     regions.forEach((region, k) => {
       for (const piece of clipCurve(curve, { bounds: region })) sayPiece(`piece ${e} ${k}`, piece)
       if (!hasDistances) return
-      for (const { curve: piece, cutFrom, cutTo } of keptParts(diagram, e, { region, maxDistance })) {
+      for (const { curve: piece, cutFrom, cutTo } of keptParts(diagram, e, { bounds: region, maxDistance })) {
         say(`near part ${e} ${k}`, piece.from, piece.to, ...of(piece.start), ...of(piece.end), cutFrom, cutTo)
       }
     })
