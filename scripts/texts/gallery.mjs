@@ -16,6 +16,7 @@ const IN_SITE = {
   'dist/element/bundle.js': 'element.js',
   'dist/element/element.css': 'element.css',
   'dist/lib/index.js': 'lib/bundle.js',
+  'dist/lib/regions.js': 'lib/bundle.js',
   'dist/site/': '',
   'public/data/': 'data/',
 }

@@ -85,14 +85,4 @@ test('a figure of the paper, and links to what is none', async ({ app }) => {
     await expect(page.getByRole('alert')).toHaveText(problem)
     await expect(app.status).toContainText('14 circles')
   }
-  // Links from before families existed show the same circles as ever.
-  const former = await encodeLink({ dataSet: 'random:17' })
-  await page.evaluate((link) => {
-    location.hash = link
-  }, former)
-  await expect(app.status).toContainText('300 circles')
-  await app.openPanel('Files')
-  expect((await saved(page)).slice(0, 3)).toEqual(
-    Float64Array.of(16.93067694602141, 9.222793535997404, 0.899472125773846),
-  )
 })

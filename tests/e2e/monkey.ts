@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CDPSession, Page } from '@playwright/test'
-import { randomNumbers } from '../../web/app/random-circles.ts'
+import { randomNumbers } from '../../web/app/random-numbers.ts'
 import type { Point } from '../../web/lib/index.ts'
 import type { App } from './page.ts'
 

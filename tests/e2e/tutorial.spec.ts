@@ -472,7 +472,9 @@ const PAGES = ['tutorial', 'docs', 'api'].flatMap((folder) =>
 test('every link in the texts leads somewhere', () => {
   const texts = new Map(PAGES.map((page) => [page, readFileSync(SITE + page, 'utf8')]))
   const modules = PAGES.flatMap((page) => /^api\/modules-circle-voronoi(.*)\.html$/.exec(page)?.[1] ?? [])
-  expect(modules).toEqual(['', '_element_define', '_files', '_picture', '_react', '_worker'])
+  expect(modules).toEqual([
+    ...['', '_comparison', '_element_define', '_files', '_link', '_picture', '_react', '_regions', '_worker'],
+  ])
   const dead: string[] = []
   for (const [page, text] of texts) {
     for (const [, address] of text.matchAll(/ (?:href|src|srcset)="([^"]*)"/g)) {

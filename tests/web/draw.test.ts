@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { randomCircles } from '../../web/app/random-circles.ts'
 import { ConvexPolygon, convexHull, Diagram, edgeAt, type Point } from '../../web/lib/index.ts'
 import { exportBox, exportTolerance } from '../../web/lib/regions/export-box.ts'
+import { disjointCircles } from './disjoint-circles.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink } from './recording-sink.ts'
@@ -12,8 +12,8 @@ const SETS: readonly (readonly [string, Float64Array])[] = [
   ['spruces', dataSet('spruces')],
   ['waka', dataSet('waka')],
   ['introduction', dataSet('introduction')],
-  ['random circles', randomCircles(200, seededRandom(7))],
-  ['overlapping circles', randomCircles(60, seededRandom(8)).map((value, i) => (i % 3 === 2 ? 2 * value : value))],
+  ['random circles', disjointCircles(200, seededRandom(7))],
+  ['overlapping circles', disjointCircles(60, seededRandom(8)).map((value, i) => (i % 3 === 2 ? 2 * value : value))],
   ['a row', Float64Array.of(0, 0, 1, 4, 0, 1, 8, 0, 1, 12, 0, 1)],
   ['a small circle near a huge one', Float64Array.of(0, 0, 1000, 1001, 0, 0.5, 3000, 10, 1)],
   ['two circles', Float64Array.of(0, 0, 3, 5, 0, 1)],
@@ -288,7 +288,7 @@ it('goes to a worker and back as plain data', () => {
 })
 
 describe('a context that draws from its own callbacks', () => {
-  const diagram = library.compute(randomCircles(60, seededRandom(5)))
+  const diagram = library.compute(disjointCircles(60, seededRandom(5)))
   const options = { bounds: boxAround(diagram.circles, 2), tolerance: 1e-9 }
   const drawn = (draw: (context: RecordingSink) => void) => {
     const sink = new RecordingSink()

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { randomCircles } from '../../web/app/random-circles.ts'
 import { Finder } from '../../web/lib/diagram/finder.ts'
 import { NONE } from '../../web/lib/index.ts'
+import { disjointCircles } from './disjoint-circles.ts'
 import { library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, signedDistance } from './oracle.ts'
 
 describe('find', () => {
   it('finds one of many, within one and far outside', () => {
-    const circles = randomCircles(20_000, seededRandom(3))
+    const circles = disjointCircles(20_000, seededRandom(3))
     const diagram = library.compute(circles)
     const random = seededRandom(4)
     for (const share of [0, 0.5, 1000]) {
@@ -124,7 +124,7 @@ describe('find', () => {
 
 describe('findAll', () => {
   it('is find of each', () => {
-    const circles = randomCircles(500, seededRandom(6))
+    const circles = disjointCircles(500, seededRandom(6))
     const diagram = library.compute(circles)
     const random = seededRandom(7)
     const points = Float64Array.from({ length: 2000 }, () => 400 * random() - 100)

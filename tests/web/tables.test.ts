@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { namesIn } from '../../web/app/data-sets.ts'
 import { guessedColumns, nameOfColumn, type Table, unknownTable } from '../../web/app/files/columns.ts'
 import { stippled } from '../../web/app/files/stipple.ts'
-import { randomNumbers } from '../../web/app/random-circles.ts'
+import { randomNumbers } from '../../web/app/random-numbers.ts'
 import { attributesOf, columnsOf } from '../../web/editing/attributes.ts'
 import { loadFiles } from '../../web/lib/files.ts'
 

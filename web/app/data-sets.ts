@@ -76,13 +76,8 @@ export const MOST_CIRCLES = 1_000_000
 const SEEDS = 2 ** 53
 const RANDOM_SEEDS = 1_000_000
 
-/** The source of named circles. `former` stands for random circles in links from before families existed. */
-export type Source =
-  | { readonly kind: 'file'; readonly id: string }
-  | Recipe
-  | { readonly kind: 'former'; readonly seed: number; readonly count: number }
-
-const FORMER: Readonly<Record<string, number>> = { random: 300, 'random-large': 10_000 }
+/** The source of named circles. */
+export type Source = { readonly kind: 'file'; readonly id: string } | Recipe
 
 /** The source that a name stands for, always with the same circles; `undefined` if the name is unknown. */
 export function sourceOf(name: string): Source | undefined {
@@ -90,8 +85,6 @@ export function sourceOf(name: string): Source | undefined {
   if (file !== undefined) return { kind: 'file', id: name }
   const figure = /^figure-([0-9a-z]{1,9})$/.exec(name)?.[1]
   if (figure !== undefined) return { kind: 'figure', figure }
-  const [, former, formerSeed] = /^(random|random-large):(\d{1,9})$/.exec(name) ?? []
-  if (former !== undefined) return { kind: 'former', seed: Number(formerSeed), count: FORMER[former] as number }
   const [, family, seed, count] = /^([a-z][a-z-]{0,40}):(\d{1,16}):([1-9]\d{0,6})$/.exec(name) ?? []
   if (family === undefined || Number(seed) >= SEEDS || Number(count) > MOST_CIRCLES) return undefined
   return { kind: 'family', family, seed: Number(seed), count: Number(count) }
@@ -121,8 +114,6 @@ export function labelOf(name: string): string {
       return `Figure ${source.figure}`
     case 'family':
       return `${source.family}, ${wholeNumber(source.count)}`
-    case 'former':
-      return `Random, ${wholeNumber(source.count)}`
     case undefined:
       return ''
   }
@@ -150,10 +141,6 @@ export async function loadDataSet(name: string, make: (recipe: Recipe) => Promis
     case 'figure':
     case 'family':
       return { circles: await make(source) }
-    case 'former': {
-      const { randomCircles, randomNumbers } = await import('./random-circles.ts')
-      return { circles: randomCircles(source.count, randomNumbers(source.seed)) }
-    }
     case undefined:
       throw new Error('There is no data set of this name.')
   }

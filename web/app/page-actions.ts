@@ -247,7 +247,6 @@ export class PageActions extends EditorActions {
   async generateAgain(): Promise<void> {
     const source = sourceOf(this.#shown())
     if (source?.kind === 'family') await this.generate({ ...source, seed: randomSeed() })
-    if (source?.kind === 'former') await this.load('random')
   }
 
   /** Opens a link. */

@@ -4,7 +4,6 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { dataSetOf, sourceOf } from '../app/data-sets.ts'
 import { circlesOfSvg, tableOfSvg } from '../app/files/svg-scene.ts'
-import { randomCircles, randomNumbers } from '../app/random-circles.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import { loadFiles } from '../lib/files.ts'
 import { decodeLink, LINK_LIMITS, type LinkInput, type LinkState } from '../lib/link.ts'
@@ -54,8 +53,6 @@ async function withCircles(state: LinkState, address: string, program: string): 
       const { family, count, seed } = source
       return { ...rest, circles: circlesOfText(generated(program, family, count, seed)) }
     }
-    case 'former':
-      return { ...rest, circles: randomCircles(source.count, randomNumbers(source.seed)) }
     case 'file': {
       const { hasRegion = false } = dataSetOf(dataSet) ?? {}
       const table = await fetched(dataSet, `${dataSet}.csv`, address)

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Float64s } from '../lib/index.ts'
+import type { Float64s } from '../../web/lib/index.ts'
 
 const LARGEST = 0.9
 const SPREAD = 8
 const TRIES = 40
 
 /**
- * Disjoint circles of very different sizes, spread over a rectangle in which each has about one unit of area; the same ones in
- * every browser. `random`: gives numbers from 0 to 1.
+ * Disjoint circles of very different sizes, spread over a rectangle in which each has about one unit of area. `random`: gives numbers from 0 to 1.
  */
-export function randomCircles(count: number, random: () => number): Float64s {
+export function disjointCircles(count: number, random: () => number): Float64s {
   const width = Math.sqrt(count * 1.5)
   const height = count / width
   // Largest circles first, because small ones find room later.
@@ -49,18 +48,6 @@ export function randomCircles(count: number, random: () => number): Float64s {
   return circles
 }
 
-/** Uses only functions with the same results in every browser. */
 function radiusOf(share: number): number {
   return LARGEST / (1 + (SPREAD - 1) * share * share)
-}
-
-/** Pseudorandom numbers from 0 to 1 (mulberry32, by Tommy Ettinger). */
-export function randomNumbers(seed: number): () => number {
-  let state = seed | 0
-  return () => {
-    state = (state + 0x6d2b79f5) | 0
-    let bits = Math.imul(state ^ (state >>> 15), 1 | state)
-    bits = (bits + Math.imul(bits ^ (bits >>> 7), 61 | bits)) ^ bits
-    return ((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32
-  }
 }
