@@ -233,6 +233,11 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badInput',
+    'new DiagramSnapshot takes the numbers of an editor, not undefined.',
+    () => new DiagramSnapshot({ ...diagram, numbers: undefined as never }),
+  ],
+  [
+    'badInput',
     'The diagram is that of the editor after 0 changes; what is applied has to be the next one.',
     () => untyped(editor.snapshot().apply.bind(editor.snapshot()))(undefined),
   ],

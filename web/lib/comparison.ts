@@ -41,5 +41,5 @@ export async function loadComparison(options: ComparisonLoadOptions = {}): Promi
   if (library !== undefined && !(isRecord(library) && typeof library.compute === 'function')) {
     refuseOption(`The option library is what loadCircleVoronoi loads, not ${shown(library)}.`)
   }
-  return comparisonOf(library ?? (await loadCircleVoronoi()), wasm)
+  return comparisonOf(library ?? loadCircleVoronoi(), wasm)
 }

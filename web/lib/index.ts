@@ -51,7 +51,7 @@ export {
 export { type Bisector, bisector, parameterAt, pointAt } from './curves/bisector.ts'
 export { type BoundedCurve, type EdgeCurve, edgeCurve, isBoundedCurve } from './curves/curve.ts'
 export type { Change, EditWay } from './diagram/change.ts'
-export { ComputedDiagram } from './diagram/computed-diagram.ts'
+export type { ComputedDiagram } from './diagram/computed-diagram.ts'
 export { type Cell, Diagram } from './diagram/diagram.ts'
 export type { DiagramFile } from './diagram/diagram-file.ts'
 export { DiagramSnapshot } from './diagram/diagram-snapshot.ts'

@@ -2,7 +2,7 @@
 import type { Check } from './check-types.ts'
 
 /**
- * How `embed.html` presents the figure of a link: its texts, and the question that it asks. An element and the
+ * The presentation of a link's figure in `embed.html`: its texts, and the question that it asks. An element and the
  * playground leave these fields to the page.
  *
  * @category Links

@@ -6,11 +6,6 @@ import { Diagram } from './diagram.ts'
  * A diagram that `compute` made in this thread, which can be computed again.
  *
  * @category Diagrams
- * @example
- * const moving = library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
- * moving instanceof ComputedDiagram // true
- * moving.circles[0] = -2
- * moving.update().find(2.4, 0) // 1
  */
 export class ComputedDiagram extends Diagram {
   readonly #compute: (circles: Float64s) => DiagramData
@@ -26,6 +21,11 @@ export class ComputedDiagram extends Diagram {
    * diagram stays unchanged.
    *
    * @throws CircleVoronoiError as `compute`
+   *
+   * @example
+   * const moving = library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
+   * moving.circles[0] = -2
+   * moving.update().find(2.4, 0) // 1
    */
   update(): this {
     this.renew(this.#compute(this.circles))

@@ -25,6 +25,7 @@ export class DiagramSnapshot extends Diagram implements SnapshotData {
   /** Wraps the arrays of `data` without copying them. */
   constructor(data: SnapshotData) {
     checkThing(data, 'numbers', 'new DiagramSnapshot', 'a snapshot of an editor')
+    checkThing(data.numbers, 'revision', 'new DiagramSnapshot', 'the numbers of an editor')
     super(data)
     this.numbers = data.numbers
   }

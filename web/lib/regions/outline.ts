@@ -25,7 +25,7 @@ const AXES: readonly Vector[] = [
   { x: -1, y: 0 },
   { x: 0, y: -1 },
 ]
-/** Where there is no side to say how far outside is far, as a multiple of the distance of the bounds. */
+/** The radius of a cell without sides, as a multiple of the distance of the bounds. */
 const FAR_OUT = 64
 /**
  * Tolerance for the crossings of a line and a curve, relative to the size of the part that is clipped. If the two are

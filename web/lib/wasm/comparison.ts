@@ -38,8 +38,14 @@ export interface Comparison {
  *
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function comparisonOf({ compute }: CircleVoronoi, wasm: LoadOptions['wasm']): Promise<Comparison> {
-  const module = await instantiate(createModule, await compileWasm(wasm, defaultComparisonWasm))
+export async function comparisonOf(
+  library: CircleVoronoi | Promise<CircleVoronoi>,
+  wasm: LoadOptions['wasm'],
+): Promise<Comparison> {
+  const [{ compute }, module] = await Promise.all([
+    library,
+    compileWasm(wasm, defaultComparisonWasm).then((compiled) => instantiate(createModule, compiled)),
+  ])
   return {
     computeComparison(circles, metric) {
       const coordinates = coordinatesOf(circles)
