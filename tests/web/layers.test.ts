@@ -7,6 +7,7 @@ import { at } from '../../web/lib/base/diagram-data.ts'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import { type Edit, mergeVertices } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import {
   checkedLayers,
   checkLayers,
@@ -67,13 +68,65 @@ describe('colors of which neighbors have different ones', () => {
     expectProper(picture, (i) => coloring.colorOf(idOf(picture.diagram, i)))
   })
 
-  it('stay so after any edits', () => {
-    const picture = new Picture(library.edit(randomCircles(150)))
-    picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
-    for (let k = 0; k < 400; k++) {
-      picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
-      if (k % 20 === 0) expectProper(picture, (i) => picture.colorOf(i))
+  it('stay with their circles in all edits, while other colors are shown, and in a box that repeats', () => {
+    const scene = new PaintedScene(library)
+    scene.open(randomCircles(150))
+    scene.setLayers({ ...DEFAULT_LAYERS, cells: 'different' })
+    const colorsOf = ({ editor, diagram, colorOf }: Picture) =>
+      new Map(Array.from(editor.ids(), (id) => [id, colorOf.call(scene.picture, diagram.indexOf(id))]))
+    const known = colorsOf(scene.picture)
+    const expectKept = () => {
+      for (const [id, color] of colorsOf(scene.picture)) {
+        expect(known.get(id) ?? color, `circle ${id}`).toBe(color)
+        known.set(id, color)
+      }
     }
+    for (let k = 0; k < 200; k++) {
+      scene.edit(randomEdits(scene.picture.editor.ids()))
+      expectKept()
+    }
+    scene.setLayers({ ...DEFAULT_LAYERS, cells: 'radius' })
+    scene.edit([{ kind: 'insert', circle: { x: 5, y: 5, r: 0.01 } }])
+    scene.setLayers({ ...DEFAULT_LAYERS, cells: 'different' })
+    expectKept()
+    scene.edit([], { lattice: { a: [24, 0], b: [0, 24] } })
+    scene.edit([{ kind: 'insert', circle: { x: 15, y: 15, r: 0.01 } }])
+    expectKept()
+    scene.edit([], { lattice: null })
+    expectKept()
+    scene.dispose()
+  })
+
+  it('are given to new circles so that they differ from their neighbors', () => {
+    const picture = new Picture(library.edit(randomCircles(40)))
+    picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
+    for (let k = 0; k < 30; k++) {
+      const change = picture.editor.insert({ x: 20 * random(), y: 20 * random(), r: 0 })
+      picture.apply(change)
+      const i = picture.diagram.indexOf(at(change.inserted, 0))
+      const taken = new Set(Array.from(picture.diagram.neighbors(i), (j) => picture.colorOf(j)))
+      if (taken.size < MAP_COLORS) expect(taken).not.toContain(picture.colorOf(i))
+    }
+  })
+
+  it('come back with circles that undo restores', () => {
+    const circles = randomCircles(40)
+    const scene = new PaintedScene(library)
+    scene.open(circles)
+    scene.setLayers({ ...DEFAULT_LAYERS, cells: 'different' })
+    const table = new CircleTable(Float64Array.from(circles))
+    const colorOf = (id: number) => scene.picture.colorOf(scene.picture.diagram.indexOf(id))
+    for (const id of [3, 17, 29]) {
+      const color = colorOf(id)
+      const back = table.follow(scene.edit([{ kind: 'remove', id }]).change)
+      // Something else takes the room meanwhile.
+      table.follow(scene.edit([{ kind: 'insert', circle: { x: 0.1 * id, y: 0.5, r: 0.2 } }]).change)
+      const { change } = scene.edit(back)
+      table.follow(change)
+      expect(change.inserted).toHaveLength(1)
+      expect(colorOf(at(change.inserted, 0)), `circle ${id}`).toBe(color)
+    }
+    scene.dispose()
   })
 })
 

@@ -36,7 +36,7 @@ export interface DiagramBackend {
   /** The current circles. */
   readonly circles: CircleTable
   setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited>
-  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
+  apply(edits: readonly UndoEdit[], change?: DomainChange): Promise<Edited>
 }
 
 /** The result of a request. */
@@ -339,7 +339,7 @@ export class Editing {
     const { domain = before } = entry
     const steps = entry.steps.unpacked()
     const change = this.#changeTo(domain, this.#sharesOf(domain, steps))
-    const edited = await this.#computer.apply(steps.map(plain), change)
+    const edited = await this.#computer.apply(steps, change)
     this.#domain = domain
     const attributes = this.#attributes
     this.#attributes = entry.attributes ?? attributes
@@ -497,10 +497,6 @@ function listIn(areas: Areas | undefined): readonly number[] | undefined {
 /** @throws Refusal */
 function checkCount({ length }: readonly number[], circles: number): void {
   if (length !== circles) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasForCircles(length, circles))
-}
-
-function plain(step: UndoEdit): Edit {
-  return step.kind === 'insert' ? { kind: 'insert', circle: step.circle } : step
 }
 
 function isSame(circles: Float64Array, others: Float64Array): boolean {

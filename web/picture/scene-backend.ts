@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { DiagramBackend } from '../editing/editing.ts'
-import type { Edit } from '../lib/index.ts'
 import { loadRegions } from '../lib/regions.ts'
 import type { CircleVoronoi } from '../lib/wasm/library.ts'
-import { CircleTable, NO_CHANGE } from '../view/circle-table.ts'
+import { CircleTable, NO_CHANGE, type UndoEdit } from '../view/circle-table.ts'
 import { PaintedScene } from '../view/painter/painted-scene.ts'
 import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Fitted } from '../view/protocol.ts'
@@ -23,7 +22,7 @@ export class SceneBackend implements DiagramBackend {
     return this.#edited(NO_CHANGE, fitted)
   }
 
-  async apply(edits: readonly Edit[], domain?: DomainChange): Promise<Edited> {
+  async apply(edits: readonly UndoEdit[], domain?: DomainChange): Promise<Edited> {
     const { change, fitted } = this.scene.edit(edits, domain, await regionsFor(domain))
     return this.#edited(change, fitted)
   }

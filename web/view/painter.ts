@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { reasonOf, receivedError } from '../lib/base/errors.ts'
-import type { Edit } from '../lib/index.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi } from '../lib/wasm/load-options.ts'
 import { CircleTable, NO_CHANGE, type UndoEdit } from './circle-table.ts'
@@ -349,7 +348,7 @@ export class SceneClient {
    * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
    * opened before the edits run. The scene stays unchanged
    */
-  edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
+  edit(edits: readonly UndoEdit[], change: DomainChange = {}): Promise<Edited> {
     const revision = this.#nextRevision()
     const { opening } = this.circles
     return this.#connection.edited({ kind: 'edit', scene: this.#scene, revision, opening, edits, ...change })

@@ -6,7 +6,6 @@ import type {
   Certificate,
   Circle,
   DiagramData,
-  Edit,
   Float64s,
   Lattice,
   Options,
@@ -17,7 +16,7 @@ import type {
 import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
-import type { CircleChange } from './circle-table.ts'
+import type { CircleChange, UndoEdit } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers, Measure } from './layers.ts'
 import type { OtherModules } from './load.ts'
@@ -142,7 +141,7 @@ export type ToPainter =
       readonly revision: number
       /** Identifies the circles that the edits are for. Edits for other circles are ignored. */
       readonly opening: number
-      readonly edits: readonly Edit[]
+      readonly edits: readonly UndoEdit[]
     } & DomainChange)
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & PaintRequest)
   /** A question by name, with its arguments. */

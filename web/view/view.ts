@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Box, Circle, Edit, Point } from '../lib/index.ts'
+import type { Box, Circle, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
-import type { CircleTable } from './circle-table.ts'
+import type { CircleTable, UndoEdit } from './circle-table.ts'
 import { checkLayers, DEFAULT_LAYERS, type Layers, type OverlayLayer, withoutDiagram } from './layers.ts'
 import { scaleOnScreen } from './on-screen.ts'
 import {
@@ -187,7 +187,7 @@ export class View {
    * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
    * opened first. The view stays unchanged
    */
-  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited> {
+  apply(edits: readonly UndoEdit[], change?: DomainChange): Promise<Edited> {
     return this.#told(this.#scene.edit(edits, change))
   }
 

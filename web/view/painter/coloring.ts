@@ -5,7 +5,8 @@ import { MAP_COLORS } from '../style.ts'
 import { type Identified, idOf } from './cell-boxes.ts'
 
 /**
- * Colors cells with six colors so that neighbors differ.
+ * Colors cells with six colors so that neighbors differ. A circle keeps its color through edits, by which it is known;
+ * neighbors may share one then.
  * The adjacency graph of cells is planar, and so is each of its subgraphs; each has a cell with at most five neighbors.
  * If such cells are removed one by one and colored in reverse order, a color is free for each.
  */
@@ -21,27 +22,14 @@ export class Coloring {
     return this.#colors[id] ?? 0
   }
 
-  /**
-   * Applies a change of cells, given by their ids. Returns the ids of cells with another color; `undefined` if all were
-   * recolored.
-   */
-  follow(diagram: DiagramSnapshot, changed: Iterable<number>): number[] | undefined {
-    const recolored: number[] = []
-    for (const id of changed) {
-      const i = diagram.indexOf(id)
-      if (i === NONE) continue
+  /** Colors inserted circles. One that had an id before, `formerIds[k]`, gets its color back. */
+  follow(diagram: DiagramSnapshot, inserted: Int32Array, formerIds: FormerIds): void {
+    inserted.forEach((id, k) => {
       if (id >= this.#colors.length) this.#grow(id)
-      const taken = this.#takenBeside(diagram, i)
-      if (this.#colors[id] !== UNCOLORED && (taken & (1 << this.colorOf(id))) === 0) continue
-      const color = freeColor(taken, id)
-      if (color === undefined) {
-        this.#colors = colored(diagram)
-        return undefined
-      }
-      this.#colors[id] = color
-      recolored.push(id)
-    }
-    return recolored
+      const former = this.#colors[formerIds[k] ?? NONE] ?? UNCOLORED
+      const color = former === UNCOLORED ? freeColor(this.#takenBeside(diagram, diagram.indexOf(id)), id) : former
+      this.#colors[id] = color ?? id % MAP_COLORS
+    })
   }
 
   #takenBeside(diagram: Diagram, i: number): number {
@@ -59,6 +47,9 @@ export class Coloring {
     this.#colors = larger
   }
 }
+
+/** The former id of each inserted circle, if undo restores it. */
+export type FormerIds = readonly (number | undefined)[]
 
 const UNCOLORED = 255
 

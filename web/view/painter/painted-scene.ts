@@ -5,7 +5,7 @@ import type { Comparison } from '../../lib/comparison.ts'
 import type { Box, Diagram, Edit, Float64s } from '../../lib/index.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
-import type { CircleChange } from '../circle-table.ts'
+import type { CircleChange, UndoEdit } from '../circle-table.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
 import { DEFAULT_LAYERS, isAnythingFound, isMethodShown, isTraced, type Layers, repeatingLayers } from '../layers.ts'
 import type {
@@ -263,7 +263,7 @@ export class PaintedScene {
    * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; the scene stays unchanged
    */
   edit(
-    asked: readonly Edit[],
+    asked: readonly UndoEdit[],
     domain: DomainChange = {},
     regions?: Regions,
   ): {
@@ -279,12 +279,13 @@ export class PaintedScene {
       domain.fit === undefined
         ? { edits: this.#wrapped(asked, torus), fit: undefined }
         : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
+    const formerIds = asked.flatMap((edit) => (edit.kind === 'insert' ? [edit.formerId] : []))
     const change = this.picture.editor.apply(edits)
     const { areSites = this.picture.areSites } = domain
     const isRepeatedOtherwise = torus !== this.picture.torus
     const isElsewhere = clip !== this.picture.clip || areSites !== this.picture.areSites || isRepeatedOtherwise
     this.picture.clip = clip
-    const { boxes, isEverywhere } = isRepeatedOtherwise ? this.#repeatIn(torus) : this.picture.apply(change)
+    const { boxes, isEverywhere } = isRepeatedOtherwise ? this.#repeatIn(torus) : this.picture.apply(change, formerIds)
     this.picture.areSites = areSites
     // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
@@ -322,7 +323,7 @@ export class PaintedScene {
   #repeatIn(torus: Torus | undefined): Difference {
     const { editor, clip, centers } = this.picture
     centers?.dispose()
-    this.picture = new Picture(editor, clip, torus)
+    this.picture = new Picture(editor, clip, torus, this.picture)
     this.setLayers(this.#layers, false)
     return { boxes: [], isEverywhere: true }
   }

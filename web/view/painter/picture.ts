@@ -17,7 +17,7 @@ import { addAround, boxAt, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
 import type { Centers } from './centers.ts'
 import type { Clip } from './clip.ts'
-import { Coloring } from './coloring.ts'
+import { Coloring, type FormerIds } from './coloring.ts'
 import { Measures } from './measures.ts'
 import type { MethodResult } from './method-layers.ts'
 import { RepeatedDiagram, type Torus } from './torus.ts'
@@ -83,13 +83,15 @@ export class Picture {
   #measures: Measures | undefined
   #areas: Measures | undefined
   #gaps: Measures | undefined
+  /** The colors of circles once they have been shown. */
   #coloring: Coloring | undefined
   /** The bounding boxes of circles' centers with those of their neighbors, by id, computed on demand. */
   #stars: BoxIndex | undefined
   #hiddenBy: Map<number, number[]> | undefined
 
-  /** Takes ownership of the editor. */
-  constructor(editor: DiagramEditor, clip?: Clip, torus?: Torus) {
+  /** Takes ownership of the editor. `former`: a picture of the same circles, whose colors they keep. */
+  constructor(editor: DiagramEditor, clip?: Clip, torus?: Torus, former?: Picture) {
+    if (former !== undefined) this.#coloring = former.#coloring
     this.#clip = clip
     this.editor = editor
     this.torus = torus
@@ -148,8 +150,7 @@ export class Picture {
     else if (cells === 'area') this.#measures = this.areas()
     else if (cells === 'gap') this.#measures = this.gaps()
     else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram, this.#clip)
-    if (cells !== 'different' || column !== undefined) this.#coloring = undefined
-    else this.#coloring ??= new Coloring(this.#snapshot)
+    if (cells === 'different') this.#coloring ??= new Coloring(this.#snapshot)
     if (!layers.dual) this.#stars = undefined
     if (layers.data !== this.#layers.data) this.data = layers.data.map((layer) => indexed(layer, layer.color))
     this.#layers = layers
@@ -186,7 +187,8 @@ export class Picture {
 
   /** The color index of circle `i` and its cell; `NONE` if the cell has no color. */
   colorOf(i: number): number {
-    return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.shadeOf(i) ?? 0
+    if (this.#measures !== undefined) return this.#measures.shadeOf(i)
+    return this.colors === 'different' ? (this.#coloring?.colorOf(idOf(this.diagram, i)) ?? 0) : 0
   }
 
   /** Whether discs are colored and cells show a fainter tint. Otherwise only cells are colored. */
@@ -241,8 +243,8 @@ export class Picture {
    * cell, a removed one nothing outside its former cell, and a moved one nothing outside both. If a layer depends on
    * whole cells, the neighbors' cells are added.
    */
-  apply(change: Change): Difference {
-    if (this.torus !== undefined) return this.#repeat(this.torus, change)
+  apply(change: Change, formerIds: FormerIds = []): Difference {
+    if (this.torus !== undefined) return this.#repeat(this.torus, change, formerIds)
     const { removed, replaced, inserted, cells, hidden, shown } = change
     const before = this.#lookOf([...removed, ...replaced, ...hidden, ...shown], cells)
     this.diagram.apply(change)
@@ -259,17 +261,17 @@ export class Picture {
     this.#measures?.forget(changed)
     this.#areas?.forget(changed)
     this.#gaps?.forget(changed)
-    const recolored = this.#coloring === undefined ? [] : this.#coloring.follow(this.diagram, changed)
-    const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown, ...(recolored ?? [])], cells)]
+    this.#coloring?.follow(this.diagram, inserted, formerIds)
+    const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown], cells)]
     boxes.push(...(this.centers?.apply(change).boxes ?? []))
     return {
       boxes: boxes.filter(({ minX, maxX }) => minX <= maxX),
-      isEverywhere: recolored === undefined || isMethodShown || this.#layers.power,
+      isEverywhere: isMethodShown || this.#layers.power,
     }
   }
 
   /** Rebuilds everything except the colors of cells. */
-  #repeat(torus: Torus, change: Change): Difference {
+  #repeat(torus: Torus, change: Change, formerIds: FormerIds): Difference {
     this.#snapshot.apply(change)
     this.diagram = torus.diagramOf(this.#snapshot)
     this.index = this.#indexed()
@@ -279,8 +281,7 @@ export class Picture {
     this.#gaps = undefined
     this.#measures = undefined
     this.layers = this.#layers
-    const { inserted, replaced, shown, cells, hidden } = change
-    this.#coloring?.follow(this.#snapshot, new Set([...inserted, ...replaced, ...shown, ...cells, ...hidden]))
+    this.#coloring?.follow(this.#snapshot, change.inserted, formerIds)
     return { boxes: [], isEverywhere: true }
   }
 
