@@ -4,7 +4,7 @@
 import type { Circle, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { soon } from '../soon.ts'
-import { App, expect, test } from './page.ts'
+import { App, dataSet, expect, test } from './page.ts'
 
 /** Discs in two rows, with 4 units between neighbors. */
 const ROWS = Float64Array.from([0, 4, 8, 0, 4, 8].flatMap((x, k) => [x, k < 3 ? 0 : 4, 1]))
@@ -320,4 +320,33 @@ test.describe('with fingers', () => {
     await soon(async () => (await view())?.span).not.toBe(before)
     await soon(() => circlesOf(app)).toEqual(moved)
   })
+})
+
+test('a circle keeps its color where it is dragged, through undo, another scale of colors and the method', async ({
+  app,
+}) => {
+  const { page } = app
+  await app.choose('Eight circles')
+  const circles = dataSet('start')
+  const centers = Array.from({ length: circles.length / 3 }, (_, i) => app.center(circles, i))
+  const known = await app.colors(centers)
+  for (const i of [0, 3, 5]) {
+    // To the middle between two others, where it has other neighbors.
+    const [from, to] = [centers[i] as Point, centers[(i + 4) % 8] as Point]
+    const there = { x: (from.x + 2 * to.x) / 3, y: (from.y + 2 * to.y) / 3 }
+    await app.drag(from, there)
+    await page.mouse.up()
+    await app.painted()
+    await soon(() => app.colors([there]), `circle ${i}`).toEqual([known[i]])
+    await page.keyboard.press('Control+z')
+    await app.painted()
+    await soon(() => app.colors(centers), `after undo of circle ${i}`).toEqual(known)
+  }
+  await page.keyboard.press('Escape')
+  const button = page.getByRole('button', { name: 'Play the method' })
+  await button.click()
+  await expect(page.getByRole('region', { name: 'The method, step by step' })).toBeVisible()
+  await button.click()
+  await app.painted()
+  await soon(() => app.colors(centers), 'after the method').toEqual(known)
 })

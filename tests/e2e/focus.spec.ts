@@ -97,3 +97,22 @@ test('an outlier does not keep one from zooming to the rest', async ({ app }) =>
   await app.page.mouse.click(center.x + 40, center.y)
   await expect(app.inspector).toContainText('Circle 0')
 })
+
+test('after a tool is pressed, Tab goes into its panel, and Escape closes it from there and from the tool', async ({
+  app,
+}) => {
+  for (const name of ['Share', 'Layers', 'Region']) {
+    const tool = app.page.locator('#rail').getByRole('button', { name, exact: true })
+    await app.openPanel(name)
+    await app.page.keyboard.press('Escape')
+    await expect(tool, name).toHaveAttribute('aria-expanded', 'false')
+    await expect(tool, name).toBeFocused()
+    await app.openPanel(name)
+    await app.page.keyboard.press('Tab')
+    const panel = app.page.locator(`#${await tool.getAttribute('aria-controls')}`)
+    await expect(panel.getByRole('button', { name: 'Close', exact: true }), name).toBeFocused()
+    await app.page.keyboard.press('Escape')
+    await expect(panel, name).toBeHidden()
+    await expect(tool, name).toBeFocused()
+  }
+})

@@ -129,6 +129,10 @@ test('polygons are dropped and pasted; points are circles; what crosses itself i
   await app.openPanel('Region')
   await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline with 4 sides')
+  await drop(app, 'closed.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 -3))')
+  await expect(panel(app)).toContainText('One outline with 3 sides')
+  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await expect(panel(app)).toContainText('One outline with 4 sides')
   const points = { type: 'Feature', properties: { r: 1 }, geometry: { type: 'Point', coordinates: [1, 2] } }
   await drop(app, 'bow.geojson', geojson([HOLE[0], HOLE[2], HOLE[1], HOLE[3]] as number[][]))
   await expect(app.page.getByRole('alert')).toContainText(

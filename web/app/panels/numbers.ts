@@ -119,9 +119,11 @@ function distributionOf({ certificate, medianArea, areas, areaStep, degrees }: D
   const cells = degrees.reduce((sum, count) => sum + count, 0)
   const mean = cells === 0 ? 0 : degrees.reduce((sum, count, degree) => sum + degree * count, 0) / cells
   const largest = areaStep * (areas.length - 1)
+  const bounded = areas.reduce((sum, count) => sum + count, 0)
+  const middle = short(medianArea, 3)
   return html`
     <figure>
-      <figcaption>Areas of bounded cells: half are below ${short(medianArea, 3)}</figcaption>
+      <figcaption>${bounded === 1 ? `Area of the bounded cell: ${middle}` : `Areas of bounded cells: half are below ${middle}`}</figcaption>
       <div class="chart" role="img" aria-label=${`Histogram of areas up to ${short(largest, 3)}; larger ones are in the last bar`}></div>
     </figure>
     <figure>

@@ -85,10 +85,18 @@ export function panelOf(
     },
   }
   button.addEventListener('click', () => (isOpen ? panel.close() : panel.open()))
-  element.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape' || event.defaultPrevented) return
-    event.stopPropagation()
-    panel.close()
+  for (const place of [element, button]) {
+    place.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape' || event.defaultPrevented || !isOpen) return
+      event.stopPropagation()
+      panel.close()
+    })
+  }
+  // The rail's other tools lie between the button and its panel.
+  button.addEventListener('keydown', (event) => {
+    if (event.key !== 'Tab' || event.shiftKey || !isOpen) return
+    event.preventDefault()
+    element.querySelector<HTMLElement>('header .icon')?.focus()
   })
   // Waits until the caller has the panel.
   if (isKept && remembered() === element.id) queueMicrotask(() => panel.open())

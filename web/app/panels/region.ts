@@ -191,7 +191,9 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
 
 function saidOf(region: NonNullable<State['domain']['region']>): string {
   const rings = ringsOf(region)
-  const sides = rings.reduce((sum, ring) => sum + ring.length, 0)
+  // A ring of GeoJSON repeats its first point at its end.
+  const isClosed = (ring: (typeof rings)[number]) => String(ring[0]) === String(ring.at(-1))
+  const sides = rings.reduce((sum, ring) => sum + ring.length - Number(isClosed(ring)), 0)
   const outlines = rings.length === 1 ? 'One outline' : `${wholeNumber(rings.length)} outlines`
   return `${outlines} with ${wholeNumber(sides)} sides. Cells, areas and files are clipped to it.`
 }
