@@ -329,6 +329,7 @@ test('a circle keeps its color where it is dragged, through undo, another scale 
   await app.choose('Eight circles')
   const circles = dataSet('start')
   const centers = Array.from({ length: circles.length / 3 }, (_, i) => app.center(circles, i))
+  await app.painted()
   const known = await app.colors(centers)
   for (const i of [0, 3, 5]) {
     // To the middle between two others, where it has other neighbors.

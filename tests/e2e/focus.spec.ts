@@ -102,12 +102,14 @@ test('after a tool is pressed, Tab goes into its panel, and Escape closes it fro
   app,
 }) => {
   for (const name of ['Share', 'Layers', 'Region']) {
-    const tool = app.page.locator('#rail').getByRole('button', { name, exact: true })
-    await app.openPanel(name)
+    const tool = app.page.getByRole('button', { name, exact: true })
+    await tool.click()
+    await expect(tool, name).toHaveAttribute('aria-expanded', 'true')
     await app.page.keyboard.press('Escape')
     await expect(tool, name).toHaveAttribute('aria-expanded', 'false')
     await expect(tool, name).toBeFocused()
-    await app.openPanel(name)
+    await tool.click()
+    await expect(tool, name).toHaveAttribute('aria-expanded', 'true')
     await app.page.keyboard.press('Tab')
     const panel = app.page.locator(`#${await tool.getAttribute('aria-controls')}`)
     await expect(panel.getByRole('button', { name: 'Close', exact: true }), name).toBeFocused()
