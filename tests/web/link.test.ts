@@ -147,6 +147,11 @@ describe('a link', () => {
     await expect(encodeLink({ ...state, names: ['one'] })).rejects.toThrow('there is not one name for each circle')
   })
 
+  it('has the colors of its circles', async () => {
+    const state = { circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors: '05' }
+    expect(await decodeLink(await encodeLink(state))).toEqual(state)
+  })
+
   it('is short', async () => {
     const circles = Float64Array.from({ length: 3 * 1000 }, (_, k) => ((k * 7919) % 1000) / 100)
     expect((await encodeLink({ circles })).length).toBeLessThan(9000)
@@ -204,6 +209,8 @@ describe('what is no link', () => {
     [{ circles: [0, 0, 1], names: [7] }, 'there is not one name for each circle'],
     [{ circles: [0, 0, 1], names: ['a'.repeat(201)] }, 'there is not one name for each circle'],
     [{ circles: { length: 3 } }, 'the circles do not have three finite numbers each'],
+    [{ circles: [0, 0, 1], colors: '6' }, 'the colors are not digits from 0 to 5'],
+    [{ circles: [0, 0, 1], colors: 5 }, 'the colors are not digits from 0 to 5'],
     [{ step: 1.5 }, 'the step is not a whole number from 0'],
     [{ step: -1 }, 'the step is not a whole number from 0'],
     [{ method: 7 }, 'the method is not a name'],

@@ -264,7 +264,7 @@ export class PageActions extends EditorActions {
 
   async #linked(text: string): Promise<OpenRequest> {
     const state = await decodeLink(text)
-    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, lattice, areas } = state
+    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, lattice, areas, colors } = state
     const attributes = state.attributes && columnsOf(state.attributes, (circles?.length ?? 0) / 3)
     const scene =
       circles === undefined
@@ -275,7 +275,7 @@ export class PageActions extends EditorActions {
     const domain = (shown ?? lattice ?? areas) && { region: shown, lattice: lattice ?? undefined, areas }
     const frame = frameOf(state)
     this.frame = Object.keys(frame).length > 0 ? frame : undefined
-    return { ...scene, domain, edits, view, layers, step, method }
+    return { ...scene, domain, edits, view, layers, step, method, colors }
   }
 
   async #loadNamed(name: string, load = loadDataSet): Promise<Scene> {

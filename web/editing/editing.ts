@@ -80,6 +80,7 @@ export class Editing {
   readonly #numbers = new Map<number, number>()
   #shift = 0
   #lastAbsent = 0
+  #colors: string | undefined
   #history = EMPTY_HISTORY
   readonly #mostBytes: number
   readonly #queue = new NewestQueue<Job, Edited | undefined>()
@@ -267,7 +268,7 @@ export class Editing {
     let isOpened = false
     const opened = this.#ask(async () => {
       const before = this.#before()
-      const edited = await this.#replaceScene(scene)
+      const edited = await this.#replaceScene(scene, edits.length === 0)
       this.#history = { done: [...this.#history.done, ...before], undone: [] }
       this.#openings += 1
       isOpened = true
@@ -275,7 +276,9 @@ export class Editing {
     })
     if (edits.length > 0) {
       const gesture = this.beginGesture()
-      await this.#ask(async () => (isOpened ? this.#apply(edits, gesture) : undefined))
+      await this.#ask(async () =>
+        isOpened ? this.#apply(edits, gesture, undefined, undefined, scene.colors) : undefined,
+      )
     }
     return opened
   }
@@ -295,10 +298,11 @@ export class Editing {
     gesture: number,
     change?: Partial<Domain>,
     attributes?: Attributes,
+    colors?: string,
   ): Promise<Edited> {
     const before = this.#domain
     const domain = change === undefined ? before : { ...before, ...change, ...this.#byNumber(change.areas) }
-    const edited = await this.#computer.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits)))
+    const edited = await this.#computer.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits), colors))
     const former = { domain: change && before, attributes: attributes && this.#attributes }
     this.#history = record(this.#history, edited.back, gesture, former)
     this.#domain = domain
@@ -374,13 +378,18 @@ export class Editing {
     return edited
   }
 
-  async #replaceScene(scene: Scene): Promise<Edited> {
+  /** `areAll`: no edits follow, so that the scene's colors are those of its circles. */
+  async #replaceScene(scene: Scene, areAll = true): Promise<Edited> {
     const { circles, domain = NO_DOMAIN } = scene
     const list = listIn(domain.areas)
     if (list !== undefined) checkCount(list, circles.length / 3)
     const shares = { known: list && new Map(list.entries()), inserted: [] }
-    const edited = await this.#computer.setCircles(circles, this.#changeTo(domain, shares))
+    const edited = await this.#computer.setCircles(
+      circles,
+      this.#changeTo(domain, shares, areAll ? scene.colors : undefined),
+    )
     this.#scene = scene
+    this.#colors = edited.colors
     this.#domain = domain
     this.#attributes = scene.attributes ?? NO_ATTRIBUTES
     this.#lastFormer = this.#lastGesture
@@ -403,14 +412,15 @@ export class Editing {
   }
 
   /** The change of domain for the backend. It contains the region only if the region differs. */
-  #changeTo(domain: Domain, fit: Shares): DomainChange | undefined {
+  #changeTo(domain: Domain, fit: Shares, colors?: string): DomainChange | undefined {
     const { region, lattice, areas } = domain
-    if (domain === NO_DOMAIN && this.#domain === NO_DOMAIN) return undefined
+    if (domain === NO_DOMAIN && this.#domain === NO_DOMAIN) return colors === undefined ? undefined : { colors }
     return {
       region: region === this.#domain.region ? undefined : (region ?? null),
       lattice: lattice === this.#domain.lattice ? undefined : (lattice ?? null),
       areSites: areas !== undefined,
       fit: areas && fit,
+      colors,
     }
   }
 
@@ -429,7 +439,7 @@ export class Editing {
   #before(): Opening[] {
     if (this.#scene === undefined) return []
     const ids = this.circles.ids()
-    const isRecorded = [this.#history.done, this.#history.undone].some((side) => side.at(-1)?.kind === 'edits')
+    const isRecorded = this.#isRecorded
     // Animated changes are not recorded.
     const numbering = this.#numbering
     if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids, numbering }]
@@ -438,7 +448,18 @@ export class Editing {
     const domain = this.#domain === NO_DOMAIN ? undefined : { ...this.#domain, areas: this.areas }
     const isSameData = attributes === this.#scene.attributes
     const isEdited = this.#scene.isEdited || !isSameData || !isSame(circles, this.#scene.circles)
-    return [{ kind: 'opening', scene: { ...this.#scene, circles, isEdited, attributes, domain }, ids, numbering }]
+    const scene = { ...this.#scene, circles, isEdited, attributes, domain, colors: this.#colors }
+    return [{ kind: 'opening', scene, ids, numbering }]
+  }
+
+  /** Whether the history has edits of the current circles. */
+  get #isRecorded(): boolean {
+    return [this.#history.done, this.#history.undone].some((side) => side.at(-1)?.kind === 'edits')
+  }
+
+  /** The colors of the circles by ascending id; `undefined` if opening the circles anew chooses the same. */
+  get colors(): string | undefined {
+    return this.#scene?.colors !== undefined || this.#isRecorded ? this.#colors : undefined
   }
 
   /** Predicts a circle's value after all pending requests, assuming that none is refused. */
@@ -461,6 +482,7 @@ export class Editing {
     try {
       const before = this.circles
       const edited = await job.run()
+      this.#colors = edited?.colors ?? this.#colors
       this.#history = limited(this.#history, this.#mostBytes)
       if (edited !== undefined) {
         const { domain, attributes } = this

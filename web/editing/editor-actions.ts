@@ -95,7 +95,7 @@ export class EditorActions implements GestureTarget {
 
   /** The current state in the form of a link; `undefined` before the first opening. */
   linkState(): LinkInput | undefined {
-    const { scene, circles, domain, areas } = this.#editing
+    const { scene, circles, domain, areas, colors } = this.#editing
     if (scene === undefined) return undefined
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
@@ -108,6 +108,7 @@ export class EditorActions implements GestureTarget {
     return {
       ...said,
       ...(names && { names }),
+      ...(colors !== undefined && { colors }),
       ...(attributes && { attributes }),
       ...regionOfLink(scene, domain),
       ...(domain.lattice && { lattice: domain.lattice }),

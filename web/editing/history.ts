@@ -18,6 +18,8 @@ export interface Scene {
   readonly attributes?: Attributes | undefined
   /** The clipping region and the areas, if any. */
   readonly domain?: Domain | undefined
+  /** The colors of the circles, if they are not to be chosen anew (`LinkState.colors`). */
+  readonly colors?: string | undefined
 }
 
 /** The edits that undo one gesture. */

@@ -93,6 +93,11 @@ export interface LinkState extends LinkFrame {
   readonly attributes?: LinkAttributes | undefined
   /** The name of a data set, instead of circles. */
   readonly dataSet?: string | undefined
+  /**
+   * The colors in which the playground shows the circles: a digit from 0 to 5 for each, by ascending id. Others are
+   * chosen so that neighbors differ.
+   */
+  readonly colors?: string | undefined
   /** The edits in order; ids are those of `DiagramEditor`. */
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
@@ -130,6 +135,7 @@ const FIELDS = [
   'circles',
   'names',
   'attributes',
+  'colors',
   'dataSet',
   'edits',
   'view',
@@ -181,13 +187,15 @@ function linkFrom(letters: string): string {
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null)
     refuseInput(`The state of a link must be an object, not ${shown(state)}.`)
-  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = state
+  const { circles, names, attributes, colors, dataSet, edits, view, layers, step, method, region, lattice, areas } =
+    state
   if (edits !== undefined && !Array.isArray(edits))
     refuseInput(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> & LinkFrame = {
     circles: circles && [...coordinatesOf(circles)],
     names,
     attributes,
+    colors,
     dataSet,
     edits: edits && Array.from(edits, listOf),
     view: view && [view.x, view.y, view.span],
@@ -245,6 +253,7 @@ interface EncodedLink extends LinkFrame {
   readonly circles?: readonly number[] | undefined
   readonly names?: readonly string[] | undefined
   readonly attributes?: LinkAttributes | undefined
+  readonly colors?: string | undefined
   readonly dataSet?: string | undefined
   readonly edits?: readonly (readonly [kind: '+' | '-' | '=', ...numbers: number[]])[] | undefined
   readonly view?: readonly [number, number, number] | undefined
@@ -257,11 +266,13 @@ interface EncodedLink extends LinkFrame {
 }
 
 function stateOf(said: EncodedLink): LinkState {
-  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = said
+  const { circles, names, attributes, colors, dataSet, edits, view, layers, step, method, region, lattice, areas } =
+    said
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
     ...(names && { names }),
     ...(attributes && { attributes }),
+    ...(colors !== undefined && { colors }),
     ...(dataSet !== undefined && { dataSet }),
     ...(edits && { edits: edits.map(editOf) }),
     ...(view && { view: { x: view[0], y: view[1], span: view[2] } }),
@@ -310,7 +321,8 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 /** Why this is not `Said`. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it has no content'
-  const { circles, names, attributes, dataSet, edits, view, layers, step, method, region, lattice, areas } = said
+  const { circles, names, attributes, colors, dataSet, edits, view, layers, step, method, region, lattice, areas } =
+    said
   if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0))
     return 'the step is not a whole number from 0'
   if (method !== undefined && !isName(method)) return 'the method is not a name'
@@ -330,6 +342,8 @@ function problemOf(said: unknown): string | undefined {
   }
   if (attributes !== undefined && !areAttributes(attributes, Array.isArray(circles) ? circles.length / 3 : 0))
     return 'the attributes are not those of the circles'
+  if (colors !== undefined && !(typeof colors === 'string' && /^[0-5]*$/.test(colors)))
+    return 'the colors are not digits from 0 to 5'
   if (dataSet !== undefined) {
     if (!isName(dataSet)) return 'the data set is not a name'
     if (circles !== undefined) return 'it has circles and a data set'

@@ -17,19 +17,19 @@ export class SceneBackend implements DiagramBackend {
   }
 
   async setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited> {
-    const { circles: fittedCircles, fitted } = this.scene.open(circles, change, await regionsFor(change))
+    const { circles: fittedCircles, fitted, colors } = this.scene.open(circles, change, await regionsFor(change))
     this.circles = new CircleTable(Float64Array.from(fittedCircles ?? circles))
-    return this.#edited(NO_CHANGE, fitted)
+    return this.#edited(NO_CHANGE, fitted, colors)
   }
 
   async apply(edits: readonly UndoEdit[], domain?: DomainChange): Promise<Edited> {
-    const { change, fitted } = this.scene.edit(edits, domain, await regionsFor(domain))
-    return this.#edited(change, fitted)
+    const { change, fitted, colors } = this.scene.edit(edits, domain, await regionsFor(domain))
+    return this.#edited(change, fitted, colors)
   }
 
-  #edited(change: typeof NO_CHANGE, fitted: Fitted | undefined): Edited {
+  #edited(change: typeof NO_CHANGE, fitted: Fitted | undefined, colors: string | undefined): Edited {
     const back = this.circles.follow(change)
-    return { counts: this.scene.counts(), inserted: change.inserted, back, fitted, seconds: 0 }
+    return { counts: this.scene.counts(), inserted: change.inserted, back, fitted, colors, seconds: 0 }
   }
 }
 

@@ -32,6 +32,8 @@ export interface Edited {
   readonly back: readonly UndoEdit[]
   /** The accuracy of fitted areas; `undefined` if no areas were prescribed. */
   readonly fitted?: Fitted | undefined
+  /** The colors that tell circles from their neighbors, by ascending id, if they have changed (`Coloring`). */
+  readonly colors?: string | undefined
   /** The computing time. */
   readonly seconds: number
 }
@@ -195,13 +197,14 @@ export class Painter {
       ([module, others]) => worker.postMessage({ kind: 'start', module, others } satisfies ToPainter),
       (error: Error) => fail(() => reasonOf(error)),
     )
-    for (const [scene, { circles, domain, look, mark, layers }] of this.#scenes) {
+    for (const [scene, { circles, domain: kept, look, mark, layers }] of this.#scenes) {
+      const { colors, ...domain } = kept
       const known = { scene, revision: RESTORED, opening: circles.opening }
       const restoring = circles.restoring()
       worker.postMessage({ kind: 'add', scene } satisfies ToPainter)
       if (layers !== undefined) worker.postMessage(layers)
       worker.postMessage({ kind: 'open', circles: restoring.circles, ...domain, ...known } satisfies ToPainter)
-      worker.postMessage({ kind: 'edit', edits: restoring.edits, ...known } satisfies ToPainter)
+      worker.postMessage({ kind: 'edit', edits: restoring.edits, colors, ...known } satisfies ToPainter)
       if (look !== undefined) worker.postMessage(look)
       if (mark !== undefined) worker.postMessage(mark)
     }
@@ -236,7 +239,8 @@ export class Painter {
     }
     const { message: asked } = waiting
     const { region = scene.domain.region, lattice = scene.domain.lattice, areSites = scene.domain.areSites } = asked
-    scene.domain = { region, lattice, areSites }
+    const { counts, fitted, seconds, colors } = message
+    scene.domain = { region, lattice, areSites, colors: colors ?? scene.domain.colors }
     if (message.kind === 'opened' && waiting.message.kind === 'open') {
       // The highlighted ids belonged to former circles.
       scene.mark = undefined
@@ -244,8 +248,7 @@ export class Painter {
     }
     const { change = NO_CHANGE } = message
     const back = scene.circles.follow(change)
-    const { counts, fitted, seconds } = message
-    waiting.resolve({ counts, fitted, seconds, inserted: change.inserted, back })
+    waiting.resolve({ counts, fitted, seconds, colors, inserted: change.inserted, back })
   }
 
   #fail(reason: Reason, during?: InProgress): void {

@@ -71,6 +71,8 @@ export interface DomainChange {
   readonly fit?: Shares | undefined
   /** Whether circles are drawn as points, because their radii are only weights. */
   readonly areSites?: boolean | undefined
+  /** The colors of the circles afterwards, by ascending id (`Coloring`); `undefined` keeps those that are known. */
+  readonly colors?: string | undefined
 }
 
 /** Shares of a region, as numbers above 0; `undefined` makes all equal. */
@@ -173,6 +175,7 @@ export type FromPainter =
       /** The circles with fitted radii. */
       readonly circles?: Float64s | undefined
       readonly fitted?: Fitted | undefined
+      readonly colors?: string | undefined
       readonly change?: undefined
     }
   | {
@@ -189,6 +192,7 @@ export type FromPainter =
       /** `undefined`: not computed yet. */
       readonly found: GlobalResults | undefined
       readonly fitted?: Fitted | undefined
+      readonly colors?: string | undefined
       readonly seconds: number
     }
   | { readonly kind: 'refused'; readonly scene: number; readonly revision: number; readonly error: PostedError }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, NONE } from '../../lib/base/diagram-data.ts'
-import type { Diagram, DiagramSnapshot } from '../../lib/index.ts'
+import type { Change, Diagram, DiagramSnapshot } from '../../lib/index.ts'
 import { MAP_COLORS } from '../style.ts'
 import { type Identified, idOf } from './cell-boxes.ts'
 
@@ -14,8 +14,32 @@ export class Coloring {
   /** The colors by circle id. */
   #colors: Uint8Array
 
+  /** Whether `news` has returned the current colors. */
+  #isTold = false
+
   constructor(diagram: Diagram) {
     this.#colors = colored(diagram)
+  }
+
+  /** Takes the colors of the first circles, a digit each by ascending id. */
+  take(diagram: DiagramSnapshot, digits: string): void {
+    this.#idsIn(diagram).forEach((id, k) => {
+      if (k < digits.length) this.#colors[id] = Number(digits[k]) % MAP_COLORS
+    })
+    this.#isTold = false
+  }
+
+  /** The colors of all circles, as for `take`; `undefined` if they have not changed since the last call. */
+  news(diagram: DiagramSnapshot): string | undefined {
+    if (this.#isTold) return undefined
+    this.#isTold = true
+    return this.#idsIn(diagram)
+      .map((id) => this.colorOf(id))
+      .join('')
+  }
+
+  #idsIn(diagram: DiagramSnapshot): number[] {
+    return Array.from(this.#colors.keys()).filter((id) => diagram.indexOf(id) !== NONE)
   }
 
   colorOf(id: number): number {
@@ -23,7 +47,8 @@ export class Coloring {
   }
 
   /** Colors inserted circles. One that had an id before, `formerIds[k]`, gets its color back. */
-  follow(diagram: DiagramSnapshot, inserted: Int32Array, formerIds: FormerIds): void {
+  follow(diagram: DiagramSnapshot, { inserted, removed }: Change, formerIds: FormerIds): void {
+    if (inserted.length > 0 || removed.length > 0) this.#isTold = false
     inserted.forEach((id, k) => {
       if (id >= this.#colors.length) this.#grow(id)
       const former = this.#colors[formerIds[k] ?? NONE] ?? UNCOLORED

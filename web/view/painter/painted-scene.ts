@@ -54,10 +54,11 @@ const QUICK_POWER = 0.01
 /** With more neighbors than this, only the circle's own cell is highlighted. */
 const MOST_NEIGHBORS = 500
 
-/** The circles with fitted radii, and the accuracy of their areas if areas were prescribed. */
-interface FitResult {
+/** The circles with fitted radii, the accuracy of their areas if areas were prescribed, and their colors. */
+interface OpenResult {
   readonly circles: Float64s | undefined
   readonly fitted: Fitted | undefined
+  readonly colors: string | undefined
 }
 
 /** The diagram of one view and the tiles already sent to it. */
@@ -94,7 +95,7 @@ export class PaintedScene {
    * Replaces the circles. `regions` is required for a region or a fit.
    * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; the scene stays unchanged
    */
-  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): FitResult {
+  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): OpenResult {
     const clip = this.#clipOf(change, regions)
     const torus = this.#torusOf(change, clip)
     const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
@@ -111,8 +112,10 @@ export class PaintedScene {
     // The selected ids belonged to the former circles.
     this.#selected = undefined
     this.#hovered = undefined
+    if (change.colors !== undefined) picture.recolor(change.colors)
     this.setLayers(layers)
     return {
+      colors: picture.newColors(),
       circles: opened === circles ? undefined : opened.slice(),
       fitted: fit && { error: fit.error, steps: fit.steps },
     }
@@ -272,6 +275,7 @@ export class PaintedScene {
     change: CircleChange
     found: GlobalResults | undefined
     fitted: Fitted | undefined
+    colors: string | undefined
   } {
     const clip = this.#clipOf(domain, regions)
     const torus = this.#torusOf(domain, clip)
@@ -281,12 +285,14 @@ export class PaintedScene {
         : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
     const formerIds = asked.flatMap((edit) => (edit.kind === 'insert' ? [edit.formerId] : []))
     const change = this.picture.editor.apply(edits)
-    const { areSites = this.picture.areSites } = domain
+    const { areSites = this.picture.areSites, colors } = domain
     const isRepeatedOtherwise = torus !== this.picture.torus
-    const isElsewhere = clip !== this.picture.clip || areSites !== this.picture.areSites || isRepeatedOtherwise
+    const isOtherwiseDrawn = areSites !== this.picture.areSites || colors !== undefined
+    const isElsewhere = clip !== this.picture.clip || isOtherwiseDrawn || isRepeatedOtherwise
     this.picture.clip = clip
     const { boxes, isEverywhere } = isRepeatedOtherwise ? this.#repeatIn(torus) : this.picture.apply(change, formerIds)
     this.picture.areSites = areSites
+    if (colors !== undefined) this.picture.recolor(colors)
     // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
     const patches = isElsewhere ? [] : this.#repaint(isAtOnce ? undefined : boxes)
@@ -297,6 +303,7 @@ export class PaintedScene {
       patches,
       boxes,
       change: { inserted, removed, replaced, circles },
+      colors: this.picture.newColors(),
       fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
     }

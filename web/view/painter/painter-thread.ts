@@ -87,7 +87,11 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
         return
       }
       try {
-        const { patches, boxes, change, found, fitted } = scene.edit(message.edits, message, await regionsFor(message))
+        const { patches, boxes, change, found, fitted, colors } = scene.edit(
+          message.edits,
+          message,
+          await regionsFor(message),
+        )
         post(
           {
             kind: 'edited',
@@ -101,6 +105,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
             marks: scene.marks(),
             found,
             fitted,
+            colors,
             seconds: secondsSince(start),
           },
           patches.map(({ image }) => image),

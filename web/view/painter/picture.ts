@@ -150,10 +150,25 @@ export class Picture {
     else if (cells === 'area') this.#measures = this.areas()
     else if (cells === 'gap') this.#measures = this.gaps()
     else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram, this.#clip)
-    if (cells === 'different') this.#coloring ??= new Coloring(this.#snapshot)
+    if (cells === 'different') this.#hasColors()
     if (!layers.dual) this.#stars = undefined
     if (layers.data !== this.#layers.data) this.data = layers.data.map((layer) => indexed(layer, layer.color))
     this.#layers = layers
+  }
+
+  #hasColors(): Coloring {
+    this.#coloring ??= new Coloring(this.#snapshot)
+    return this.#coloring
+  }
+
+  /** Gives the circles the colors that they had elsewhere (`Coloring.take`). */
+  recolor(digits: string): void {
+    this.#hasColors().take(this.#snapshot, digits)
+  }
+
+  /** The colors of all circles if they have changed since the last call. */
+  newColors(): string | undefined {
+    return this.#coloring?.news(this.#snapshot)
   }
 
   /** The clipping region, if any. */
@@ -261,7 +276,7 @@ export class Picture {
     this.#measures?.forget(changed)
     this.#areas?.forget(changed)
     this.#gaps?.forget(changed)
-    this.#coloring?.follow(this.diagram, inserted, formerIds)
+    this.#coloring?.follow(this.#snapshot, change, formerIds)
     const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown], cells)]
     boxes.push(...(this.centers?.apply(change).boxes ?? []))
     return {
@@ -281,7 +296,7 @@ export class Picture {
     this.#gaps = undefined
     this.#measures = undefined
     this.layers = this.#layers
-    this.#coloring?.follow(this.#snapshot, change.inserted, formerIds)
+    this.#coloring?.follow(this.#snapshot, change, formerIds)
     return { boxes: [], isEverywhere: true }
   }
 
