@@ -79,6 +79,19 @@ const STATES: Readonly<Record<string, LinkInput>> = {
       { kind: 'replace', id: 4, circle: { x: 6, y: 3, r: 0.9 } },
     ],
   },
+  'names, colors, axes and a grid': {
+    circles: CIRCLES,
+    attributes: {
+      properties: ['{"name":"A & <B>"}', '{"fill":"#abcdef"}', '{"name":"漢字"}', '{"n":1}', '{}', '{}', '{}'],
+      ids: [],
+      heights: [],
+      collection: '',
+    },
+    colors: '0123450',
+    layers: layers('grid'),
+  },
+  'names alone': { circles: CIRCLES, names: ['A', '', 'B', '', '', 'C', ''], layers: { labels: true } },
+  'names that are not shown': { circles: CIRCLES, names: ['A', '', 'B', '', '', 'C', ''], layers: { labels: false } },
   'a step of the method': { circles: CIRCLES, step: 40, layers: { dual: true } },
   'a step of flips': { circles: CIRCLES, step: 3, method: 'auto' },
   'the last step': { circles: CIRCLES, step: 100_000 },
@@ -122,6 +135,14 @@ for (const scheme of ['light', 'dark'] as const) {
     }
   })
 }
+
+test('a picture has the names of circles and their colors', async () => {
+  const named = await renderSVG(STATES['names, colors, axes and a grid'] as LinkInput)
+  for (const text of ['>A &#38; &#60;B&#62;</text>', '>漢字</text>', '#abcdef', '>10</text>'])
+    expect(named).toContain(text)
+  expect(await renderSVG(STATES['names alone'] as LinkInput)).toContain('>A</text>')
+  expect(await renderSVG(STATES['names that are not shown'] as LinkInput)).not.toContain('<text')
+})
 
 test('a picture in Node is what the playground saves of a link', async ({ page, baseURL }) => {
   const view = { x: 5, y: 4, span: 9 }

@@ -4,13 +4,13 @@ import { describe, expect, it } from 'vitest'
 import {
   middleOf,
   nextInDirection,
-  roundStep,
   scaled,
   snappedInPlace,
   snappedInSize,
   stepped,
 } from '../../web/editing/arranging.ts'
 import type { Circle, Point } from '../../web/lib/index.ts'
+import { roundStep } from '../../web/view/round-step.ts'
 
 const coordinate = fc.double({ min: -100, max: 100, noNaN: true })
 const point = fc.record({ x: coordinate, y: coordinate })

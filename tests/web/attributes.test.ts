@@ -11,12 +11,12 @@ import {
   isNumeric,
   membersOf,
   NO_ATTRIBUTES,
-  nameColumn,
   numberIn,
   textIn,
   valueFrom,
 } from '../../web/editing/attributes.ts'
 import { Editing } from '../../web/editing/editing.ts'
+import { nameColumn, namesBy } from '../../web/editing/identity.ts'
 import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import { NONE } from '../../web/lib/base/diagram-data.ts'
@@ -69,8 +69,8 @@ describe('attributes', () => {
     expect([numberIn('2.50'), numberIn('"1"'), numberIn('null'), numberIn(undefined)]).toEqual([2.5, NaN, NaN, NaN])
     expect(['"A\\n"', '2.50', 'null', '', undefined, '[1]'].map(textIn)).toEqual(['A\n', '2.50', '', '', '', '[1]'])
     expect(nameColumn(ATTRIBUTES.columns)?.name).toBe('name')
-    const named = (...names: string[]) => nameColumn(names.map((name) => ({ name, values: [] })))?.name
-    expect([named('ID', 'Ort'), named('n', 'id'), named('n')]).toEqual(['Ort', 'id', undefined])
+    const named = (...names: string[]) => namesBy(names.map((name) => ({ name, values: [`"${name} 0"`] })))(0)
+    expect([named('ID', 'Ort'), named('n', 'id'), named('n')]).toEqual(['Ort 0', 'id 0', ''])
   })
 
   it('take what is written as a value of their column', () => {
@@ -119,8 +119,8 @@ describe('in the page, attributes', () => {
     await editing.edit([{ kind: 'remove', id: 0 }])
     await editing.edit([{ kind: 'insert', circle: { x: 5, y: 5, r: 1 } }])
     expect(values('fips')).toEqual(['1003', '06037', ''])
-    await editing.setValue(1, 'fips', '"2"')
-    await editing.setValue(3, 'fips', '"new"')
+    await editing.setValues('fips', new Map([[1, '"2"']]))
+    await editing.setValues('fips', new Map([[3, '"new"']]))
     expect(values('fips')).toEqual(['2', '06037', 'new'])
     expect(store.get().attributes).toBe(editing.attributes)
     await editing.open({ circles: THREE, dataSet: '', isEdited: false })
@@ -147,7 +147,7 @@ describe('in the page, attributes', () => {
       Array.from(editing.circles.ids(), (id) => `${editing.circles.get(id)?.x} ${textIn(editing.valueOf(id, 'fips'))}`)
     await editing.edit([{ kind: 'remove', id: 1 }])
     await insert(20)
-    await editing.setValue(3, 'fips', '"new"')
+    await editing.setValues('fips', new Map([[3, '"new"']]))
     await editing.open({ circles: THREE, dataSet: '', isEdited: false })
     await editing.undo()
     expect(names()).toEqual(['0 01001', '0 06037', '20 new'])
@@ -168,14 +168,14 @@ describe('in the page, attributes', () => {
   it('of several edits of one gesture are one step of undo', async () => {
     const { editing } = await started()
     const gesture = editing.beginGesture()
-    for (const id of [0, 1, 2]) await editing.setValue(id, 'n', String(id), gesture)
+    for (const id of [0, 1, 2]) await editing.setValues('n', new Map([[id, String(id)]]), gesture)
     await editing.undo()
     expect(Array.from([0, 1, 2], (id) => editing.valueOf(id, 'n'))).toEqual(['12345678901234567890', '2.50', 'null'])
   })
 
   it('are void for circles that have come since', async () => {
     const { editing } = await started()
-    const [, set] = await Promise.all([editing.open(scene), editing.setValue(0, 'n', '1')])
+    const [, set] = await Promise.all([editing.open(scene), editing.setValues('n', new Map([[0, '1']]))])
     expect([set, editing.valueOf(0, 'n')]).toEqual([undefined, '12345678901234567890'])
   })
 
@@ -194,19 +194,15 @@ describe('in the page, attributes', () => {
 
     const tried: unknown[] = []
     const files = {
-      call: async (_: string, state: { names?: unknown; attributes?: unknown }) => {
-        tried.push([state.names, state.attributes !== undefined])
-        if (tried.length < 3) throw new Error('too large')
+      call: async (_: string, state: { attributes?: unknown }) => {
+        tried.push(state.attributes !== undefined)
+        if (tried.length < 2) throw new Error('too large')
         return 'v1.x'
       },
     }
-    const many = { circles: new Float64Array(9000), names: ['A'], attributes: FILE }
+    const many = { circles: new Float64Array(9000), attributes: FILE }
     expect(await new LinkWriter(files as never).linkOf(many)).toBe('v1.x')
-    expect(tried).toEqual([
-      [['A'], true],
-      [['A'], false],
-      [undefined, false],
-    ])
+    expect(tried).toEqual([true, false])
   })
 
   it('of a link are refused unless they are those of its circles', async () => {
@@ -270,7 +266,7 @@ describe('colors by a column', () => {
     actions.colorBy('n')
     const values = () => [...(view.layers.column?.values ?? [])]
     expect(values()[1]).toBe(2.5)
-    await editing.setValue(1, 'n', '3')
+    await editing.setValues('n', new Map([[1, '3']]))
     expect(values()[1]).toBe(3)
     await editing.edit([{ kind: 'remove', id: 1 }])
     await editing.undo()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
+import { NO_ATTRIBUTES, namedAs } from '../../web/editing/attributes.ts'
 import { Editing, type Outcome } from '../../web/editing/editing.ts'
 import { EMPTY_HISTORY } from '../../web/editing/history.ts'
 import { problemOf } from '../../web/editing/problem.ts'
@@ -256,8 +256,9 @@ describe('Editing', () => {
   it('keeps names and columns with their circles; an added circle has none', async () => {
     const { editing } = await started()
     expect([[...editing.valuesOf('height')], editing.nameOf(0)]).toEqual([[Number.NaN, Number.NaN], ''])
-    const attributes = { ...NO_ATTRIBUTES, columns: [{ name: 'height', values: ['3', '4'] }] }
-    await editing.open({ ...sceneOf(TWO), names: ['one', 'two'], attributes })
+    const { columns } = namedAs(['one', 'two'])
+    const attributes = { ...NO_ATTRIBUTES, columns: [{ name: 'height', values: ['3', '4'] }, ...columns] }
+    await editing.open({ ...sceneOf(TWO), attributes })
     await editing.edit([{ kind: 'remove', id: 0 }])
     await editing.undo()
     await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])

@@ -31,8 +31,8 @@ const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta
 
 describe('circles', () => {
   test('as the arrays of a diagram are written', () => {
-    expect(readCircles('{"circles": [0, 0, 1, 5, 0, 2]}')).toEqual(Float64Array.of(0, 0, 1, 5, 0, 2))
-    expect(readCircles('[]')).toHaveLength(0)
+    expect(readCircles('{"circles": [0, 0, 1, 5, 0, 2]}').circles).toEqual(Float64Array.of(0, 0, 1, 5, 0, 2))
+    expect(readCircles('[]').circles).toHaveLength(0)
   })
 
   test.each([
@@ -71,7 +71,7 @@ describe('attributes', () => {
     'there is no layer %s',
     (word) => {
       expect(() => parseLayers(`hull ${word}`)).toThrow(
-        `There is no layer ${word}. The layers are circles, cells, edges, vertices, near-zero, hidden, disc, hull,`,
+        `There is no layer ${word}. The layers are circles, cells, labels, grid, edges, vertices, near-zero, hidden, disc, hull,`,
       )
     },
   )

@@ -71,16 +71,17 @@ it('ends what is opened where that is canceled, which is told, and nothing that 
   expect(threads).toHaveLength(3)
 })
 
-it('writes a link without names if it would be too large with them', async () => {
+it('writes a link without attributes if it would be too large with them', async () => {
   vi.stubGlobal('Worker', FakeWorker)
   const links = new LinkWriter(new FilesClient())
   const circles = Float64Array.from({ length: 9000 }, (_, k) => k)
-  const link = links.linkOf({ circles, names: ['A'] })
+  const attributes = { properties: [], ids: [], heights: [], collection: '{"a":1}' }
+  const link = links.linkOf({ circles, attributes })
   const [thread] = threads
-  expect(thread?.calls[0]?.args).toEqual([{ circles, names: ['A'] }])
+  expect(thread?.calls[0]?.args).toEqual([{ circles, attributes }])
   thread?.reply({ error: { code: 'linkTooLong', circle: undefined, message: 'The link is too large.' } })
   await vi.waitFor(() => expect(thread?.calls).toHaveLength(2))
-  expect(thread?.calls[1]?.args).toEqual([{ circles, names: undefined }])
+  expect(thread?.calls[1]?.args).toEqual([{ circles, attributes: undefined }])
   thread?.reply({ value: 'v1.x' })
   expect(await link).toBe('v1.x')
 })

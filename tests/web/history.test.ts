@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
+import { namedAs } from '../../web/editing/attributes.ts'
 import { EMPTY_HISTORY, type History, idsOnceOpened, limited, record, renamed } from '../../web/editing/history.ts'
 import { PackedSteps } from '../../web/editing/packed-steps.ts'
 import type { UndoEdit } from '../../web/view/circle-table.ts'
@@ -114,13 +115,13 @@ describe('a history', () => {
     expect(gestures(limited(many, 0))).toEqual([[4], [6]])
   })
 
-  it('counts the circles and the names of what was opened', () => {
+  it('counts the circles and the attributes of what was opened', () => {
     const numbering = { numbers: new Map<number, number>(), shift: 0, end: 1000 }
     const opening = (names?: string[]) => {
       const circles = new Float64Array(3000)
       return {
         kind: 'opening' as const,
-        scene: { circles, dataSet: '', isEdited: false, names },
+        scene: { circles, dataSet: '', isEdited: false, attributes: names && namedAs(names) },
         ids: new Int32Array(1000),
         numbering,
       }

@@ -22,8 +22,17 @@ afterEach(() => {
 function described(id: number, ...neighbors: number[]): Described {
   const circle = { x: 0, y: 0, r: 1 }
   const none = new Float64Array()
-  const [isBounded, hiddenBy] = [true, undefined]
-  return { id, circle, hiddenBy, isBounded, neighbors: Int32Array.from(neighbors), outline: none, neighborhood: none }
+  const [isBounded, hiddenBy, color] = [true, undefined, '#123456']
+  return {
+    id,
+    circle,
+    color,
+    hiddenBy,
+    isBounded,
+    neighbors: Int32Array.from(neighbors),
+    outline: none,
+    neighborhood: none,
+  }
 }
 
 /** Collects the announcements, and returns a function that changes the state. */
@@ -31,7 +40,10 @@ function speaker() {
   const store = createStore(INITIAL_STATE)
   const texts: string[] = []
   const element = { replaceChildren: (text: string) => texts.push(text) }
-  mountLiveRegion(store, element as unknown as HTMLElement, () => ENGLISH_EDITING)
+  mountLiveRegion(store, element as unknown as HTMLElement, {
+    words: ENGLISH_EDITING,
+    called: (id) => ENGLISH_EDITING.called(id, id === 7 ? 'Hamburg' : ''),
+  })
   const change = (part: Partial<State>) => {
     store.update((state) => ({ ...state, ...part }))
     frame()

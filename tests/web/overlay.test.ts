@@ -2,6 +2,7 @@
 // Highlights, selections and sketches above the picture: each is visible where it is, and all are twice as large at twice the pixel ratio.
 import { describe, expect, it } from 'vitest'
 import type { PathSink } from '../../web/lib/index.ts'
+import { NO_PADDING } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { drawOverlay, isNothingAbove, NOTHING_STANDS_OUT } from '../../web/view/overlay.ts'
 import { commandsOf } from '../../web/view/painter/commands.ts'
@@ -14,7 +15,15 @@ type Above = Parameters<typeof drawOverlay>[4]
 /** The colors of a style are the names of its properties. */
 const STYLE = new Proxy({}, { get: (_, name) => name }) as Style
 const FRAME = { x: 0, y: 0, scale: 10, width: 400, height: 300 }
-const EMPTY: Above = { ...NOTHING_STANDS_OUT, above: [], found: undefined, layers: DEFAULT_LAYERS }
+const NO_NAMES = { list: [], circleOf: () => undefined }
+const EMPTY: Above = {
+  ...NOTHING_STANDS_OUT,
+  above: [],
+  found: undefined,
+  layers: DEFAULT_LAYERS,
+  names: NO_NAMES,
+  covered: NO_PADDING,
+}
 
 /** Keeps every operation with its lengths, in pixels. */
 class RecordedDrawing implements Drawing {
@@ -76,6 +85,7 @@ const square = (half: number) =>
 const described = (hiddenBy?: number) => ({
   id: 1,
   circle: { x: 1, y: 2, r: 3 },
+  color: undefined,
   hiddenBy,
   isBounded: true,
   neighbors: Int32Array.of(0),

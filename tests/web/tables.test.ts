@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of other programs, names of circles, and pictures as circles.
 import { describe, expect, it } from 'vitest'
-import { namesIn } from '../../web/app/data-sets.ts'
 import { guessedColumns, nameOfColumn, type Table, unknownTable } from '../../web/app/files/columns.ts'
 import { stippled } from '../../web/app/files/stipple.ts'
 import { randomNumbers } from '../../web/app/random-numbers.ts'
 import { attributesOf, columnsOf } from '../../web/editing/attributes.ts'
 import { loadFiles } from '../../web/lib/files.ts'
+import { namedCirclesOfText } from '../../web/view/circle-text.ts'
 
 const table = (text: string) => unknownTable(text) as Table
 
@@ -110,9 +110,24 @@ describe('columns', async () => {
   })
 })
 
-it('names are read from the data sets of the page', () => {
-  expect(namesIn('x,y,r,name\n1,2,3,A\n')).toEqual(['A'])
-  expect(namesIn('x,y,r\n1,2,3\n')).toBeUndefined()
+it('names and colors are read from tables, objects and GeoJSON', () => {
+  const columns = [
+    { name: 'name', values: ['"A, B"', ''] },
+    { name: 'Farbe', values: ['"red"', '"#12f"'] },
+  ]
+  expect(namedCirclesOfText('x,y,r,name,n,Farbe\n1,2,3,"A, B",7,red\n4,5,6,,8,#12f\n').columns).toEqual(columns)
+  const items = [
+    { x: 1, y: 2, r: 3, name: 'A, B', Farbe: 'red', n: 7 },
+    { x: 4, y: 5, r: 6, name: '', Farbe: '#12f', title: 7 },
+  ]
+  expect(namedCirclesOfText(JSON.stringify(items)).columns).toEqual(columns)
+  const features = items.map((properties) => ({
+    type: 'Feature',
+    geometry: { type: 'Point', coordinates: [0, 0] },
+    properties,
+  }))
+  expect(namedCirclesOfText(JSON.stringify({ type: 'FeatureCollection', features })).columns).toEqual(columns)
+  expect(namedCirclesOfText('x,y,r\n1,2,3\n').columns).toEqual([])
 })
 
 it('a picture becomes circles that do not overlap, most of them where it is dark, the same each time', () => {

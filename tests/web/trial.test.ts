@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
+import { NO_PADDING } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { drawOverlay, NOTHING_STANDS_OUT } from '../../web/view/overlay.ts'
 import { idOf } from '../../web/view/painter/cell-boxes.ts'
@@ -92,6 +93,8 @@ describe('what a circle would take', () => {
     drawOverlay(drawing, frame, 1, style, {
       ...NOTHING_STANDS_OUT,
       above: [],
+      names: { list: [], circleOf: () => undefined },
+      covered: NO_PADDING,
       found: undefined,
       layers: DEFAULT_LAYERS,
       trial,

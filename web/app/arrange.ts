@@ -7,6 +7,7 @@ const AROUND = '#figure, #top, #rail, #left > .panel, #share, #player'
 
 /** Keeps all circles visible, if they were, when panels open and when the window changes its size. */
 export function arrangeAround(view: View, actions: PageActions): void {
+  view.covered = () => actions.paddingNow
   let isWhole = actions.isWhole
   let table = view.circles
   const look = () => {

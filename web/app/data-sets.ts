@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { NO_ATTRIBUTES } from '../editing/attributes.ts'
 import type { Float64s } from '../lib/index.ts'
 import { LINK_LIMITS } from '../lib/link.ts'
-import { circlesOfText } from '../view/circle-text.ts'
+import { namedCirclesOfText } from '../view/circle-text.ts'
 import type { Domain } from '../view/domain.ts'
 import { readRegion } from '../view/region-text.ts'
-import { recordsOf } from '../view/table-text.ts'
 import { wholeNumber } from '../view/whole-number.ts'
 import type { NamedCircles } from './files/files-protocol.ts'
 import type { Recipe } from './generators/generators.ts'
@@ -179,15 +179,9 @@ async function fetched(name: string): Promise<Loaded> {
   const { hasRegion = false } = dataSetOf(name) ?? {}
   const files = [asked ?? request(`${name}.csv`), ...(hasRegion ? [request(`${name}.region.json`)] : [])]
   const [table = '', region] = await Promise.all(files.map(async (file) => textOf(await file, name)))
-  const circles = { circles: circlesOfText(table), names: namesIn(table) }
+  const { circles: numbers, columns } = namedCirclesOfText(table)
+  const circles = { circles: numbers, ...(columns.length > 0 && { attributes: { ...NO_ATTRIBUTES, columns } }) }
   return region === undefined ? circles : { ...circles, domain: { region: readRegion(region), areas: undefined } }
-}
-
-/** Returns the column of names of a data set. */
-export function namesIn(table: string): string[] | undefined {
-  const [header, ...rows] = recordsOf(table, ',')
-  const column = header?.fields.findIndex(({ text }) => text === 'name') ?? -1
-  return column < 0 ? undefined : rows.map(({ fields }) => fields[column]?.text ?? '')
 }
 
 function textOf(response: Response, name: string): Promise<string> {

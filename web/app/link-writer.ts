@@ -14,7 +14,7 @@ export class LinkWriter {
   }
 
   /**
-   * Drops names and attributes that do not fit.
+   * Drops attributes that do not fit.
    * @throws CircleVoronoiError as `encodeLink`
    */
   async linkOf(state: LinkInput): Promise<string> {
@@ -22,10 +22,8 @@ export class LinkWriter {
     try {
       return await write(state)
     } catch (error) {
-      if (state.names === undefined && state.attributes === undefined) throw error
-      // Drops the larger part first.
-      const names = state.attributes === undefined ? undefined : state.names
-      return this.linkOf({ ...state, names, attributes: undefined })
+      if (state.attributes === undefined) throw error
+      return write({ ...state, attributes: undefined })
     }
   }
 }

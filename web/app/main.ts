@@ -18,6 +18,7 @@ import { PageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
 import { mountGenerate } from './panels/generate.ts'
 import { mountGroup } from './panels/group.ts'
+import { mountIdentity } from './panels/identity.ts'
 import { mountInspector } from './panels/inspector.ts'
 import { mountInspectorFacts } from './panels/inspector-facts.ts'
 import { mountInspectorShare } from './panels/inspector-share.ts'
@@ -86,7 +87,7 @@ view.on('layers', () => keeping.changed())
 const generate = mountGenerate(actions, files)
 store.subscribe(({ dataSet }) => generate.show(dataSet))
 mountToolbar(store, actions, generate.open)
-mountTrial(view)
+mountTrial(view, actions)
 mountViewControls(actions)
 mountStatus(store)
 mountSay(store)
@@ -107,6 +108,7 @@ listenToClipboard(actions)
 listenToFiles(fileActions, complain)
 restoreInvalidNumbers(document)
 const editNumbers = mountInspector(store, actions)
+mountIdentity(store, editing, actions)
 mountInspectorFacts(store, editing, actions, view)
 mountInspectorShare(store, actions)
 const showHelp = () =>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { type Attributes, columnsOf, isNumeric } from '../editing/attributes.ts'
+import { type Attributes, attributesOfLink, isNumeric, textIn } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
 import { EditorActions, type HowOpened, type OpenRequest } from '../editing/editor-actions.ts'
 import type { Scene } from '../editing/history.ts'
+import { COLOR, colorColumn, isColor, NAME, nameColumn } from '../editing/identity.ts'
 import type { Remedy, State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'
@@ -150,6 +151,30 @@ export class PageActions extends EditorActions {
     return how
   }
 
+  /** The name of a circle, or an empty text. */
+  nameOf(id: number): string {
+    return this.#editing.nameOf(id)
+  }
+
+  /** Names a circle; an empty text removes its name. */
+  async setName(id: number, name: string): Promise<void> {
+    const column = nameColumn(this.#editing.attributes.columns)?.name ?? NAME
+    await this.#editing.setValues(column, new Map([[id, name === '' ? '' : JSON.stringify(name)]]))
+  }
+
+  /** Gives circles a CSS color of their own; `undefined` removes it. */
+  async setColor(ids: readonly number[], color: string | undefined, gesture?: number): Promise<void> {
+    const column = colorColumn(this.#editing.attributes.columns)?.name ?? COLOR
+    const value = color === undefined ? '' : JSON.stringify(color)
+    await this.#editing.setValues(column, new Map(ids.map((id) => [id, value])), gesture)
+  }
+
+  /** The CSS color of its own that a circle has. */
+  ownColorOf(id: number): string | undefined {
+    const color = textIn(this.#editing.valueOf(id, colorColumn(this.#editing.attributes.columns)?.name ?? COLOR))
+    return isColor(color) ? color : undefined
+  }
+
   /** Colors cells by a column; an unknown name ends coloring by column. */
   colorBy(name: string): void {
     const { circles, attributes } = this.#editing
@@ -264,12 +289,12 @@ export class PageActions extends EditorActions {
 
   async #linked(text: string): Promise<OpenRequest> {
     const state = await decodeLink(text)
-    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, lattice, areas, colors } = state
-    const attributes = state.attributes && columnsOf(state.attributes, (circles?.length ?? 0) / 3)
+    const { circles, dataSet, edits, view, layers = {}, step, method, region, lattice, areas, colors } = state
+    const attributes = attributesOfLink(state, (circles?.length ?? 0) / 3)
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
-        : { circles, names, ...(attributes && { attributes }), dataSet: '', isEdited: false }
+        : { circles, ...(attributes && { attributes }), dataSet: '', isEdited: false }
     const own = 'domain' in scene ? scene.domain : undefined
     const shown = region === undefined ? own?.region : (region ?? undefined)
     const domain = (shown ?? lattice ?? areas) && { region: shown, lattice: lattice ?? undefined, areas }

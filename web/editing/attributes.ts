@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The attributes that files give to circles beside centers and radii, by columns. All values are JSON texts, so that no
 // number loses a digit and no text becomes a number.
-import type { LinkAttributes } from '../lib/link.ts'
+import type { LinkAttributes, LinkState } from '../lib/link.ts'
 
 /** A column: the JSON text of a value for each circle by its number, empty where a circle has no value. */
 export interface DataColumn {
@@ -38,14 +38,6 @@ export function textIn(value: string | undefined): string {
   return value.startsWith('"') ? (JSON.parse(value) as string) : value
 }
 
-/** Names of label columns in other programs, the most likely first. */
-const NAMES = /^(name|label|title|ort|stadt|city|place|bezeichnung|beschriftung)$/i
-
-/** The column that holds the labels of circles. */
-export function nameColumn(columns: readonly DataColumn[]): DataColumn | undefined {
-  return columns.find(({ name }) => NAMES.test(name.trim())) ?? columns.find(({ name }) => /^id$/i.test(name.trim()))
-}
-
 /**
  * Converts text that a user enters into a value of a column. Empty text becomes `null`; `undefined` if a numeric column
  * gets no number.
@@ -53,6 +45,7 @@ export function nameColumn(columns: readonly DataColumn[]): DataColumn | undefin
 export function valueFrom(text: string, column: DataColumn): string | undefined {
   const trimmed = text.trim()
   if (trimmed === '') return 'null'
+  if (column.values.length === 0) return JSON.stringify(text)
   if (isNumeric(column)) {
     const number = trimmed.replace(/^\u2212/, '-').replace(/^(-?)\+?(\d*),(\d+)$/, '$1$2.$3')
     if (isNumeral(number)) return number
@@ -89,6 +82,21 @@ export function columnsOf({ properties, ids, heights, collection }: LinkAttribut
     }
   })
   return { columns: [...columns].map(([name, values]) => ({ name, values })), ids, heights, collection }
+}
+
+/** The attributes of a link's circles; `undefined` if it has none. */
+export function attributesOfLink(
+  { attributes, names }: Pick<LinkState, 'attributes' | 'names'>,
+  count: number,
+): Attributes | undefined {
+  if (attributes !== undefined) return columnsOf(attributes, count)
+  return names && namedAs(names)
+}
+
+/** Attributes that consist of names, empty for circles without one. */
+export function namedAs(names: readonly string[]): Attributes {
+  const values = names.map((name) => (name === '' ? '' : JSON.stringify(name)))
+  return { ...NO_ATTRIBUTES, columns: [{ name: 'name', values }] }
 }
 
 /** The attributes of some circles by their numbers, in the form of files and links. */
@@ -140,15 +148,17 @@ export function membersOf(text: string): [name: string, value: string][] {
   return members
 }
 
-/** Sets one circle's value in a column. */
-export function withValue(attributes: Attributes, column: string, number: number, value: string): Attributes {
-  const columns = attributes.columns.map((known) => {
-    if (known.name !== column) return known
-    const values = Array.from({ length: Math.max(known.values.length, number + 1) }, (_, k) => known.values[k] ?? '')
-    values[number] = value
-    return { ...known, values }
-  })
-  return { ...attributes, columns }
+/** Sets the values of circles, by their numbers, in a column, which is added if there is none of this name. */
+export function withValues(attributes: Attributes, name: string, given: ReadonlyMap<number, string>): Attributes {
+  const { columns } = attributes
+  const known = columns.find((column) => column.name === name)
+  const count = [...given.keys()].reduce((most, number) => Math.max(most, number + 1), known?.values.length ?? 0)
+  const values = Array.from({ length: count }, (_, number) => given.get(number) ?? known?.values[number] ?? '')
+  const column = { name, values }
+  return {
+    ...attributes,
+    columns: known ? columns.map((other) => (other === known ? column : other)) : [...columns, column],
+  }
 }
 
 /** Estimates the memory of attributes, in bytes. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { View } from '../view/view.ts'
+import type { Attributes } from './attributes.ts'
 import { Editing, type Outcome } from './editing.ts'
+import { namesOf, ownColorsOf } from './identity.ts'
 import { INITIAL_STATE, type State, stateAfter, withSelection } from './state.ts'
 import { createStore, type Store } from './store.ts'
 
@@ -24,10 +26,17 @@ export function editView(
       store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet }))
       // Waits for the picture of the same edit, so that highlights and circles change together.
       if (store.get().selection.length > 0) choose()
+      identify(outcome)
       onOutcome(outcome)
     },
     onProblem,
   )
+  let known: Attributes | undefined
+  const identify = ({ edited, attributes, isOpened }: Outcome) => {
+    const isOther = isOpened || attributes !== known || edited.inserted.length > 0
+    known = attributes
+    if (isOther) view.setIdentities(namesOf(editing), ownColorsOf(editing))
+  }
   const choose = () => {
     const circles = store.get().selection.flatMap((id) => editing.circles.get(id) ?? [])
     // Radii are weights if areas are given.

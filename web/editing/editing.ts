@@ -7,16 +7,7 @@ import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
-import {
-  type Attributes,
-  attributesOf,
-  type DataColumn,
-  NO_ATTRIBUTES,
-  nameColumn,
-  numberIn,
-  textIn,
-  withValue,
-} from './attributes.ts'
+import { type Attributes, attributesOf, type DataColumn, NO_ATTRIBUTES, numberIn, withValues } from './attributes.ts'
 import {
   EMPTY_HISTORY,
   type History,
@@ -29,6 +20,7 @@ import {
   renamed,
   type Scene,
 } from './history.ts'
+import { namesBy } from './identity.ts'
 import { PackedSteps } from './packed-steps.ts'
 
 /** The backend that computes diagrams: a view. */
@@ -171,9 +163,7 @@ export class Editing {
   }
 
   /** The number of a circle. Undo restores a removed circle under its old number. */
-  numberOf(id: number): number {
-    return this.#numbers.get(id) ?? id + this.#shift
-  }
+  readonly numberOf = (id: number): number => this.#numbers.get(id) ?? id + this.#shift
 
   /** The attributes of circles, by their numbers. */
   get attributes(): Attributes {
@@ -189,10 +179,9 @@ export class Editing {
     )
   }
 
-  /** The label of a circle, or an empty text. */
+  /** The name of a circle, or an empty text. */
   nameOf(id: number): string {
-    const number = this.numberOf(id)
-    return this.#scene?.names?.[number] ?? textIn(nameColumn(this.#attributes.columns)?.values[number])
+    return namesBy(this.#attributes.columns)(this.numberOf(id))
   }
 
   /** The JSON text of a circle's value in a column, empty if the circle has no value. */
@@ -211,13 +200,18 @@ export class Editing {
   }
 
   /**
-   * Sets a circle's value in a column, as JSON text. Resolves to `undefined` if the edit was refused or had no effect.
+   * Sets values of circles in a column, as JSON texts by id. A column of a new name is added. Resolves to `undefined` if
+   * the edit was refused or had no effect.
    */
-  setValue(id: number, column: string, value: string, gesture = this.beginGesture()): Promise<Edited | undefined> {
-    const number = this.numberOf(id)
+  setValues(
+    column: string,
+    values: ReadonlyMap<number, string>,
+    gesture = this.beginGesture(),
+  ): Promise<Edited | undefined> {
+    const byNumber = new Map(Array.from(values, ([id, value]) => [this.numberOf(id), value]))
     return this.#ask(async () => {
       if (gesture <= this.#lastFormer) return undefined
-      const attributes = withValue(this.#attributes, column, number, value)
+      const attributes = withValues(this.#attributes, column, byNumber)
       return this.#apply([], gesture, undefined, attributes)
     })
   }

@@ -2,14 +2,17 @@
 import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion } from '../lib/regions/region-shape.ts'
+import { gridSpacing } from '../view/axes.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
 import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { GestureTarget, IdentifiedCircle } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
+import { roundStep } from '../view/round-step.ts'
 import { short } from '../view/short.ts'
 import type { View } from '../view/view.ts'
-import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
+import { middleOf, nextInDirection, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
+import { NO_ATTRIBUTES } from './attributes.ts'
 import type { Editing } from './editing.ts'
 import type { Scene } from './history.ts'
 import { cameraLooking, circlesOfLink, LARGEST_ZOOM, regionOfLink, SMALLEST_ZOOM, viewOfLink } from './scene-link.ts'
@@ -27,8 +30,6 @@ const PATH_SHARE = 0.6
 const USUAL_RADIUS = 24
 /** Offset of a copy from its original, in pixels. */
 const ASIDE = 16
-/** Grid spacing, in pixels. */
-const GRID = 16
 
 /** Circles to open, with the viewport, layers and step of a link. */
 export interface OpenRequest extends Scene {
@@ -58,6 +59,8 @@ export class EditorActions implements GestureTarget {
   protected readonly mostNamed: number = 0
   /** The texts for screen readers. */
   words = ENGLISH_EDITING
+  /** A circle within a sentence: its name, or its number. */
+  readonly called = (id: number): string => this.words.called(id, this.#editing.nameOf(id))
   /** Called at each stage with the number of circles, 0 if unknown. */
   onstage: (stage: Stage, circles: number) => void = () => {}
   readonly #store: Store<State>
@@ -100,14 +103,13 @@ export class EditorActions implements GestureTarget {
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
-    // Areas are stored in the order of the circles.
-    const attributes = this.#editing.fileAttributes
-    const isWritten = Array.isArray(areas) || attributes !== undefined
+    // A data set has its own attributes, and areas are stored in the order of the circles.
+    const hasOther = this.#editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
+    const isWritten = Array.isArray(areas) || hasOther
     const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
-    const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
+    const attributes = said.circles && this.#editing.fileAttributes
     return {
       ...said,
-      ...(names && { names }),
       ...(colors !== undefined && { colors }),
       ...(attributes && { attributes }),
       ...regionOfLink(scene, domain),
@@ -260,7 +262,7 @@ export class EditorActions implements GestureTarget {
     if (edited === undefined) return []
     const ids = [...edited.inserted]
     this.select(ids)
-    this.#say(ids.length === 1 ? this.words.added(ids[0] as number) : this.words.addedMany(ids.length))
+    this.#say(ids.length === 1 ? this.words.added(this.called(ids[0] as number)) : this.words.addedMany(ids.length))
     return ids
   }
 
@@ -339,7 +341,7 @@ export class EditorActions implements GestureTarget {
     this.select([])
     const edited = await this.#editing.edit(ids.map((id) => ({ kind: 'remove', id })))
     if (edited === undefined) return
-    this.#say(ids.length === 1 ? this.words.deleted(ids[0] as number) : this.words.deletedMany(ids.length))
+    this.#say(ids.length === 1 ? this.words.deleted(this.called(ids[0] as number)) : this.words.deletedMany(ids.length))
   }
 
   /** Moves the selected circles in steps that keep their coordinates short. */
@@ -368,7 +370,7 @@ export class EditorActions implements GestureTarget {
     const [only, ...others] = changed
     if (only === undefined) return
     const { x, y, r } = only.circle
-    const numbers = () => this.words.numbers(only.id, short(x), short(y), short(r))
+    const numbers = () => this.words.numbers(this.called(only.id), short(x), short(y), short(r))
     this.#say(others.length === 0 ? numbers() : this.words.moved(changed.length))
   }
 
@@ -436,7 +438,9 @@ export class EditorActions implements GestureTarget {
    * changes its radius.
    */
   snapped(circle: Circle, within: number, sizes: boolean): Circle {
-    const snapping = { others: this.#neighbors(), grid: roundStep(GRID / this.#view.camera.scale), within }
+    // Circles on a visible grid have its coordinates, and do not touch their neighbors instead.
+    const others = this.#view.layers.grid ? [] : this.#neighbors()
+    const snapping = { others, grid: gridSpacing(this.#view.camera.scale), within }
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
   }
 

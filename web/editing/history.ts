@@ -12,9 +12,7 @@ export interface Scene {
   readonly dataSet: string
   /** Whether the circles differ from those of the data set. */
   readonly isEdited: boolean
-  /** The label of each circle, empty for circles without one. */
-  readonly names?: readonly string[] | undefined
-  /** The other attributes of a file. */
+  /** The names and other attributes. */
   readonly attributes?: Attributes | undefined
   /** The clipping region and the areas, if any. */
   readonly domain?: Domain | undefined
@@ -118,9 +116,8 @@ function bytesOf(entry: Edits | Opening): number {
   if (entry.kind === 'edits') {
     return ENTRY_BYTES + entry.steps.bytes + 8 * (entry.attributes?.columns[0]?.values.length ?? 0)
   }
-  const { circles, names = [], attributes = NO_ATTRIBUTES } = entry.scene
-  const texts = names.reduce((sum, name) => sum + 2 * name.length + 16, 0)
-  return ENTRY_BYTES + circles.byteLength + entry.ids.byteLength + texts + bytesOfAttributes(attributes)
+  const { circles, attributes = NO_ATTRIBUTES } = entry.scene
+  return ENTRY_BYTES + circles.byteLength + entry.ids.byteLength + bytesOfAttributes(attributes)
 }
 
 /**

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Listening } from '../view/pointer.ts'
+import { roundStep } from '../view/round-step.ts'
 import type { View } from '../view/view.ts'
-import { roundStep } from './arranging.ts'
 import type { EditorActions } from './editor-actions.ts'
 import type { State } from './state.ts'
 import type { Store } from './store.ts'

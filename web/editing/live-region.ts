@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { describeCell } from './describe-cell.ts'
+import { describeCell, type Speech } from './describe-cell.ts'
 import type { State } from './state.ts'
 import type { Store } from './store.ts'
-import type { EditingWords } from './words.ts'
 
 /** Delay without further changes before an announcement, in milliseconds. Drags are announced at their end. */
 const REST = 250
 
 /** Announces edits and the selection to screen readers, each once. */
-export function mountLiveRegion(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
+export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: Speech): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
   /** The pending announcement, and the circle that the action selected. */
@@ -37,8 +36,8 @@ export function mountLiveRegion(store: Store<State>, said: HTMLElement, words: (
       described.id === selected &&
       (selected !== before.selected || before.described?.id !== selected)
     ) {
-      const description = describeCell(described, words())[0]
-      const text = done?.id === selected ? description : words().circle(selected, description)
+      const description = describeCell(described, speech)[0]
+      const text = done?.id === selected ? description : speech.words.circle(speech.called(selected), description)
       say(done === undefined ? text : `${done.text}. ${text}`)
     }
     before = state

@@ -33,11 +33,11 @@ import {
 } from './attributes.ts'
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import { mountControls, paddingBelow } from './controls.ts'
-import { circlesWithin, linkState, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
+import { circlesWithin, linkState, opened, openedFrom, openedState, openedText, regionFrom } from './data-of.ts'
 import { whenIdle } from './idle.ts'
 import { loadWords, wordsOf } from './language.ts'
 import { Paper } from './paper.ts'
-import { readCircles } from './read-circles.ts'
+import { circlesOfValue, readCircles } from './read-circles.ts'
 import { refuse } from './refusals.ts'
 import { Shell } from './shell.ts'
 import { watchVisibility } from './visibility.ts'
@@ -910,8 +910,9 @@ export class CircleVoronoiElement extends Base {
     if (figure.editing.scene !== undefined) {
       const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
       const { region = null, lattice = null } = figure.editing.domain
-      const { areas } = figure.editing
-      const own = opened(figure.editing.circles.circles(), { view, layers, step, method, region, lattice, areas })
+      const { areas, colors, fileAttributes: attributes } = figure.editing
+      const rest = { view, layers, step, method, region, lattice, areas, colors, attributes }
+      const own = opened(figure.editing.circles.circles(), rest)
       const { past } = figure.editing
       this.#own = own
       this.#past = past && { own, past }
@@ -1029,14 +1030,14 @@ export class CircleVoronoiElement extends Base {
   async #opened(signal: AbortSignal): Promise<OpenRequest | undefined> {
     if (this.#own !== undefined) return this.#own
     const text = this.getAttribute('circles')
-    if (text !== null) return opened(readCircles(text))
+    if (text !== null) return openedText(readCircles(text))
     if (this.src !== '') return openedFrom(new URL(this.src, this.baseURI).href, signal)
     // While the page is loading, the children of the element may be incomplete.
     if (document.readyState === 'loading') {
       await new Promise((resolve) => addEventListener('DOMContentLoaded', resolve, { signal, once: true }))
     }
     const circles = circlesWithin(this)
-    return circles && opened(circles)
+    return circles && openedText(circles)
   }
 
   /** The step that the page has set, as opposed to the visible one. */
@@ -1084,7 +1085,7 @@ export class CircleVoronoiElement extends Base {
 
   #setCircles(circles: Circles | undefined | null): void {
     this.#value = undefined
-    this.#own = isSet(circles) ? opened(coordinatesOf(circles)) : undefined
+    this.#own = isSet(circles) ? openedText(circlesOfValue(circles)) : undefined
     if (this.#figure !== undefined) this.#reload()
   }
 

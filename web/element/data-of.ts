@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { columnsOf } from '../editing/attributes.ts'
+import { attributesOfLink, NO_ATTRIBUTES } from '../editing/attributes.ts'
 import type { OpenRequest } from '../editing/editor-actions.ts'
 import type { Float64s } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
+import type { TextCircles } from '../view/circle-text.ts'
 import type { Refusal } from '../view/refusal.ts'
 import { isRegionText, readRegion } from '../view/region-text.ts'
 import { circlesOfMarkdown, circlesOfTable, readCircles } from './read-circles.ts'
@@ -13,11 +14,17 @@ const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
 /** Circles as they are opened. */
 export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): OpenRequest {
-  const { region, lattice, areas, attributes: said, ...others } = rest
-  const attributes = said && columnsOf(said, circles.length / 3)
+  const { region, lattice, areas, attributes: _, names: __, ...others } = rest
+  const attributes = attributesOfLink(rest, circles.length / 3)
   const hasDomain = region !== undefined || lattice !== undefined || areas !== undefined
   const domain = hasDomain ? { region: region ?? undefined, lattice: lattice ?? undefined, areas } : undefined
   return { circles, dataSet: '', isEdited: false, ...others, ...(attributes && { attributes }), domain }
+}
+
+/** Circles of a text, as they are opened. */
+export function openedText({ circles, columns }: TextCircles): OpenRequest {
+  const request = opened(circles)
+  return columns.length === 0 ? request : { ...request, attributes: { ...NO_ATTRIBUTES, columns } }
 }
 
 /**
@@ -54,7 +61,7 @@ export async function openedFrom(src: string, signal: AbortSignal): Promise<Open
   const linkWithin = LINK.exec(text.trim())?.[1]
   if (linkWithin !== undefined) return openedLink(linkWithin)
   try {
-    return opened(readCircles(text))
+    return openedText(readCircles(text))
   } catch (error) {
     const { message } = error as Error
     refuse(
@@ -78,7 +85,7 @@ export async function regionFrom(text: string, base: string, signal: AbortSignal
 }
 
 /** The circles between an element's tags, if there are any. */
-export function circlesWithin(element: Element): Float64s | undefined {
+export function circlesWithin(element: Element): TextCircles | undefined {
   const script = element.querySelector(':scope > script[type="application/json"]')
   if (script !== null) return readCircles(script.textContent ?? '')
   const table = element.querySelector('table') ?? tableAfter(element)

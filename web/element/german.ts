@@ -66,16 +66,17 @@ const KEYS: KeyHelp = {
 }
 
 const EDITING: EditingWords = {
-  added: (id) => `Kreis ${id} hinzugefügt`,
+  called: (id, name) => name || `Kreis ${id}`,
+  added: (circle) => `${circle} hinzugefügt`,
   addedMany: (count) => `${count} Kreise hinzugefügt`,
   duplicated: (count) => (count === 1 ? 'Kreis verdoppelt' : `${count} Kreise verdoppelt`),
-  deleted: (id) => `Kreis ${id} gelöscht`,
+  deleted: (circle) => `${circle} gelöscht`,
   deletedMany: (count) => `${count} Kreise gelöscht`,
   moved: (count) => `${count} Kreise verschoben`,
   selected: (count) => `${count} Kreise ausgewählt`,
-  circle: (id, description) => `Kreis ${id}. ${description}`,
-  numbers: (id, x, y, r) => `Kreis ${id}: x ${x}, y ${y}, r ${r}`,
-  hidden: (hider) => `In Kreis ${hider} verborgen: Er hat keine Zelle.`,
+  circle: (circle, description) => `${circle}. ${description}`,
+  numbers: (circle, x, y, r) => `${circle}: x ${x}, y ${y}, r ${r}`,
+  hidden: (hider) => `In ${hider} verborgen: Er hat keine Zelle.`,
   cell: (isBounded, neighbors) =>
     `${isBounded ? 'Begrenzte' : 'Unbegrenzte'} Zelle, ${neighbors} ${neighbors === 1 ? 'Nachbar' : 'Nachbarn'}`,
   snaps: 'Einrasten ist an',

@@ -2,8 +2,13 @@
 // Reads circles from a page's text, tables and data. Errors are in the reader's language.
 import { isRecord } from '../lib/base/check.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
-import type { Float64s } from '../lib/index.ts'
-import { circlesOfJson, circlesOfRows, circlesOfText } from '../view/circle-text.ts'
+import {
+  circlesOfJson,
+  circlesOfRows,
+  identitiesIn,
+  namedCirclesOfText,
+  type TextCircles,
+} from '../view/circle-text.ts'
 import { TextProblem } from '../view/table-text.ts'
 import { parseJson } from './attributes.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
@@ -14,18 +19,18 @@ import { type ElementRefusals, refuse } from './refusals.ts'
  *
  * @throws CircleVoronoiError `badInput`
  */
-export function readCircles(text: string): Float64s {
+export function readCircles(text: string): TextCircles {
   if (/^\s*[[{]/.test(text)) return circlesOfGiven(parseJson(text, (words) => words.circles))
   const lines = text.split(/\r\n?|\n/)
   const circles = saying(
-    () => circlesOfText(text),
+    () => namedCirclesOfText(text),
     (words, line) => words.notThree(words.line(line), lines[line - 1] ?? ''),
   )
-  return circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
+  return circles.circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
 }
 
 /** Reads a table with a row for each circle: three numbers, or columns named by a header row. */
-export function circlesOfTable(table: HTMLTableElement): Float64s {
+export function circlesOfTable(table: HTMLTableElement): TextCircles {
   const rows = Array.from(table.rows, (row, k) => ({
     line: k + 1,
     fields: Array.from(row.cells, (cell) => cell.textContent ?? ''),
@@ -34,7 +39,7 @@ export function circlesOfTable(table: HTMLTableElement): Float64s {
 }
 
 /** Reads a Markdown table, with or without the line below its header. */
-export function circlesOfMarkdown(text: string): Float64s {
+export function circlesOfMarkdown(text: string): TextCircles {
   const lines = text.split(/\r\n?|\n/).map((line, k) => ({
     line: k + 1,
     fields: line
@@ -50,7 +55,7 @@ export function circlesOfMarkdown(text: string): Float64s {
 function circlesOfCells(
   rows: readonly { readonly line: number; readonly fields: readonly string[] }[],
   place: (words: ElementRefusals, line: number) => string,
-): Float64s {
+): TextCircles {
   const cells = rows.map(({ line, fields }) => ({
     line,
     fields: fields.map((text) => ({ text: text.trim(), isQuoted: false })),
@@ -61,10 +66,10 @@ function circlesOfCells(
     () => circlesOfRows(cells, ';'),
     (words, line) => words.notThree(place(words, line), fieldsOf(line).join(' ')),
   )
-  return circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
+  return circles.circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
 }
 
-function circlesOfGiven(given: unknown): Float64s {
+function circlesOfGiven(given: unknown): TextCircles {
   if (Array.isArray(given) || (isRecord(given) && given.type === 'FeatureCollection')) {
     return saying(
       () => circlesOfJson(given),
@@ -74,11 +79,16 @@ function circlesOfGiven(given: unknown): Float64s {
   // Accepts the arrays of a diagram, and states.
   const list = isRecord(given) ? given.circles : given
   const isFlat = Array.isArray(list) && typeof list[0] === 'number'
-  return coordinatesOf(isFlat ? Float64Array.from(list as number[]) : (list as Circles))
+  return circlesOfValue(isFlat ? Float64Array.from(list as number[]) : (list as Circles))
+}
+
+/** Circles in any form that `compute` takes; objects may have names and colors. */
+export function circlesOfValue(value: Circles): TextCircles {
+  return { circles: coordinatesOf(value), columns: Array.isArray(value) ? identitiesIn(value) : [] }
 }
 
 /** Runs `read`, and turns an error in the text into a refusal. `say` formats errors of a line. */
-function saying(read: () => Float64s, say: (words: ElementRefusals, line: number) => string): Float64s {
+function saying(read: () => TextCircles, say: (words: ElementRefusals, line: number) => string): TextCircles {
   try {
     return read()
   } catch (error) {

@@ -4,10 +4,12 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { dataSetOf, sourceOf } from '../app/data-sets.ts'
 import { circlesOfSvg, tableOfSvg } from '../app/files/svg-scene.ts'
+import { attributesOf, NO_ATTRIBUTES } from '../editing/attributes.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import { loadFiles } from '../lib/files.ts'
-import { decodeLink, LINK_LIMITS, type LinkInput, type LinkState } from '../lib/link.ts'
-import { circlesOfText } from '../view/circle-text.ts'
+import type { Float64s } from '../lib/index.ts'
+import { decodeLink, LINK_LIMITS, type LinkAttributes, type LinkInput, type LinkState } from '../lib/link.ts'
+import { circlesOfText, namedCirclesOfText } from '../view/circle-text.ts'
 import { readRegion } from '../view/region-text.ts'
 
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
@@ -31,15 +33,25 @@ export async function readSource(source: string, program: string): Promise<LinkI
 }
 
 async function circlesOfFile(bytes: Uint8Array, text: string, name: string, program: string): Promise<LinkInput> {
-  const { holdsDiagram, readCircles, readDiagram } = await loadFiles()
+  const { holdsDiagram, readCircleFile, readCircles, readDiagramFile } = await loadFiles()
   if (/^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)) {
     const table = tableOfSvg(text)
     if (table !== undefined) return { circles: readCircles(table, { name }) }
     const read = circlesOfSvg(text, name)
     return 'link' in read ? withCircles(await decodeLink(read.link), read.link, program) : { circles: read.circles }
   }
-  if (holdsDiagram(bytes)) return { circles: readDiagram(bytes, { name }).circles }
-  return { circles: readCircles(bytes, { name }) }
+  if (holdsDiagram(bytes)) {
+    const { diagram, attributes } = readDiagramFile(bytes, { name })
+    return withAttributes(diagram.circles, attributes)
+  }
+  const { circles, attributes } = readCircleFile(bytes, { name })
+  return withAttributes(circles, attributes)
+}
+
+/** More circles than a link may have are drawn without their names. */
+function withAttributes(circles: Float64s, attributes: LinkAttributes): LinkInput {
+  const isDrawn = circles.length / 3 <= LINK_LIMITS.circles && attributes.properties.length > 0
+  return { circles, ...(isDrawn && { attributes }) }
 }
 
 /** A state with the circles of the data set that it names. */
@@ -57,7 +69,10 @@ async function withCircles(state: LinkState, address: string, program: string): 
       const { hasRegion = false } = dataSetOf(dataSet) ?? {}
       const table = await fetched(dataSet, `${dataSet}.csv`, address)
       const region = hasRegion ? readRegion(await fetched(dataSet, `${dataSet}.region.json`, address)) : undefined
-      return { ...(region && { region }), ...rest, circles: circlesOfText(table) }
+      const { circles, columns } = namedCirclesOfText(table)
+      const numbers = Array.from({ length: circles.length / 3 }, (_, i) => i)
+      const attributes = columns.length > 0 ? attributesOf({ ...NO_ATTRIBUTES, columns }, numbers) : undefined
+      return { ...(region && { region }), ...(attributes && { attributes }), ...rest, circles }
     }
     case 'figure':
       return refuse(`The link is for a figure of the paper, "${dataSet}": save it as a file in the playground.`)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { attributesOfLink } from '../editing/attributes.ts'
 import { Editing } from '../editing/editing.ts'
+import { namesOf, ownColorsOf } from '../editing/identity.ts'
 import { cameraLooking } from '../editing/scene-link.ts'
 import { checkOptionNames, isRecord, refuseInput, refuseOption, shown } from '../lib/base/check.ts'
 import { coordinatesOf } from '../lib/base/coordinates.ts'
@@ -64,7 +66,9 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   }
   if (scheme !== 'light' && scheme !== 'dark')
     refuseOption(`The option scheme is "light" or "dark", not ${shown(scheme)}.`)
-  const { circles, edits, view, layers: given, step, method, region, lattice, areas } = await checked(state)
+  const said = await checked(state)
+  const { circles, edits, view, layers: given, step, method, region, lattice, areas, colors } = said
+  const attributes = attributesOfLink(said, circles.length / 3)
 
   const computer = new SceneBackend(await circleVoronoiOf(await compileCircleVoronoi(options)))
   const { scene } = computer
@@ -79,8 +83,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     )
     const hasDomain = (region ?? lattice ?? areas ?? undefined) !== undefined
     const domain = hasDomain ? { region: region ?? undefined, lattice: lattice ?? undefined, areas } : undefined
-    await editing.open({ circles, dataSet: '', isEdited: false, domain })
-    if (edits !== undefined && problem === undefined) await editing.edit(edits)
+    await editing.open({ circles, dataSet: '', isEdited: false, domain, attributes, colors }, edits)
     if (problem !== undefined) throw problem
     const size = { width, height }
     const box = boxOf(boundingBox(circles), domain ?? NO_DOMAIN)
@@ -88,10 +91,11 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     const style = themeStyle(scheme)
     const played = step === undefined ? undefined : playedAt(scene, step, method, scheme)
     const layers = played === undefined ? layersFrom(given) : withoutDiagram(layersFrom(given))
-    scene.setLayers(layers)
+    scene.setLayers({ ...layers, ownColors: ownColorsOf(editing) })
     if (scene.isMethodMissing) scene.addMethod()
     if (scene.isPowerMissing) scene.addPower(await comparisonOf(scene.library, undefined))
-    return svgPicture(frame, scene.svg(frame, style), style, layers, played ?? [])
+    const names = { list: namesOf(editing), circleOf: (id: number) => editing.circles.get(id) }
+    return svgPicture(frame, scene.svg(frame, style), style, layers, names, played ?? [])
   } finally {
     scene.dispose()
   }
@@ -106,7 +110,8 @@ async function checked(state: LinkInput | string): Promise<LinkState & { circles
     typeof state === 'string'
       ? await decodeLink(state.replace(/^.*#/s, ''))
       : {
-          ...(await decodeLink(encodeLinkAtOnce({ ...state, circles: undefined, names: undefined }))),
+          // A link has fewer circles than a picture may have.
+          ...(await decodeLink(encodeLinkAtOnce(hasData(state) ? state : { ...state, circles: undefined }))),
           ...((state.circles ?? undefined) !== undefined && { circles: coordinatesOf(state.circles as never) }),
         }
   const { circles, dataSet } = said
@@ -115,6 +120,11 @@ async function checked(state: LinkInput | string): Promise<LinkState & { circles
     refuseInput(`The state ${reason}: renderSVG needs the circles themselves.`)
   }
   return { ...said, circles }
+}
+
+/** Whether a state has data about each circle, which is checked together with the circles. */
+function hasData({ names, attributes }: LinkInput): boolean {
+  return names !== undefined || attributes !== undefined
 }
 
 /** The overlay after a step; `undefined` at the last step, which shows the diagram. */

@@ -93,7 +93,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
       onproblem,
     })
 
-    mountLiveRegion(store, said, () => actions.words)
+    mountLiveRegion(store, said, actions)
     const isGrabbed = (point: Point, within: number) => !actions.isReadonly && editing.circles.hasAt(point, within)
     this.#listening = listenToPointer(figure, view, actions, scrolls ? { isGrabbed } : {})
     const { signal } = this.#keys

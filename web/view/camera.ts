@@ -23,6 +23,8 @@ export interface Padding {
   readonly left: number
 }
 
+export const NO_PADDING: Padding = { top: 0, right: 0, bottom: 0, left: 0 }
+
 // The plane is y-up and the screen is y-down. Only these two functions and the sink in painter/frame-sink.ts flip the
 // axis.
 export function toScreen({ x, y, scale }: Camera, { width, height }: Size, point: Point): Point {

@@ -4,6 +4,7 @@
 import { isRecord } from '../lib/base/check.ts'
 import { COORDINATE_LIMIT } from '../lib/base/coordinate-limits.ts'
 import type { Float64s } from '../lib/index.ts'
+import { COLOR_COLUMN, NAME_COLUMN } from './identity-columns.ts'
 import {
   filled,
   NumberReader,
@@ -29,8 +30,25 @@ export interface TextRow {
   readonly line: number
 }
 
+/** Texts about circles, as JSON: one for each circle, empty where there is none. */
+export interface TextColumn {
+  readonly name: string
+  readonly values: readonly string[]
+}
+
+/** Circles of a text, with the columns of their names and colors. */
+export interface TextCircles {
+  readonly circles: Float64s
+  readonly columns: readonly TextColumn[]
+}
+
 /** @throws TextProblem */
 export function circlesOfText(text: string): Float64s {
+  return namedCirclesOfText(text).circles
+}
+
+/** @throws TextProblem */
+export function namedCirclesOfText(text: string): TextCircles {
   const content = text.replace(/^\uFEFF/, '')
   if (!/^\s*[[{]/.test(content)) return circlesOfTable(content)
   let given: unknown
@@ -43,12 +61,31 @@ export function circlesOfText(text: string): Float64s {
 }
 
 /** Reads circles from parsed JSON. @throws TextProblem */
-export function circlesOfJson(given: unknown): Float64s {
-  if (Array.isArray(given)) return numbersOf(given, circleOfItem)
+export function circlesOfJson(given: unknown): TextCircles {
+  if (Array.isArray(given)) return { circles: numbersOf(given, circleOfItem), columns: identitiesIn(given) }
   if (!isRecord(given) || given.type !== 'FeatureCollection' || !Array.isArray(given.features)) {
     throw new TextProblem('expected an array of circles or a GeoJSON FeatureCollection')
   }
-  return numbersOf(given.features, circleOfFeature)
+  const circles = numbersOf(given.features, circleOfFeature)
+  return { circles, columns: identitiesIn(given.features.map(({ properties }) => properties)) }
+}
+
+/** The names and colors among the members of objects. */
+export function identitiesIn(items: readonly unknown[]): TextColumn[] {
+  const columns = new Map<string, string[]>()
+  for (const [k, item] of items.entries()) {
+    for (const [name, value] of isRecord(item) ? Object.entries(item) : []) {
+      if (typeof value !== 'string' || value.trim() === '' || !isIdentity(name)) continue
+      const values = columns.get(name) ?? Array<string>(items.length).fill('')
+      columns.set(name, values)
+      values[k] = JSON.stringify(value)
+    }
+  }
+  return [...columns].map(([name, values]) => ({ name, values }))
+}
+
+function isIdentity(name: string): boolean {
+  return NAME_COLUMN.test(name) || COLOR_COLUMN.test(name)
 }
 
 function numbersOf(items: readonly unknown[], circleOf: (item: unknown) => readonly unknown[] | undefined): Float64s {
@@ -89,7 +126,7 @@ function isCircle(circle: readonly unknown[]): boolean {
   return isEachRight && (circle[RADIUS] as number) >= 0
 }
 
-function circlesOfTable(text: string): Float64s {
+function circlesOfTable(text: string): TextCircles {
   let failed: unknown
   let line: number | undefined
   for (const separator of SEPARATORS) {
@@ -116,7 +153,7 @@ export function isHeaderOrCircle(first: TextRow, separator: Separator): boolean 
 }
 
 /** Reads circles from rows. The first row may be a header. @throws TextProblem */
-export function circlesOfRows(rows: readonly TextRow[], separator: Separator): Float64s {
+export function circlesOfRows(rows: readonly TextRow[], separator: Separator): TextCircles {
   const header = rows[0] === undefined ? undefined : columnsOf(rows[0])
   const columns = header ?? [0, 1, 2]
   const width = header === undefined ? 3 : (rows[0] as TextRow).fields.length
@@ -128,7 +165,11 @@ export function circlesOfRows(rows: readonly TextRow[], separator: Separator): F
     if (!isRow || !isCircle(circle)) throw new TextProblem('not three numbers', { line })
     return circle as number[]
   })
-  return Float64Array.from(circles.flat())
+  const names = header === undefined ? [] : (rows[0] as TextRow).fields.map(({ text }, k) => [text, k] as const)
+  const identities = names.filter(([name]) => isIdentity(name))
+  const recordOf = ({ fields }: TextRow) => Object.fromEntries(identities.map(([name, k]) => [name, fields[k]?.text]))
+  const named = identities.length === 0 ? [] : identitiesIn(rows.slice(1).map(recordOf))
+  return { circles: Float64Array.from(circles.flat()), columns: named }
 }
 
 /**

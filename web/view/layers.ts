@@ -41,6 +41,14 @@ export interface CellValues {
   readonly categories?: readonly string[] | undefined
 }
 
+/** Colors of single circles, in place of those by which they differ from their neighbors. */
+export interface OwnColors {
+  /** The index of each circle's color by its id, NaN for circles without one. */
+  readonly values: Float64Array
+  /** CSS colors. */
+  readonly colors: readonly string[]
+}
+
 /** A layer of your own, in the units of the circles. */
 export interface DataLayer {
   readonly id: string
@@ -74,6 +82,10 @@ export interface Layers {
   readonly cells: CellColors
   /** Values by which cells are colored, in place of `cells`. */
   readonly column: CellValues | undefined
+  /** The names of circles. */
+  readonly labels: boolean
+  /** Axes and a grid with their coordinates. */
+  readonly grid: boolean
   readonly edges: boolean
   readonly vertices: boolean
   /** Vertices that are joined by edges of at most this length are drawn as one. `undefined`: no vertices are merged. */
@@ -119,10 +131,18 @@ export interface Layers {
   readonly data: readonly DataLayer[]
 }
 
+/** Layers as they are painted, with what the circles bring. */
+export interface PaintedLayers extends Layers {
+  /** They are seen unless somebody chose a quantity for colors to show. */
+  readonly ownColors?: OwnColors | undefined
+}
+
 export const DEFAULT_LAYERS: Layers = Object.freeze({
   circles: true,
   cells: 'auto',
   column: undefined,
+  labels: true,
+  grid: false,
   edges: true,
   vertices: true,
   nearZero: undefined,
@@ -150,12 +170,12 @@ export const DEFAULT_LAYERS: Layers = Object.freeze({
 export const MOST_PLAYED = 1000
 
 /** Hides everything that reveals the diagram, for exercises. */
-export function withoutDiagram({ circles, hidden, data }: Layers): Layers {
-  return { ...DEFAULT_LAYERS, circles, hidden, data, cells: 'none', edges: false, vertices: false }
+export function withoutDiagram({ circles, labels, grid, hidden, data }: Layers): Layers {
+  return { ...DEFAULT_LAYERS, circles, labels, grid, hidden, data, cells: 'none', edges: false, vertices: false }
 }
 
 /** Hides the layers that are meaningless for repeating circles. */
-export function repeatingLayers(layers: Layers): Layers {
+export function repeatingLayers(layers: PaintedLayers): PaintedLayers {
   const { hull, delaunay, ordinary, power, largestDisc, path, missedEdges } = DEFAULT_LAYERS
   const method = Object.fromEntries(METHOD_LAYERS.map((name) => [name, false]))
   return { ...layers, ...method, hull, delaunay, ordinary, power, largestDisc, path, missedEdges }

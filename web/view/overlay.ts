@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
 import type { Box, PathSink, Point } from '../lib/index.ts'
+import { axesOf, NUMBER_SIZE } from './axes.ts'
+import type { Padding } from './camera.ts'
+import { LABEL_SIZE, type Label, type Names, placed } from './labels.ts'
 import type { Layers, OverlayLayer } from './layers.ts'
 import { replay } from './painter/commands.ts'
 import { addArc, addDisc } from './painter/disc-path.ts'
@@ -34,7 +37,13 @@ const HANDLE_DISTANCE = 7
 /** Long paths take more than linear time in browsers. */
 const CHOSEN_PER_PATH = 3 * 500
 
-const NUMBER_SIZE = 12
+const TEXT_SIZE = 12
+/** Width of the lines of a grid and of its axes, in pixels, and their opacity. */
+const GRID_LINE = 1
+const AXIS_LINE = 1.5
+const FINE_GRID = 0.09
+const GRID = 0.22
+const AXIS = 0.7
 /** Space of a written area, in pixels. */
 const AREA_ROOM = { width: 60, height: 14 }
 const NONE = new Float64Array()
@@ -71,6 +80,9 @@ export interface OverlayContent extends OverlayHighlights {
   readonly above: readonly OverlayLayer[]
   readonly found: GlobalResults | undefined
   readonly layers: Layers
+  readonly names: Names
+  /** The borders of the frame that something covers, in CSS pixels. */
+  readonly covered: Padding
 }
 
 /** Whether the overlay is empty. */
@@ -84,6 +96,7 @@ export function isNothingAbove({
   band,
   sketch,
   above,
+  names,
 }: OverlayContent): boolean {
   const { hull, largestDisc, path } = found ?? {}
   const drawn = [
@@ -99,6 +112,7 @@ export function isNothingAbove({
     path,
     layers.path,
   ]
+  if (layers.grid || (layers.labels && names.list.length > 0)) return false
   return above.length === 0 && drawn.every((what) => what === undefined)
 }
 
@@ -108,7 +122,7 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { marks, found, touching, trial, layers, chosen, band, sketch, above }: OverlayContent,
+  { marks, found, touching, trial, layers, names, covered, chosen, band, sketch, above }: OverlayContent,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -137,6 +151,13 @@ export function drawOverlay(
     stroke(path, color, width, dash)
   }
 
+  const css = {
+    ...frame,
+    scale: frame.scale / pixelRatio,
+    width: frame.width / pixelRatio,
+    height: frame.height / pixelRatio,
+  }
+  if (layers.grid) drawAxes()
   const { selected, hovered } = marks
   if (selected !== undefined && isSeen(style.neighborCell))
     stroke(pathOf(selected.neighborhood), style.neighborCell, NEIGHBOR_OUTLINE)
@@ -154,6 +175,7 @@ export function drawOverlay(
   }
   for (const layer of above) drawData(layer)
   if (selected !== undefined) drawSelected(selected)
+  if (layers.labels) drawNames()
   if (chosen !== undefined) drawChosen(chosen)
   if (trial !== undefined) drawTrial(trial)
   if (touching !== undefined && layers.disc) drawTouching(touching)
@@ -186,12 +208,36 @@ export function drawOverlay(
     for (let k = 0; k < points.length; k += 2) {
       if (layer.numbers !== undefined) {
         const [x, y] = [to.x(at(points, k)), to.y(at(points, k + 1))]
-        drawing.write(String(at(layer.numbers, k / 2)), x, y, NUMBER_SIZE * pixelRatio, color, style.paper)
+        drawing.write(String(at(layer.numbers, k / 2)), x, y, TEXT_SIZE * pixelRatio, color, style.paper)
         continue
       }
       addDisc(dots, frame, to.x(at(points, k)), to.y(at(points, k + 1)), radius * pixelRatio)
     }
     fill(dots, color)
+  }
+
+  function drawNames(): void {
+    for (const label of placed(names, css)) write(label, LABEL_SIZE)
+  }
+
+  function write({ text, x, y }: Label, size: number): void {
+    drawing.write(text, x * pixelRatio, y * pixelRatio, size * pixelRatio, style.edge, style.paper)
+  }
+
+  function drawAxes(): void {
+    const { vertical, horizontal, numbers } = axesOf(css, covered)
+    const linesThrough = (across: readonly number[], down: readonly number[]) => {
+      const path = drawing.path()
+      for (const x of across) addSegment(path, frame, x * pixelRatio, 0, x * pixelRatio, frame.height)
+      for (const y of down) addSegment(path, frame, 0, y * pixelRatio, frame.width, y * pixelRatio)
+      return path
+    }
+    const draw = (path: PathSink, width: number, opacity: number) =>
+      drawing.stroke(path, style.edge, width * pixelRatio, [], opacity)
+    draw(linesThrough(vertical.fine, horizontal.fine), GRID_LINE, FINE_GRID)
+    draw(linesThrough(vertical.numbered, horizontal.numbered), GRID_LINE, GRID)
+    draw(linesThrough(vertical.axis, horizontal.axis), AXIS_LINE, AXIS)
+    for (const number of numbers) write(number, NUMBER_SIZE)
   }
 
   /** Draws a disc and its contacts. Between overlapping circles the radius is negative, and the stroke is dashed. */
@@ -284,7 +330,7 @@ export function drawOverlay(
       )
       if (isInside || isTaken) continue
       written.push(place)
-      drawing.write(`−${areaText(taken.area)}`, place.x, place.y, NUMBER_SIZE * pixelRatio, style.accent, style.paper)
+      drawing.write(`−${areaText(taken.area)}`, place.x, place.y, TEXT_SIZE * pixelRatio, style.accent, style.paper)
     }
   }
 

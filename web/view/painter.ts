@@ -5,7 +5,7 @@ import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi } from '../lib/wasm/load-options.ts'
 import { CircleTable, NO_CHANGE, type UndoEdit } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
-import type { Layers } from './layers.ts'
+import type { PaintedLayers } from './layers.ts'
 import { type FigureLoadOptions, otherModules } from './load.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type {
@@ -386,12 +386,12 @@ export class SceneClient {
   }
 
   /** Sets the layers. The next `look` paints them. */
-  setLayers(layers: Layers): void {
+  setLayers(layers: PaintedLayers): void {
     this.#connection.post({ kind: 'layers', scene: this.#scene, layers, isPainted: true })
   }
 
   /** Sets layers that change only results for all circles, so that nothing is repainted. */
-  findAgain(layers: Layers): void {
+  findAgain(layers: PaintedLayers): void {
     this.#connection.post({ kind: 'layers', scene: this.#scene, layers, isPainted: false })
   }
 

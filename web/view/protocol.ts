@@ -18,7 +18,7 @@ import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange, UndoEdit } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
-import type { Layers, Measure } from './layers.ts'
+import type { Measure, PaintedLayers } from './layers.ts'
 import type { OtherModules } from './load.ts'
 import type { Frame } from './painter/frame.ts'
 import type { RemoteCall, RemoteReply } from './remote-calls.ts'
@@ -149,7 +149,7 @@ export type ToPainter =
   /** A question by name, with its arguments. */
   | ({ readonly kind: 'ask'; readonly scene: number } & RemoteCall<keyof Questions>)
   /** Sets the layers. `isPainted`: they change the painting, not only the global results (`Found`). */
-  | { readonly kind: 'layers'; readonly scene: number; readonly layers: Layers; readonly isPainted: boolean }
+  | { readonly kind: 'layers'; readonly scene: number; readonly layers: PaintedLayers; readonly isPainted: boolean }
   /** Sets the highlighted circles. Their descriptions follow now and after each edit. */
   | {
       readonly kind: 'mark'
@@ -253,6 +253,8 @@ export interface Hit {
 export interface Described {
   readonly id: number
   readonly circle: Circle
+  /** The CSS color of the circle or its cell, if it has one. */
+  readonly color: string | undefined
   readonly hiddenBy: number | undefined
   readonly isBounded: boolean
   readonly neighbors: Int32Array

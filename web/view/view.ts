@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
-import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
+import { boundingBox, type Camera, NO_PADDING, type Padding, type Size, toScreen } from './camera.ts'
 import type { CircleTable, UndoEdit } from './circle-table.ts'
-import { checkLayers, DEFAULT_LAYERS, type Layers, type OverlayLayer, withoutDiagram } from './layers.ts'
+import type { Name, Names } from './labels.ts'
+import {
+  checkLayers,
+  DEFAULT_LAYERS,
+  type Layers,
+  type OverlayLayer,
+  type OwnColors,
+  type PaintedLayers,
+  withoutDiagram,
+} from './layers.ts'
 import { scaleOnScreen } from './on-screen.ts'
 import {
   drawOverlay,
@@ -108,6 +117,11 @@ export class View {
   #isShown = true
   #scale = 1
   #hasDiagram = true
+  #names: readonly Name[] = []
+  #ownColors: OwnColors | undefined
+
+  /** The borders of the picture that something covers. */
+  covered: () => Padding = () => NO_PADDING
 
   readonly #listeners: { readonly [Name in keyof ViewEvents]: Set<(event: ViewEvents[Name]) => void> } = {
     marked: new Set(),
@@ -250,12 +264,23 @@ export class View {
     this.#tell('diagram', hasDiagram)
   }
 
-  get #drawnLayers(): Layers {
+  /** The names of circles, the most important first, and their own colors. */
+  setIdentities(names: readonly Name[], ownColors: OwnColors | undefined): void {
+    this.#names = names
+    if (ownColors !== this.#ownColors) {
+      this.#ownColors = ownColors
+      this.#drawLayers(this.#layers)
+    }
+    this.#overlayChanges()
+  }
+
+  get #drawnLayers(): PaintedLayers {
     return this.#drawn(this.#layers)
   }
 
-  #drawn(layers: Layers): Layers {
-    return this.#hasDiagram ? layers : withoutDiagram(layers)
+  #drawn(layers: Layers): PaintedLayers {
+    const shown = this.#hasDiagram ? layers : withoutDiagram(layers)
+    return this.#ownColors === undefined ? shown : { ...shown, ownColors: this.#ownColors }
   }
 
   /**
@@ -316,7 +341,7 @@ export class View {
     const { path } = this.#layers
     if (path === undefined) return
     this.#layers = { ...this.#layers, path: { ...path, [end]: point } }
-    this.#scene.findAgain(this.#layers)
+    this.#scene.findAgain(this.#drawn(this.#layers))
     this.#overlayChanges()
     this.#tell('layers', this.#layers)
   }
@@ -326,7 +351,7 @@ export class View {
     const frame = { ...camera, ...size }
     const drawn = await this.#scene.ask('svg', frame, this.#style)
     if (drawn === undefined) throw notDrawn()
-    return svgPicture(frame, drawn, this.#style, this.#drawnLayers, this.#above)
+    return svgPicture(frame, drawn, this.#style, this.#drawnLayers, this.#named, this.#above)
   }
 
   /**
@@ -518,7 +543,7 @@ export class View {
   }
 
   #drawOverlay(): void {
-    const above = this.#aboveOf(this.#standingOut)
+    const above = this.#aboveOf(this.#standingOut, this.covered())
     const isEmpty = isNothingAbove(above)
     if (isEmpty && this.#isOverlayEmpty) return
     this.#isOverlayEmpty = isEmpty
@@ -531,15 +556,20 @@ export class View {
   }
 
   #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number): void {
-    drawOverlay(drawing, frame, pixelRatio, this.#style, this.#aboveOf(NOTHING_STANDS_OUT))
+    drawOverlay(drawing, frame, pixelRatio, this.#style, this.#aboveOf(NOTHING_STANDS_OUT, NO_PADDING))
   }
 
-  #aboveOf(standingOut: OverlayHighlights): OverlayContent {
+  #aboveOf(standingOut: OverlayHighlights, covered: Padding): OverlayContent {
     // Outlines of cells were clipped to the old viewport, and are too coarse after zooming in.
     const enlarged = this.#camera.scale / this.#outlinedAt
     const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
     const marks = hasOutlines ? standingOut.marks : withoutCells(standingOut.marks)
-    return { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
+    const [layers, names] = [this.#drawnLayers, this.#named]
+    return { found: this.#found, layers, names, covered, above: this.#above, ...standingOut, marks }
+  }
+
+  get #named(): Names {
+    return { list: this.#names, circleOf: (id) => this.circles.get(id) }
   }
 
   /** Continues with a new thread, without the possible cause of the failure. */

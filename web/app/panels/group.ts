@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, render, type TemplateResult } from 'lit/html.js'
+import { html, nothing, render, type TemplateResult } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { icon } from '../../player/icon.ts'
@@ -7,6 +7,7 @@ import { CLOSE } from '../../view/icons.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
+import { colorPicker } from './identity.ts'
 
 /** The card of a selection of several circles: their number and the actions. */
 export function mountGroup(store: Store<State>, actions: PageActions): void {
@@ -16,6 +17,7 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
     actions.select([])
     figure.focus()
   }
+  const pick = colorPicker(actions, store)
   store.subscribe(({ selection }) => {
     panel.hidden = selection.length < 2
     if (panel.hidden) return
@@ -27,21 +29,31 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
             ${icon(CLOSE)}
           </button>
         </header>
-        <div class="choices">${selectionActions(actions)}</div>
+        <div class="choices">
+          <label>Color <input type="color" @input=${pick.input} @change=${pick.change} /></label>
+          ${selectionActions(actions, selection)}
+        </div>
       `,
       panel,
     )
   })
 }
 
-/** The buttons that act on the selection. */
-export function selectionActions(actions: PageActions): TemplateResult {
+/** The buttons that act on selected circles. */
+export function selectionActions(actions: PageActions, selection: readonly number[]): TemplateResult {
   const figure = byId('figure', HTMLElement)
   const act = (action: () => void) => () => {
     action()
     figure.focus()
   }
   return html`
+    ${
+      selection.some((id) => actions.ownColorOf(id) !== undefined)
+        ? html`<button type="button" title="The color that tells it from its neighbors" @click=${act(() => actions.setColor(selection, undefined))}>
+            Automatic color
+          </button>`
+        : nothing
+    }
     <button type="button" title="Zoom to the selection (F)" @click=${act(() => actions.zoomToSelection())}>Zoom to</button>
     <button type="button" title="Duplicate (Ctrl+D)" @click=${act(() => actions.duplicateSelected())}>Duplicate</button>
     <button type="button" title="Delete (Delete)" @click=${act(() => actions.removeSelected())}>Delete</button>

@@ -2,6 +2,7 @@
 import { html, nothing, render } from 'lit/html.js'
 import { textIn } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
+import { isIdentity } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { CellFacts } from '../../view/protocol.ts'
@@ -14,13 +15,13 @@ import { selectionActions } from './group.ts'
 
 const DIGITS = 4
 
-/** Shows the name and the measures of the selected circle, with its actions. */
+/** Shows the place and the measures of the selected circle, with its actions. */
 export function mountInspectorFacts(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
-  const name = byId('inspector-name', HTMLParagraphElement)
+  const place = byId('inspector-place', HTMLParagraphElement)
   const facts = byId('inspector-facts', HTMLElement)
   const data = byId('inspector-data', HTMLElement)
   let shownData: readonly unknown[] = []
-  render(selectionActions(actions), byId('inspector-actions', HTMLElement))
+  const buttons = byId('inspector-actions', HTMLElement)
 
   /** The circle that the facts describe. */
   let asked: State['described']
@@ -35,18 +36,21 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
     if (selected === undefined) return
     if (shownData[0] !== selected || shownData[1] !== attributes) {
       shownData = [selected, attributes]
-      data.hidden = attributes.columns.length === 0
+      render(selectionActions(actions, [selected]), buttons)
+      const others = attributes.columns.filter((column) => !isIdentity(column, attributes.columns))
+      data.hidden = others.length === 0
       render(
-        attributes.columns.map(({ name }) => {
+        others.map(({ name }) => {
           const text = textIn(editing.valueOf(selected, name))
           return html`<dt title=${name}>${name}</dt><dd title=${text}>${text === '' ? '–' : text}</dd>`
         }),
         data,
       )
     }
-    const about = [editing.nameOf(selected), placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
-    name.hidden = about === ''
-    if (name.textContent !== about) name.textContent = about
+    const number = editing.nameOf(selected) === '' ? '' : `Circle ${selected}`
+    const about = [number, placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
+    place.hidden = about === ''
+    if (place.textContent !== about) place.textContent = about
     if (described !== undefined && described !== asked) ask(described)
   })
 }

@@ -17,7 +17,6 @@ const MOST_NEIGHBORS = 500
 /** The numbers, the cell and the neighbors of the selected circle. Returns a function that moves the focus there. */
 export function mountInspector(store: Store<State>, actions: PageActions): () => void {
   const panel = byId('inspector', HTMLElement)
-  const title = byId('inspector-title', HTMLHeadingElement)
   const cell = byId('inspector-cell', HTMLParagraphElement)
   const neighbors = byId('inspector-neighbors', HTMLUListElement)
   const fields = FIELDS.map((name) => byId(`field-${name}`, HTMLInputElement))
@@ -59,7 +58,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
   let shownNeighbors: string | undefined
   const showNeighbors = (indices: readonly number[]) => {
     const shown = indices.slice(0, MOST_NEIGHBORS)
-    const text = `${shown.join()} of ${indices.length}`
+    const text = `${shown.map((id) => actions.called(id)).join('\n')} of ${indices.length}`
     if (text === shownNeighbors) return
     shownNeighbors = text
     const hadFocus = neighbors.contains(document.activeElement)
@@ -78,8 +77,6 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     panel.hidden = circle === undefined
     if (circle === undefined) return
 
-    const id = state.selected as number
-    if (title.textContent !== `Circle ${id}`) title.textContent = `Circle ${id}`
     fields.forEach((field, i) => {
       const value = circle[FIELDS[i] as Field]
       const text = short(value)
@@ -88,7 +85,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
       if (field !== typing && field.value !== text) field.value = text
     })
     if (state.described === undefined) return
-    const [description, indices] = describeCell(state.described)
+    const [description, indices] = describeCell(state.described, actions)
     cell.textContent = description
     showNeighbors(indices)
   })
@@ -99,8 +96,9 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
 function chip(index: number, actions: PageActions): HTMLLIElement {
   const button = document.createElement('button')
   button.type = 'button'
-  button.textContent = String(index)
-  button.setAttribute('aria-label', `Circle ${index}`)
+  const name = actions.nameOf(index)
+  button.textContent = name || String(index)
+  button.setAttribute('aria-label', name || `Circle ${index}`)
   button.addEventListener('click', () => actions.goTo(index))
   button.addEventListener('pointerenter', () => actions.hover(index))
   button.addEventListener('pointerleave', () => actions.hover(undefined))

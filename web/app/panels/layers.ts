@@ -124,7 +124,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
   const body = ({ layers, found, edited, domain, attributes }: State) => html`
     <fieldset>
       <legend>Diagram</legend>
-      ${toggle('circles', 'Circles')}
+      ${toggle('circles', 'Circles')} ${toggle('labels', 'Names')}
       <div class="layer">
         ${pictureOf('cells')}<label for="cell-colors">Colors</label>
         <select
@@ -144,7 +144,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
       </div>
       ${toggle('edges', 'Edges')} ${toggle('vertices', 'Vertices')}
       ${layers.vertices ? mergeControl(layers) : nothing} ${toggle('hidden', 'What hides hidden circles')}
-      ${cutControl(layers)}
+      ${cutControl(layers)} ${row('grid', 'Axes and grid', layers.grid, toggleGrid)}
     </fieldset>
     <fieldset>
       <legend>Ask</legend>
@@ -189,6 +189,13 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
       }
     </div>
   `
+
+  /** Circles snap to the grid while it is visible. */
+  const toggleGrid = (event: Event) => {
+    const grid = (event.target as HTMLInputElement).checked
+    actions.setLayers({ grid })
+    if (store.get().isSnapping !== grid) actions.toggleSnapping()
+  }
 
   const togglePath = (event: Event) => {
     if (!(event.target as HTMLInputElement).checked) {

@@ -3,29 +3,30 @@ import { html, render } from 'lit/html.js'
 import type { Trial } from '../../view/protocol.ts'
 import { areaText, namedOf } from '../../view/taken-text.ts'
 import type { View } from '../../view/view.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 /** Shows the effect of a previewed circle. */
-export function mountTrial(view: View): void {
+export function mountTrial(view: View, { called }: Pick<PageActions, 'called'>): void {
   const panel = byId('trial', HTMLElement)
   view.on('tried', (trial) => {
     panel.hidden = trial === undefined
-    if (trial !== undefined) render(body(trial), panel)
+    if (trial !== undefined) render(body(trial, called), panel)
   })
 }
 
-function body(trial: Trial) {
+function body(trial: Trial, called: (id: number) => string) {
   const { hiddenBy, area, taken } = trial
   if (hiddenBy !== undefined) {
     return html`<h2>A new circle</h2>
-      <p>It would be hidden inside circle ${hiddenBy} and take nothing.</p>`
+      <p>It would be hidden inside ${called(hiddenBy)} and take nothing.</p>`
   }
   const named = namedOf(trial)
   return html`
     <h2>A new circle</h2>
     <p>${area < Number.POSITIVE_INFINITY ? `Its cell would have the area ${areaText(area)}, taken from` : 'Its cell would have no end; taken from'}</p>
     <dl>
-      ${named.map(({ id, area }) => html`<div><dt>circle ${id}</dt><dd>${areaText(area)}</dd></div>`)}
+      ${named.map(({ id, area }) => html`<div><dt>${called(id)}</dt><dd>${areaText(area)}</dd></div>`)}
     </dl>
     ${taken.length > named.length ? html`<p>and ${taken.length - named.length} more</p>` : undefined}
     <p>Release to add, Esc to cancel.</p>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { isNumeric, numberIn, textIn, valueFrom } from '../../editing/attributes.ts'
+import { type DataColumn, isNumeric, numberIn, textIn, valueFrom } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import type { Scene } from '../../editing/history.ts'
+import { NAME, nameColumn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { Circle } from '../../lib/index.ts'
@@ -40,6 +41,16 @@ const HEADINGS: Readonly<Record<(typeof COLUMNS)[number], Heading>> = {
   gap: { name: 'nearest', title: 'Distance of the nearest other circle', isEditable: false },
 }
 
+/** The columns of the circles. Names can be entered where there are none. */
+function columnsIn({ attributes }: Editing): readonly DataColumn[] {
+  const { columns } = attributes
+  return nameColumn(columns) === undefined ? [...columns, { name: NAME, values: [] }] : columns
+}
+
+function isOfFile(column: DataColumn, { attributes }: Editing): boolean {
+  return attributes.columns.includes(column)
+}
+
 /** Shows the circles as rows of a grid. */
 export class CircleGrid implements GridContent {
   readonly headings: readonly Heading[]
@@ -72,13 +83,13 @@ export class CircleGrid implements GridContent {
     this.#editing = editing
     this.#actions = actions
     this.#view = view
-    const { columns } = editing.attributes
+    const columns = columnsIn(editing)
     this.#columns = [...COLUMNS, ...columns.map(({ name }) => dataColumn(name))]
     this.headings = [
       ...COLUMNS.map((column) => HEADINGS[column]),
       ...columns.map((column) => ({
         name: column.name,
-        title: `${column.name}, of the file`,
+        title: isOfFile(column, editing) ? `${column.name}, of the file` : 'Name of the circle',
         isEditable: true,
         isText: !isNumeric(column),
       })),
@@ -186,7 +197,7 @@ export class CircleGrid implements GridContent {
 
   /** Writes texts into a column: all or none, as one undo step. Returns whether they were accepted. */
   async #writeValues(name: Column, texts: readonly (readonly [id: number, text: string])[]): Promise<boolean> {
-    const column = this.#editing.attributes.columns.find((column) => column.name === dataName(name))
+    const column = columnsIn(this.#editing).find((column) => column.name === dataName(name))
     if (column === undefined) return true
     const values = texts.map(([id, text]) => [id, text, valueFrom(text, column)] as const)
     const wrong = values.find(([, , value]) => value === undefined)
@@ -194,9 +205,8 @@ export class CircleGrid implements GridContent {
       this.#actions.complain(notANumber(wrong[1]))
       return false
     }
-    const gesture = this.#actions.beginGesture()
-    const set = values.map(([id, , value]) => this.#editing.setValue(id, column.name, value as string, gesture))
-    return (await Promise.all(set)).every((edited) => edited !== undefined)
+    const byId = new Map(values.map(([id, , value]) => [id, value as string]))
+    return (await this.#editing.setValues(column.name, byId)) !== undefined
   }
 
   async paste(row: number, column: number, text: string): Promise<void> {

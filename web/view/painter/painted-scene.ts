@@ -7,7 +7,14 @@ import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange, UndoEdit } from '../circle-table.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
-import { DEFAULT_LAYERS, isAnythingFound, isMethodShown, isTraced, type Layers, repeatingLayers } from '../layers.ts'
+import {
+  DEFAULT_LAYERS,
+  isAnythingFound,
+  isMethodShown,
+  isTraced,
+  type PaintedLayers,
+  repeatingLayers,
+} from '../layers.ts'
 import type {
   Described,
   DomainChange,
@@ -69,7 +76,7 @@ export class PaintedScene {
   /** The diagram and how it is drawn. */
   picture: Picture
   /** The requested layers. */
-  #layers: Layers = DEFAULT_LAYERS
+  #layers: PaintedLayers = DEFAULT_LAYERS
   /** Duration of the last computation of global results. */
   #findingSeconds = 0
   /** Whether the global results are up to date. */
@@ -148,7 +155,7 @@ export class PaintedScene {
   }
 
   /** Sets the visible layers. */
-  setLayers(asked: Layers, isPainted = true): void {
+  setLayers(asked: PaintedLayers, isPainted = true): void {
     const picture = this.picture
     this.#layers = asked
     const layers = picture.torus === undefined ? asked : repeatingLayers(asked)
@@ -441,6 +448,7 @@ export class PaintedScene {
     return {
       id,
       circle: { ...circleAt(circles, i), ...(this.picture.areSites && { r: 0 }) },
+      color: this.#look && this.picture.palette(this.#look.style)[this.picture.colorOf(i)],
       hiddenBy,
       isBounded: cells.isBounded(i),
       neighbors: Int32Array.from(leastFirst([...new Set(neighbors.map(idOf))])),

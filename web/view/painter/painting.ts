@@ -2,7 +2,7 @@
 
 import type { PathSink } from '../../lib/index.ts'
 import type { Limits } from '../../lib/regions/cell-limits.ts'
-import { isMeasure, type Layers } from '../layers.ts'
+import type { Layers } from '../layers.ts'
 import type { Style } from '../style.ts'
 import type { Drawing } from './drawing.ts'
 import { boundsOf, type Frame, toleranceOf } from './frame.ts'
@@ -32,6 +32,7 @@ export class Painting {
   readonly width: number
   /** Width of edges in device pixels. Below one pixel edges fade, so that small cells do not darken. */
   readonly lineWidth: number
+  #palette: readonly string[] | undefined
 
   constructor(drawing: Drawing, frame: Frame, pixelRatio: number, picture: Picture, style: Style) {
     this.drawing = drawing
@@ -49,9 +50,8 @@ export class Painting {
 
   /** The colors of circles and cells (`colorOf`). */
   get palette(): readonly string[] {
-    const { colors } = this.picture
-    const hasRamp = colors === 'column' ? this.picture.layers.column?.categories === undefined : isMeasure(colors)
-    return hasRamp ? this.style.ramp : this.style.map
+    this.#palette ??= this.picture.palette(this.style)
+    return this.#palette
   }
 
   /** A sink that takes coordinates of the plane. */

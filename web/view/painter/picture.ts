@@ -7,11 +7,13 @@ import {
   type DataLayer,
   DEFAULT_LAYERS,
   isMeasure,
-  type Layers,
   type MethodLayer,
   MOST_MAPPED,
+  type OwnColors,
+  type PaintedLayers,
 } from '../layers.ts'
 import type { Legend } from '../protocol.ts'
+import { MAP_COLORS, SHADES, type Style } from '../style.ts'
 import { BoxIndex } from './box-index.ts'
 import { addAround, boxAt, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
@@ -76,7 +78,7 @@ export class Picture {
   method: (MethodResult & { readonly layers: readonly (IndexedData & { readonly color: MethodLayer })[] }) | undefined
   /** The meaning of `auto`. It depends on the circles as they were opened, so that no edit changes all colors. */
   readonly #automatic: CellColors
-  #layers = DEFAULT_LAYERS
+  #layers: PaintedLayers = DEFAULT_LAYERS
   #clip: Clip | undefined
   /** Whether circles are drawn as points. */
   areSites = false
@@ -137,11 +139,11 @@ export class Picture {
     return new BoxIndex(boxes)
   }
 
-  get layers(): Layers {
+  get layers(): PaintedLayers {
     return this.#layers
   }
 
-  set layers(layers: Layers) {
+  set layers(layers: PaintedLayers) {
     const cells = layers.cells === 'auto' ? this.#automatic : layers.cells
     const { column } = layers
     if (column !== undefined) {
@@ -200,8 +202,27 @@ export class Picture {
     return this.#layers.cells === 'auto' ? this.#automatic : this.#layers.cells
   }
 
-  /** The color index of circle `i` and its cell; `NONE` if the cell has no color. */
+  /** Whether colors show a ramp, in place of the colors that tell neighbors from each other. */
+  get hasRamp(): boolean {
+    const { colors } = this
+    return colors === 'column' ? this.#layers.column?.categories === undefined : isMeasure(colors)
+  }
+
+  /** The colors of circles and cells, by their numbers. */
+  palette({ ramp, map }: Style): readonly string[] {
+    return [...(this.hasRamp ? ramp : map), ...(this.#ownColors?.colors ?? [])]
+  }
+
+  /** The colors of single circles, unless somebody chose a quantity for colors to show. */
+  get #ownColors(): OwnColors | undefined {
+    const { cells, column, ownColors } = this.#layers
+    return column === undefined && !isMeasure(cells) ? ownColors : undefined
+  }
+
+  /** The number of the color of circle `i` and its cell in the palette; `NONE` if the cell has no color. */
   colorOf(i: number): number {
+    const own = this.#ownColors?.values[idOf(this.diagram, i)] ?? Number.NaN
+    if (!Number.isNaN(own)) return own + (this.hasRamp ? SHADES : MAP_COLORS)
     if (this.#measures !== undefined) return this.#measures.shadeOf(i)
     return this.colors === 'different' ? (this.#coloring?.colorOf(idOf(this.diagram, i)) ?? 0) : 0
   }

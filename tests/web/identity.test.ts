@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names and colors of circles: edited, undone, linked, and drawn as labels and in the colors.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { PageActions } from '../../web/app/page-actions.ts'
+import { columnsOf, namedAs } from '../../web/editing/attributes.ts'
+import { Editing } from '../../web/editing/editing.ts'
+import { isColor, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
+import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+import { decodeLink, encodeLink, type LinkInput } from '../../web/lib/link.ts'
+import { axesOf, gridSpacing } from '../../web/view/axes.ts'
+import { NO_PADDING } from '../../web/view/camera.ts'
+import { LABEL_SIZE, type Names, placed } from '../../web/view/labels.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
+import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
+import { styleOf } from '../../web/view/style.ts'
+import type { View } from '../../web/view/view.ts'
+import { library, seededRandom } from './library.ts'
+import { LibraryBackend } from './library-backend.ts'
+
+const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 5, 1.5)
+const FRAME = { x: 0, y: 0, scale: 20, width: 400, height: 300 }
+
+beforeEach(() => vi.stubGlobal('requestAnimationFrame', (act: () => void) => queueMicrotask(act)))
+afterEach(() => vi.unstubAllGlobals())
+
+function edited() {
+  const backend = new LibraryBackend(async () => {})
+  const store = createStore(INITIAL_STATE)
+  const editing = new Editing(
+    backend,
+    () => {},
+    (error) => {
+      throw error
+    },
+  )
+  const view = {
+    camera: { x: 0, y: 0, scale: 1 },
+    size: { width: 100, height: 100 },
+    layers: DEFAULT_LAYERS,
+    setCamera() {},
+    setLayers() {},
+  }
+  const reader = { call: async () => THREE.slice(), cancel: () => {} }
+  const actions = new PageActions(store, editing, view as unknown as View, () => NO_PADDING, reader as never)
+  const names = () => namesOf(editing).map(({ id, text }) => `${id} ${text}`)
+  return { editing, actions, names }
+}
+
+describe('a circle', () => {
+  it('gets a name and a color, which undo, links and restored circles keep', async () => {
+    const { editing, actions, names } = edited()
+    await editing.open({ circles: THREE, dataSet: 'three', isEdited: false })
+    await actions.setName(1, 'Hamburg')
+    await actions.setColor([0, 2], '#abcdef')
+    expect(names()).toEqual(['1 Hamburg'])
+    expect(actions.called(1)).toBe('Hamburg')
+    expect(actions.called(0)).toBe('circle 0')
+    expect(ownColorsOf(editing)).toEqual({ values: Float64Array.of(0, Number.NaN, 0), colors: ['#abcdef'] })
+    await editing.undo()
+    expect(ownColorsOf(editing)).toBeUndefined()
+    await editing.redo()
+    await editing.edit([{ kind: 'remove', id: 1 }])
+    expect(names()).toEqual([])
+    await editing.undo()
+    expect(names()).toEqual(['3 Hamburg'])
+
+    const link = await decodeLink(await encodeLink(actions.linkState() as LinkInput))
+    expect(link.dataSet).toBeUndefined()
+    expect(link.attributes?.properties).toEqual(['{"color":"#abcdef"}', '{"color":"#abcdef"}', '{"name":"Hamburg"}'])
+    const other = edited()
+    await other.actions.openLink(await encodeLink(link as LinkInput))
+    expect(other.names()).toEqual(['2 Hamburg'])
+    await other.actions.setName(2, '')
+    expect(other.names()).toEqual([])
+  })
+
+  it('keeps the column of its file for its name', async () => {
+    const { editing, actions, names } = edited()
+    const attributes = columnsOf(
+      { properties: ['{"Stadt":"A","ID":7}', '{"Stadt":"","ID":8}', '{}'], ids: [], heights: [], collection: '' },
+      3,
+    )
+    await editing.open({ circles: THREE, dataSet: '', isEdited: false, attributes })
+    expect(names()).toEqual(['1 8', '0 A'])
+    await actions.setName(2, 'C')
+    expect(names()).toEqual(['1 8', '2 C', '0 A'])
+    expect(editing.attributes.columns.map(({ name }) => name)).toEqual(['Stadt', 'ID'])
+  })
+
+  it('of a data set has its name in a link without writing all circles', async () => {
+    const { editing, actions } = edited()
+    await editing.open({ circles: THREE, dataSet: 'three', isEdited: false, attributes: namedAs(['A', '', 'C']) })
+    expect(actions.linkState()).toMatchObject({ dataSet: 'three' })
+    await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
+    expect(actions.linkState()).toMatchObject({ dataSet: 'three', edits: [{ kind: 'insert' }] })
+  })
+
+  it('has a color only if it is one', () => {
+    expect(['#abc', '#AABBCC80', 'red', '#ab', 'url(#x)', '"><script>', ''].map(isColor)).toEqual([
+      true,
+      true,
+      false,
+      false,
+      false,
+      false,
+      false,
+    ])
+    vi.stubGlobal('CSS', { supports: (_: string, text: string) => ['red', 'inherit', 'var(--x)'].includes(text) })
+    expect(['red', 'inherit', 'var(--x)', 'rot'].map(isColor)).toEqual([true, false, false, false])
+  })
+
+  it('is drawn in its own color, unless colors show a quantity that somebody chose', () => {
+    const style = styleOf(new Proxy({}, { get: (_, name) => `${String(name)}-color` }))
+    const scene = new PaintedScene(library)
+    scene.open(THREE.slice())
+    const ownColors = { values: Float64Array.of(Number.NaN, 0, Number.NaN), colors: ['#abcdef'] }
+    const drawn = (layers: object) => {
+      scene.setLayers({ ...DEFAULT_LAYERS, ...layers, ownColors })
+      const drawing = new SvgDrawing()
+      scene.draw(drawing, FRAME, 1, style)
+      return String(drawing).match(/#abcdef/g)?.length ?? 0
+    }
+    // The disc and the tint of the cell.
+    expect([{}, { cells: 'different' }].map(drawn)).toEqual([2, 2])
+    expect(drawn({ cells: 'none' })).toBe(1)
+    expect(drawn({ cells: 'area' })).toBe(0)
+    expect(drawn({ column: { name: 'n', values: Float64Array.of(1, 2, 3) } })).toBe(0)
+  })
+})
+
+describe('labels', () => {
+  const random = seededRandom(45)
+  const circles = new Map(
+    Array.from({ length: 600 }, (_, id) => [
+      id,
+      { x: 40 * random() - 20, y: 30 * random() - 15, r: random() ** 4 * 3 },
+    ]),
+  )
+  const list = [...circles.keys()]
+    .map((id) => ({ id, text: id % 3 === 0 ? '漢字' : 'n'.repeat(1 + (id % 50)) }))
+    .sort((one, other) => (circles.get(other.id)?.r as number) - (circles.get(one.id)?.r as number))
+  const names: Names = { list, circleOf: (id) => circles.get(id) }
+
+  it('overlap nowhere, and the largest circles have theirs', () => {
+    const labels = placed(names, FRAME)
+    expect(labels.length).toBeGreaterThan(40)
+    const half = (text: string) => (LABEL_SIZE * text.length * (/漢/.test(text) ? 1 : 0.6)) / 2
+    labels.forEach((one, k) => {
+      for (const other of labels.slice(0, k)) {
+        const isApart =
+          Math.abs(one.y - other.y) >= LABEL_SIZE || Math.abs(one.x - other.x) >= half(one.text) + half(other.text)
+        expect(isApart, `${one.text} and ${other.text}`).toBe(true)
+      }
+    })
+    expect(Math.max(...labels.map(({ text }) => text.length))).toBeLessThanOrEqual(32)
+    const first = list.find(({ id }) => {
+      const { x, y } = circles.get(id) as { x: number; y: number }
+      return Math.abs(x) < 8 && Math.abs(y) < 6
+    })
+    expect(labels.some(({ text }) => text === first?.text)).toBe(true)
+  })
+
+  it('stay where they are while the frame moves', () => {
+    const inside = ({ x, y }: { x: number; y: number }) => x > 60 && x < 340 && y > 60 && y < 240
+    const [before, after] = [placed(names, FRAME), placed(names, { ...FRAME, x: 1 })]
+    const moved = after.map(({ text, x, y }) => ({ text, x: Math.round(x + 20), y: Math.round(y) })).filter(inside)
+    const known = before.map(({ text, x, y }) => ({ text, x: Math.round(x), y: Math.round(y) })).filter(inside)
+    expect(moved).toEqual(known)
+  })
+
+  it('are inside of large discs, and beside small ones', () => {
+    const at = (r: number) => placed({ list: [{ id: 0, text: 'abc' }], circleOf: () => ({ x: 0, y: 0, r }) }, FRAME)
+    expect(at(2)).toEqual([{ text: 'abc', x: 200, y: 150 }])
+    expect(at(0)[0]?.y).toBeGreaterThan(150)
+    expect(placed({ list: [{ id: 0, text: 'abc' }], circleOf: () => undefined }, FRAME)).toEqual([])
+  })
+})
+
+describe('axes and grid', () => {
+  it('have lines at round coordinates, on which circles snap, with numbers at some', () => {
+    const { vertical, horizontal, numbers } = axesOf(FRAME, NO_PADDING)
+    expect(gridSpacing(FRAME.scale)).toBe(1)
+    expect([vertical.axis, horizontal.axis]).toEqual([[200], [150]])
+    expect(vertical.numbered).toEqual([0, 100, 300, 400])
+    expect(vertical.fine).toHaveLength(16)
+    expect(numbers.map(({ text }) => text)).toEqual(['−10', '−5', '5', '10', '−5', '0', '5'])
+  })
+
+  it('have numbers at the border if the axes are elsewhere, off what covers it', () => {
+    const covered = { top: 40, right: 10, bottom: 20, left: 70 }
+    const { vertical, horizontal, numbers } = axesOf({ ...FRAME, x: 1000, y: 1e6 }, covered)
+    expect([vertical.axis, horizontal.axis]).toEqual([[], []])
+    for (const { x, y, text } of numbers) {
+      expect(x > 70 || /^9|^10/.test(text)).toBe(true)
+      expect(y).toBeLessThan(300)
+    }
+    expect(numbers.filter(({ text }) => text.length === 7).every(({ x }) => x > 70)).toBe(true)
+  })
+
+  it.each([1e-150, 1e-6, 1, 1e9, 1e140])('end at scale %d, also far from the origin', (scale) => {
+    for (const x of [0, 1e15, 1e150]) {
+      const { vertical, numbers } = axesOf({ ...FRAME, x, scale }, NO_PADDING)
+      expect(vertical.fine.length).toBeLessThan(60)
+      expect(numbers.every((number) => Number.isFinite(number.x))).toBe(true)
+    }
+  })
+})

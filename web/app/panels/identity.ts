@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Editing } from '../../editing/editing.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { PageActions } from '../page-actions.ts'
+import { byId } from './by-id.ts'
+
+/** The title, the name and the color of the selected circle. */
+export function mountIdentity(store: Store<State>, editing: Editing, actions: PageActions): void {
+  const title = byId('inspector-title', HTMLHeadingElement)
+  const name = byId('field-name', HTMLInputElement)
+  const color = byId('field-color', HTMLInputElement)
+  const figure = byId('figure', HTMLElement)
+
+  /** The circle whose name is being written. */
+  let writing: number | undefined
+  name.addEventListener('input', () => {
+    writing = store.get().selected
+  })
+  const write = () => {
+    const id = writing
+    writing = undefined
+    if (id !== undefined && name.value.trim() !== editing.nameOf(id)) actions.setName(id, name.value.trim())
+  }
+  name.addEventListener('change', write)
+  name.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter') write()
+    if (event.key !== 'Escape') return
+    event.stopPropagation()
+    writing = undefined
+    name.value = editing.nameOf(store.get().selected as number)
+    figure.focus()
+  })
+  const pick = colorPicker(actions, store)
+  color.addEventListener('input', pick.input)
+  color.addEventListener('change', pick.change)
+
+  let shown: readonly unknown[] = []
+  store.subscribe(({ selected, described, attributes }) => {
+    const now = [selected, described?.color, attributes]
+    if (selected === undefined || now.every((value, k) => value === shown[k])) return
+    shown = now
+    const known = editing.nameOf(selected)
+    title.textContent = known || `Circle ${selected}`
+    if (writing !== selected) name.value = known
+    name.placeholder = `Circle ${selected}`
+    const hex = hexOf(actions.ownColorOf(selected) ?? described?.color ?? '')
+    if (hex !== undefined && document.activeElement !== color) color.value = hex
+  })
+}
+
+/** Listeners of a field for colors. The selected circles get the color that is picked, as one undo step. */
+export function colorPicker(actions: PageActions, store: Store<State>) {
+  let gesture: number | undefined
+  return {
+    input({ target }: Event) {
+      gesture ??= actions.beginGesture()
+      actions.setColor(store.get().selection, (target as HTMLInputElement).value, gesture)
+    },
+    change() {
+      gesture = undefined
+    },
+  }
+}
+
+/** A CSS color as a field for colors takes it; `undefined` if it is not opaque. */
+function hexOf(color: string): string | undefined {
+  const context = new OffscreenCanvas(1, 1).getContext('2d') as OffscreenCanvasRenderingContext2D
+  context.fillStyle = '#00000000'
+  context.fillStyle = color
+  return context.fillStyle.startsWith('#') ? context.fillStyle : undefined
+}

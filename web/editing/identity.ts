@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The columns that say how a circle is called and colored.
+import type { CircleTable } from '../view/circle-table.ts'
+import { COLOR_COLUMN, NAME_COLUMN } from '../view/identity-columns.ts'
+import type { Name } from '../view/labels.ts'
+import type { OwnColors } from '../view/layers.ts'
+import { type DataColumn, textIn } from './attributes.ts'
+
+/** The columns that are made where there is none. */
+export const NAME = 'name'
+export const COLOR = 'color'
+
+/** The column that holds the names of circles. */
+export function nameColumn(columns: readonly DataColumn[]): DataColumn | undefined {
+  return columns.find(({ name }) => NAME_COLUMN.test(name))
+}
+
+/** Whether a column holds the names or the colors. */
+export function isIdentity(column: DataColumn, columns: readonly DataColumn[]): boolean {
+  return column === nameColumn(columns) || column === colorColumn(columns)
+}
+
+/** Returns the name of a circle by its number: that of its column, or else its id in a file, or an empty text. */
+export function namesBy(columns: readonly DataColumn[]): (number: number) => string {
+  const [own, id] = [nameColumn(columns)?.values, columns.find(({ name }) => /^id$/i.test(name.trim()))?.values]
+  return (number) => textIn(own?.[number]).trim() || textIn(id?.[number]).trim()
+}
+
+/** The column that holds the colors of circles. */
+export function colorColumn(columns: readonly DataColumn[]): DataColumn | undefined {
+  return columns.find(({ name }) => COLOR_COLUMN.test(name))
+}
+
+/** Circles whose values are found by their numbers (`Editing`). */
+interface Numbered {
+  readonly circles: CircleTable
+  readonly attributes: { readonly columns: readonly DataColumn[] }
+  numberOf(id: number): number
+}
+
+/** The names of circles, those of the largest circles first. */
+export function namesOf({ circles, attributes, numberOf }: Numbered): Name[] {
+  if (attributes.columns.length === 0) return []
+  const nameOf = namesBy(attributes.columns)
+  const named = Array.from(circles.ids()).flatMap((id) => {
+    const text = nameOf(numberOf(id))
+    return text === '' ? [] : [{ id, text, r: circles.get(id)?.r ?? 0 }]
+  })
+  return named.sort((one, other) => other.r - one.r || one.id - other.id)
+}
+
+/** The colors that circles have by a column; `undefined` if none has one. */
+export function ownColorsOf({ circles, attributes, numberOf }: Numbered): OwnColors | undefined {
+  const column = colorColumn(attributes.columns)
+  if (column === undefined) return undefined
+  const places = new Map<string, number>()
+  const values = new Float64Array(circles.size).fill(Number.NaN)
+  for (const id of circles.ids()) {
+    const color = textIn(column.values[numberOf(id)]).trim()
+    if (!isColor(color)) continue
+    const place = places.get(color) ?? places.size
+    places.set(color, place)
+    values[id] = place
+  }
+  return places.size === 0 ? undefined : { values, colors: [...places.keys()] }
+}
+
+/** Whether a text is a CSS color. Outside of browsers, colors have no names. */
+export function isColor(text: string): boolean {
+  if (/^#([\da-f]{3,4}|[\da-f]{6}|[\da-f]{8})$/i.test(text)) return true
+  return (
+    globalThis.CSS?.supports('color', text) === true &&
+    !/^(inherit|initial|unset|revert|revert-layer|currentcolor)$/i.test(text) &&
+    !/var\(/i.test(text)
+  )
+}
