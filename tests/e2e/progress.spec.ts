@@ -51,7 +51,8 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   await expect(app.inspector).toBeHidden()
   await progress.getByRole('button', { name: 'Cancel' }).click()
   await expect(progress).toBeHidden()
-  await expect(page.getByRole('alert')).toContainText('you canceled it')
+  await expect(page.locator('#toast')).toContainText('Canceled. Nothing has changed.')
+  await expect(page.getByRole('alert')).toBeHidden()
   expect(await app.status.textContent()).toBe(before)
   // The page continues to work.
   await expect(app.inspector).toContainText('Circle 600')

@@ -38,7 +38,9 @@ class Stage {
   band: SelectionRectangle | undefined
   /** The answer to hit tests, and their tolerance. */
   under: Hit | undefined
+  readonly listeners = new Map<string, () => void>()
   slack = 0
+  reach = 0
   /** Whether hit tests are answered at once, or else when `know` is called. */
   isKnown = true
   know = () => {}
@@ -62,14 +64,19 @@ class Stage {
   setCamera(camera: Camera): void {
     this.camera = camera
   }
-  ask(_: 'hit', x: number, y: number, slack: number): Promise<Hit | undefined> {
+  ask(_: 'hit', x: number, y: number, slack: number, reach: number): Promise<Hit | undefined> {
     this.slack = slack
+    this.reach = reach
     this.done.push(['hit', x, y])
     const { under } = this
     if (this.isKnown) return Promise.resolve(under)
     return new Promise((resolve) => {
       this.know = () => resolve(under)
     })
+  }
+  on(name: string, listener: () => void): () => void {
+    this.listeners.set(name, listener)
+    return () => this.listeners.delete(name)
   }
   touch(point: Point | undefined, slack: number): void {
     this.done.push(['touch', point, slack])
@@ -274,32 +281,38 @@ describe('a press', () => {
     expect(stage.camera.x).toBe(-1)
   })
 
-  it('of a finger pans unless the circle is selected, with more room', async () => {
-    const stage = new Stage()
-    stage.under = disc(0)
+  it('of a finger drags the circle that it hits, and pans where many are in its reach, unless one is selected', async () => {
     const touch = { pointerType: 'touch' }
-    // A circle that is large enough for a finger is dragged at once.
+    for (const inReach of [undefined, 1, 4]) {
+      const stage = new Stage()
+      stage.under = { ...disc(0), ...(inReach && { inReach }) }
+      await stage.press([pixel(0, 0), pixel(1, 0)], touch)
+      expect([stage.slack, stage.reach, stage.handleSlack]).toEqual([1.2, 2.2, 12])
+      expect(stage.of('select', 'set').map(([what]) => what)).toEqual(['select', 'set'])
+    }
+    const stage = new Stage()
+    stage.under = { ...disc(0), inReach: 5 }
     await stage.drag([pixel(0, 0), pixel(1, 0)], touch)
-    expect(stage.of('set')).toHaveLength(1)
-    stage.selection = []
-    stage.done.length = 0
-    stage.camera = { ...stage.camera, scale: 4 }
-    await stage.drag(
-      [
-        { x: 400, y: 300 },
-        { x: 404, y: 300 },
-      ],
-      touch,
-    )
     expect(stage.of(...DOING)).toEqual([])
     expect(stage.camera.x).toBe(-1)
-    stage.camera = { ...CAMERA, scale: 4 }
     await stage.press([pixel(0, 0)], touch)
-    expect([stage.slack, stage.handleSlack]).toEqual([3, 12])
     await stage.send('pointerup', pixel(0, 0), touch)
     expect(stage.of(...DOING)).toEqual([['select', 0]])
     await stage.drag([pixel(0, 0), pixel(1, 0)], touch)
     expect(stage.of('set')).toHaveLength(1)
+  })
+
+  it('of a finger selects nothing before it is lifted or moves, and resizes only a selected circle', async () => {
+    const touch = { pointerType: 'touch' }
+    const stage = new Stage()
+    stage.under = { id: 0, part: 'rim' }
+    await stage.press([pixel(4, 0)], touch)
+    expect(stage.of(...DOING)).toEqual([])
+    await stage.send('pointermove', pixel(6, 0), touch)
+    await stage.send('pointerup', pixel(6, 0), touch)
+    expect(stage.of('set').at(-1)?.[2]).toEqual({ id: 0, circle: { x: 2, y: 0, r: 4 } })
+    await stage.drag([pixel(4, 0), pixel(6, 0)], touch)
+    expect(stage.of('set').at(-1)?.[2]).toEqual({ id: 0, circle: { x: 0, y: 0, r: 6 } })
   })
 
   it('of other buttons does nothing; the middle one pans, and does not scroll', async () => {
@@ -615,8 +628,8 @@ describe('a press that rests where nothing is', () => {
     vi.useRealTimers()
   })
 
-  const send = async (stage: Stage, type: string, point: Point) => {
-    stage.send(type, point)
+  const send = async (stage: Stage, type: string, point: Point, more: object = {}) => {
+    stage.send(type, point, more)
     await vi.advanceTimersByTimeAsync(0)
   }
 
@@ -648,6 +661,46 @@ describe('a press that rests where nothing is', () => {
     await send(stage, 'pointerup', pixel(3, 2))
     expect(stage.of('tryCircle', ...DOING)).toEqual([])
     expect(stage.camera.x).toBe(-2)
+  })
+
+  it('of a finger on a circle adds it to the selection; taps add more and remove them', async () => {
+    const touch = { pointerType: 'touch' }
+    const vibrate = vi.fn()
+    vi.stubGlobal('navigator', { vibrate })
+    const stage = new Stage()
+    const rest = async () => {
+      await vi.advanceTimersByTimeAsync(400)
+      showFrame()
+      await vi.advanceTimersByTimeAsync(0)
+    }
+    stage.selection = [1]
+    stage.under = disc(0)
+    await send(stage, 'pointerdown', pixel(0, 0), touch)
+    await rest()
+    expect(stage.of('tryCircle', ...DOING)).toEqual([['toggle', 0]])
+    expect(vibrate).toHaveBeenCalledOnce()
+    await send(stage, 'pointerup', pixel(0, 0), touch)
+    stage.selection = [1, 0]
+    // A selected circle stays selected under a finger that rests, and is dragged with the others.
+    await send(stage, 'pointerdown', pixel(0, 0), touch)
+    await rest()
+    await send(stage, 'pointermove', pixel(1, 0), touch)
+    await send(stage, 'pointerup', pixel(1, 0), touch)
+    expect(stage.of('toggle')).toHaveLength(1)
+    expect(stage.of('set').at(-1)).toHaveLength(4)
+    for (const id of [0, 2]) {
+      stage.under = disc(id)
+      await send(stage, 'pointerdown', pixel(0, 0), touch)
+      await send(stage, 'pointerup', pixel(0, 0), touch)
+    }
+    expect(stage.of('toggle').slice(1)).toEqual([
+      ['toggle', 0],
+      ['toggle', 2],
+    ])
+    // A mouse selects one.
+    await send(stage, 'pointerdown', pixel(0, 0))
+    await send(stage, 'pointerup', pixel(0, 0))
+    expect(stage.of('select').at(-1)).toEqual(['select', 2])
   })
 
   it('is none once nothing is listened to', async () => {
@@ -809,6 +862,38 @@ describe('in a page that scrolls', () => {
 })
 
 describe('a pointer that is not pressed', () => {
+  it('hovers over what is under it after the picture has changed, and over nothing once it has left', async () => {
+    const stage = new Stage()
+    stage.under = disc(1)
+    await stage.send('pointermove', pixel(1, 2))
+    for (const [name, id] of [
+      ['camera', 2],
+      ['changed', 0],
+    ] as const) {
+      stage.under = disc(id)
+      stage.listeners.get(name)?.()
+      await settled()
+      expect(stage.of('hover').at(-1)).toEqual(['hover', id])
+    }
+    // Changes meanwhile are answered by one more question.
+    stage.isKnown = false
+    const before = stage.of('hit').length
+    for (let k = 0; k < 9; k++) stage.listeners.get('camera')?.()
+    stage.isKnown = true
+    stage.under = disc(2)
+    stage.know()
+    await settled()
+    expect(stage.of('hit')).toHaveLength(before + 2)
+    expect(stage.of('hover').at(-1)).toEqual(['hover', 2])
+    await stage.send('pointerleave', pixel(0, 0))
+    stage.done.length = 0
+    stage.listeners.get('camera')?.()
+    await settled()
+    expect(stage.of('hit', 'hover')).toEqual([])
+    stage.listening.stop()
+    expect(stage.listeners.size).toBe(0)
+  })
+
   it('hovers, and its cursor says what a press would do', async () => {
     const stage = new Stage()
     for (const [under, cursor] of [

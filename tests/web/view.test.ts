@@ -141,6 +141,18 @@ describe('what is hit', () => {
     expect(two.hit(10.8, 0, 1)).toEqual({ id: 1, part: 'rim' })
   })
 
+  it('of a finger is the nearest small circle in its reach, also above a large one and beside others', () => {
+    const scene = new PaintedScene(library)
+    scene.open(Float64Array.of(0, 0, 10, 2, 0, 0.2, 4, 0, 0.2, 30, 0, 5))
+    expect(scene.hit(2.9, 0, 0.5, 2)).toEqual({ id: 1, part: 'disc', inReach: 2 })
+    expect(scene.hit(3.1, 0, 0.5, 2)).toEqual({ id: 2, part: 'disc', inReach: 2 })
+    expect(scene.hit(-5, 0, 0.5, 2)).toEqual({ id: 0, part: 'disc' })
+    expect(scene.hit(25.2, 0, 0.5, 2)).toEqual({ id: 3, part: 'rim' })
+    expect(scene.hit(20, 0, 0.5, 2)).toEqual({ id: 3, part: 'cell' })
+    // A mouse needs less room.
+    expect(scene.hit(3.1, 0, 0.5)).toEqual({ id: 0, part: 'disc' })
+  })
+
   it('is where circles are after edits', () => {
     const edited = new PaintedScene(library)
     edited.open(Float64Array.of(0, 0, 1, 10, 0, 1))

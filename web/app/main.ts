@@ -25,6 +25,7 @@ import { mountInspectorShare } from './panels/inspector-share.ts'
 import { mountLegend } from './panels/legend.ts'
 import { mountMethod } from './panels/method.ts'
 import { mountNames } from './panels/names.ts'
+import { mountOneLine } from './panels/one-line.ts'
 import { panelLater } from './panels/panel.ts'
 import { mountProgress } from './panels/progress.ts'
 import { mountSay } from './panels/say.ts'
@@ -118,6 +119,7 @@ const showHelp = () =>
   )
 byId('show-help', HTMLButtonElement).addEventListener('click', showHelp)
 mountGroup(store, actions)
+mountOneLine()
 mountTable(store, editing, actions, view)
 const played = mountMethod(store, actions)
 mountScale(view)

@@ -88,7 +88,8 @@ export class PageActions extends EditorActions {
     const { count } = this.#editing.circles
     // Cells are cut to a region, or they repeat in a box.
     const isOther = change.region !== undefined && this.#editing.domain.lattice !== undefined
-    this.onstage('computing', count)
+    const { areas, region } = { ...this.#editing.domain, ...change }
+    this.onstage(areas !== undefined ? 'fitting' : region !== undefined ? 'clipping' : 'repeating', count)
     try {
       return await super.setDomain(isOther ? { lattice: undefined, ...change } : change, gesture, edits)
     } finally {

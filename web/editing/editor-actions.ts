@@ -43,7 +43,7 @@ export interface OpenRequest extends Scene {
 }
 
 /** The loading stage of circles. */
-export type Stage = 'loading' | 'computing' | 'opened' | 'refused'
+export type Stage = 'loading' | 'computing' | 'clipping' | 'fitting' | 'repeating' | 'opened' | 'refused'
 
 /** The result of an opening. `superseded` means that a later request replaced it. */
 export type HowOpened = 'opened' | 'refused' | 'superseded'
@@ -108,9 +108,10 @@ export class EditorActions implements GestureTarget {
     const isWritten = Array.isArray(areas) || hasOther
     const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
     const attributes = said.circles && this.#editing.fileAttributes
+    const hasCircles = said.circles !== undefined || said.edits !== undefined
     return {
       ...said,
-      ...(colors !== undefined && { colors }),
+      ...(hasCircles && colors !== undefined && { colors }),
       ...(attributes && { attributes }),
       ...regionOfLink(scene, domain),
       ...(domain.lattice && { lattice: domain.lattice }),
@@ -270,6 +271,18 @@ export class EditorActions implements GestureTarget {
     const gesture = this.beginGesture()
     const circle = await this.fitted(center)
     if (circle !== undefined) await this.add([circle], gesture)
+  }
+
+  /** Adds a circle where there is room for it, as near as possible to the middle of the view. */
+  async addInRoom(): Promise<void> {
+    if (this.isReadonly) return
+    const gesture = this.beginGesture()
+    const { x, y, scale } = this.#view.camera
+    const usual = USUAL_RADIUS / scale
+    const room = await this.#view.ask('room', x, y)
+    const circle = room === undefined ? { x, y, r: usual } : { ...room, r: Math.min(room.r, usual) }
+    const ids = await this.add([circle], gesture)
+    if (ids[0] !== undefined) this.#reveal(ids[0])
   }
 
   /** A new circle at a point, with some room to the nearest circle; `undefined` where none fits. */

@@ -21,7 +21,7 @@ export const ENGLISH_KEYS: KeyHelp = {
     zoom: ['F', 'zoom to the selection'],
   },
   edit: {
-    add: ['N', 'add a circle in the middle of the picture'],
+    add: ['N', 'add a circle near the middle, where there is room'],
     move: ['arrows', 'move the selection: Shift for larger steps, Alt for smaller ones'],
     resize: ['+ −', 'resize the selection, with the same steps'],
     remove: ['Delete', 'delete the selection'],

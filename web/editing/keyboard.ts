@@ -94,7 +94,7 @@ export function listenToKeyboard(
         actions.zoomToSelection()
         return hasSelection
       case 'n':
-        actions.addFitting(view.camera)
+        actions.addInRoom()
         return true
       case 'Delete':
       case 'Backspace':

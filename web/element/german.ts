@@ -49,7 +49,7 @@ const KEYS: KeyHelp = {
     zoom: ['F', 'vergrößert die Auswahl'],
   },
   edit: {
-    add: ['N', 'fügt in der Mitte des Bildes einen Kreis hinzu'],
+    add: ['N', 'fügt einen Kreis hinzu, nahe der Mitte, wo Platz ist'],
     move: ['Pfeile', 'bewegen die Auswahl: mit Umschalt in größeren Schritten, mit Alt in kleineren'],
     resize: ['+ −', 'ändern die Größe der Auswahl, in denselben Schritten'],
     remove: ['Entf', 'löscht die Auswahl'],
@@ -131,7 +131,6 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   areas: 'Der Wert von areas',
   sharesOrEqual: 'equal oder eine Liste von Zahlen über 0',
   disposed: 'es wird nicht mehr gebraucht',
-  canceled: 'du hast es abgebrochen',
   noThread: 'seine Datei kann nicht geladen werden',
   circles: 'Der Wert der Kreise',
   method: 'Die Methode',

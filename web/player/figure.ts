@@ -94,7 +94,8 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     })
 
     mountLiveRegion(store, said, actions)
-    const isGrabbed = (point: Point, within: number) => !actions.isReadonly && editing.circles.hasAt(point, within)
+    const isGrabbed = (point: Point, within: number, reach: number) =>
+      !actions.isReadonly && editing.circles.hasAt(point, within, reach)
     this.#listening = listenToPointer(figure, view, actions, scrolls ? { isGrabbed } : {})
     const { signal } = this.#keys
     listenToKeyboard(figure, view, this.#listening, store, actions, keys, { around, signal })

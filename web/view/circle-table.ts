@@ -130,11 +130,12 @@ export class CircleTable {
     return ids
   }
 
-  /** Whether a point is inside a circle or within a distance of one. */
-  hasAt({ x, y }: Point, within: number): boolean {
+  /** Whether a point is inside a circle or within a distance of one, or a center is in its reach. */
+  hasAt({ x, y }: Point, within: number, reach = 0): boolean {
     for (let id = 0; id < this.#size; id++) {
       const [dx, dy] = [at(this.#numbers, 3 * id) - x, at(this.#numbers, 3 * id + 1) - y]
-      if (this.#isThere[id] === 1 && Math.hypot(dx, dy) <= at(this.#numbers, 3 * id + 2) + within) return true
+      if (this.#isThere[id] === 1 && Math.hypot(dx, dy) <= Math.max(at(this.#numbers, 3 * id + 2) + within, reach))
+        return true
     }
     return false
   }

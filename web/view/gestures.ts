@@ -105,6 +105,20 @@ export function gesturesOf(view: View, target: GestureTarget) {
     }
   }
 
+  /** Begins another gesture at the first move. */
+  const onceMoved = (begin: () => Gesture, click: () => void): Gesture => {
+    let begun: Gesture | undefined
+    return {
+      move(to, snaps) {
+        begun ??= begin()
+        begun.move(to, snaps)
+      },
+      click,
+      end: () => begun?.end?.(),
+      cancel: () => begun?.cancel?.(),
+    }
+  }
+
   /** Drags the rim, at a constant distance from the pointer. */
   const resizeCircle = (from: Point, id: number, { x, y, r }: Circle): Gesture => {
     const gesture = target.beginGesture()
@@ -285,5 +299,17 @@ export function gesturesOf(view: View, target: GestureTarget) {
     }
   }
 
-  return { pan, moveCircles, resizeCircle, scaleCircles, addCircle, drawCorner, holdCircle, band, movePathEnd, pinch }
+  return {
+    pan,
+    onceMoved,
+    moveCircles,
+    resizeCircle,
+    scaleCircles,
+    addCircle,
+    drawCorner,
+    holdCircle,
+    band,
+    movePathEnd,
+    pinch,
+  }
 }

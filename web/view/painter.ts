@@ -150,7 +150,11 @@ export class Painter {
           ({ message }) => message.kind === 'open' || message.fit !== undefined,
         )
         if (isOpening) {
-          this.#stop((words) => words.canceled)
+          // The one who cancels knows why there is no result.
+          this.#stop(
+            () => '',
+            () => new Superseded(),
+          )
           this.#start()
         }
         return isOpening
@@ -265,16 +269,16 @@ export class Painter {
     for (const [{ events }, what] of lost) events.failed(failure, what)
   }
 
-  #stop(reason: Reason): void {
+  #stop(reason: Reason, failureOf = failureFor): void {
     this.#worker?.terminate()
     this.#worker = undefined
-    for (const scene of this.#scenes.values()) this.#leave(scene, reason)
+    for (const scene of this.#scenes.values()) this.#leave(scene, reason, failureOf)
   }
 
   /** Rejects all requests of a scene that will not be answered. */
-  #leave(scene: SceneRecord, reason: Reason): void {
+  #leave(scene: SceneRecord, reason: Reason, failureOf = failureFor): void {
     this.#questions.leave(scene)
-    const failure = new Failure((words) => words.notComputed(reason(words)))
+    const failure = failureOf(reason)
     for (const { reject } of scene.waiting.values()) reject(failure)
     scene.waiting.clear()
   }
@@ -298,6 +302,8 @@ type Beginning = 'new' | 'restored' | 'bare'
 
 /** The reason why a thread stopped. */
 type Reason = (words: Refusals) => string
+
+const failureFor = (reason: Reason): Error => new Failure((words) => words.notComputed(reason(words)))
 
 const isDisposedOf: Reason = (words) => words.disposed
 

@@ -9,15 +9,19 @@ import type { View } from './view.ts'
 /** Distance that counts as on a rim or a dot, in pixels. */
 const MOUSE_SLACK = 5
 const TOUCH_SLACK = 12
+/** Half the width of a finger's target, in pixels. */
+const FINGER = 22
+/** A finger on more small circles than these is likely to pan. It can drag a selected one. */
+const MOST_IN_REACH = 4
 /** Distance from an edge at which the pointer or a finger shows its disc, in pixels. */
 const DISC_SLACK = 14
 const TOUCH_DISC_SLACK = 24
-/** Radius in pixels from which a finger drags circles at once. On smaller circles it may be meant to pan. */
-const LARGE_FOR_FINGERS = 22
 /** A shorter movement counts as a click, in pixels. */
 const CLICK_DISTANCE = 4
 /** Duration of a long press, in milliseconds. A long press on empty space previews a circle. */
 const HOLD = 400
+/** Duration of the vibration that answers a long press, in milliseconds. */
+const VIBRATION = 15
 /** A value of `MouseEvent.button`. */
 const MAIN = 0
 const MIDDLE = 1
@@ -35,10 +39,10 @@ export interface Listening {
 export interface PointerOptions {
   /**
    * Lets the page scroll: by the wheel, unless the view was pressed before or Ctrl is held, and by one finger, unless
-   * something draggable lies `within` a distance in units of the point. The element's `touch-action` must allow
+   * something draggable lies `within` a distance in units of the point, or the center of a small circle in its `reach`. The element's `touch-action` must allow
    * scrolling.
    */
-  isGrabbed?(point: Point, within: number): boolean
+  isGrabbed?(point: Point, within: number, reach: number): boolean
 }
 
 /** Listens to pointer, wheel and double click on a view's element. */
@@ -56,8 +60,8 @@ export function listenToPointer(
   const letsPageScroll = isGrabbed !== undefined
   /** Whether the view uses the wheel. */
   let isActive = !letsPageScroll
-  /** Whether the pointer is above the element without a press. */
-  let isHovering = false
+  /** Where the pointer is above the element without a press. */
+  let hovering: Point | undefined
   /** Whether the first finger drags something; otherwise the page scrolls. */
   let isFingerHeld = false
   /** Whether touch events are suppressed. They arrive after the pointer events. */
@@ -71,7 +75,8 @@ export function listenToPointer(
   const planeAt = (point: Point) => toPlane(view.camera, view.size, point)
   const hitAt = (point: Point, pointerType: string): Promise<Hit | undefined> => {
     const { x, y } = planeAt(point)
-    return view.ask('hit', x, y, (pointerType === 'touch' ? TOUCH_SLACK : MOUSE_SLACK) / view.camera.scale)
+    const [slack, reach] = pointerType === 'touch' ? [TOUCH_SLACK, FINGER] : [MOUSE_SLACK, 0]
+    return view.ask('hit', x, y, slack / view.camera.scale, reach / view.camera.scale)
   }
 
   const wait = (known: Promise<unknown>) => {
@@ -117,17 +122,25 @@ export function listenToPointer(
     const circle = hit === undefined ? undefined : target.circle(hit.id)
     if (shiftKey) return gestures.band(point, () => hit !== undefined && target.toggle(hit.id))
     if (hit === undefined) return gestures.pan(point, () => target.select([]))
-    const { id, part } = hit
+    const { id, part, inReach = 0 } = hit
+    const isTouch = pointerType === 'touch'
     const isSelected = target.isSelected(id)
-    const isLarge = circle !== undefined && circle.r * view.camera.scale >= LARGE_FOR_FINGERS
-    // A finger may pan even if it starts on a circle.
-    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll && !isLarge)
-    // A circle that is too small for a finger, or is gone, can still be selected.
-    if (isPan || circle === undefined) return gestures.pan(point, () => target.select([id]))
-    if (!isSelected) target.select([id])
-    const isOne = target.selectedCircles().length === 1
-    return part === 'rim' && isOne ? gestures.resizeCircle(point, id, circle) : gestures.moveCircles(point, id)
+    const isCrowded = inReach > MOST_IN_REACH && !isSelected && !letsPageScroll
+    // A tap adds to several selected circles, as there is no Shift key.
+    const tap = () => (isTouch && part !== 'cell' && isSeveral() ? target.toggle(id) : target.select([id]))
+    // A circle that is gone can still be selected.
+    if (part === 'cell' || isCrowded || circle === undefined) return gestures.pan(point, tap)
+    const grab = () => {
+      if (!isSelected) target.select([id])
+      const isOne = target.selectedCircles().length === 1
+      // A finger covers a whole circle, so that it is selected before it is resized.
+      const isResized = part === 'rim' && isOne && (!isTouch || isSelected)
+      return isResized ? gestures.resizeCircle(point, id, circle) : gestures.moveCircles(point, id)
+    }
+    return isTouch ? gestures.onceMoved(grab, tap) : grab()
   }
+
+  const isSeveral = () => target.selectedCircles().length > 1
 
   /** Whether a finger drags something instead of scrolling the page. */
   const isHeld = (point: Point): boolean =>
@@ -135,11 +148,12 @@ export function listenToPointer(
     target.tool === 'add' ||
     view.pathEndAt(point, TOUCH_SLACK) !== undefined ||
     view.handleAt(point, TOUCH_SLACK) !== undefined ||
-    isGrabbed(planeAt(point), TOUCH_SLACK / view.camera.scale)
+    isGrabbed(planeAt(point), TOUCH_SLACK / view.camera.scale, FINGER / view.camera.scale)
 
   const select = async (point: Point) => {
     const hit = await hitAt(point, 'touch')
-    target.select(hit === undefined ? [] : [hit.id])
+    if (hit !== undefined && hit.part !== 'cell' && isSeveral()) target.toggle(hit.id)
+    else target.select(hit === undefined ? [] : [hit.id])
   }
 
   const begin = (point: Point, event: PointerEvent): Gesture => {
@@ -166,10 +180,24 @@ export function listenToPointer(
     return (await target.fitted(planeAt(point))) !== undefined
   }
 
+  /** A long press by a finger adds a circle to the selection. Returns whether the finger is on a circle. */
+  const holdSelects = async (point: Point, event: PointerEvent, isOver: () => boolean): Promise<boolean> => {
+    if (event.pointerType !== 'touch' || target.tool !== 'select') return false
+    const hit = await hitAt(point, event.pointerType)
+    if (hit === undefined || hit.part === 'cell' || isOver()) return false
+    if (target.isSelected(hit.id)) return true
+    target.toggle(hit.id)
+    navigator.vibrate?.(VIBRATION)
+    gesture = gestures.moveCircles(point, hit.id)
+    hasMoved = true
+    return true
+  }
+
   const hold = async (point: Point, event: PointerEvent, begun: Gesture) => {
     // The press may have ended or become another gesture.
     const isOver = () => hasMoved || gesture !== begun
-    if (isOver() || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event)) || isOver()) return
+    if (isOver() || event.button !== MAIN || event.shiftKey) return
+    if ((await holdSelects(point, event, isOver)) || !(await isEmpty(point, event)) || isOver()) return
     begun.cancel?.()
     const showsDisc = event.pointerType === 'touch' && view.layers.disc && target.tool === 'select'
     gesture = showsDisc ? showDisc(point) : gestures.holdCircle(point)
@@ -241,6 +269,30 @@ export function listenToPointer(
     if (['cell', 'pan'].includes(element.dataset.cursor ?? '')) element.dataset.cursor = 'panning'
   })
 
+  const hover = async (point: Point) => {
+    view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
+    const hit = await hitAt(point, 'mouse')
+    // The result may arrive after the pointer has left.
+    if (pressed.size > 0 || hovering === undefined) return
+    target.hover(hit?.id)
+    if (target.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
+    else showCursor(hit)
+  }
+  /** Asks what is under a pointer that rests while the picture changes. */
+  let isAsking = false
+  let isOutdated = false
+  const hoverAgain = async () => {
+    isOutdated = true
+    if (isAsking) return
+    isAsking = true
+    while (isOutdated && hovering !== undefined && pressed.size === 0 && target.tool !== 'draw') {
+      isOutdated = false
+      await hover(hovering)
+    }
+    isAsking = false
+  }
+  const unwatch = [view.on('camera', hoverAgain), view.on('changed', hoverAgain)]
+
   on('pointermove', (event) => {
     const point = pointOf(event)
     if (!pressed.has(event.pointerId)) {
@@ -251,15 +303,8 @@ export function listenToPointer(
         target.draw?.('move', planeAt(point), 0)
         return
       }
-      isHovering = true
-      view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
-      hitAt(point, event.pointerType).then((hit) => {
-        // The result may arrive after the pointer has left.
-        if (pressed.size > 0 || !isHovering) return
-        target.hover(hit?.id)
-        if (target.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
-        else showCursor(hit)
-      })
+      hovering = point
+      hover(point)
       return
     }
     pressed.set(event.pointerId, point)
@@ -286,7 +331,7 @@ export function listenToPointer(
   })
   on('pointerleave', ({ pointerType }) => {
     isActive = !letsPageScroll
-    isHovering = false
+    hovering = undefined
     target.hover(undefined)
     // Fingers leave the element whenever they are lifted.
     if (pointerType !== 'touch') view.touch(undefined, 0)
@@ -347,7 +392,8 @@ export function listenToPointer(
     },
     stop() {
       listeners.abort()
-      isHovering = false
+      for (const end of unwatch) end()
+      hovering = undefined
       end(undefined)
     },
   }

@@ -87,8 +87,13 @@ export interface Shares {
  * The questions about a view's circles. `undefined` means that there is no answer, or that a drawing was impossible.
  */
 export interface Questions {
-  /** The circle at a point of the plane. `slack` is the tolerance, in units. */
-  hit(x: number, y: number, slack: number): Hit | undefined
+  /**
+   * The circle at a point of the plane. `slack` is the tolerance and `reach` that of a finger for small circles, in
+   * units.
+   */
+  hit(x: number, y: number, slack: number, reach?: number): Hit | undefined
+  /** A circle in the nearest free room between circles; `undefined` if there is none. */
+  room(x: number, y: number): Circle | undefined
   /** The disc at the nearest vertex or point of an edge, within `slack`. */
   touch(x: number, y: number, slack: number): Touching | undefined
   /** The area that a new circle would take. */
@@ -248,6 +253,8 @@ export interface Facts extends DiagramCounts {
 export interface Hit {
   readonly id: number
   readonly part: 'rim' | 'disc' | 'cell'
+  /** The number of small circles in the reach of a finger, if it hit one of them. */
+  readonly inReach?: number
 }
 
 export interface Described {

@@ -32,7 +32,6 @@ export interface Refusals {
   tooManyForAreas(most: number): string
   notRegion(reason: string): string
   readonly disposed: string
-  readonly canceled: string
   readonly noThread: string
 }
 
@@ -66,7 +65,6 @@ export const ENGLISH_REFUSALS: Refusals = {
   tooManyForAreas: (most) => `Areas can be given to at most ${most} cells here.`,
   notRegion: (reason) => `This is neither GeoJSON nor well-known text of polygons: ${reason}`,
   disposed: 'it was disposed of',
-  canceled: 'you canceled it',
   noThread: 'its file cannot be loaded',
 }
 

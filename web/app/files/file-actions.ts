@@ -267,25 +267,36 @@ export class FileActions {
     return { camera: fitted(boxOf(this.#editing.circles.box(), this.#editing.domain), size, room), size }
   }
 
-  /** Copies the link to the clipboard. Resolves to whether it succeeded. */
-  copyLink(): Promise<boolean> {
+  /** Opens the system's dialog for sharing the link. */
+  async shareLink(): Promise<void> {
+    await this.#try(async () => {
+      const url = addressOf(`#${await this.#shortLink(this.#actions.linkState())}`)
+      await navigator.share({ title: document.title, url }).catch((error: Error) => {
+        // The user has closed the dialog.
+        if (error.name !== 'AbortError') throw error
+      })
+    })
+  }
+
+  /** Copies the link to the clipboard. Resolves to its length, or to `undefined` if that failed. */
+  copyLink(): Promise<number | undefined> {
     return this.#copy((link) => addressOf(`#${link}`), this.#actions.linkState())
   }
 
-  copyEmbedCode(): Promise<boolean> {
+  copyEmbedCode(): Promise<number | undefined> {
     const state = this.#actions.linkState()
     const shape = state?.step === undefined ? 'figure' : 'player'
     return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`), undefined, shape), state)
   }
 
-  copyElementCode(): Promise<boolean> {
+  copyElementCode(): Promise<number | undefined> {
     const state = this.#wholeState()
     const controls = state.step === undefined ? 'controls' : 'controls="player"'
     return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
   }
 
   /** Copies the code of a frame with a question about the current state, or the address of the frame. */
-  copyQuestion(what: 'code' | 'link', frame: LinkFrame): Promise<boolean> {
+  copyQuestion(what: 'code' | 'link', frame: LinkFrame): Promise<number | undefined> {
     const state = this.#questionState(frame)
     const shape = state.step === undefined ? 'question' : 'player'
     const codeOf = (address: string) => (what === 'code' ? embedCode(address, frame.title, shape) : address)
@@ -324,17 +335,21 @@ export class FileActions {
   /** The current state with the circles themselves, because data sets exist only on this site. */
   #wholeState(): LinkInput {
     const { view, layers, step, method, areas } = this.#actions.linkState() ?? {}
-    const { region, lattice } = this.#editing.domain
-    return { circles: this.#editing.circles.circles(), view, layers, step, method, region, lattice, areas }
+    const { circles, domain, colors, fileAttributes: attributes } = this.#editing
+    const { region, lattice } = domain
+    return { circles: circles.circles(), attributes, colors, view, layers, step, method, region, lattice, areas }
   }
 
-  #copy(textOf: (link: string) => string, state: LinkInput | undefined): Promise<boolean> {
-    return this.#try(async () => {
+  async #copy(textOf: (link: string) => string, state: LinkInput | undefined): Promise<number | undefined> {
+    let length: number | undefined
+    await this.#try(async () => {
       const text = this.#shortLink(state).then(textOf)
       // Safari allows copying only what was requested during the click, so the text is passed as a promise.
       const item = new ClipboardItem({ 'text/plain': text.then((text) => new Blob([text], { type: 'text/plain' })) })
       await Promise.all([text, navigator.clipboard.write([item])])
+      length = (await text).length
     })
+    return length
   }
 
   async #shortLink(state: LinkInput | undefined): Promise<string> {

@@ -19,7 +19,7 @@ const HELP: readonly (readonly [title: string, rows: readonly KeyRow[]])[] = [
     'Select',
     [
       ['click, Enter', 'a circle by its disc or its cell'],
-      ['Shift + click, Shift + drag', 'several'],
+      ['Shift + click, Shift + drag; a long press by a finger', 'several'],
       select.next,
       select.neighbor,
       select.all,

@@ -11,12 +11,15 @@ import { byId } from './by-id.ts'
 
 type Field = 'x' | 'y' | 'r'
 const FIELDS: readonly Field[] = ['x', 'y', 'r']
+/** Digits of the numbers in one line. */
+const DIGITS = 3
 /** Largest number of buttons for neighbors. */
 const MOST_NEIGHBORS = 500
 
 /** The numbers, the cell and the neighbors of the selected circle. Returns a function that moves the focus there. */
 export function mountInspector(store: Store<State>, actions: PageActions): () => void {
   const panel = byId('inspector', HTMLElement)
+  const line = byId('inspector-line', HTMLElement)
   const cell = byId('inspector-cell', HTMLParagraphElement)
   const neighbors = byId('inspector-neighbors', HTMLUListElement)
   const fields = FIELDS.map((name) => byId(`field-${name}`, HTMLInputElement))
@@ -77,6 +80,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     panel.hidden = circle === undefined
     if (circle === undefined) return
 
+    line.textContent = FIELDS.map((name) => `${name} ${short(circle[name], DIGITS)}`).join('  ')
     fields.forEach((field, i) => {
       const value = circle[FIELDS[i] as Field]
       const text = short(value)

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
+import type { Stage } from '../../editing/editor-actions.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
+import { toast } from './toast.ts'
 
 /** Delay before the bar appears, in milliseconds. */
 const SOON = 300
+
+const DOING: Readonly<Partial<Record<Stage, string>>> = {
+  computing: 'Computing the diagram',
+  clipping: 'Clipping the cells',
+  fitting: 'Fitting the areas',
+  repeating: 'Computing the cells',
+}
 
 /** A progress bar with the current stage and a button to cancel. */
 export function mountProgress(actions: PageActions): void {
@@ -17,7 +26,11 @@ export function mountProgress(actions: PageActions): void {
 
   const draw = () => {
     place.hidden = stage === ''
-    const cancel = html`<button type="button" @click=${() => actions.cancelOpening()}>Cancel</button>`
+    const stop = () => {
+      actions.cancelOpening()
+      toast('Canceled. Nothing has changed.')
+    }
+    const cancel = html`<button type="button" @click=${stop}>Cancel</button>`
     render(
       html`<span>${stage}</span><progress aria-label=${stage}></progress>${isCancelable ? cancel : undefined}`,
       place,
@@ -41,7 +54,7 @@ export function mountProgress(actions: PageActions): void {
   actions.onstage = (now, circles) => {
     const count = `${wholeNumber(circles)} ${circles === 1 ? 'circle' : 'circles'}`
     if (now === 'loading') show('Loading …', true)
-    else if (now === 'computing') show(`Computing the diagram of ${count} …`, true)
+    else if (DOING[now] !== undefined) show(`${DOING[now]} of ${count} …`, true)
     else if (!place.hidden && isPainting() && now === 'opened') show(`Painting ${count} …`, false)
     else show('', false)
   }

@@ -25,7 +25,7 @@ import {
   newCondition,
   sentenceOf,
 } from '../question/conditions.ts'
-import { toast } from './toast.ts'
+import { toastCopied } from './toast.ts'
 
 const COMPARED: Readonly<Record<Comparison, string>> = {
   is: 'exactly',
@@ -324,9 +324,8 @@ export class QuestionForm {
   }
 
   async #copy(what: 'code' | 'link'): Promise<void> {
-    if (await this.#files.copyQuestion(what, this.#frame)) {
-      toast(`The ${what} of the question is in the clipboard.`)
-    }
+    const length = await this.#files.copyQuestion(what, this.#frame)
+    if (length !== undefined) toastCopied(`The ${what} of the question`, length)
   }
 
   /** Requests the values for the conditions. */

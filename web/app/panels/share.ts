@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html } from 'lit/html.js'
+import { html, nothing } from 'lit/html.js'
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { icon } from '../../player/icon.ts'
-import { CHAIN, CODE } from '../../view/icons.ts'
+import { CHAIN, CODE, SEND } from '../../view/icons.ts'
 import type { View } from '../../view/view.ts'
 import type { FileActions } from '../files/file-actions.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 import { QuestionForm } from './question.ts'
-import { toast } from './toast.ts'
+import { toastCopied } from './toast.ts'
 
 /** The panel with links and embedding code. */
 export function mountShare(
@@ -21,8 +21,9 @@ export function mountShare(
   view: View,
   pageActions: PageActions,
 ): void {
-  const copy = async (act: () => Promise<boolean>, what: string) => {
-    if (await act()) toast(`${what} is in the clipboard.`)
+  const copy = async (act: () => Promise<number | undefined>, what: string) => {
+    const length = await act()
+    if (length !== undefined) toastCopied(what, length)
   }
   const draw = () =>
     panel.render(
@@ -32,6 +33,13 @@ export function mountShare(
           <button type="button" class="primary" @click=${() => copy(() => actions.copyLink(), 'The link')}>
             ${icon(CHAIN)}Copy link
           </button>
+          ${
+            'share' in navigator
+              ? html`<button type="button" title="Send the link with another program" @click=${() => actions.shareLink()}>
+                  ${icon(SEND)}Send
+                </button>`
+              : nothing
+          }
           ${question.button()}
           <button
             type="button"

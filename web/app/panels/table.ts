@@ -45,7 +45,7 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
   const body = () => html`
     ${keyed(shownColumns, html`<div id="circle-grid" class="grid"></div>`)}
     <div class="choices">
-      <button type="button" title="Add a circle in the middle of the view" @click=${() => actions.addFitting(view.camera)}>
+      <button type="button" title="Add a circle where there is room in the view" @click=${() => actions.addInRoom()}>
         ${icon(PLUS)}Add
       </button>
       <button type="button" title="Delete the selected circles (Delete)" @click=${() => actions.removeSelected()}>

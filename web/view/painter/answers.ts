@@ -8,6 +8,7 @@ import { distributionOf } from './distribution.ts'
 import { CanvasDrawing } from './drawing.ts'
 import { factsOf } from './facts.ts'
 import type { PaintedScene } from './painted-scene.ts'
+import { roomNear } from './room.ts'
 import { tabulated, tabulatedAll } from './tabulate.ts'
 import { touchingAround, touchingNear } from './touching.ts'
 import { traced } from './traced.ts'
@@ -24,7 +25,11 @@ type Answers = {
 }
 
 export const answers = {
-  hit: (scene, x, y, slack) => scene.hit(x, y, slack),
+  room({ picture }, x, y) {
+    const home = picture.home(x, y)
+    return roomNear(picture.diagram, home.x, home.y)
+  },
+  hit: (scene, x, y, slack, reach) => scene.hit(x, y, slack, reach),
   legend: (scene) => scene.picture.legend,
   touch(scene, x, y, slack) {
     const { diagram } = scene.picture
