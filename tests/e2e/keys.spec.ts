@@ -41,7 +41,9 @@ test('the focus on the drawing is seen', async ({ app }) => {
   expect((await page.screenshot({ clip: corner })).equals(before)).toBe(true)
 })
 
-test('N adds a circle near the middle of the picture, where there is room, and what is duplicated is said, each time', async ({ app }) => {
+test('N adds a circle near the middle of the picture, where there is room, and what is duplicated is said, each time', async ({
+  app,
+}) => {
   const { page } = app
   await app.choose('Introduction')
   await app.canvas.focus()

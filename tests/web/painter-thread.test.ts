@@ -244,3 +244,25 @@ describe('one scene', () => {
     send({ kind: 'close', scene: other })
   })
 })
+
+it('an edit paints what is visible as a whole, also right after another scale', async () => {
+  await openScene(8)
+  const request = requestOf(1, 1, 40, 6)
+  const wanted = { left: -1024, top: -1024, width: 2048, height: 2048 }
+  send({ kind: 'look', scene: 8, style, ...request, wanted })
+  send({
+    kind: 'edit',
+    scene: 8,
+    revision: 2,
+    opening: 1,
+    edits: [{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: 1 } }],
+  })
+  await heard(8)
+  const [edited] = saidOf('edited')
+  const before = said.slice(0, said.indexOf(edited as FromPainter))
+  const tiles = [...before, edited as FromPainter].flatMap((message) => ('patches' in message ? message.patches : []))
+  const isPainted = (x: number, y: number) =>
+    tiles.some(({ box: { left, top, width, height } }) => x >= left && x < left + width && y >= top && y < top + height)
+  for (let x = -768; x < 768; x += 64) for (let y = -768; y < 768; y += 64) expect(isPainted(x, y)).toBe(true)
+  send({ kind: 'close', scene: 8 })
+})

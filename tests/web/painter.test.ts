@@ -455,4 +455,40 @@ describe('the base picture', () => {
     painted(second)
     expect(picture.isWhole).toBe(true)
   })
+
+  it('shows an edit in the former scale too, until the new scale is painted; of other scales nothing', () => {
+    const drawn: unknown[] = []
+    const cleared: unknown[] = []
+    vi.stubGlobal(
+      'OffscreenCanvas',
+      class {
+        getContext() {
+          const context = {
+            drawImage: (image: object, ...at: number[]) => drawn.push([image, ...at]),
+            clearRect: (...box: number[]) => cleared.push(box),
+          }
+          return context
+        }
+      },
+    )
+    const picture = new BasePicture()
+    const size = { width: 300, height: 300 }
+    const first = picture.see({ x: 0, y: 0, scale: 1 }, size, 1) as PaintRequest
+    picture.put({ kind: 'painted', scene: 1, grid: first.grid.id, patches: [], paintId: first.paintId, isWhole: true })
+    const second = picture.see({ x: 0, y: 0, scale: 2 }, size, 1) as PaintRequest
+    const edited = (grid: number) => {
+      const image = { close() {} } as ImageBitmap
+      const box = { left: 0, top: 0, width: 9, height: 9 }
+      const boxes = [{ minX: 0, minY: 0, maxX: 1, maxY: 1 }]
+      picture.put({ kind: 'edited', grid, patches: [{ box, image }], boxes } as unknown as Parameters<
+        typeof picture.put
+      >[0])
+    }
+    edited(first.grid.id)
+    expect([drawn.length, cleared.length]).toEqual([1, 0])
+    edited(second.grid.id)
+    expect([drawn.length, cleared.length]).toEqual([2, 1])
+    edited(99)
+    expect([drawn.length, cleared.length]).toEqual([2, 2])
+  })
 })

@@ -70,9 +70,11 @@ export class BasePicture {
 
   put({ grid, patches, ...rest }: Painted): void {
     const buffer = this.#buffer
-    if (buffer !== undefined && buffer.grid.id === grid) {
+    // A thread may answer an edit before it knows of another scale.
+    const target = [buffer, this.#before].find((other) => other?.grid.id === grid)
+    if (target !== undefined) {
       for (const { box, image } of patches) {
-        buffer.context.drawImage(image, box.left - buffer.box.left, box.top - buffer.box.top)
+        target.context.drawImage(image, box.left - target.box.left, box.top - target.box.top)
       }
     }
     for (const { image } of patches) image.close()
@@ -81,7 +83,7 @@ export class BasePicture {
       this.#before = undefined
     }
     // The previous buffer shows the circles before the edit.
-    if (rest.kind === 'edited' && this.#before !== undefined) {
+    if (rest.kind === 'edited' && this.#before !== undefined && this.#before !== target) {
       const { context, grid: old, box } = this.#before
       for (const { minX, minY, maxX, maxY } of rest.boxes) {
         const left = (minX - old.x) * old.scale - box.left

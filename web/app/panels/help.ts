@@ -49,6 +49,7 @@ const HELP: readonly (readonly [title: string, rows: readonly KeyRow[]])[] = [
 /** Shows the help on pointer and keys. */
 export function showHelp(): void {
   const dialog = byId('help', HTMLDialogElement)
+  const source = byId('source', HTMLAnchorElement).href
   render(
     html`
       <form method="dialog" class="row">
@@ -66,7 +67,8 @@ export function showHelp(): void {
             </section>`,
         )}
       </div>
-      <p class="reading"><a href="./tutorial/">Tutorial</a> <a href="./docs/">Documentation</a></p>
+      <p class="reading"><a href="./tutorial/">Tutorial</a> <a href="./docs/">Documentation</a>
+        <a href=${source}>Source</a></p>
     `,
     dialog,
   )

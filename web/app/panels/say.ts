@@ -6,7 +6,7 @@ import { dataSetOf } from '../data-sets.ts'
 import { byId } from './by-id.ts'
 
 const BY_MOUSE = 'Drag a rim to resize. Double-click to add a circle.'
-const BY_FINGER = 'Drag a rim to resize. Double-tap to add a circle.'
+const BY_FINGER = 'Tap one to name it and to resize it. Double-tap to add a circle.'
 /** Duration of a new data set's caption, in milliseconds. */
 const LASTING = 12_000
 

@@ -302,7 +302,7 @@ export class PaintedScene {
     if (colors !== undefined) this.picture.recolor(colors)
     // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
-    const patches = isElsewhere ? [] : this.#repaint(isAtOnce ? undefined : boxes)
+    const patches = isElsewhere ? [] : [...this.#repaint(isAtOnce ? undefined : boxes), ...this.#paintSeen()]
     if ((isEverywhere && !isAtOnce) || isElsewhere) this.#restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
@@ -373,6 +373,17 @@ export class PaintedScene {
     if (tile === undefined || this.#look === undefined) return undefined
     this.#painted.add(keyOf(tile))
     return this.#paint(tile, this.#look)
+  }
+
+  /** Paints the visible tiles that are missing, so that a view shows a moment as a whole or not at all. */
+  #paintSeen(): Patch[] {
+    const look = this.#look
+    if (look === undefined) return []
+    const isSeen = (tile: PixelBox) => intersection(tile, look.seen) !== undefined
+    const tiles = this.#waiting.filter(isSeen)
+    this.#waiting = this.#waiting.filter((tile) => !isSeen(tile))
+    for (const tile of tiles) this.#painted.add(keyOf(tile))
+    return tiles.map((tile) => this.#paint(tile, look))
   }
 
   /**
