@@ -35,6 +35,7 @@ import { mountTable } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
+import { printDrawing } from './printing.ts'
 import { RegionPen } from './region-pen.ts'
 import { StatePersistence } from './state-persistence.ts'
 import { styleSheetsLoaded } from './style-sheets.ts'
@@ -167,6 +168,7 @@ if (begun === 'refused') {
   }
 }
 arrangeAround(view, actions)
+printDrawing(view, byId('paper', HTMLElement))
 view.on('camera', () => keeping.changed())
 let step = store.get().step
 store.subscribe((state) => {

@@ -451,9 +451,11 @@ export class EditorActions implements GestureTarget {
    * changes its radius.
    */
   snapped(circle: Circle, within: number, sizes: boolean): Circle {
-    // Circles on a visible grid have its coordinates, and do not touch their neighbors instead.
-    const others = this.#view.layers.grid ? [] : this.#neighbors()
-    const snapping = { others, grid: gridSpacing(this.#view.camera.scale), within }
+    const grid = gridSpacing(this.#view.camera.scale)
+    // Circles on a visible grid always have its coordinates, and do not touch their neighbors instead.
+    const snapping = this.#view.layers.grid
+      ? { others: [], grid, within: grid }
+      : { others: this.#neighbors(), grid, within }
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
   }
 

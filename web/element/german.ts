@@ -260,7 +260,8 @@ const PLAYER: PlayerWords = {
       : `Es gibt ${plural(count, 'Kreis', 'Kreise')}; ${hidden} davon liegen in anderen und bleiben weg.`,
   centers: (edges) => `Der Delaunay-Graph der Mittelpunkte hat ${plural(edges, 'Kante', 'Kanten')}.`,
   angles: 'An jedem Mittelpunkt teilen Strahlen die Winkel zwischen diesen Kanten.',
-  samples: (count) => `${plural(count, 'Probe', 'Proben')}: wo Kanten und Strahlen ihren Kreis verlassen.`,
+  samples: (count) =>
+    `Alle Kreise werden um den kleinsten Radius kleiner. ${plural(count, 'Probe', 'Proben')}: wo Kanten und Strahlen sie verlassen.`,
   sampleGraph: (edges) => `Der Delaunay-Graph der Proben hat ${plural(edges, 'Kante', 'Kanten')}.`,
   pairs: (count) =>
     `Seine Kanten verbinden ${plural(count, 'Paar', 'Paare')} von Kreisen: Jedes bekommt eine antipodale Scheibe, und alle kommen nach Radius in die Liste.`,

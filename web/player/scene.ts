@@ -31,6 +31,8 @@ export const PLAYER_COLORS: Colors = {
 
 /** With more circles than this, only the circles of the current step show their numbers. */
 const MOST_NUMBERED = 60
+/** Relative size of a circle that is smaller than another one not only by rounding. */
+const SMALLER = 1 - 1e-9
 /** Largest size of an arrow head, relative to the extent of all circles. */
 const LARGEST_HEAD = 0.02
 
@@ -89,6 +91,7 @@ export function sceneOf(
       )
       add('sampleGraph', line === 'pairs' ? colors.past : colors.sample, { segments: graph })
     }
+    add('rims', colors.past, { discs: sampledRims(trace, state.samples, circleOf), dash: [3, 3] })
     add('samples', line === 'pairs' ? colors.past : colors.sample, { points })
     if (line === 'pairs') add('pairs', colors.current, { segments: gapsOf(trace, state.pairs, circleOf) })
   }
@@ -250,6 +253,20 @@ function pointsOf(trace: Trace, events: Int32Array): Float64Array {
       return disc === undefined ? [] : [disc.x, disc.y]
     }),
   )
+}
+
+/** The circles on which the samples lie, where these are smaller than the given ones. */
+function sampledRims(trace: Trace, samples: Int32Array, circleOf: CircleOf): Float64Array {
+  const rims = new Map<number, readonly number[]>()
+  for (const k of samples) {
+    const { disc, circles } = trace.event(k)
+    const id = circles[0] as number
+    const circle = circleOf(id)
+    if (disc === undefined || circle === undefined || rims.has(id)) continue
+    const radius = Math.hypot(disc.x - circle.x, disc.y - circle.y)
+    rims.set(id, radius < SMALLER * circle.r ? [circle.x, circle.y, radius] : [])
+  }
+  return Float64Array.from([...rims.values()].flat())
 }
 
 /** Rays from each center to the samples that are taken next. */

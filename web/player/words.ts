@@ -187,7 +187,8 @@ export const ENGLISH_PLAYER: PlayerWords = {
       : `There are ${plural(count, 'circle')}, ${hidden} of them inside others and left out.`,
   centers: (edges) => `The Delaunay graph of the centers has ${plural(edges, 'edge')}.`,
   angles: 'At each center, the angles between these edges are divided by rays.',
-  samples: (count) => `${plural(count, 'sample')} lie where edges and rays leave their circles.`,
+  samples: (count) =>
+    `All circles become smaller by the radius of the smallest one. ${plural(count, 'sample')} lie where edges and rays leave them.`,
   sampleGraph: (edges) => `The Delaunay graph of the samples has ${plural(edges, 'edge')}.`,
   pairs: (count) =>
     `Its edges join ${plural(count, 'pair')} of circles: each gets an antipodal disc, and all go into the list by radius.`,

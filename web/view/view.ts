@@ -346,12 +346,22 @@ export class View {
     this.#tell('layers', this.#layers)
   }
 
+  /** Returns the visible part as SVG text in the colors for white paper. */
+  toPrint(): Promise<string> {
+    const { style } = this.#container
+    const before = style.colorScheme
+    style.colorScheme = 'light'
+    const light = { ...readStyle(this.#container), paper: '#ffffff' }
+    style.colorScheme = before
+    return this.toSVG(this, light)
+  }
+
   /** Returns the visible part, or another one, as SVG text without selection. */
-  async toSVG({ camera, size }: ExportView = this): Promise<string> {
+  async toSVG({ camera, size }: ExportView = this, style = this.#style): Promise<string> {
     const frame = { ...camera, ...size }
-    const drawn = await this.#scene.ask('svg', frame, this.#style)
+    const drawn = await this.#scene.ask('svg', frame, style)
     if (drawn === undefined) throw notDrawn()
-    return svgPicture(frame, drawn, this.#style, this.#drawnLayers, this.#named, this.#above)
+    return svgPicture(frame, drawn, style, this.#drawnLayers, this.#named, this.#above)
   }
 
   /**

@@ -71,7 +71,7 @@ export function mountFiles(actions: FileActions): void {
             </button>
             <label>
               <input type="number" min="0.1" step="any" required .value=${String(scale)} @change=${rescale} autocomplete="off" />
-              times
+              × its size
             </label>
           </div>
           <h3>Save the data</h3>

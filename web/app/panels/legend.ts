@@ -81,9 +81,11 @@ function bodyOf(legend: Legend, unit: string) {
   const isOne = knots[0] === knots.at(-1)
   const ends = (value: string, k: number) =>
     !isClipped ? value : k === 0 ? `≤ ${value}` : k === texts.length - 1 ? `≥ ${value}` : value
-  return html`<span>${nameOf(legend)}${unit === '' ? '' : ` (${unit})`}</span>
+  const name = `${nameOf(legend)}${unit === '' ? '' : ` (${unit})`}`
+  if (isOne) return html`<span>${name}: ${texts[0]} ${isClipped ? 'for nearly all' : 'for all'}</span>`
+  return html`<span>${name}</span>
     <canvas height="1" aria-hidden="true"></canvas>
-    <span class="knots">${isOne ? html`<span>${texts[0]}</span>` : texts.map((value, k) => html`<span>${ends(value, k)}</span>`)}</span>`
+    <span class="knots">${texts.map((value, k) => html`<span>${ends(value, k)}</span>`)}</span>`
 }
 
 function drawRamp(canvas: HTMLCanvasElement, ramp: readonly string[]): void {

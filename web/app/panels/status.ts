@@ -4,6 +4,9 @@ import type { Store } from '../../editing/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
 
+/** Shorter times say more about what else the machine does. */
+const NOTICED = 0.05
+
 /** The status line: counts, computing time, and problems. */
 export function mountStatus(store: Store<State>): void {
   const status = byId('status', HTMLParagraphElement)
@@ -53,7 +56,7 @@ function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>): No
     ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden'], 'rare'] as Part] : []),
     ...(fitted === undefined ? [] : [[['areas within ', bold(fitted.error.toExponential(0))], 'second'] as Part]),
     [[proven]],
-    [duration(seconds), 'minor'],
+    ...(seconds < NOTICED ? [] : [[['computed in ', ...duration(seconds)], 'minor'] as Part]),
   ]
   const line = document.createElement('span')
   for (const [k, [content, rank]] of parts.entries()) {
@@ -82,5 +85,5 @@ function bold(value: number | string): Node {
 
 function duration(seconds: number): (string | Node)[] {
   if (seconds >= 1) return [bold(seconds.toFixed(1)), ' s']
-  return [bold((1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)), ' ms']
+  return [bold((1000 * seconds).toFixed(0)), ' ms']
 }

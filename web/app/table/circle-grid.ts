@@ -51,6 +51,18 @@ function isOfFile(column: DataColumn, { attributes }: Editing): boolean {
   return attributes.columns.includes(column)
 }
 
+/** Letters of a number that a column has room for. */
+const ROOM = 9
+
+/** A number with as many digits as a column has room for. */
+function narrow(value: number): string {
+  for (let digits = 6; digits > 2; digits--) {
+    const text = short(value, digits)
+    if (text.length <= ROOM) return text
+  }
+  return short(value, 2)
+}
+
 /** Shows the circles as rows of a grid. */
 export class CircleGrid implements GridContent {
   readonly headings: readonly Heading[]
@@ -95,7 +107,7 @@ export class CircleGrid implements GridContent {
       })),
     ]
     element.style.setProperty('--data-columns', String(columns.length))
-    element.classList.toggle('has-data', columns.length > 0)
+    element.classList.toggle('has-data', editing.attributes.columns.length > 0)
     this.#reorder()
     this.#grid = new Grid(element, this, 'Circles')
     this.update(store.get())
@@ -137,7 +149,7 @@ export class CircleGrid implements GridContent {
     if (!isFixed(name)) return { text: textIn(this.#editing.valueOf(id, dataName(name))) }
     if (!isMeasured(name)) {
       const circle = this.#editing.circles.get(id)
-      return { text: circle === undefined ? '' : short(circle[name]) }
+      return circle === undefined ? { text: '' } : { text: narrow(circle[name]), title: String(circle[name]) }
     }
     const value = this.#measured.get(id)?.[MEASURED.indexOf(name)]
     if (value === undefined) return { text: '' }

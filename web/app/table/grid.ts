@@ -4,6 +4,8 @@ import { elementScroll, observeElementOffset, observeElementRect, Virtualizer } 
 /** The contents of a cell. */
 export interface CellText {
   readonly text: string
+  /** Shown in full at the pointer if the text may be shortened. */
+  readonly title?: string
   /** Read out in place of the text if the text alone is unclear. */
   readonly label?: string
 }
@@ -202,8 +204,9 @@ export class Grid {
         cell.id = this.#elementIdOf(row, column)
         cell.classList.toggle('current', isCurrent)
         if (isCurrent && this.#input?.parentElement === cell) continue
-        const { text, label } = this.#content.cell(row, column)
+        const { text, label, title = '' } = this.#content.cell(row, column)
         if (cell.textContent !== text) cell.textContent = text
+        if (cell.title !== title) cell.title = title
         if (label === undefined) cell.removeAttribute('aria-label')
         else cell.ariaLabel = label
       }

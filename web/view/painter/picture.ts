@@ -107,7 +107,8 @@ export class Picture {
     this.#automatic = count <= MOST_MAPPED ? 'different' : 'radius'
     const area = torus?.area ?? (box.maxX - box.minX) * (box.maxY - box.minY)
     // Circles in a row have hardly any area between them.
-    this.cellWidth = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extent / count)
+    const usual = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extent / count)
+    this.cellWidth = Math.min(usual, 2 * wideGap(this.#snapshot)) || usual
     this.index = this.#indexed()
   }
 
@@ -340,6 +341,29 @@ export class Picture {
     this.index.set(id, (boxes, k) => addCell(boxes, k, this.diagram, i, this.reach))
     this.#stars?.set(id, (boxes, k) => addStar(boxes, k, this.diagram, i))
   }
+}
+
+/** Number of circles from which the distance of neighbors is estimated. */
+const GAP_SAMPLE = 1000
+/** The share of circles whose nearest neighbors are at most that far away. */
+const GAP_SHARE = 0.9
+
+/** A distance of centers beyond which few circles have their nearest neighbor; infinite for single circles. */
+function wideGap(diagram: Diagram): number {
+  const { circles } = diagram
+  const count = circles.length / 3
+  const step = Math.max(Math.floor(count / GAP_SAMPLE), 1)
+  const gaps: number[] = []
+  for (let i = 0; i < count; i += step) {
+    let least = Number.POSITIVE_INFINITY
+    for (const j of diagram.neighbors(i)) {
+      const [dx, dy] = [at(circles, 3 * i) - at(circles, 3 * j), at(circles, 3 * i + 1) - at(circles, 3 * j + 1)]
+      least = Math.min(least, Math.hypot(dx, dy))
+    }
+    if (least < Number.POSITIVE_INFINITY) gaps.push(least)
+  }
+  gaps.sort((one, other) => one - other)
+  return gaps[Math.floor(GAP_SHARE * gaps.length)] ?? Number.POSITIVE_INFINITY
 }
 
 function hiddenByHider({ hidden }: Diagram): Map<number, number[]> {
