@@ -102,8 +102,8 @@ test('what is saved opens again: SVG as it is, JSON with its diagram, CSV, GeoJS
 test('saves the picture that is seen as PNG, so many times as large', async ({ app }) => {
   await openPanel(app)
   const sizeOf = async (times: string) => {
-    await app.page.getByLabel('times').fill(times)
-    await app.page.getByLabel('times').press('Tab')
+    await app.page.getByLabel('× its size').fill(times)
+    await app.page.getByLabel('× its size').press('Tab')
     const download = app.page.waitForEvent('download')
     await app.page.getByRole('button', { name: 'PNG' }).click()
     const file = await download
@@ -117,8 +117,8 @@ test('saves the picture that is seen as PNG, so many times as large', async ({ a
   expect([width, height]).toEqual([3200, 2000])
   // An empty picture would be smaller.
   expect(length).toBeGreaterThan(200_000)
-  await app.page.getByLabel('times').fill('1000')
-  await app.page.getByLabel('times').press('Tab')
+  await app.page.getByLabel('× its size').fill('1000')
+  await app.page.getByLabel('× its size').press('Tab')
   await app.page.getByRole('button', { name: 'PNG' }).click()
   await expect(app.page.getByRole('alert')).toContainText('too large')
 })

@@ -9,6 +9,8 @@ import { FilesClient } from './files/files-client.ts'
 import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
 import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
+import { listenToMenu } from './input/menu-key.ts'
+import { markTabbing } from './input/tabbing.ts'
 import { LinkWriter } from './link-writer.ts'
 import { driftAtStart } from './motion/drift.ts'
 import { NOT_LOADED } from './not-loaded.ts'
@@ -35,7 +37,6 @@ import { mountTable } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
-import { printDrawing } from './printing.ts'
 import { RegionPen } from './region-pen.ts'
 import { StatePersistence } from './state-persistence.ts'
 import { styleSheetsLoaded } from './style-sheets.ts'
@@ -55,6 +56,7 @@ await styleSheetsLoaded()
 const files = new FilesClient()
 const reader = new FilesClient()
 let hasShown = false
+let steps = 0
 const figure = new Figure(
   {
     figure: byId('figure', HTMLElement),
@@ -71,6 +73,9 @@ const figure = new Figure(
       drawRegion: () => actions.useTool('draw'),
     },
     played: (kept) => played(kept),
+    onstep: (_, all) => {
+      steps = all
+    },
     onoutcome: (outcome) => {
       actions.followColumn(outcome)
       // The initial data set is not saved.
@@ -92,12 +97,15 @@ mountToolbar(store, actions, generate.open)
 mountTrial(view, actions)
 mountViewControls(actions)
 mountStatus(store)
-mountSay(store)
 mountProgress(actions)
 mountLegend(store, view)
 const fileActions = loadedOnce(async () => {
   const { FileActions } = await import('./files/file-actions.ts')
   return new FileActions(store, editing, actions, view, { files, reader, links })
+})
+mountSay(store, async (file) => {
+  const opening = await fileActions().catch(() => complain(NOT_LOADED))
+  await opening?.openFile(file)
 })
 const motion = loadedOnce(async () => {
   const { Motion } = await import('./motion/motion.ts')
@@ -109,6 +117,7 @@ actions.pen = pen
 listenToClipboard(actions)
 listenToFiles(fileActions, complain)
 restoreInvalidNumbers(document)
+markTabbing()
 const editNumbers = mountInspector(store, actions)
 mountIdentity(store, editing, actions)
 mountInspectorFacts(store, editing, actions, view)
@@ -122,13 +131,23 @@ byId('show-help', HTMLButtonElement).addEventListener('click', showHelp)
 mountGroup(store, actions)
 mountOneLine()
 mountTable(store, editing, actions, view)
+const menu = loadedOnce(async () => {
+  const { contextMenu } = await import('./panels/context-menu.ts')
+  return contextMenu(store, actions, view, () => byId('field-name', HTMLInputElement).focus())
+})
+listenToMenu(
+  byId('figure', HTMLElement),
+  view,
+  () => store.get().circle,
+  async (at) => (await menu().catch(() => complain(NOT_LOADED)))?.(at),
+)
 const played = mountMethod(store, actions)
 mountScale(view)
 mountNames(store, editing)
 panelLater('files', complain, async () => (await import('./panels/files.ts')).mountFiles(await fileActions()))
 panelLater('share', complain, async () => {
   const { mountShare } = await import('./panels/share.ts')
-  mountShare(await fileActions(), store, editing, view, actions)
+  mountShare(await fileActions(), store, editing, view, actions, await motion(), () => steps)
 })
 panelLater('layers', complain, async () => {
   const [{ mountLayers }, { Radii }] = await Promise.all([import('./panels/layers.ts'), import('./motion/radii.ts')])
@@ -168,7 +187,11 @@ if (begun === 'refused') {
   }
 }
 arrangeAround(view, actions)
-printDrawing(view, byId('paper', HTMLElement))
+import('./printing.ts').then(
+  ({ printDrawing }) => printDrawing(view, byId('paper', HTMLElement)),
+  // The screen is printed.
+  () => {},
+)
 view.on('camera', () => keeping.changed())
 let step = store.get().step
 store.subscribe((state) => {

@@ -328,7 +328,7 @@ export function drawOverlay(
           Math.abs(place.x - other.x) < AREA_ROOM.width * pixelRatio &&
           Math.abs(place.y - other.y) < AREA_ROOM.height * pixelRatio,
       )
-      if (isInside || isTaken) continue
+      if (isInside || isTaken || Number.isNaN(taken.area)) continue
       written.push(place)
       drawing.write(`−${areaText(taken.area)}`, place.x, place.y, TEXT_SIZE * pixelRatio, style.accent, style.paper)
     }

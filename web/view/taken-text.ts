@@ -9,7 +9,8 @@ export function namedOf({ taken }: Trial): readonly Taken[] {
   return taken.slice(0, MOST_NAMED)
 }
 
+/** An area that is taken; a part that has no end is not measured. */
 export function areaText(area: number): string {
-  if (Number.isNaN(area)) return '…'
+  if (Number.isNaN(area)) return 'a part'
   return area === Number.POSITIVE_INFINITY ? '∞' : short(area, 3)
 }

@@ -380,9 +380,24 @@ export class View {
     return canvas.convertToBlob({ type: 'image/png' })
   }
 
-  /** Returns a video stream of the picture without highlights. */
+  /** Returns a video stream of what is seen, until its track is stopped. */
   stream(): MediaStream {
-    return this.#base.captureStream()
+    const { width, height } = this.#base
+    const canvas = Object.assign(document.createElement('canvas'), { width, height })
+    const context = canvas.getContext('2d') as CanvasRenderingContext2D
+    const stream = canvas.captureStream()
+    const draw = () => {
+      if (stream.getTracks().every(({ readyState }) => readyState === 'ended')) return
+      for (const layer of [this.#base, this.#overlay]) context.drawImage(layer, 0, 0, width, height)
+      requestAnimationFrame(draw)
+    }
+    draw()
+    return stream
+  }
+
+  /** The pixel of a point of the plane. */
+  toScreen(point: Point): Point {
+    return toScreen(this.#camera, this.#size, point)
   }
 
   /** Highlights one circle as selected, or none. */
@@ -399,8 +414,8 @@ export class View {
   choose(circles: readonly Circle[]): void {
     const flat = Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
     const [first, ...others] = circles
-    // A single point gets its own box for the handle, not the padded box of fitting.
-    const box = first !== undefined && others.length === 0 ? boxOfCircle(first) : boundingBox(flat)
+    // The handle of a single circle is at its rim.
+    const box = first !== undefined && others.length === 0 ? boxInCircle(first) : boundingBox(flat)
     this.#chosen = first && { circles: flat, box }
     this.#overlayChanges()
   }
@@ -644,8 +659,10 @@ export class View {
   }
 }
 
-function boxOfCircle({ x, y, r }: Circle): Box {
-  return { minX: x - r, minY: y - r, maxX: x + r, maxY: y + r }
+/** The square whose corners lie on a circle. */
+function boxInCircle({ x, y, r }: Circle): Box {
+  const half = r * Math.SQRT1_2
+  return { minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }
 }
 
 function withoutCells({ selected, hovered }: Highlights): Highlights {

@@ -14,9 +14,10 @@ import { readRegion } from '../../view/region-text.ts'
 import { short } from '../../view/short.ts'
 import type { ExportView, View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
-import { sourceOf } from '../data-sets.ts'
+import { labelOf, sourceOf } from '../data-sets.ts'
 import type { LinkWriter } from '../link-writer.ts'
 import type { PageActions } from '../page-actions.ts'
+import { byId } from '../panels/by-id.ts'
 import { chooseColumns } from '../panels/choose-columns.ts'
 import { toast } from '../panels/toast.ts'
 import { unknownTable } from './columns.ts'
@@ -260,6 +261,18 @@ export class FileActions {
     })
   }
 
+  /** Saves a picture of all circles with a caption, in the size that other sites show beside a link. */
+  async saveCard(): Promise<void> {
+    await this.#try(async () => {
+      const { cardOf, CARD } = await import('./card.ts')
+      const size = { width: CARD.width, height: CARD.height - CARD.caption }
+      const box = boxOf(this.#editing.circles.box(), this.#editing.domain)
+      const camera = fitted(box, size, { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM })
+      const title = labelOf(this.#store.get().dataSet) || 'Voronoi diagram of circles'
+      save(await cardOf(await this.#view.toPNG(1, { camera, size }), title, location.host), `${this.#name}-card.png`)
+    })
+  }
+
   #shotOf(part: Part): ExportView {
     const { camera, size } = this.#view
     if (part === 'seen') return { camera, size }
@@ -301,6 +314,15 @@ export class FileActions {
     const shape = state.step === undefined ? 'question' : 'player'
     const codeOf = (address: string) => (what === 'code' ? embedCode(address, frame.title, shape) : address)
     return this.#copy((link) => codeOf(addressOf(`embed.html#${link}`)), state)
+  }
+
+  /** Prints a page with the question, the picture and a code of the frame's address. */
+  async printWorksheet(frame: LinkFrame): Promise<void> {
+    await this.#try(async () => {
+      const [link, svg] = await Promise.all([this.#shortLink(this.#questionState(frame)), this.#view.toPrint()])
+      const { printWorksheet } = await import('./worksheet.ts')
+      await printWorksheet(byId('worksheet', HTMLElement), frame, svg, addressOf(`embed.html#${link}`))
+    })
   }
 
   /** Opens the frame in a new tab. */

@@ -12,7 +12,6 @@ export type SavedFormat = 'csv' | 'json' | 'geojson' | 'cells'
 /** Circles with the names and other attributes of a file. */
 export interface NamedCircles {
   readonly circles: Float64s
-  readonly names?: readonly string[] | undefined
   readonly attributes?: Attributes | undefined
 }
 

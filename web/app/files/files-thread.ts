@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The worker of `FilesClient`: readers, writers and generators, loaded on demand.
-import { columnsOf } from '../../editing/attributes.ts'
+import { columnsOf, NO_ATTRIBUTES } from '../../editing/attributes.ts'
+import { COLOR } from '../../editing/identity.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
 import type { CircleAttributes, Files, ReadCirclesOptions } from '../../lib/files.ts'
@@ -11,7 +12,7 @@ import type { Domain } from '../../view/domain.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
 import { randomNumbers } from '../random-numbers.ts'
 import type { FilesCalls, HowRead, NamedCircles, NamedColumns, Read, SavedFormat } from './files-protocol.ts'
-import { stippled, tonesOf } from './stipple.ts'
+import { pixelsOf, stippled } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
 
 const port = globalThis as unknown as {
@@ -32,7 +33,11 @@ const calls: {
   ) => ReturnType<FilesCalls[Name]> | Promise<ReturnType<FilesCalls[Name]>>
 } = {
   read,
-  stipple: async (picture) => ({ circles: stippled(await tonesOf(picture), randomNumbers(STIPPLED)) }),
+  stipple: async (picture) => {
+    const { circles, colors } = stippled(await pixelsOf(picture), randomNumbers(STIPPLED))
+    const values = colors.map((color) => JSON.stringify(color))
+    return { circles, attributes: { ...NO_ATTRIBUTES, columns: [{ name: COLOR, values }] } }
+  },
   write,
   link: encodeLink,
   make: async (recipe) => (await generators()).make(recipe),

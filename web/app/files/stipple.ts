@@ -12,15 +12,23 @@ const LEAST = 0.03
 /** Radius relative to the room up to the nearest other circle. */
 const FILLED = 0.94
 
-/** Gray values, rows from the top, from 0 (white) to 1 (black). */
-export interface Tones {
+/** The pixels of a picture, rows from the top. */
+export interface Pixels {
   readonly width: number
   readonly height: number
-  readonly tones: Float32Array
+  /** Red, green, blue and opacity of each pixel, from 0 to 255. */
+  readonly data: ArrayLike<number>
+}
+
+/** Circles, and the color of the picture in the cell of each. */
+export interface Stippled {
+  readonly circles: Float64s
+  /** CSS colors. */
+  readonly colors: readonly string[]
 }
 
 /** @throws Error if the browser cannot read the picture */
-export async function tonesOf(picture: Blob): Promise<Tones> {
+export async function pixelsOf(picture: Blob): Promise<Pixels> {
   const bitmap = await createImageBitmap(picture)
   const scale = Math.min(Math.sqrt(PIXELS / (bitmap.width * bitmap.height)), 1)
   const [width, height] = [
@@ -33,19 +41,24 @@ export async function tonesOf(picture: Blob): Promise<Tones> {
   context.fillRect(0, 0, width, height)
   context.drawImage(bitmap, 0, 0, width, height)
   bitmap.close()
-  const { data } = context.getImageData(0, 0, width, height)
-  const tones = Float32Array.from({ length: width * height }, (_, k) => {
-    const [red, green, blue] = data.subarray(4 * k, 4 * k + 3) as unknown as [number, number, number]
+  return { width, height, data: context.getImageData(0, 0, width, height).data }
+}
+
+/** Gray values from 0 (white) to 1 (black). */
+function tonesOf({ width, height, data }: Pixels): Float32Array {
+  return Float32Array.from({ length: width * height }, (_, k) => {
+    const [red, green, blue] = [0, 1, 2].map((channel) => data[4 * k + channel] as number) as [number, number, number]
     return 1 - (0.2126 * red + 0.7152 * green + 0.0722 * blue) / 255
   })
-  return { width, height, tones }
 }
 
 /**
- * Converts gray values to circles by weighted Voronoi stippling (Secord, 2002), in pixels with y upward. `random`
- * returns numbers from 0 to 1.
+ * Converts a picture to circles by weighted Voronoi stippling (Secord, 2002), in pixels with y upward. `random` returns
+ * numbers from 0 to 1.
  */
-export function stippled({ width, height, tones }: Tones, random: () => number, count = CIRCLES): Float64s {
+export function stippled(pixels: Pixels, random: () => number, count = CIRCLES): Stippled {
+  const { width, height } = pixels
+  const tones = tonesOf(pixels)
   const weights = tones.map((tone) => LEAST + (1 - LEAST) * tone * tone)
   const x = new Float64Array(count)
   const y = new Float64Array(count)
@@ -91,7 +104,23 @@ export function stippled({ width, height, tones }: Tones, random: () => number, 
     const r = (FILLED / 2) * distance * Math.sqrt(Math.min(0.08 + (dark[i] as number), 1))
     circles.set([x[i] as number, height - (y[i] as number), r], 3 * i)
   }
-  return circles
+  return { circles, colors: colorsOf(pixels, grid, count) }
+}
+
+/** The mean color of the pixels nearest to each point. */
+function colorsOf({ width, height, data }: Pixels, grid: Buckets, count: number): string[] {
+  const sums = new Float64Array(4 * count)
+  for (let k = 0; k < width * height; k++) {
+    const i = grid.nearest((k % width) + 0.5, Math.floor(k / width) + 0.5, -1)
+    for (let channel = 0; channel < 3; channel++) {
+      sums[4 * i + channel] = (sums[4 * i + channel] as number) + (data[4 * k + channel] as number)
+    }
+    sums[4 * i + 3] = (sums[4 * i + 3] as number) + 1
+  }
+  return Array.from({ length: count }, (_, i) => {
+    const channels = [0, 1, 2].map((channel) => (sums[4 * i + channel] as number) / (sums[4 * i + 3] || 1))
+    return `#${channels.map((value) => Math.round(value).toString(16).padStart(2, '0')).join('')}`
+  })
 }
 
 /** Points sorted into squares, for nearest-point queries. */

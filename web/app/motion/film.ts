@@ -5,8 +5,14 @@ const TYPES = ['video/mp4', 'video/webm;codecs=vp9', 'video/webm'] as const
 /** Bits per second, enough for sharp edges. */
 const QUALITY = 8_000_000
 
+/** A video and the ending of its file name. */
+export interface Film {
+  readonly film: Blob
+  readonly ending: string
+}
+
 /** @throws Error if the browser cannot record video */
-export async function filmed(stream: MediaStream, seconds: number): Promise<{ film: Blob; ending: string }> {
+export async function filmed(stream: MediaStream, seconds: number): Promise<Film> {
   const type = TYPES.find((type) => globalThis.MediaRecorder?.isTypeSupported(type))
   if (type === undefined) throw new Error('This browser cannot record a video.')
   const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: QUALITY })

@@ -23,7 +23,7 @@ export type MovementName = keyof typeof MOVEMENTS
 const CROSSING = 8
 /** Seconds in which radii grow from zero; also the time of one breath. */
 const GROWING = 5
-const BREATH = 4
+export const BREATH = 4
 const BREADTH = 0.35
 
 /** The animation with a name, for circles that bounce inside a box. */

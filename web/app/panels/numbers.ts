@@ -123,7 +123,7 @@ function distributionOf({ certificate, medianArea, areas, areaStep, degrees }: D
   const middle = short(medianArea, 3)
   return html`
     <figure>
-      <figcaption>${bounded === 1 ? `Area of the bounded cell: ${middle}` : `Areas of bounded cells: half are below ${middle}`}</figcaption>
+      <figcaption>${bounded === 1 ? `Area of the bounded cell: ${middle}` : `Areas of bounded cells: half are below ${middle}${areas.length > 1 ? `; the last bar: above ${short(largest, 3)}` : ''}`}</figcaption>
       <div class="chart" role="img" aria-label=${`Histogram of areas up to ${short(largest, 3)}; larger ones are in the last bar`}></div>
     </figure>
     <figure>

@@ -177,6 +177,9 @@ export class QuestionForm {
         <button type="button" title="Save a SCORM 1.2 file for Moodle, ILIAS and other course systems, which reports who has solved the question" @click=${() => this.#files.saveCourse(this.#frame)}>
           ${icon(DOWN)}SCORM file
         </button>
+        <button type="button" title="Print the question with the picture and a code that opens the frame on a phone" @click=${() => this.#files.printWorksheet(this.#frame)}>
+          Worksheet
+        </button>
         <button type="button" title="Open the frame in a new tab" @click=${() => this.#files.openQuestion(this.#frame)}>Try it</button>
       </div>
     `

@@ -6,12 +6,21 @@ import { dataSetOf } from '../data-sets.ts'
 import { byId } from './by-id.ts'
 
 const BY_MOUSE = 'Drag a rim to resize. Double-click to add a circle.'
-const BY_FINGER = 'Tap one to name it and to resize it. Double-tap to add a circle.'
+const BY_FINGER = 'Tap one to resize it. Double-tap to add a circle.'
 /** Duration of a new data set's caption, in milliseconds. */
 const LASTING = 12_000
 
+/** A link-like field for a photo, which becomes circles. */
+function photoOf(open: (file: File) => void) {
+  const choose = ({ target }: Event) => {
+    const file = (target as HTMLInputElement).files?.[0]
+    if (file !== undefined) open(file)
+  }
+  return html`<label class="photo">Or open a photo.<input type="file" class="visually-hidden" accept="image/*" @change=${choose} /></label>`
+}
+
 /** A one-line caption of the circles until they are touched. Without circles, it says how to begin. */
-export function mountSay(store: Store<State>): void {
+export function mountSay(store: Store<State>, open: (file: File) => void): void {
   const place = byId('say', HTMLElement)
   let shown = ''
   let timer: ReturnType<typeof setTimeout> | undefined
@@ -37,8 +46,9 @@ export function mountSay(store: Store<State>): void {
     const { credit, id } = about
     // The first data set introduces the page itself.
     const small = id === 'start' ? hint : credit
+    const photo = id === 'start' ? photoOf(open) : nothing
     place.classList.toggle('first', id === 'start')
-    render(html`<p>${about.about}</p>${small === undefined ? nothing : html`<small>${small}</small>`}`, place)
+    render(html`<p>${about.about}</p>${small === undefined ? nothing : html`<small>${small} ${photo}</small>`}`, place)
     if (id !== 'start') timer = setTimeout(hide, LASTING)
   }
 

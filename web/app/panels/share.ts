@@ -7,6 +7,9 @@ import { icon } from '../../player/icon.ts'
 import { CHAIN, CODE, SEND } from '../../view/icons.ts'
 import type { View } from '../../view/view.ts'
 import type { FileActions } from '../files/file-actions.ts'
+import { save } from '../files/saving.ts'
+import { recordClip } from '../motion/clip.ts'
+import type { Motion } from '../motion/motion.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
@@ -20,10 +23,26 @@ export function mountShare(
   editing: Editing,
   view: View,
   pageActions: PageActions,
+  motion: Motion,
+  /** The number of steps of the method that is played. */
+  steps: () => number,
 ): void {
   const copy = async (act: () => Promise<number | undefined>, what: string) => {
     const length = await act()
     if (length !== undefined) toastCopied(what, length)
+  }
+  let isRecording = false
+  const record = async () => {
+    isRecording = true
+    draw()
+    try {
+      const clip = await recordClip(view, store, pageActions, motion, steps())
+      if (clip !== undefined) save(clip.film, `circles-clip${clip.ending}`)
+    } catch (error) {
+      pageActions.complain((error as Error).message)
+    }
+    isRecording = false
+    draw()
   }
   const draw = () =>
     panel.render(
@@ -41,6 +60,17 @@ export function mountShare(
               : nothing
           }
           ${question.button()}
+          <button
+            type="button"
+            ?disabled=${isRecording}
+            title="Record a video of a few seconds: of the method if it is played, or else of circles that breathe"
+            @click=${record}
+          >
+            ${isRecording ? 'Recording …' : 'Record a clip'}
+          </button>
+          <button type="button" title="Save a picture in the size that other sites show beside a link" @click=${() => actions.saveCard()}>
+            Save a card
+          </button>
           <button
             type="button"
             title="Copy HTML for a frame in another page"

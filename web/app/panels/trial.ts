@@ -15,18 +15,20 @@ export function mountTrial(view: View, { called }: Pick<PageActions, 'called'>):
   })
 }
 
+const HEADER = html`<header><h2>A new circle</h2></header>`
+
 function body(trial: Trial, called: (id: number) => string) {
   const { hiddenBy, area, taken } = trial
   if (hiddenBy !== undefined) {
-    return html`<h2>A new circle</h2>
+    return html`${HEADER}
       <p>It would be hidden inside ${called(hiddenBy)} and take nothing.</p>`
   }
   const named = namedOf(trial)
   return html`
-    <h2>A new circle</h2>
+    ${HEADER}
     <p>${area < Number.POSITIVE_INFINITY ? `Its cell would have the area ${areaText(area)}, taken from` : 'Its cell would have no end; taken from'}</p>
-    <dl>
-      ${named.map(({ id, area }) => html`<div><dt>${called(id)}</dt><dd>${areaText(area)}</dd></div>`)}
+    <dl class="facts">
+      ${named.map(({ id, area }) => html`<dt>${called(id)}</dt><dd>${areaText(area)}</dd>`)}
     </dl>
     ${taken.length > named.length ? html`<p>and ${taken.length - named.length} more</p>` : undefined}
     <p>Release to add, Esc to cancel.</p>

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, render } from 'lit/html.js'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { Point } from '../../lib/index.ts'
+import { toPlane } from '../../view/camera.ts'
+import type { View } from '../../view/view.ts'
+import type { PageActions } from '../page-actions.ts'
+import { byId } from './by-id.ts'
+
+/** Distance that counts as on a circle, in pixels. */
+const SLACK = 5
+
+type Item = readonly [label: string, keys: string, act: () => unknown]
+
+/** Returns a function that opens a menu, for the circle at a pixel, the selection or the empty place. */
+export function contextMenu(
+  store: Store<State>,
+  actions: PageActions,
+  view: View,
+  name: () => void,
+): (at: Point) => Promise<void> {
+  const menu = byId('menu', HTMLElement)
+  const figure = byId('figure', HTMLElement)
+
+  const itemsAt = async (point: Point): Promise<readonly Item[]> => {
+    const { x, y } = toPlane(view.camera, view.size, point)
+    const hit = await view.ask('hit', x, y, SLACK / view.camera.scale)
+    const isOnCircle = hit !== undefined && hit.part !== 'cell'
+    if (isOnCircle && !actions.isSelected(hit.id)) actions.select([hit.id])
+    const count = store.get().selection.length
+    if (!isOnCircle) {
+      return [
+        ['Add a circle here', 'double-click', () => actions.addFitting({ x, y })],
+        ['Select all', 'Ctrl+A', () => actions.selectAll()],
+        ['Show everything', '0', () => actions.fit()],
+      ]
+    }
+    return [
+      ...(count === 1 ? [['Name …', '', name] as const] : []),
+      ['Zoom to', 'F', () => actions.zoomToSelection()],
+      ['Duplicate', 'Ctrl+D', () => actions.duplicateSelected()],
+      ['Delete', 'Delete', () => actions.removeSelected()],
+    ]
+  }
+
+  const open = (items: readonly Item[], { x, y }: Point) => {
+    const choose = (act: Item[2]) => () => {
+      menu.hidePopover()
+      figure.focus()
+      act()
+    }
+    render(
+      items.map(
+        ([label, keys, act]) =>
+          html`<button type="button" role="menuitem" @click=${choose(act)}><span>${label}</span><kbd>${keys}</kbd></button>`,
+      ),
+      menu,
+    )
+    menu.showPopover()
+    const { width, height } = menu.getBoundingClientRect()
+    menu.style.left = `${Math.max(Math.min(x, innerWidth - width - SLACK), 0)}px`
+    menu.style.top = `${Math.max(Math.min(y, innerHeight - height - SLACK), 0)}px`
+    menu.querySelector('button')?.focus()
+  }
+
+  menu.addEventListener('keydown', (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key]
+    if (step === undefined) return
+    event.preventDefault()
+    const buttons = [...menu.querySelectorAll('button')]
+    const k = buttons.indexOf(document.activeElement as HTMLButtonElement)
+    buttons.at((k + step) % buttons.length)?.focus()
+  })
+  menu.addEventListener('toggle', ({ newState }) => {
+    const hasFocus = [document.body, null].includes(document.activeElement as HTMLElement | null)
+    if (newState === 'closed' && (hasFocus || menu.contains(document.activeElement))) figure.focus()
+  })
+  return async (at) => open(await itemsAt(at), at)
+}
