@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people show to others: worksheets, clips, cards, prints and photos as circles.
+// The things that people show to others: worksheets, clips, cards, prints and photos as circles.
 import { readFileSync } from 'node:fs'
 import jsQR from 'jsqr'
 import { decodeLink } from '../../web/lib/link.ts'
@@ -175,6 +175,7 @@ test('a menu at the pointer has what can be done there, also by keys', async ({ 
   await menu.getByRole('menuitem', { name: 'Add a circle here' }).click()
   await expect(app.status).toContainText('10 circles')
   await page.mouse.click(x, y, { button: 'right' })
+  await expect(menu).toBeVisible()
   await page.keyboard.press('Escape')
   await expect(menu).toBeHidden()
   await expect(app.canvas).toBeFocused()

@@ -2,7 +2,7 @@
 import type { Described } from '../view/protocol.ts'
 import type { EditingWords } from './words.ts'
 
-/** How circles are spoken of. */
+/** The texts about circles, and their names within these. */
 export interface Speech {
   readonly words: EditingWords
   /** A circle within a sentence. */

@@ -23,7 +23,7 @@ export function gridSpacing(scale: number): number {
 /** The places of lines along one direction, in pixels. */
 interface Lines {
   readonly fine: readonly number[]
-  /** Those with numbers. */
+  /** The lines with numbers. */
   readonly numbered: readonly number[]
   /** The axis, or none. */
   readonly axis: readonly number[]

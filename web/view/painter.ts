@@ -150,7 +150,7 @@ export class Painter {
           ({ message }) => message.kind === 'open' || message.fit !== undefined,
         )
         if (isOpening) {
-          // The one who cancels knows why there is no result.
+          // A result that the user canceled needs no reason.
           this.#stop(
             () => '',
             () => new Superseded(),

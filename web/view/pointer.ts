@@ -60,7 +60,7 @@ export function listenToPointer(
   const letsPageScroll = isGrabbed !== undefined
   /** Whether the view uses the wheel. */
   let isActive = !letsPageScroll
-  /** Where the pointer is above the element without a press. */
+  /** The position of the pointer above the element without a press. */
   let hovering: Point | undefined
   /** Whether the first finger drags something; otherwise the page scrolls. */
   let isFingerHeld = false

@@ -65,6 +65,9 @@ export function contextMenu(
   }
 
   menu.addEventListener('keydown', (event) => {
+    // The shortcuts of the page are for the figure.
+    event.stopPropagation()
+    if (event.key === 'Escape') menu.hidePopover()
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key]
     if (step === undefined) return
     event.preventDefault()

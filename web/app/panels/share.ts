@@ -62,17 +62,6 @@ export function mountShare(
           ${question.button()}
           <button
             type="button"
-            ?disabled=${isRecording}
-            title="Record a video of a few seconds: of the method if it is played, or else of circles that breathe"
-            @click=${record}
-          >
-            ${isRecording ? 'Recording …' : 'Record a clip'}
-          </button>
-          <button type="button" title="Save a picture in the size that other sites show beside a link" @click=${() => actions.saveCard()}>
-            Save a card
-          </button>
-          <button
-            type="button"
             title="Copy HTML for a frame in another page"
             @click=${() => copy(() => actions.copyEmbedCode(), 'The code')}
           >
@@ -84,6 +73,18 @@ export function mountShare(
             @click=${() => copy(() => actions.copyElementCode(), 'The code')}
           >
             ${icon(CODE)}Copy element
+          </button>
+          <button
+            type="button"
+            ?disabled=${isRecording}
+            aria-label="Record a clip"
+            title="Record a video of a few seconds: of the method if it is played, or else of circles that breathe"
+            @click=${record}
+          >
+            ${isRecording ? 'Recording …' : 'Clip'}
+          </button>
+          <button type="button" aria-label="Save a card" title="Save a picture in the size that other sites show beside a link" @click=${() => actions.saveCard()}>
+            Card
           </button>
         </div>
         ${question.body()}
