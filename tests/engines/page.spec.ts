@@ -164,6 +164,43 @@ for (const [name, openEngine] of ENGINES) {
 }
 
 // Other engines run modules only once the style sheets are loaded.
+test('in WebKit a finger drags each circle of the first scene, also from beside it', async ({ baseURL }) => {
+  const engine = await openWebKit()
+  try {
+    const page = new Page(engine)
+    const link = await encodeLink({ dataSet: 'start' })
+    await engine.open(`${baseURL}/#${link}`)
+    await page.says('#status', '8 circles')
+    // The driver of WebKit has no fingers, so the events of its mouse become theirs.
+    await engine.evaluate(() => {
+      for (const name of ['pointerdown', 'pointermove', 'pointerup'] as const) {
+        const change = (event: PointerEvent) => Object.defineProperty(event, 'pointerType', { value: 'touch' })
+        addEventListener(name, change, { capture: true })
+      }
+    })
+    const ids = Array.from({ length: START.length / 3 }, (_, i) => i)
+    const moved = async () => {
+      const { edits = [], circles } = await decodeLink(new URL(await page.address()).hash)
+      // A link with as many edits as circles has the circles instead.
+      if (circles !== undefined) return ids.filter((i) => circles[3 * i] !== START[3 * i])
+      return edits.map((edit) => (edit.kind === 'replace' ? edit.id : -1)).sort((one, other) => one - other)
+    }
+    for (const i of ids) {
+      const [x, y, r] = START.slice(3 * i, 3 * i + 3) as unknown as [number, number, number]
+      const rim = await page.locate(START, { x, y: y + r })
+      // A finger beside the rim, where a mouse would pan.
+      const beside = { x: rim.x, y: rim.y - 8 }
+      await engine.drag([beside, { x: beside.x + 6, y: beside.y }, { x: beside.x + 12, y: beside.y }])
+      await until(`circle ${i} dragged`, moved, (edited) => edited.length === i + 1)
+      // The card would cover a circle.
+      await page.click('Deselect')
+    }
+    expect(await moved()).toEqual(ids)
+  } finally {
+    await engine.close()
+  }
+})
+
 test('WebKit paints in the colors of style sheets that come after the page has begun', async ({ baseURL }) => {
   let hasBegun = () => {}
   const begun = new Promise<void>((resolve) => {

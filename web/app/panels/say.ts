@@ -52,6 +52,14 @@ export function mountSay(store: Store<State>, open: (file: File) => void): void 
     if (id !== 'start') timer = setTimeout(hide, LASTING)
   }
 
+  /** Shows what else can be done after the first try. */
+  const remind = () => {
+    clearTimeout(timer)
+    place.classList.remove('first')
+    render(html`<small>${fingers.matches ? BY_FINGER : BY_MOUSE}</small>`, place)
+    timer = setTimeout(hide, LASTING)
+  }
+
   store.subscribe((state) => {
     if (state.edited === undefined) return
     const { history, selection, problem, dataSet, step } = state
@@ -59,9 +67,11 @@ export function mountSay(store: Store<State>, open: (file: File) => void): void 
       step !== undefined || history.done.at(-1)?.kind === 'edits' || selection.length > 0 || problem !== ''
     const now = isEmpty(state) ? 'empty' : isTouched ? 'touched' : `${dataSet} ${history.done.length}`
     if (now === shown) return
+    const isFirst = shown.startsWith('start ')
     shown = now
-    if (now === 'touched') hide()
-    else show(state)
+    if (now !== 'touched') show(state)
+    else if (isFirst && step === undefined && problem === '') remind()
+    else hide()
   })
   fingers.addEventListener('change', () => !place.hidden && show(store.get()))
 }
