@@ -115,8 +115,9 @@ test('several are moved together and back by one undo, and scaled by the handle 
   await test.step('one is scaled', async () => {
     await click(app, 0, 4)
     await expect(app.inspector).toContainText('Circle 3')
-    const own = at(app, 1, 3)
-    await app.drag({ x: own.x + 7, y: own.y + 7 }, { x: own.x + 40, y: own.y + 40 })
+    // The handle is 7 pixels outside of the rim.
+    const rim = at(app, Math.SQRT1_2, 4 - Math.SQRT1_2)
+    await app.drag({ x: rim.x + 7, y: rim.y + 7 }, { x: rim.x + 40, y: rim.y + 40 })
     await app.page.mouse.up()
     await soon(async () => (await circlesOf(app))[3]?.r).toBeGreaterThan(1.1)
   })
