@@ -16,8 +16,8 @@
 namespace circle_voronoi::results {
 namespace {
 
-// The image cannot see the color scheme of GitHub's page, only the preference of the reader's system. So it has its own
-// background.
+// The image cannot see the color scheme of GitHub's page, only the preference of the reader's system. Therefore it has
+// its own background.
 constexpr std::string_view kStyle = R"(svg { background: #ffffff; }
 .cells { fill: none; }
 .circles { fill: #e0a458; fill-opacity: 0.55; stroke: #b0701c; stroke-width: 1; }
