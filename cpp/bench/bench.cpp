@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Times every method on the same circles, family by family, and prints one table and a JSON file. Each run has a
-// process of its own, so that its peak memory is its own. The methods take turns, so that a machine that is slower for
-// a while is so for all of them: times are medians of the repetitions, ratios medians of the ratios within each.
+// process of its own, so that its peak memory is its own. The methods take turns, so that a temporary slowdown of the
+// machine affects all methods. Times are medians of the repetitions, and ratios are medians of the ratios within a
+// repetition.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -109,7 +110,7 @@ class SecondsReporter : public benchmark::BenchmarkReporter {
   double seconds = 0;
 };
 
-/// Mean of as many runs as Google Benchmark takes for a short method, one of a long one.
+/// Returns the mean time. Google Benchmark chooses the number of runs; a long method runs once.
 double meanSeconds(const Contestant& method, const Circles& circles) {
   benchmark::RegisterBenchmark("case",
                                [&](benchmark::State& state) {
@@ -133,7 +134,7 @@ struct Measurement {
 using Measurements = std::map<std::string, Measurement>;
 
 /// Runs every method once in each repetition, in a child process, at most up to the limit for all its repetitions.
-/// Without those that fail.
+/// Failed methods are left out of the result.
 Measurements measure(const std::vector<Contestant>& methods, const Circles& circles, int repetitions,
                      unsigned limitSeconds) {
   Measurements measured;
@@ -237,7 +238,7 @@ OptionValues defaultsOf(const std::string& table) {
           {"-o", "build/bench/native.json"}};
 }
 
-/// The even circles of an input twice as long are edited, the odd ones are those that come.
+/// The even circles of an input of twice the size are edited. The odd ones are inserted.
 int benchEdits(const std::vector<std::string>& families, const std::vector<std::size_t>& sizes, unsigned limit) {
   std::printf("%-14s %8s  %-37s %10s %10s\n", "family", "n", "", "median us", "99.9 % us");
   for (const std::string& family : families) {

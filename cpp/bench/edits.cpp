@@ -282,7 +282,7 @@ std::vector<WorstEdit> worstEdits(const Circles& circles) {
           {"remove a neighbor of a fifth", with(around, disc(0.5)), removed}};
 }
 
-/// `compute` takes what it takes of the circles before the edit or after it, whichever is longer.
+/// The time of `compute` is the longer of its times before and after the edit.
 void printWorstEdits(const EditInput& input, unsigned limit) {
   for (const WorstEdit& worst : worstEdits(input.circles)) {
     const auto child = runInChild<Seconds>(limit, [&] {

@@ -86,7 +86,8 @@ void benchRegion(const std::string& family, const std::vector<Circle>& circles, 
   std::fflush(stdout);
 }
 
-/// Polygons of a region with points along the edge between two circles. The time for each point stays the same.
+/// Polygons of a region with points along the edge between two circles. The time per point should not depend on the
+/// number of points.
 void benchAlongEdge(std::size_t points, int repetitions) {
   const std::vector<Circle> circles = {{-1, 0, 0}, {1, 0, 0}};
   Region::Ring ring = {{0, -1}, {3, -1}, {3, 1}};

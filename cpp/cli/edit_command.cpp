@@ -47,8 +47,8 @@ CircleFile readEditedCircles(const CLI::App& command, CirclesInput& input) {
   return {std::move(file->diagram.circles), std::move(file->attributes), {}};
 }
 
-/// Returns the attributes of the circles of these ids, which are indices for the circles of the file. An inserted
-/// circle has none.
+/// Returns the attributes of circles by id. The circles of the file have their indices as ids. Inserted circles have no
+/// attributes.
 CircleAttributes attributesOf(CircleAttributes attributes, const std::vector<CircleId>& ids) {
   for (auto* list : {&attributes.properties, &attributes.ids, &attributes.heights}) {
     if (list->empty()) continue;

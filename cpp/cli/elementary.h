@@ -7,8 +7,8 @@
 
 namespace circle_voronoi::cli {
 
-// Elementary functions from sums, products and square roots alone, so that they have the same bits on every machine,
-// which those of the C library have not. Their error is a few units in the last place.
+// Elementary functions made only of sums, products and square roots. Unlike the C library's functions, they have the
+// same bits on every machine. Their error is a few units in the last place.
 
 inline constexpr double kPi = 3.14159265358979323846;
 

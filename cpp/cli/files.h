@@ -18,11 +18,11 @@ std::string inputName(const std::string& file);
 /// All of a file or of standard input. Throws Failure.
 std::string readText(const std::string& file);
 
-/// Hands a file or standard input to `take` piece by piece, with the part of it that is read by then, 0 where its size
-/// is not known. Throws Failure.
+/// Passes a file or standard input to `take` piece by piece. `done` is the part that is read by then, or 0 if the size
+/// is unknown. Throws Failure.
 void readPieces(const std::string& file, const std::function<void(std::string_view piece, double done)>& take);
 
-/// A file that is written, and the option that names it; empty: it is not asked for.
+/// An output file and the option that names it. An empty name means that the file is not requested.
 struct NamedOutput {
   std::string option;
   std::string file;

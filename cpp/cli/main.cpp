@@ -27,7 +27,7 @@ std::string footer() {
   return text;
 }
 
-/// Describes the error of the first word, where CLI11 would only say that there is no command.
+/// Checks the first word, because CLI11 would only report that there is no command. Throws Failure.
 void checkCommand(const CLI::App& program, int argumentCount, char** arguments) {
   const std::string first = argumentCount > 1 ? arguments[1] : "";
   const auto commands = program.get_subcommands([](const CLI::App*) { return true; });

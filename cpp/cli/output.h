@@ -63,8 +63,8 @@ void project(const std::string& name, std::vector<Circle>& circles, Output& outp
 /// degrees again, and puts the box and the region into its plane. Throws Failure.
 void takeRecordedProjection(Output& output, const CircleAttributes& attributes);
 
-/// Writes a diagram. Errors call the input `name`. Throws Failure if the format draws the diagram and it is not
-/// certified, or if something could not be written.
+/// Writes a diagram. Errors call the input `name`. Throws Failure if writing fails, or if the format is a drawing and
+/// the diagram is not certified.
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress);
 
 /// Adds `--lattice` to a command, as text that `readLattice` reads.
@@ -75,9 +75,9 @@ void checkPeriodicOutput(const Output& output);
 void writePeriodicDiagram(const Output& output, const std::string& name, const PeriodicDiagram& periodic,
                           ProgressLine& progress);
 
-/// Writes circles without a diagram, and their attributes. Says on standard error if the format has no place for one of
-/// them. Errors call the input `name`. Throws Failure if the format is only for diagrams,
-/// or if something could not be written.
+/// Writes circles without a diagram, and their attributes. Prints a warning on standard error if the format cannot
+/// store one of the attributes. Errors call the input `name`. Throws Failure if the format is only for diagrams, or if
+/// something could not be written.
 void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
                   ProgressLine& progress);
 

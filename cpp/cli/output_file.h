@@ -11,7 +11,7 @@
 
 namespace circle_voronoi::cli {
 
-/// A stream of bytes to a file descriptor; what follows an error is dropped.
+/// A stream of bytes to a file descriptor. After an error, all further bytes are dropped.
 class DescriptorBuffer : public std::streambuf {
  public:
   explicit DescriptorBuffer(int descriptor) : descriptor_(descriptor) {}

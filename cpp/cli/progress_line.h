@@ -11,9 +11,9 @@ namespace circle_voronoi::cli {
 /// Adds `--progress` to a command; `when` becomes the value that the user gives.
 void addProgressOption(CLI::App& command, std::string& when);
 
-/// A line on standard error that says what is being done and since when (progress_text.h), rewritten in place and
-/// erased in the end. `when`: `auto` shows it for work over a second if standard error is a terminal, `always` at once,
-/// `never` not at all. It has a thread of its own, so that it goes on while a stage has nothing to tell.
+/// A progress line on standard error with the stage and the elapsed time (progress_text.h). It is rewritten in place
+/// and erased in the end. `when`: `auto` shows it for work over a second if standard error is a terminal, `always` at
+/// once, `never` not at all. It has its own thread, so that the time advances during a stage without progress.
 class ProgressLine {
  public:
   explicit ProgressLine(const std::string& when);
@@ -21,7 +21,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  /// The current stage and the part of it that is done: 0 to 1, and 0 if that is unknown.
+  /// Shows the current stage. `done` is the finished part of the stage, 0 to 1, or 0 if unknown.
   void show(std::string_view stage, double done = 0);
 
   /// Erases the line for good.
@@ -29,7 +29,7 @@ class ProgressLine {
 
  private:
   class Shown;
-  std::unique_ptr<Shown> shown_;  ///< none if it is not shown, or no longer
+  std::unique_ptr<Shown> shown_;  ///< null if the line is not shown, or no longer
 };
 
 }  // namespace circle_voronoi::cli

@@ -9,8 +9,8 @@
 
 namespace circle_voronoi::cli {
 
-/// The text that a progress line writes to a terminal. It depends on what it is told and on the times that it is given,
-/// so that a test is its clock. web/cli/progress-line.ts is the same in JavaScript.
+/// The text that a progress line writes to a terminal. The text depends only on the arguments, including the time, so
+/// that tests need no clock. web/cli/progress-line.ts is the same in JavaScript.
 class ProgressText {
  public:
   using Elapsed = std::chrono::milliseconds;
@@ -18,7 +18,7 @@ class ProgressText {
   /// Delay before the line is shown, unless it was requested.
   static constexpr Elapsed kDelay{1000};
 
-  /// Returns after how long a line is first shown, or nothing if it is not shown. `when` is `auto`, `always` or
+  /// Returns the delay before the line first appears, or nothing if it never appears. `when` is `auto`, `always` or
   /// `never`.
   static std::optional<Elapsed> delayOf(std::string_view when, bool isTerminal) {
     if (when == "never" || (when == "auto" && !isTerminal)) return std::nullopt;
@@ -29,7 +29,7 @@ class ProgressText {
 
   // Each returns the text to write. `elapsed` is the time since the line began.
 
-  /// Tells what is being done and which part of it is done, 0 also where that is not known.
+  /// Returns the text after a report of a stage. `done` is the finished part of the stage, or 0 if unknown.
   std::string show(std::string_view stage, double done, Elapsed elapsed) {
     const auto percent = done > 0 ? std::optional(std::lround(100 * done)) : std::nullopt;
     if (stage == stage_ && percent == percent_) return "";

@@ -32,8 +32,8 @@ bool isIn(const Box& core, const Circle& c) {
   return core.minX <= c.x && c.x < core.maxX && core.minY <= c.y && c.y < core.maxY;
 }
 
-/// Whether the core lies in what is known, farther from all sides than what is outside reaches: then whether one of its
-/// circles is hidden, and by which, is known.
+/// Whether the core lies inside the known box, farther from all sides than any circle outside reaches. Then it is known
+/// which circles of the core are hidden, and by which circles.
 bool isDeepInside(const Box& core, const Box& known, double maxRadius) {
   const auto isDeep = [&](double inner, double outer) { return std::isinf(outer) || inner > outer + maxRadius; };
   return isDeep(core.minX, known.minX) && isDeep(core.minY, known.minY) && isDeep(-core.maxX, -known.maxX) &&
@@ -63,10 +63,9 @@ class FinalPart {
   /// For each circle, whether everything that it owns is written.
   const std::vector<std::uint8_t>& isOwner() const { return isOwner_; }
 
-  /// The tile with what is now done, and of each circle whether the cells that are left need it: those of the core that
-  /// are not final, and those with a neighbor that may be left, here or in another tile. A cell depends on its
-  /// neighbors alone: beyond the edge with a neighbor, all that lies in line with its circle's center is nearer to
-  /// the neighbor.
+  /// The circles that the remaining cells need, with the updated `done`. They are the circles of the core that are not
+  /// final, and circles with a neighbor that may remain, here or in another tile. A cell depends only on its neighbors:
+  /// on a ray from its circle's center, all points beyond the edge with a neighbor are nearer to the neighbor.
   Tile left() const {
     Tile tile = tile_;
     for (std::size_t i = 0; i < tile.done.size(); ++i) tile.done[i] |= isOwner_[i];
@@ -155,7 +154,7 @@ void check(const TilePart& part, const Output& output) {
     throw Failure{kBadInput, "--known needs --format csv or geojsonl."};
   }
   if (output.format == "csv" && output.digits) throw Failure{kBadInput, "--known takes no --digits for csv."};
-  // Else each tile would have a box and a tolerance of its own.
+  // Without the option, each tile would choose its own box and tolerance.
   if (output.format == "geojsonl" && output.bounds.empty() && !output.region)
     throw Failure{kBadInput, "--known needs --bounds or --region for geojsonl."};
   if (!part.open.empty() && !isDeepInside(boxOf(part.core), boxOf(part.known), *part.maxRadius)) {

@@ -26,7 +26,7 @@ void addTileOptions(CLI::App& command, TilePart& part);
 /// Throws Failure if options are missing or do not go together, before any work is done.
 void check(const TilePart& part, const Output& output);
 
-/// Computes the diagram of a tile and writes what of it is final and owned by circles of the core that are not done.
+/// Computes the diagram of a tile and writes its final parts that belong to circles of the core that are not done.
 /// Throws Failure, with the status kNotFinal if circles of the core are left.
 void computeTilePart(const TilePart& part, const Output& output, const CirclesInput& input, int threads,
                      ProgressLine& progress);

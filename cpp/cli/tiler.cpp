@@ -143,11 +143,11 @@ std::size_t Tiler::finish() {
   return tiles_.size();
 }
 
-/// Puts each wide circle into those of its tiles that there are.
+/// Puts each wide circle into those of its tiles that exist.
 void Tiler::addWide() {
   if (!wide_.isBegun) return;
   const std::string file = (folder_ / kWideFile).string();
-  TileStream stream(file, {.weights = true});  // as they were let in
+  TileStream stream(file, {.weights = true});  // all circles here were validated before
   readPieces(file, [&](std::string_view piece, double) {
     const auto read = stream.read(piece);
     if (!read) throw Failure{kFailure, read.error().message};

@@ -13,9 +13,9 @@
 namespace circle_voronoi::cli {
 
 /// Cuts circles into the tiles of a square grid, one file each, in memory that does not grow with their number. The
-/// core of a tile is its square, which is closed at its least coordinates and open at its greatest; what is known of it
-/// is the square with a halo on all sides. A circle's home is the tile in whose core its center is, and it is in the
-/// file of every tile of which the square around it meets what is known, so that circles outside reach into none of it.
+/// core of a tile is its square, closed at its least coordinates and open at its greatest. The known box is the square
+/// with a halo on all sides. A circle's home is the tile whose core contains its center. The circle is in the file of
+/// every tile whose known box meets its bounding square, so no circle missing from the file reaches into the known box.
 class Tiler {
  public:
   /// `folder` is empty. Throws Failure, as do the others.
@@ -23,9 +23,9 @@ class Tiler {
 
   void add(const Tile& tile);
 
-  /// Writes what is left, and last the list of the tiles, `tiles.txt`: a line for each that has a core with circles, by
-  /// y and then x: the name of its file without `.csv`, how many circles are at home in it, its core and what is known
-  /// of it as MINX,MINY,MAXX,MAXY. Returns how many there are.
+  /// Writes the remaining text, then the list of tiles, `tiles.txt`. The list has a line for each tile with circles in
+  /// its core, sorted by y and then x: the name of its file without `.csv`, the number of circles at home in it, its
+  /// core and its known box as MINX,MINY,MAXX,MAXY. Returns the number of lines.
   std::size_t finish();
 
  private:
@@ -56,7 +56,7 @@ class Tiler {
   double halo_;
   std::map<Place, Content> tiles_;
   std::size_t waiting_ = 0;  ///< characters in all texts
-  Content wide_;             ///< circles in so many tiles that they wait until it is known which of these there are
+  Content wide_;             ///< circles that meet very many tiles; they wait until it is known which tiles exist
 };
 
 }  // namespace circle_voronoi::cli

@@ -13,7 +13,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// A full turn of `pseudoAngle`, and how near two angles or lengths count as the same.
+/// A full turn of `pseudoAngle`, and the largest difference at which two angles or lengths count as equal.
 constexpr double kTurn = 4;
 constexpr double kNear = 0x1p-30;
 constexpr int kNothing = -1;
@@ -32,7 +32,7 @@ Vector minus(Vector v) { return {-v.x, -v.y}; }
 struct Listed {
   Vertex disc;
   std::array<int, 3> circles = {kNothing, kNothing, kNothing};
-  std::array<int, 3> edges = {kNothing, kNothing, kNothing};  ///< those that a three-touch disc was formed of
+  std::array<int, 3> edges = {kNothing, kNothing, kNothing};  ///< the edges from which a three-touch disc was formed
   std::int64_t order = 0;
 
   friend bool operator<(const Listed& u, const Listed& v) {  // the queue serves the largest first
@@ -202,7 +202,7 @@ class Printed {
     }
   }
 
-  /// The directed edge from circle a to circle b: that one if it is there, else any.
+  /// Returns a directed edge from circle a to circle b: the preferred one if it exists, otherwise any.
   int find(int preferred, int a, int b) {
     if (preferred != kNothing && edge(preferred).isAlive) return preferred;
     for (const int index : around_[a]) {

@@ -53,10 +53,9 @@ struct AsPrinted {
 
 /// Algorithms 2 to 4 of the paper as they are printed, on the candidates given, to be compared with `touch`. Where the
 /// text leaves a choice, it is made so that more comes out right:
-/// - antipodal discs have half the gap for radius (section 9 prints the gap); those of intersecting circles are empty
+/// - antipodal discs have half the gap for radius (section 9 prints the gap); discs of intersecting circles are empty
 ///   ("assuming"), and their directed edges point from center to center;
-/// - the directed edges of a three-touch disc are those that it was formed of, if they are there, else any of that
-/// name;
+/// - the directed edges of a three-touch disc are the ones it was formed of, if they exist, otherwise any of that name;
 /// - angles within rounding are equal, and an endpoint is covered only inside an arc that is used;
 /// - directed edges with a covered endpoint are no leftover ones.
 PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs, const AsPrinted& rules = {});

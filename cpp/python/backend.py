@@ -22,5 +22,5 @@ from setuptools.build_meta import *  # noqa: E402, F401, F403
 
 
 def get_requires_for_build_wheel(config_settings: object = None) -> list[str]:
-    """Return nothing to install: setuptools would ask for wheel, which is there."""
+    """Return no requirements: setuptools would request wheel, which is already installed."""
     return []

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Computing a diagram, its arrays, and queries of it.
+// SPDX-License-Identifier: GPL-3.0-or-later Bindings of `compute`, of the arrays of a diagram and of its queries.
 #include "circle_voronoi/diagram.h"
 
 #include <pybind11/numpy.h>

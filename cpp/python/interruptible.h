@@ -32,7 +32,7 @@ class Cancellation {
 
 /// Runs `compute(cancellation)` in a thread of its own without the GIL and returns its result. Ctrl-C ends the wait
 /// within a twentieth of a second, even inside a stage that cannot be interrupted. The thread then ends at its next
-/// check, and its result is dropped. So `compute` must own all that it uses and must not touch Python objects.
+/// check, and its result is dropped. Therefore `compute` must own all its data and must not touch Python objects.
 template <class Compute>
 auto interruptible(Compute compute) {
   using Value = decltype(compute(std::declval<const Cancellation&>()));

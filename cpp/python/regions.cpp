@@ -36,7 +36,7 @@ namespace py = pybind11;
 namespace circle_voronoi::python {
 namespace {
 
-/// The tolerance of polygons and paths as a share of the size of what they lie in.
+/// The tolerance of polygons and paths as a share of the size of their box or region.
 constexpr double kDefaultTolerance = 1e-5;
 
 using SharedDiagram = std::shared_ptr<Diagram>;
@@ -213,8 +213,8 @@ py::object largestEmptyDisc(const SharedDiagram& diagram, const SharedRegion& re
   }));
 }
 
-/// A box so far around circles and points that no path has more clearance outside: at its sides the clearance is larger
-/// than at the ends of the path.
+/// Returns a box around circles and points that is so large that no path gains clearance outside: at its sides the
+/// clearance is larger than at the ends of the path.
 Region farAround(const Diagram& diagram, Point p, Point q) {
   Box box = exportBox(diagram.circles);
   for (const Point end : {p, q}) {

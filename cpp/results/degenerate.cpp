@@ -36,7 +36,7 @@ double spreadOf(const Diagram& diagram, double reference) {
   return 2 * most;
 }
 
-/// Of a grid, how many squares of four centers have two triangles, and how many triangles lie in no square.
+/// Counts the squares of four centers of a grid that have two triangles, and the triangles that lie in no square.
 Json quasiTriangulation(const Diagram& diagram) {
   std::map<std::array<std::size_t, 2>, int> trianglesIn;
   int outside = 0;
@@ -65,7 +65,7 @@ Json quasiTriangulation(const Diagram& diagram) {
 }
 
 /// Figure 15 c: the middle, so near that rounding can be seen. A browser draws no lengths that small, so the circles
-/// are enlarged, by a power of two: the diagram is the same.
+/// are enlarged by a power of two, which does not change the diagram.
 void drawMiddle(const std::filesystem::path& folder, std::span<const Circle> circles, double spread) {
   const double scale = std::exp2(-std::ilogb(spread));
   std::vector<Circle> large;

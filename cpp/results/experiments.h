@@ -10,7 +10,7 @@ namespace circle_voronoi::results {
 
 using Json = nlohmann::ordered_json;
 
-/// The parameters of the experiments; each uses those that it needs.
+/// The parameters of all experiments. Each experiment reads only some of them.
 struct Parameters {
   std::vector<std::size_t> sizes = {100, 1000};  ///< numbers of circles
   std::uint64_t seed = 1;                        ///< of the first input; others follow it

@@ -16,7 +16,8 @@
 namespace circle_voronoi::results {
 namespace {
 
-// Of GitHub's page the image knows only what the reader's system prefers, so it brings its own background.
+// The image cannot see the color scheme of GitHub's page, only the preference of the reader's system. Therefore it has
+// its own background.
 constexpr std::string_view kStyle = R"(svg { background: #ffffff; }
 .cells { fill: none; }
 .circles { fill: #e0a458; fill-opacity: 0.55; stroke: #b0701c; stroke-width: 1; }
@@ -91,8 +92,8 @@ SvgLayer leftoverLayer(std::span<const Circle> circles) {
     const auto& [a, b, none] = event.circles;
     if (event.kind == TraceKind::directedEdgePlaced) alive.push_back({a, b, event.disc});
     if (event.kind != TraceKind::directedEdgeDeleted) return;
-    // Of several between the same circles it is the last whose disc of R_min is no larger: each has the part of the
-    // bisector from there to the next.
+    // If there are several edges between the same circles, choose the last whose disc of R_min is no larger: each edge
+    // has the part of the bisector from its disc to the next.
     const auto gone = std::ranges::find_if(alive.rbegin(), alive.rend(), [&](const Placed& placed) {
       return placed.a == a && placed.b == b && placed.disc.r <= event.disc.r;
     });

@@ -22,7 +22,8 @@ SvgLayer centersLayer(std::span<const Circle> circles);
 SvgLayer sampleGraphLayer(const Samples& samples);
 /// The directed edges that the touching disc method with all pairs leaves over: the hull's.
 SvgLayer leftoverLayer(std::span<const Circle> circles);
-/// The antipodal discs that it finds empty; those of intersecting circles, of negative radius, have no disc to draw.
+/// The antipodal discs that the method finds empty. Intersecting circles have a negative radius here and no disc to
+/// draw.
 SvgLayer antipodalLayer(std::span<const Circle> circles);
 SvgLayer leftoverLayer(std::span<const Circle> circles, const PrintedResult& printed);
 /// The Voronoi segments that were finished, as far as a box goes.

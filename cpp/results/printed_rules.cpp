@@ -72,8 +72,8 @@ std::vector<Triple> outerVertices(std::span<const Circle> circles, const Diagram
   return triples;
 }
 
-/// Whether the result differs from the exact diagram. Of circles that may overlap only vertices outside all circles
-/// count: inside them the paper claims nothing.
+/// Whether the result differs from the exact diagram. If circles may overlap, only vertices outside all circles count:
+/// the paper claims nothing about vertices inside.
 bool isPrintedWrong(std::span<const Circle> circles, const PrintedResult& printed, const Diagram& exact,
                     const FamilyInfo& family) {
   if (!family.isDisjoint) return outerVertices(circles, printed.diagram) != outerVertices(circles, exact);

@@ -56,9 +56,8 @@ std::string take(const val& given, std::string_view name, Value& field) {
   return "Unknown " + std::string(name) + ": the choice is " + names + ".";
 }
 
-/// `options`: those of the table of option names, and `progress`, each possibly undefined. `progress`, called with the
-/// name of a stage and the part of it that is done, says whether to go on. The caller sees to it that it does not
-/// throw.
+/// `options` has the members of the table of option names, and `progress`; each may be undefined. `progress` is called
+/// with the name of a stage and the finished part of it, and returns whether to go on. It must not throw.
 Result<Options> optionsFrom(const val& options) {
   Options result;
   std::string problem;

@@ -32,8 +32,8 @@ void append(std::vector<std::uint8_t>& bytes, const std::vector<Item>& items) {
   bytes.insert(bytes.end(), data, data + items.size() * sizeof(Item));
 }
 
-/// The way and the length of each list as 32-bit numbers, an even count of them; then the lists of doubles, then the
-/// others, in this order. The view that is returned is good until memory grows or the next edit.
+/// Encodes a change: the way and the length of each list as 32-bit numbers, padded to an even count; then the lists of
+/// doubles; then the other lists. Returns a view that is valid until the next edit or until memory grows.
 val changeValue(std::vector<std::uint8_t>& reply, const Change& change) {
   reply.clear();
   std::vector<std::int32_t> head = {static_cast<std::int32_t>(change.way)};

@@ -83,7 +83,7 @@ Metric metricFrom(const std::string& name) {
   return Metric::circles;
 }
 
-/// Nothing where it is undefined.
+/// Returns nothing for undefined.
 std::optional<double> numberFrom(const val& value) {
   return value.isUndefined() ? std::nullopt : std::optional(value.as<double>());
 }
@@ -171,7 +171,7 @@ ReadOptions readOptionsFrom(const val& value) {
           .skipInvalid = value["skipInvalid"].as<bool>()};
 }
 
-/// `options`: those of ReadCirclesOptions, all of them given.
+/// `options` has all members of ReadCirclesOptions.
 val readCircleFileValue(const std::string& text, const std::string& name, const val& options) {
   return valueOf([&] {
     const auto file = readCircleFile(text, name, readOptionsFrom(options));

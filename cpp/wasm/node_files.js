@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Where the files of Emscripten's NODERAWFS are not yet those of the machine, and what the program tells web/cli.
+// SPDX-License-Identifier: GPL-3.0-or-later Corrections of Emscripten's NODERAWFS where its files differ from the
+// machine's, and calls from the program to web/cli.
 mergeInto(LibraryManager.library, {
   $NodeFiles__deps: ['$FS', '$NODERAWFS', '$SYSCALLS', '$ERRNO_CODES'],
   $NodeFiles__postset: 'NodeFiles.install();',
@@ -34,7 +34,7 @@ mergeInto(LibraryManager.library, {
         unlink(path);
         Module['madeFile'](undefined);
       };
-      // Paths go to Node as they are: what leads through a symbolic link cannot be shortened.
+      // Paths go to Node unchanged, because a path through a symbolic link cannot be shortened.
       SYSCALLS.calculateAt = function (folder, path) {
         return path;
       };

@@ -18,8 +18,9 @@ using namespace circle_voronoi;
 
 using Circles = std::array<std::int32_t, 2>;
 
-/// Follows the printed rules of these names. Of each segment its two circles and its ends; of each directed edge that
-/// is left over its circles, its disc of R_min and the way from their centers to its footpoints.
+/// Runs the printed algorithm with the printed rules of these names. Returns for each segment its two circles and its
+/// ends, and for each leftover directed edge its circles, its disc of R_min and the vectors from their centers to its
+/// footpoints.
 val printedValue(const val& coordinates, const val& asPrinted) {
   return valueOf([&] {
     const auto circles = itemsFrom<double, Circle>(coordinates);

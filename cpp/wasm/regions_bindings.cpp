@@ -33,7 +33,7 @@ std::vector<Item> copyOf(std::span<const Item> items) {
   return {items.begin(), items.end()};
 }
 
-/// `points`: x and y of each. `polygonOffsets`: undefined if the rings are those of any polygons.
+/// `points`: x and y of each. `polygonOffsets`: undefined if the rings are in any order (Region::fromRings).
 val createRegion(const val& points, const val& ringOffsets, const val& polygonOffsets, bool dissolve) {
   return valueOf([&] {
     const auto corners = itemsFrom<double, Point>(points);

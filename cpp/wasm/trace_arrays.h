@@ -14,7 +14,7 @@ namespace circle_voronoi {
 /// Events as they come, field by field.
 class TraceArrays {
  public:
-  /// Adds what it is told.
+  /// Returns an observer that adds each event.
   Observer observer();
   emscripten::val value() const;
 

@@ -66,8 +66,8 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:Compact_cont
 namespace circle_voronoi {
 namespace {
 
-/// Calls `function` until no allocation fails, each time with one more that succeeds before one or all fail.
-/// `check(value)` is for what it gives if it gives no error.
+/// Calls `function` until no allocation fails. In each call one more allocation succeeds before one, or all, fail.
+/// Passes each value that is returned in place of an error to `check`.
 template <class Function, class Check>
 void failEachAllocation(Function function, Check check) {
   for (const bool once : {true, false}) {
@@ -185,8 +185,8 @@ TEST(Allocation, MayFailInEdits) {
   const auto circles = someCircles();
   failEachAllocation([&] { return DiagramEditor::from(circles); },
                      [&](const DiagramEditor& editor) { ASSERT_EQ(editor.size(), circles.size()); });
-  // A new circle, one that goes, one that hides others and goes again, moves near and far; at the end so many that
-  // everything is computed.
+  // Insert, remove, insert and remove a circle that hides others, move near and far; in the end edit so many circles
+  // that the whole diagram is computed.
   const Circle hider = {circles[20].x, circles[20].y, 2};
   const auto moved = [&](CircleId id, double step) {
     const Circle& c = circles[static_cast<std::size_t>(id)];
@@ -217,7 +217,7 @@ TEST(Allocation, MayFailInEdits) {
           auto change = editor.apply(scripts[i]);
           const Enough enough;
           if (!change.ok()) {
-            // It left all as it was, to go on from there.
+            // The failed edit changed nothing, and the script can go on.
             EXPECT_TRUE(areSame(editor.all().value(), before)) << "script " << i;
             EXPECT_TRUE(editor.apply(scripts[i]).ok());
           }

@@ -196,7 +196,8 @@ bool swapInHull(Diagram& diagram, CircleSpan, Random& random) {
   return true;
 }
 
-/// Where a circle is on the hull three times, what lies between two visits changes places: the steps stay the same.
+/// If a circle is on the hull three times, swaps the parts of the hull between its visits. The steps of the hull do not
+/// change.
 bool swapLoopsOfHull(Diagram& diagram, CircleSpan, Random&) {
   std::map<std::int32_t, std::vector<std::ptrdiff_t>> visits;
   for (std::size_t i = 0; i < diagram.hull.size(); ++i)

@@ -334,7 +334,7 @@ TEST(ClippedDiagram, TheLargestEmptyDiscIsRightWhereCornersAreNearVertices) {
     Region::Ring ring;
     double radius;
   };
-  // The radii are those of a fine grid.
+  // The radii were found with a fine grid.
   const std::vector<Case> cases = {
       {{{0, 1, 0}, {2, 2, 0}, {1, 0, 0}}, {{1.25, 1.5}, {.5, -.5}, {1, .5}}, 1.17851130},
       {{{2, 0, 0}, {1, 1, .2}, {2, 2, .2}}, {{1.25, .75}, {2.5, .5}, {1, 2}}, 0.90508909},

@@ -62,7 +62,7 @@ class WaitingProgram {
   /// Waits until the program has said something. Returns false if it ends without that, or hangs.
   bool says(const std::string& pattern);
 
-  /// Gives the program its input, expects that it succeeds, and returns all that it has said.
+  /// Passes the input to the program, expects success, and returns the whole output.
   std::string end(const std::string& input);
 
   /// Sends a signal to the program, and returns its status once it has ended.

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Which cells of sites-outside-box.csv touch inside the box, as a grid of 1500 by 1500 points has it.
+// The neighbors in sites-outside-box.csv whose cells touch inside the box, according to a grid of 1500 by 1500 points.
 constexpr const char* kInside = "[[], [3, 4], [], [1, 4, 7], [1, 3, 5, 7, 8], [4, 8], [], [3, 4, 8], [4, 5, 7]]";
 
 constexpr const char* kShops =

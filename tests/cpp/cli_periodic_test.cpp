@@ -177,7 +177,7 @@ TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   const std::string other = textOf("compute " + circles_ + " --lattice 1,0,0.5,1 --format svg");
   EXPECT_EQ(other.find(id), std::string::npos);
   EXPECT_NE(svg.find("class=\"lattice\""), std::string::npos);
-  // Circle 0 is drawn once, and used at its place and at those of its neighbors.
+  // Circle 0 is drawn once, and used at its own place and as image beside its neighbors.
   const auto count = [&](const std::string& part) {
     int found = 0;
     for (std::size_t k = svg.find(part); k != std::string::npos; k = svg.find(part, k + 1)) ++found;

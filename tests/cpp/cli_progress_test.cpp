@@ -45,7 +45,7 @@ TEST_F(CliProgress, IsShownOnATerminalForWorkOverASecondAndNotElsewhere) {
   test::WaitingProgram never(quietly, toTerminal);
   test::WaitingProgram unseen(compute, toPipe);
   test::WaitingProgram seen(compute, toTerminal);
-  // All wait for their circles until one of them, begun last, is seen to wait for over a second.
+  // All programs wait for their circles until the one that began last shows that it has waited for over a second.
   EXPECT_TRUE(seen.says("read, [1-9]"));
   const std::string circles = readFile(fixture_);
   EXPECT_EQ(never.end(circles), "");

@@ -80,7 +80,7 @@ TEST_F(CliRegion, ComputeConvertAndEditClip) {
 TEST_F(CliRegion, MaxDistanceAndRegionTogether) {
   const Json features = Json::parse(
       textOf("compute " + circles_ + " --region " + region_ + " --max-distance 0.25 --format geojson"))["features"];
-  // Nothing cuts the second disc.
+  // The second disc is whole.
   EXPECT_NEAR(features[1]["properties"]["area"].get<double>(), 0.75 * 0.75 * 3.14159265358979, 1e-9);
   EXPECT_LT(features[0]["properties"]["area"].get<double>(), 1.25 * 1.25 * 3.14159265358979);
 }

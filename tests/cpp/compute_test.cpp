@@ -215,7 +215,7 @@ TEST(ComputeOptions, SamplesBeyond32BitsAreRefused) {
 }
 
 // Insertion finds the hidden circles of this family and leaves its dual. The other methods still begin with a
-// triangulation of the centers. Their results may be wrong, but have as many edges as Euler's formula says.
+// triangulation of the centers. Their results may be wrong, but their number of edges satisfies Euler's formula.
 TEST(ComputeOptions, OtherMethodsTriangulateTheCentersAfterInsertionFoundTheHiddenCircles) {
   const auto circles = generate(Family::barelyOut, 3000, 1);
   for (const Method method : {Method::touchingDisc, Method::flip}) {

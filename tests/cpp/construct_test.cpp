@@ -65,7 +65,7 @@ TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
     EXPECT_EQ(stats.counts.flips > 0, way != Way::flip);
     EXPECT_EQ(stats.counts.repairs, repairs);
     EXPECT_TRUE(certify(diagram.value()).value().certified());
-    // Told step by step it is the same.
+    // A replay of the events gives the same diagram.
     test::Replay replay;
     replay.know(circles);
     Options told;
@@ -125,7 +125,7 @@ TEST(Construct, CountsWhatInsertionTookWhereItToldTheHiddenCircles) {
 }
 
 TEST(Construct, AFlawIsOfTheCircleThatCertifyNames) {
-  // The circle that is hidden comes first, so that all others have another place among those that are visible.
+  // The hidden circle comes first, so that all other circles have a different index among the visible ones.
   std::vector<Circle> circles = generate(Family::longSpiral, 100, 1);
   circles.insert(circles.begin(), {circles[0].x, circles[0].y, circles[0].r / 2});
   Options options;

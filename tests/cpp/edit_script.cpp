@@ -100,7 +100,7 @@ class Script {
         return {Edit::Kind::replace, id, {old.x, old.y, std::hypot(other.x - old.x, other.y - old.y)}};
       case 8:
         return {Edit::Kind::replace, id, {old.x, old.y, old.r * random_.unit()}};
-      case 9:  // a copy, or what lies inside
+      case 9:  // a copy of another circle, or a smaller circle inside it
         return {Edit::Kind::replace, id, {other.x, other.y, random_.below(2) == 0 ? other.r : other.r / 2}};
       case 10:
         return {Edit::Kind::replace, id, between(old, between(old, between(old, other)))};

@@ -18,7 +18,7 @@ class Mirror {
   /// The contradiction between a change and the changes before; empty if there is none.
   std::string apply(const Change& change);
 
-  /// How the diagram differs from a snapshot, whose circles are those of `ids`; empty: not at all.
+  /// Describes a difference between the diagram and a snapshot whose circles have these ids; empty if they are equal.
   std::string difference(const Diagram& snapshot, const std::vector<CircleId>& ids) const;
 
  private:

@@ -235,7 +235,7 @@ TEST(Editor, RefusesWithoutATrace) {
   expectRefusal({good, away, moves, away}, ErrorCode::unknownCircle, 3, 7);
   expectRefusal({good, {Edit::Kind::replace, 41, {}}}, ErrorCode::unknownCircle, 1, 41);
   expectRefusal({{Edit::Kind::remove, -1, {}}}, ErrorCode::unknownCircle, 0);
-  // The same where so much is edited that everything would be computed.
+  // The batch is also refused if it is so large that the whole diagram would be computed.
   std::vector<Edit> many(100, good);
   many.push_back(away);
   many.push_back(away);
@@ -254,8 +254,8 @@ TEST(Editor, NumbersNewEdgesWithFreeNumbersAfterARefusal) {
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
 }
 
-// Each edit of a list of hidden circles, wherever in it, leaves the list as it was where the batch is refused: after
-// that any edit there still is a local one.
+// A refused batch restores the list of circles that a circle hides, whichever entry it edits: any later edit there is
+// still local.
 TEST(Editor, ARefusedBatchLeavesTheListsOfHiddenCirclesAlone) {
   const std::vector<Circle> circles = {{0, 0, 9}, {40, 0, 1}, {0, 40, 1},  {-40, -40, 1},
                                        {1, 0, 1}, {-3, 0, 1}, {0, 4, 0.5}, {0, -4, 0.25}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error bounds against the errors made: none is larger than its bound, and the worst found is more than a tenth of it,
-// so that a bound too small by ten shows. The worst are found by climbing from random circles.
+// Compares error bounds with errors. No error exceeds its bound, and the worst one found exceeds a tenth of it, so the
+// test would notice a bound that is ten times too small. Hill climbing from random circles finds the worst errors.
 #include "estimate.h"
 
 #include <gtest/gtest.h>

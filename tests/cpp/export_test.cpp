@@ -350,7 +350,7 @@ TEST(Export, AreasAreThoseOfTheCells) {
     const auto circles = generate(family.family, 60, 2);
     const Diagram diagram = compute(circles).value();
     const ConvexPolygon box = test::regionOf(exportBox(circles));
-    // Narrow cells have areas that hardly show beside those of the triangles that they are summed from.
+    // The areas of narrow cells are tiny compared with the triangles whose areas are summed.
     const double rounding = 1e-15 * box.area();
     const Json file = Json::parse(textOf(writeGeoJson, circles));
     for (std::size_t i = 0; i < circles.size(); ++i) {

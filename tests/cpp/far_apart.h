@@ -6,7 +6,7 @@
 namespace circle_voronoi::test {
 
 /// Whether distances or areas of a family cannot be compared as doubles of one box: the smallest are below the rounding
-/// of the largest. The diagrams of these families are tested against exact ones, their drawings are not.
+/// of the largest. Other tests compare the diagrams of these families with exact ones.
 inline bool isTooWideToDraw(Family family) {
   return family == Family::farOutlier || family == Family::growingLine || family == Family::tangentChain;
 }

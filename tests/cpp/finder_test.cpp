@@ -53,8 +53,8 @@ TEST(Finder, FindsANearestCircle) {
   }
 }
 
-// Only the circles of few ranks around some places keep their sides, and no walk gets on without sides. So these walks
-// are short.
+// Only circles within a few ranks of the queried places keep their sides, and a walk needs sides to go on. The test
+// thus shows that the walks are short.
 TEST(Finder, TakesFewStepsAmongManyCirclesOnALine) {
   constexpr std::int32_t kCount = 100'000;
   constexpr std::int32_t kPeriod = 100;

@@ -45,7 +45,7 @@ Result<AreaFit> fitShares(const std::vector<Circle>& sites, const std::vector<do
   return fitAreas(sites, shares, region, options);
 }
 
-/// Expects that the areas of a fit are those of its certified diagram, and the requested ones.
+/// Expects that the areas of a fit equal the areas in its certified diagram and the requested areas.
 void expectFits(const Result<AreaFit>& fit, const std::vector<Circle>& sites, const std::vector<double>& shares,
                 const Region& region) {
   ASSERT_TRUE(fit) << fit.error().message;
@@ -142,7 +142,7 @@ TEST(AreaFitSprings, AreSolvedInEachComponentByItself) {
   EXPECT_EQ(system.components(), 3U);
   EXPECT_EQ(system.componentOf(), (std::vector<std::size_t>{0, 1, 0, 1, 0, 2}));
   const std::vector<double> x = system.solve(std::vector<double>{1, 3, 2}, std::vector<double>{1, 4, 2, -4, -3, 0});
-  // The forces are those of x = (4/3, 1, 1/3, -1, -2/3... ), up to a constant in each component.
+  // The forces belong to x = (4/3, 1, 1/3, -1, -2/3... ), up to a constant in each component.
   ASSERT_EQ(x.size(), 6U);
   EXPECT_NEAR(x[0] - x[2], 1, 1e-14);
   EXPECT_NEAR(x[2] - x[4], 1, 1e-14);

@@ -156,7 +156,7 @@ TEST(Flip, TellsWhereTheDualIsWrong) {
   std::cout << wrong << " left wrong\n";
 }
 
-// Edges without an end: one and that which would take its place, and a longer round. The rest is flipped all the same.
+// Edges whose flips would never end: an edge and its replacement, and a longer cycle. All other edges are flipped.
 TEST(Flip, EndsWhereItWouldGoRoundInCircles) {
   for (const std::uint64_t seed : {39, 398}) {
     const Flips flips = flipFromCenters(generate(Family::oneHuge, 1000, seed));
@@ -171,8 +171,8 @@ class NoWatcher final : public FaceWatcher {
   void willChange(int) override {}
 };
 
-// A circle grows, and its cell with it, by far more flips than a few wrong edges are granted. The edge at which they
-// stop is as wrong as those that still wait, and often the only wrong one beside its faces.
+// A circle grows, and its cell with it, by far more flips than a few wrong edges are granted. The edge at which the
+// flips stop is as wrong as the edges that still wait, and often the only wrong edge of its faces.
 TEST(Flip, TellsOfEveryWrongFaceWhereItStopsAtItsLimit) {
   const std::uint64_t seed = test::seedOr(1);
   for (std::uint64_t trial = 0; trial < 3; ++trial) {

@@ -108,7 +108,7 @@ TEST(Hide, TakesNLogNSteps) {
       const std::string name = std::string(family.name) + std::string(variant.name) + ", seed " + std::to_string(seed);
       const auto few = static_cast<double>(steps(1'000));
       const auto many = static_cast<double>(steps(16'000));
-      // 16 times n log n is 22 times as many, 16 times n^1.5 would be 64.
+      // If n grows by a factor of 16, n log n grows by a factor of 22, and n^1.5 would grow by a factor of 64.
       EXPECT_LE(many, 56 * few + 1000) << name;
       EXPECT_LE(many, 150 * 16'000) << name;
     }

@@ -60,7 +60,7 @@ TEST(InCircle, AgreesWithRationalArithmetic) {
   for (const test::TieKind& kind : test::tieKinds()) {
     for (int disturbance = 0; disturbance < test::kDisturbances; ++disturbance) {
       const test::Disturbance how{disturbance};
-      // The library compares points only after scaling, when none is so large.
+      // The library compares points only after scaling, which makes them smaller.
       if (how == test::Disturbance::scaled) continue;
       for (std::uint64_t trial = 0; trial < 50; ++trial) {
         Random random(seed * 1'000'003 + trial);
@@ -85,8 +85,8 @@ double near(double x, Random& random) {
   return x;
 }
 
-// From the bits that one machine word holds to those that the largest integers do: corners of flat rectangles, and
-// points of very different sizes on a line, all moved in their last bits.
+// Numbers of all sizes, from one machine word to the largest integers: corners of flat rectangles, and points of very
+// different sizes on a line, all moved in their last bits.
 TEST(InCircle, AgreesWithRationalArithmeticOverManyBits) {
   Random random(test::seedOr(1));
   const auto number = [&](int exponent) { return std::ldexp(random.uniform(-1, 1), exponent); };

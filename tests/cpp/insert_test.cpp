@@ -95,7 +95,7 @@ TEST(Insert, FindsTheEdgeThatACellCutsWhereDistancesLookEqual) {
   }
 }
 
-/// Expects insertion to be right in 50 random orders of a few circles: most of the orders that there are.
+/// Expects insertion to be right in 50 random orders of a few circles, which include most orders.
 void expectRightInAnyOrder(std::vector<Circle> circles) {
   const std::uint64_t seed = test::seedOr(1);
   Random random(seed);

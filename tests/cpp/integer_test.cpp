@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Integers of our own against those of a library, at the last bit of each width.
+// SPDX-License-Identifier: GPL-3.0-or-later Compares our integers with the integers of a library, at the last bit of
+// each width.
 #include "integer.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ void expectSame(const Number& number, const Reference& reference) {
   EXPECT_NEAR(std::ldexp(value, exponent - scaling) / expected, 1, 0x1p-51);
 }
 
-/// A form of degree eight with as many terms as those of exact.cpp, all of which may be as large as they get.
+/// A form of degree eight with the same number of terms as the forms of exact.cpp, at their largest values.
 template <class Number>
 auto coneOfNormal(const Number& a, const Number& b, const Number& c) {
   const auto g = a * a + b * b - c * c;

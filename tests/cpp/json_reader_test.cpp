@@ -70,7 +70,7 @@ bool isSkipped(const std::string& text) {
   }
 }
 
-/// The keys of an object of numbers, those of `names` asked for in turn by name.
+/// Returns the keys of an object of numbers, asking for the keys in `names` by name, in turn.
 std::vector<std::string> keysOf(const std::string& text, const std::vector<std::string>& names, std::size_t& plain) {
   JsonReader reader(text);
   reader.enterObject();

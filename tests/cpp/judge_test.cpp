@@ -152,8 +152,8 @@ TEST(Judge, RefusesAHullThatLeavesACircleOut) {
   EXPECT_FALSE(judged(circles, outside).isRight());
 }
 
-// Three circles and infinity make a sphere of 4 faces, nine others a torus of 18: together as many as a sphere of
-// twelve circles and infinity. The torus would have to lie in the plane without an end.
+// Three circles and infinity make a sphere of 4 faces, nine others a torus of 18. Together they have the same number of
+// faces as a sphere of twelve circles and infinity.
 TEST(Judge, RefusesASphereAndATorus) {
   std::vector<Triple> faces = {{0, 1, 2}, {1, 0, kPointAtInfinity}, {2, 1, kPointAtInfinity}, {0, 2, kPointAtInfinity}};
   const auto at = [](int x, int y) { return 3 + x % 3 + 3 * (y % 3); };

@@ -358,7 +358,7 @@ TEST(MaxDistance, APointIsInTheOutlineOfItsNearestCircleAlone) {
       boxed.push_back(clippedBufferOutline(diagram, i, test::regionOf(box), d));
     }
     for (int k = 0; k < 60; ++k) {
-      // Half of them about the boundary of a grown circle.
+      // Half of the points lie near the boundary of a grown circle.
       const Circle& c = circles[random.below(circles.size())];
       const double angle = random.uniform(0, 2 * kPi);
       const double reach = k % 2 == 0 ? (c.r + d) * random.uniform(0.9, 1.1) : extent * random.unit();

@@ -27,7 +27,7 @@ using Circles = std::vector<Circle>;
 
 constexpr int kTrials = 8;
 
-/// Rounding makes ties of any family possible, so all of them are compared after merging.
+/// Rounding may create ties in any family, so all diagrams are compared after merging.
 void expectSame(const Diagram& actual, const Diagram& expected, const Circles& circles) {
   EXPECT_EQ(test::structureProblem(actual, circles.size()), "");
   EXPECT_EQ(test::differenceAfterMerging(actual, expected, circles), "");

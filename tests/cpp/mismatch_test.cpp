@@ -50,8 +50,8 @@ std::string tableOf(const std::vector<test::Mismatches>& rows, std::uint64_t see
   return table.str();
 }
 
-/// The most percent of inputs that may differ at N_s = 0, 1, 3 and resampled, where it is not none: a few times what
-/// was measured over several seeds, so that another seed passes too.
+/// The largest percentage of inputs that may differ at N_s = 0, 1, 3 and resampled, for families where this is not 0.
+/// It is a few times the percentage measured over several seeds, so that other seeds pass, too.
 const std::map<Family, std::array<double, 4>> kMostPercent = {
     {Family::logUniform, {3, 0.4, 0.4, 0.4}},
     {Family::mixed, {2, 0.4, 0.4, 0.4}},

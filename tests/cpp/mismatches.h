@@ -24,9 +24,9 @@ struct ComparedWay {
 inline constexpr std::size_t kComparedWays = 6;
 std::span<const ComparedWay, kComparedWays> comparedWays();
 
-/// All circles of these families touch one disc or line, or nearly, and overlap, or are so far apart that a distance is
-/// only rounding. In floating point the touching disc method gets discs in a wrong order with every pair, so it is not
-/// tested on them.
+/// The circles of these families overlap and nearly or exactly touch one disc or line, or they are so far apart that a
+/// distance is only rounding. Even with all pairs, rounding makes the touching disc method process discs in a wrong
+/// order, so it is not tested on these families.
 bool isBeyondTouchingDisc(Family family);
 
 /// Input `trial` of a family: 10 to 100 circles, of the extreme family, which is meant for a few, 5 to 14.

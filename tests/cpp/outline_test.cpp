@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines small enough to be written down; cells_test.cpp has those of whole diagrams.
+// SPDX-License-Identifier: GPL-3.0-or-later Outlines that are small enough to write down. cells_test.cpp tests the
+// outlines of whole diagrams.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST(Outline, OfARegionInsideACellIsTheRegion) {
   EXPECT_EQ(perimeter(outlines[0]), 12);
 }
 
-// The middle of three equal circles in a row has a strip; a box to the side of it sees nothing of it.
+// The cell of the middle one of three equal circles in a row is a strip. A box beside the strip does not meet it.
 TEST(Outline, OfAStripHasNoMoreThanTheStrip) {
   const std::vector<Circle> row = {{0, 0, 1}, {4, 0, 1}, {8, 0, 1}};
   const auto across = outlinesOf(row, test::regionOf(Box{-10, -1, 20, 1}));
@@ -74,7 +74,7 @@ TEST(Outline, OfAStripHasNoMoreThanTheStrip) {
 }
 
 TEST(Outline, OfACellThatEndsAtACurveHasItsArea) {
-  // The points nearer to a point than to a line: its cell beside a circle so large that it is a line.
+  // The cell of a point beside a circle so large that it is nearly a line.
   const double huge = 1e6;
   const auto outlines = outlinesOf({{0, 1, 0}, {0, -1 - huge, huge}}, test::regionOf(Box{-2, -4, 2, 4}));
   // y > x^2 / 4 in the box: 16 - 2 * 8 / 12

@@ -78,7 +78,7 @@ Lattice changed(const Lattice& nice, const BasisChange& m) {
   return {sum(m[0], m[1]), sum(m[2], m[3])};
 }
 
-/// A random lattice with periods that are nearly as short as possible, and another basis of it.
+/// A random lattice with periods that are nearly as short as possible, and another basis of the lattice.
 struct RandomLattice {
   Lattice nice;
   BasisChange change = {1, 0, 0, 1};
@@ -196,7 +196,7 @@ class Block {
   Diagram diagram_;
 };
 
-/// Shifts in the periods of the given basis, as shifts in those of the nice one.
+/// Converts shifts from the given basis to the nice basis.
 Neighbors inNiceBasis(const Neighbors& neighbors, const BasisChange& m) {
   Neighbors result;
   for (const auto& [j, k, l] : neighbors) result.emplace_back(j, k * m[0] + l * m[2], k * m[1] + l * m[3]);
@@ -243,7 +243,7 @@ TEST(Periodic, CellsAreThoseInTheMiddleOfABlockOfImages) {
   }
 }
 
-/// The circles and the lattice as they are, in the unit of the lattice's box.
+/// Expects that the cells of the given circles have equal areas and fill the box.
 void expectWhole(const Circles& circles, const Lattice& lattice) {
   SCOPED_TRACE(test::describe(circles));
   const auto computed = computePeriodic(circles, lattice);
@@ -475,7 +475,7 @@ TEST(Periodic, TheFinderKnowsTheNearestImageOfAnyPoint) {
 }
 
 TEST(Periodic, TheContactTableOfASquareLattice) {
-  // Discs of radius 0.4 at the corners of unit squares, two of them in a box.
+  // Discs of radius 0.4 at the corners of unit squares. The box has two discs.
   const auto computed = computePeriodic(Circles{{0, 0, 0.4}, {1, 0, 0.4}}, {{2, 0}, {0, 1}});
   ASSERT_TRUE(computed);
   const ContactTable table = contactTable(*computed);

@@ -166,7 +166,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
         EXPECT_NEAR(distance(Metric::circles, circles[static_cast<std::size_t>(circle)], center), radius,
                     1e-9 * (size + width) + rounding);
       }
-      // Nor below: by many points, and by climbing from the best of them.
+      // No larger disc exists: try many points, and climb from the best one.
       Point best = center;
       for (int k = 0; k < 1000; ++k) {
         const Point q = {p.x + width * random.uniform(-1, 1), p.y + width * random.uniform(-1, 1)};

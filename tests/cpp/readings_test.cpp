@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The table of texts for every reader of circles. tests/files/readings.test.ts has it for those of JavaScript.
+// SPDX-License-Identifier: GPL-3.0-or-later Runs the table of texts that every reader of circles must pass.
+// tests/files/readings.test.ts runs it for the readers in JavaScript.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -95,7 +95,7 @@ TEST(Region, TakesPolygonsWithHoles) {
 TEST(Region, RefusesRingsThatCrossThemselves) {
   EXPECT_EQ(messageOf({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}),
             "Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (1, 1).");
-  // Sides are counted as they are given, with repeated points.
+  // Sides are counted as in the input, with repeated points.
   EXPECT_EQ(messageOf({{{0, 0}, {0, 0}, {2, 2}, {2, 2}, {2, 0}, {0, 2}}}),
             "Side 1 of ring 0 of the region and side 4 of ring 0 of the region cross at (1, 1).");
   // Through a corner, and back along a side.
@@ -155,7 +155,7 @@ TEST(Region, RefusesWhatIsNoRegion) {
 }
 
 TEST(Region, DecidesByExactSigns) {
-  // A corner one rounding step from a side: on this side of it, on it, beyond it.
+  // A corner one rounding step before a side, on the side, and one step beyond it.
   const double above = std::nextafter(0.5, 1.0);
   const double below = std::nextafter(0.5, 0.0);
   const Ring triangle = {{0, 0}, {1, 1}, {0, 1}};

@@ -156,7 +156,7 @@ TEST_P(Scale, GeometryIsTheSameAtEverySize) {
 // 2^498 is the largest power below kCoordinateLimit.
 INSTANTIATE_TEST_SUITE_P(Exponents, Scale, testing::Values(-900, -700, -400, -255, -100, 100, 255, 300, 498));
 
-/// At this scale numbers have just as many bits as the circles need.
+/// At this scale the circles just fit into the bits of the numbers.
 TEST(Scale, SmallestNumbersAreRoundedOnly) {
   const double scale = 0x1p-1060;
   const auto circles = coarse(generate(Family::intersecting, 20, 3), 64);

@@ -193,7 +193,7 @@ std::vector<Circle> nestedTightly(std::size_t count, Random& random) {
   Point p = {r, 0};
   for (std::size_t i = 0; i < count; ++i) {
     circles.push_back({p.x, p.y, r});
-    // By less or more than the slack: some of them stick out.
+    // Moves by less or more than the slack, so that some circles stick out.
     p = {p.x + slack * random.uniform(-1, 1), p.y + slack * random.uniform(-1, 1)};
     r -= slack;
   }

@@ -37,16 +37,16 @@ inline constexpr int kDisturbances = 8;
 
 void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& random);
 
-/// The circles and a point that is so far away that their size is 1e-200 to 1e-150 of its distance: squares of lengths
-/// and of their differences underflow, or lose digits.
+/// Adds a point so far away that the circles' size is 1e-200 to 1e-150 of its distance: squares of lengths and of their
+/// differences underflow, or lose digits.
 std::vector<Circle> besideFarPoint(std::vector<Circle> circles, Random& random);
 
-/// Circles each of which contains the next or sticks out of it by a little, and a point so far away that squares of
-/// these slacks underflow or lose digits: they are 1e-200 to 1e-150 of its distance.
+/// Returns circles that each contain the next one or miss doing so by a small slack, and a point so far away that
+/// squares of these slacks underflow or lose digits: the slacks are 1e-200 to 1e-150 of its distance.
 std::vector<Circle> nestedTightly(std::size_t count, Random& random);
 
 /// Moves circles into a square of side 2^10 around the origin and rounds coordinates and radii to multiples of 2^-10:
-/// sums of them are exact.
+/// sums of these numbers are exact.
 std::vector<Circle> onDyadicGrid(std::vector<Circle> circles);
 
 /// Passes on `count` inputs of each kind, of 2 to 41 circles, disturbed in each way in turn, with the kind's name.

@@ -114,7 +114,7 @@ TEST(TileStream, HasALimitForALineAndForWhatComesBeforeTheTable) {
   }
 }
 
-// By its number among all, though it is read with a piece of them.
+// Messages name the index in the whole text, even though only a piece is read.
 TEST(TileStream, NamesTheCircleAndTheLineOfTheWholeThatAreWrong) {
   TileStream stream("test");
   ASSERT_TRUE(stream.read("x,y,r\n0,0,1\n1,1,1\n2,2").ok());

@@ -122,7 +122,8 @@ TEST(RotateHull, StartsWithTheSmallestStep) {
   EXPECT_EQ(rotated({7}), Hull{7});
   EXPECT_EQ(rotated({2, 1}), (Hull{1, 2}));
   EXPECT_EQ(rotated({4, 2, 9}), (Hull{2, 9, 4}));
-  // Circle 0 recurs: the step that follows decides, and any rotation of the hull gives the same.
+  // Circle 0 occurs several times. The next circle decides between them, so any rotation of the hull gives the same
+  // result.
   const Hull hull = {0, 3, 0, 5, 0, 4};
   for (std::size_t shift = 0; shift < hull.size(); ++shift) {
     Hull shifted = hull;

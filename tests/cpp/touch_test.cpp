@@ -167,8 +167,8 @@ std::vector<Circle> pointBeside(double angle, double gap) {
   return {{-1, 0, 0.1}, {1, 0, 0.1}, {-size * std::cos(angle), size * std::sin(angle), 0}};
 }
 
-// Rounding is up to some 2^-52 of the numbers: a disc that is within a few times that of a neighbor touches it, and
-// one that is free of it by some hundred times that does not. A three-touch disc may come first and stand for either.
+// Rounding is some 2^-52 of the numbers. A disc within a few roundings of a neighbor counts as touching it. A disc that
+// is some hundred roundings away does not. A three-touch disc may come first and stand for either.
 TEST(Touch, TellsRoundingFromAGap) {
   int touching = 0;
   int free = 0;

@@ -87,7 +87,7 @@ class Replay {
     for (std::size_t i = 0; i < circles.size(); ++i) circles_.emplace(static_cast<std::int32_t>(i), circles[i]);
   }
 
-  /// Circles by the indices of a diagram, which are those of `ids`.
+  /// Circle i of the diagram has the id ids[i].
   void expectDiagram(const Diagram& diagram, const std::vector<CircleId>& ids) const {
     const auto named = [&](const Triple& circles) {
       return turned({ids.at(circles[0]), ids.at(circles[1]), ids.at(circles[2])});

@@ -51,7 +51,7 @@ TEST(Trace, TellsOfEveryCandidate) {
     EXPECT_EQ(events.at(0).kind, TraceKind::roundBegun);
     EXPECT_EQ(events.at(0).numbers[0], 0);
     EXPECT_EQ(traced.count(TraceKind::roundBegun), 1);
-    // Every edge of a triangulation: 3 n - 3 less those of the hull.
+    // A triangulation has 3 n - 3 edges less the number of hull edges.
     const auto edgesAmong = [](const std::vector<Circle>& points) {
       const Diagram diagram = compute(points).value();
       const std::size_t visible = points.size() - diagram.hidden.size();

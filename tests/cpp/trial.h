@@ -28,9 +28,9 @@ TrialResult tryAutomatic(std::span<const Circle> circles, bool isDegenerate);
 /// Leaves out the comparison, which takes too long for many circles in degenerate position.
 TrialResult tryCertified(std::span<const Circle> circles);
 
-/// Tests circles that are tiny relative to their coordinates: the diagram is certified, hidden circles equal those by
-/// definition, and an editor's snapshot is the same. In general position the diagram is compared with the exact one,
-/// too.
+/// Tests circles that are tiny relative to their coordinates: the diagram is certified, exactly the circles that lie
+/// inside others are hidden, and an editor's snapshot is equal. In general position the diagram is compared with the
+/// exact one, too.
 TrialResult tryTiny(std::span<const Circle> circles, bool isDegenerate);
 
 /// A minimal subset of the circles that still fails, found by leaving out ever smaller parts.

@@ -50,8 +50,8 @@ Circles withMore(Circles circles, double more) {
   return circles;
 }
 
-/// A diagram in an order of its own: vertices by their circles, edges by these and by those of their ends. No two
-/// vertices have the same three in the same order.
+/// A diagram in a canonical order: vertices by their circles, edges by their circles and the circles of their ends. No
+/// two vertices have the same three circles in the same order.
 struct Listed {
   std::map<std::array<std::int32_t, 3>, Vertex> vertices;
   std::set<std::array<std::int32_t, 8>> edges;
@@ -111,7 +111,7 @@ TEST(Weights, AddingOneNumberToAllChangesNoBitOfAnyFamily) {
       Random random(seed * 1'000'003 + trial);
       const Circles circles = test::onDyadicGrid(generate(family.family, 2 + random.below(100), random.next()));
       SCOPED_TRACE(std::string(family.name) + ", trial " + std::to_string(trial));
-      // More than all radii, some of them, and upwards.
+      // Adds -1 times more than all radii, -1 times a part of them, and a positive number.
       for (const double most : {-0x1p30, -0x1p18, 0x1p20}) {
         expectNumberChangesNothing(circles, std::floor(random.uniform(0, most)) * 0x1p-10);
       }

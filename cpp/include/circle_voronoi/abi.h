@@ -11,8 +11,9 @@
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
 // If a program and the library lay out the containers and strings of the standard library differently, each would read
-// garbage from the other. So each source that includes this header refers to a constant that only a matching library
-// defines. Otherwise the linker reports the constant as missing, and its name says what is wrong.
+// garbage from the other. Each source that includes this header therefore refers to a constant that only a matching
+// library defines. If the library does not match, the linker reports the constant as missing, and the constant's name
+// states the problem.
 
 #ifdef _GLIBCXX_DEBUG
 extern const bool needs_a_library_built_with_GLIBCXX_DEBUG;

@@ -59,9 +59,9 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 /// several loops if the region cuts the cell apart.
 [[nodiscard]] Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region);
 
-/// Returns the outline of the part of a cell within `maxDistance` of its circle: the cell cut by the circle of radius
-/// r + maxDistance around its center. The parts of all cells do not overlap. Together they cover the union of all
-/// circles grown by that distance. With a negative distance they cover what lies that deep inside the circles.
+/// Returns the outline of the part of a cell within `maxDistance` of its circle: the cell cut by the circle of radius r
+/// + maxDistance around its center. The parts of all cells do not overlap. Together they cover the union of all circles
+/// grown by that distance. If the distance is negative, they cover the points at least that deep inside the circles.
 ///
 /// The outline has at most one loop: cell and disc are both star-shaped around the center (finder.h), so their
 /// intersection has one component and no holes. It has at most one arc of each side, because the distance grows from
@@ -76,14 +76,14 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 
 /// Returns the outlines of all cells inside a region and, if that is given, within `maxDistance` of their circles, and
 /// checks them in linear time: they close, no area is negative but for rounding, and without a maximum distance the
-/// areas sum to that of the region. The functions above return what they find.
+/// areas sum to that of the region. The functions above do not check their results.
 /// Errors: notCertified with the circle if a check fails, as where arrays of the diagram were changed; badOption if
 /// `maxDistance` is not finite or exceeds kRegionLimit; tooManyCircles if memory runs out.
 Result<std::vector<Outline>> outlines(const Diagram& diagram, const ConvexPolygon& region,
                                       std::optional<double> maxDistance = {});
 
-/// Returns the enclosed area, exact up to rounding: polygons, and closed forms with square roots alone for what lies
-/// between an arc and its chord.
+/// Returns the enclosed area, exact up to rounding: a polygon, plus the segments between arcs and their chords, whose
+/// closed forms need no functions but square roots.
 [[nodiscard]] double area(const Outline& outline);
 /// Returns the center of mass, exact up to rounding. If the area is zero up to rounding, returns the center of mass of
 /// the end points; (0, 0) for an empty outline.

@@ -17,10 +17,10 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 ///
 /// The 36 bits that `compute` promises are another measure: they bound the distance of a vertex from its exact place.
 /// If three circles nearly share a tangent line, points far from the true vertex touch the circles to 40 bits, too. A
-/// diagram from any program can reach 40 bits. Vertices of `compute` pass as they are, bit for bit.
+/// diagram from any program can reach 40 bits. The vertices of `compute` always pass.
 ///
-/// `certify` reads everything but `stats` and the diagram's own `certificate`. The links must be those of `linkSides`.
-/// For Metric::centers the radii are ignored. For Metric::power there is no certificate.
+/// `certify` reads everything but `stats` and the diagram's own `certificate`. The links must equal the result of
+/// `linkSides`. For Metric::centers the radii are ignored. For Metric::power there is no certificate.
 ///
 /// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, tooManyCircles, badArithmetic;
 /// badOption for Metric::power; internal.

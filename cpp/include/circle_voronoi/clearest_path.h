@@ -11,7 +11,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// A path among circles that stays as far from all of them as any path between the same two points can.
+/// A path of greatest clearance: no other path between the same two points stays farther from all circles.
 struct ClearestPath {
   /// The smallest distance from a circle along the path; negative if every path enters a circle.
   double clearance = 0;
@@ -31,8 +31,8 @@ struct ClearestPath {
 /// Returns a path of greatest clearance from p to q. O(n log n).
 ///
 /// If you move straight away from the nearest center until you meet an edge, you never lose clearance. This carries
-/// every path onto the edges, infinity included. So some path along edges is as clear as any path: the one with the
-/// greatest bottleneck (Dijkstra).
+/// every path onto the edges, infinity included. Hence the path along edges with the greatest bottleneck is as clear as
+/// any path. Dijkstra's algorithm finds it.
 ///
 /// Precondition: the metric is Metric::circles, and there is at least one circle.
 [[nodiscard]] ClearestPath clearestPath(const Diagram& diagram, Point p, Point q);

@@ -87,8 +87,8 @@ class ClippedDiagram {
 
   /// Clips some cells only, in time for these cells and the sides of the region near them, but for a few bytes for each
   /// circle and edge. All other cells count as outside the region, and so do edges between them. After an edit, clip
-  /// the cells whose sides have changed anew: their outlines have the bits that `from` gives them. Polygons are those
-  /// of `polygons()` only if the neighbors are clipped, too. Errors: those of `from`.
+  /// the cells whose sides have changed anew: their outlines have the bits that `from` gives them. A cell has the same
+  /// polygon as after `from` only if its neighbors are clipped, too. Errors: see `from`.
   static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region& region,
                                         std::span<const CircleIndex> circles, std::optional<double> maxDistance = {});
 

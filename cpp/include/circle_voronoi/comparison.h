@@ -16,14 +16,14 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// `compute`. Curves and cells of the result use the same metric (curve.h, cells.h).
 ///
 /// For Metric::centers the radius of a vertex is its distance from its three centers. If circles share a center, the
-/// first of them has the cell.
+/// first such circle has the cell.
 ///
-/// Errors: those of `compute`; for Metric::power those of `powerDiagram`.
+/// Errors: see `compute` or, for Metric::power, `powerDiagram`.
 Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric);
 
 /// Computes the power diagram, as the dual of CGAL's regular triangulation of the centers with weights r^2. It is exact
 /// for the rounded weights, unless numbers are smaller than 2^-190 of the largest one: then products may underflow in
-/// CGAL's filter. There is no certificate, but clipping to a region checks what it meets.
+/// CGAL's filter. There is no certificate, but clipping to a region checks the cells that meet the region.
 ///
 /// The radius of a vertex is that of the circle that is orthogonal to its three circles. Where these overlap, the
 /// radius is negative: minus the square root of minus their power. A circle without a cell is listed as hidden by

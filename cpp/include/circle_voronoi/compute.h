@@ -22,8 +22,8 @@ struct Options {
   /// Whether the radii are additive weights, which may be negative.
   bool weights = false;
   Method method = Method::automatic;
-  /// The number of threads that may work at the same time; 0 means as many as the machine has. The result has the same
-  /// bits for any number. WebAssembly uses one thread.
+  /// The number of threads that may work at the same time; 0 means one for each hardware thread. The result has the
+  /// same bits for any number. WebAssembly uses one thread.
   int threads = 1;
   /// Used by the touching disc method only, like `samples` and `resample`.
   Candidates candidates = Candidates::dynamic;

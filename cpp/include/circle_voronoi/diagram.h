@@ -29,8 +29,8 @@ struct Edge {
 };
 
 /// A circle without a cell, and a visible circle `by` that contains it: |c - c_by| <= r_by - r. Among identical
-/// circles, the first stays visible. If several visible circles contain the circle, `by` is the largest of them, and
-/// the first of equally large ones.
+/// circles, the first stays visible. If several visible circles contain the circle, `by` is the largest, or the first
+/// of the largest.
 struct HiddenCircle {
   CircleIndex circle = {};
   CircleIndex by = {};
@@ -38,7 +38,7 @@ struct HiddenCircle {
   friend bool operator==(const HiddenCircle&, const HiddenCircle&) = default;
 };
 
-/// How the sides of a diagram hang together: a half-edge structure. `linkSides` derives it from the other data.
+/// The half-edge structure of a diagram: how its sides are connected. `linkSides` derives it from the other data.
 struct Links {
   /// For each side the next side around its cell. If the cell is unbounded, the side that ends at infinity is followed
   /// by the side that begins there.
@@ -61,7 +61,7 @@ struct Links {
 /// circle and runs from start to end. Side 2 e + 1, its twin, belongs to the right circle and runs from end to start.
 /// So each side has its cell on its left, and the sides of a cell run counter-clockwise around it.
 ///
-/// The functions that take a diagram keep their promises for certified diagrams and for those of comparison.h.
+/// The functions that take a diagram keep their promises for certified diagrams and for the diagrams of comparison.h.
 struct Diagram {
   /// The circles of the input, hidden ones included.
   std::vector<Circle> circles;
@@ -115,8 +115,8 @@ struct Diagram {
 
 /// Fills the links of a diagram from its other data. Linear time, except that the hull is sorted.
 ///
-/// Returns whether vertices, edges and hull fit together. If they do not, all links are kNone, and `certify` says what
-/// is wrong.
+/// Returns whether vertices, edges and hull fit together. If they do not, all links are kNone, and `certify` describes
+/// the problem.
 bool linkSides(Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -46,14 +46,14 @@ struct HullSide {
 /// at a time, plus a few for the hull.
 ///
 /// To follow the diagram, take away what disappears, then put what appears into its place. Unbounded edges and the hull
-/// are included. Circles and vertices equal those of `snapshot` to the bit, at any scale.
+/// are included. Circles and vertices have the same bits as in `snapshot`, at any scale.
 struct Change {
   EditWay way = EditWay::local;
 
   std::vector<CircleId> inserted;  ///< in the order of the edits
   std::vector<CircleId> removed;
   std::vector<CircleId> replaced;
-  std::vector<Circle> circles;   ///< the inserted circles, then the replaced ones, as they are after the change
+  std::vector<Circle> circles;   ///< the inserted circles, then the new values of the replaced ones
   std::vector<CircleId> hidden;  ///< circles that lost their cell, or were inserted without one
   /// A hider for each circle in `hidden`, and for each circle whose hider has changed. If several visible circles
   /// contain it, this is the one the editor keeps it with; a `snapshot` names the largest.
@@ -97,28 +97,28 @@ struct EditorOptions {
 /// A certified Voronoi diagram whose circles can be inserted, removed, moved and resized.
 ///
 /// An edit changes its surroundings and leaves the rest alone. It takes microseconds, however many circles there are.
-/// It is certified by what it changes (the judge of a step, ARCHITECTURE.md). An edit that hides or shows a large share
-/// of the circles computes the whole diagram. An edit that fails, for lack of memory or for any other reason, changes
-/// nothing.
+/// The editor certifies the changed parts (the judge of a step, ARCHITECTURE.md). An edit that hides or shows a large
+/// share of the circles computes the whole diagram. An edit that fails, for lack of memory or for any other reason,
+/// changes nothing.
 ///
 /// A circle inside another one is hidden. It gets a cell when the other one no longer contains it.
 ///
-/// The diagram does not depend on the edits that led to it. It is the one that `compute` makes, even where more than
+/// The diagram does not depend on the edits that led to it. It equals the result of `compute`, even where more than
 /// three circles touch one disc. The circles may be any that `compute` takes.
 ///
 /// Only one thread at a time may use an editor, except that several threads may call const functions.
 class DiagramEditor {
  public:
-  /// Makes an editor. Circle i gets id i. Errors: those of `compute`.
+  /// Makes an editor. Circle i gets id i. Errors: see `compute`.
   static Result<DiagramEditor> from(std::span<const Circle> circles, const EditorOptions& options = {});
 
   DiagramEditor(DiagramEditor&&) noexcept;
   DiagramEditor& operator=(DiagramEditor&&) noexcept;
   ~DiagramEditor();
 
-  // Errors of the edits below: unknownCircle, and those of `compute`. `Error::circle` is the id of the circle to blame;
-  // kNone if that is a new circle, or no single one. `Error::edit` is the index of the edit to blame; kNone if that is
-  // no single one.
+  // Errors of the edits below: unknownCircle, and the errors of `compute`. `Error::circle` is the id of the circle to
+  // blame, or kNone if the circle is new or no single circle is to blame. `Error::edit` is the index of the edit to
+  // blame, or kNone if no single edit is to blame.
 
   /// Inserts a circle. Its id is `inserted[0]`. `hint` is a circle nearby, if you know one. By default the search
   /// starts at the circle that was edited last.
@@ -136,13 +136,13 @@ class DiagramEditor {
   /// tooManyCircles if memory runs out.
   Result<void> observe(const Observer& observer);
 
-  /// Returns the circle with the smallest signed distance from p; of several, one of them up to rounding. Returns kNone
-  /// if there are no circles or p is not finite. `hint` is a circle nearby, if you know one.
+  /// Returns the circle with the smallest signed distance from p. If several are equally near up to rounding, returns
+  /// one of them. Returns kNone if there are no circles or p is not finite. `hint` is a circle nearby, if you know one.
   [[nodiscard]] CircleId nearest(Point p, CircleId hint = kNone) const;
 
   /// Returns the number of circles, hidden ones included.
   [[nodiscard]] std::size_t size() const;
-  /// Returns a circle as it was given; nothing if there is none with this id.
+  /// Returns the circle with an id, with its original numbers; nothing if the id is unknown.
   [[nodiscard]] std::optional<Circle> circle(CircleId id) const;
   /// Returns whether a circle has no cell. Precondition: there is a circle with this id.
   [[nodiscard]] bool isHidden(CircleId id) const;

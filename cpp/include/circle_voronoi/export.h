@@ -22,7 +22,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// Which part of a diagram is written, and how closely.
+/// The part of a diagram to write, and the precision.
 struct ExportOptions {
   /// The box to which cells and edges are clipped, one that `ConvexPolygon::from` accepts. By default it is the
   /// bounding box of the circles with a margin of a twentieth of its size. The circles are first grown by
@@ -34,18 +34,18 @@ struct ExportOptions {
   /// Cells and edges are cut at this distance from the nearest circle (`bufferOutline`). Finite and at most
   /// kRegionLimit in absolute value.
   std::optional<double> maxDistance = {};
-  /// The largest distance between what is written and the true curves. Finite and positive. By default a
+  /// The largest distance between the written curves and the true ones. Finite and positive. By default a
   /// hundred-thousandth of the box.
   std::optional<double> tolerance = {};
-  /// The largest number of digits that coordinates and areas have after the decimal point, from 0. By default as many
-  /// as the tolerance requires. With this option rounding may move points by more than the tolerance, and the default
-  /// box grows to coordinates with that many digits.
+  /// The largest number of digits that coordinates and areas have after the decimal point, from 0. By default the
+  /// tolerance determines the number. With this option rounding may move points by more than the tolerance, and the
+  /// default box grows to coordinates with that many digits.
   std::optional<int> digits = {};
   /// Data of GeoJSON features beside their own properties (readCircleFile): other properties, the id of the feature,
   /// the height as the property `z`, and the members of the collection. A property with a name that `writeGeoJson` uses
   /// itself, such as area, gets `input_` in front. It must outlive the call.
   const CircleAttributes* attributes = nullptr;
-  /// Maps a point of the plane to the one that `writeGeoJson`, `writeGeoJsonLines` and `writeWkt` write, such as its
+  /// Maps each point to the point that `writeGeoJson`, `writeGeoJsonLines` and `writeWkt` write, for example to
   /// longitude and latitude. Long sides of polygons get more points, so that they stay within the tolerance. Polygons
   /// of neighbors still share their points. Empty: the point itself.
   std::function<Point(Point)> place = {};
@@ -59,7 +59,7 @@ struct ExportOptions {
 // its vertices may have a polygon that crosses itself, or none. Such cells occur between circles that are tangent
 // inside up to rounding.
 //
-// Coordinates have as many decimals as the tolerance requires. Their last place is the largest power of ten for which
+// The tolerance determines the number of decimals of coordinates. The last place is the largest power of ten for which
 // rounding uses up at most a tenth of the tolerance. The following keep all their digits: points on the box, arcs of
 // the hull, polygons that would collapse or cross themselves if they were rounded, radii and areas in GeoJSON, and all
 // numbers in CSV. Reading these back gives the same bits. With ExportOptions::digits, areas are rounded, and points on
@@ -92,7 +92,7 @@ struct SvgFigure {
   /// The groups that `writeSvg` draws.
   std::vector<std::string> groups = {"cells", "dual", "circles", "edges", "vertices", "hull"};
   std::vector<SvgLayer> layers = {};  ///< drawn above the groups, in this order
-  std::string style;                  ///< rules of a style sheet, after those of `writeSvg`
+  std::string style;                  ///< rules of a style sheet, appended to the rules of `writeSvg`
   double pixels = 1000;               ///< the longer side of the drawing, in the unit of strokes and dots; positive
 };
 
@@ -102,8 +102,8 @@ Result<void> writeSvgFigure(std::ostream& out, const Diagram& diagram, const Svg
 /// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
 /// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
 /// circle, r, area, neighbors (circles), and for hidden circles hiddenBy. If bounds, a region or a maximum distance is
-/// given, neighbors are those that share a part of an edge inside. The member bbox of the collection is the box to
-/// which cells are cut, unless ExportOptions::place is given.
+/// given, neighbors lists only circles that share a part of an edge inside. The member bbox of the collection is the
+/// box to which cells are cut, unless ExportOptions::place is given.
 Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Writes the features of `writeGeoJson`, one a line, and nothing else. You can concatenate such texts.
@@ -124,15 +124,16 @@ Result<void> writeObj(std::ostream& out, const Diagram& diagram, const ExportOpt
 Result<void> writeDiagramCsv(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
 
 // The functions below write the cells of the given circles of a periodic diagram. The box, the region and the maximum
-// distance of the options must not be given. Errors: those of the functions above; badOption.
+// distance of the options must not be given. Errors: see the functions above; badOption.
 
 /// Writes a drawing of the box with a margin around it. Cells and circles that cross a side of the box are drawn on
 /// both sides. Images outside the box are dimmed. The given circles are the group given, which the drawing uses several
 /// times.
 Result<void> writePeriodicSvg(std::ostream& out, const PeriodicDiagram& periodic, const ExportOptions& options = {});
 
-/// Writes the cells as GeoJSON, whole, and around the circles where these were given. The properties are those of
-/// `writeGeoJson` for a diagram and shifts, which has the shift of each neighbor. A hidden circle also has hiderShift.
+/// Writes the cells as GeoJSON, whole, and around the circles where these were given. The properties are the same as in
+/// `writeGeoJson` for a diagram, plus shifts, which lists the shift of each neighbor. A hidden circle also has
+/// hiderShift.
 Result<void> writePeriodicGeoJson(std::ostream& out, const PeriodicDiagram& periodic,
                                   const ExportOptions& options = {});
 
@@ -141,7 +142,7 @@ Result<void> writePeriodicGeoJsonLines(std::ostream& out, const PeriodicDiagram&
                                        const ExportOptions& options = {});
 
 /// Writes the contact table (contactTable) with the columns circle, neighbor, shift_a, shift_b, length, gap, area,
-/// packing_fraction. The last two are those of the circle. Hidden circles have no contacts and no line.
+/// packing_fraction. The last two columns describe the circle. Hidden circles have no contacts and no line.
 ///
 /// `digits` is the largest number of digits after the decimal point, from 0. By default all numbers have all digits.
 Result<void> writeContactsCsv(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {});

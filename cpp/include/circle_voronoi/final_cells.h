@@ -26,7 +26,7 @@ struct Known {
   double maxRadius = 0;
 };
 
-/// Which parts of a diagram are also parts of the whole diagram, whatever the missing circles are.
+/// The parts of a diagram that are also parts of the whole diagram, whatever the missing circles are.
 struct FinalCells {
   /// For each circle, by how much you must widen the box on all sides, and compute the diagram of the circles in it
   /// anew, until the circle's cell, or what hides it, is sure to be final. 0 means that it is final. Infinite for an

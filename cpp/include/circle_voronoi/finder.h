@@ -17,7 +17,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// cells are star-shaped around their centers. If p lies outside cell i, the segment from c_i to p leaves the cell
 /// across a side. From there on it is nearer to the neighbor across that side, because the points nearer to i than to j
 /// are star-shaped around c_i, too. In a cell with many sides, bisection finds that side. For the power metric, cells
-/// are intersections of half-planes, one for each neighbor, and one of them excludes p.
+/// are intersections of half-planes, one for each neighbor, and one half-plane excludes p.
 ///
 /// A grid of starting circles keeps the walk short: a step or two if the circles are spread evenly.
 class Finder {
@@ -29,8 +29,9 @@ class Finder {
   Finder& operator=(Finder&&) noexcept;
   ~Finder();
 
-  /// Returns the circle at the smallest distance from p; of several, one of them up to rounding. The walk starts near
-  /// p, or at `hint` if that is nearer. Returns kNone if there are no circles. Precondition: p is finite.
+  /// Returns the circle at the smallest distance from p. If several are equally near up to rounding, returns one of
+  /// them. The walk starts near p, or at `hint` if that is nearer. Returns kNone if there are no circles. Precondition:
+  /// p is finite.
   [[nodiscard]] CircleIndex find(Point p, CircleIndex hint = kNone) const;
 
   /// Returns the nearest circle for each point. Each walk may start where the one before it ended, so it is quicker if

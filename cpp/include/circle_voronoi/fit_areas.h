@@ -16,7 +16,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The state of a fit after a step.
 struct AreaFitStep {
-  int step = 0;                     ///< the number of steps so far, those before sites last moved included
+  int step = 0;                     ///< the number of steps of all fits until now
   double error = 0;                 ///< the largest relative error of an area
   std::span<const double> weights;  ///< the weight of each site; valid during the call only
 };
@@ -50,7 +50,7 @@ struct AreaFit {
 /// unique up to a common constant if the region is connected.
 ///
 /// This is semi-discrete optimal transport with the distance as cost. The weights maximize a concave function. Its
-/// gradient is what the areas lack, and its second derivative is the graph Laplacian of the edges, each a spring. So
+/// gradient is what the areas lack, and its second derivative is the graph Laplacian of the edges, each a spring.
 /// Newton's method with damping finds them (V. Hartmann, D. Schuhmacher, doi:10.1007/s00186-020-00703-z; J. Kitagawa,
 /// Q. Mérigot, B. Thibert, arXiv:1603.05579).
 ///
@@ -58,11 +58,11 @@ struct AreaFit {
 /// an earlier fit make a fit after a small change take few steps. Sites may lie outside the region. The same input
 /// gives the same bits on every platform.
 ///
-/// Errors: nonFinite, coordinateTooLarge (both name the site), badInput (there are not as many areas as sites, an area
+/// Errors: nonFinite, coordinateTooLarge (both name the site), badInput (the numbers of areas and sites differ, an area
 /// is not positive and finite, two sites are equal, the areas do not sum to the region's, their sum exceeds the largest
 /// number, an area is so small or the region so large that a fit leaves the range of numbers), badOption,
-/// tooManyCircles (also if memory runs out), notConverged (the message says how many steps there were and what they
-/// reached; the best weights are those with which `onStep` was called last).
+/// tooManyCircles (also if memory runs out), notConverged (the message gives the number of steps and the error reached;
+/// the last call of `onStep` got the best weights).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
 
@@ -81,7 +81,7 @@ struct PeriodicAreaFit {
 ///
 /// Sites may lie in any box. With `relax`, a site moves out of its box if its cell does.
 ///
-/// Errors: those of `computePeriodic`, and those of the fit in a region. Sites that differ by whole periods are equal.
+/// Errors: see `computePeriodic` and the fit in a region. Sites that differ by whole periods are equal.
 Result<PeriodicAreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Lattice& lattice,
                                  const AreaFitOptions& options = {});
 

@@ -28,8 +28,8 @@ struct Hull {
 };
 
 /// Returns the amount by which all circles grow before their hull is taken. It is 0 unless a circle on the hull has a
-/// negative weight; then the smallest such circle grows to a point. As all circles grow alike, the diagram and the
-/// circles on the hull stay the same.
+/// negative weight; then the smallest such circle grows to a point. All circles grow by the same amount, so the diagram
+/// and the circles on the hull do not change.
 [[nodiscard]] double hullGrowth(const Diagram& diagram);
 
 /// Returns the convex hull of the circles of a certified diagram, grown by hullGrowth, in the order of `diagram.hull`.

@@ -25,9 +25,9 @@ enum class Radii {
   none,      ///< 0 for all circles; a column that is called r is one like others
 };
 
-/// Selects the circles of a file. Names of columns are also those of properties of GeoJSON points and of members of
-/// JSON objects. Upper and lower case are the same. The columns of a table are also called #1, #2 and so on, unless one
-/// has that name.
+/// Selects the circles of a file. Names of columns also select properties of GeoJSON points and members of JSON
+/// objects. Names are case-insensitive. The columns of a table are also called #1, #2 and so on, unless one has that
+/// name.
 struct ReadOptions {
   bool weights = false;  ///< whether radii may be negative (Options::weights)
   Radii radii = Radii::needed;
@@ -38,7 +38,7 @@ struct ReadOptions {
   bool skipInvalid = false;  ///< whether rows and features that are no circles are skipped rather than refused
 };
 
-/// The circles of a file and what it says about them.
+/// The circles of a file and their attributes.
 struct CircleFile {
   std::vector<Circle> circles = {};
   CircleAttributes attributes = {};
@@ -60,8 +60,8 @@ struct CircleFile {
 /// northing; r, rad or radius. Without such a line there are three columns: x, y, r. If commas do not separate the
 /// fields, or inside quotation marks, commas may be decimal marks. A text has one kind of decimal mark.
 ///
-/// JSON and GeoJSON have the same names. If an object has several of them, the first in these lists counts. The last
-/// value of a name that is given twice counts.
+/// JSON and GeoJSON have the same names. If an object has several of these names, the first in these lists counts. The
+/// last value of a name that is given twice counts.
 ///
 /// `name` is what errors call the text. Each message is one sentence that starts with `name:line:`.
 /// Errors: badInput, also for an empty text, for a line of a table longer than 64 MiB, and if all circles are skipped;
@@ -73,14 +73,14 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
 ///
 /// All fields of a column of a table become values of one type. They are numbers if all are numerals of JSON, with the
 /// decimal mark of the table; empty fields, NA, NaN and null are null then. They are booleans if all are true or false,
-/// and values of JSON if all are objects or arrays. In all other columns they are strings, exactly as they are written;
-/// so are all fields of a column with a number in quotation marks or with a leading zero. Empty fields are null.
-/// Numbers keep all digits that are written.
+/// and values of JSON if all are objects or arrays. In all other columns they are strings, exactly as in the file. This
+/// includes columns in which a number is in quotation marks or has a leading zero. Empty fields are null. Numbers keep
+/// all digits that are written.
 ///
 /// A column or member `id` (ReadOptions::id) is a property and also the id of the circle. A column or member `z` of
 /// numbers is a property and also the height of the circle.
 ///
-/// Errors: those of `readCircles`; badInput also for a field that is not UTF-8.
+/// Errors: see `readCircles`; badInput also for a field that is not UTF-8.
 Result<CircleFile> readCircleFile(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 /// Returns one number for each circle: a column, a property or a member.
@@ -91,7 +91,7 @@ Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::s
 /// well-known text (POLYGON or MULTIPOLYGON). Coordinates beyond the second of a position are ignored.
 ///
 /// `name` is what errors call the text. Messages about the syntax start with `name:line:`, others with `name:`.
-/// Errors: badInput; also those of Region::fromPolygons.
+/// Errors: badInput; see also Region::fromPolygons.
 Result<Region> readRegion(std::string_view text, std::string_view name, const RegionOptions& options = {});
 
 // The functions below write circles so that `readCircleFile` reads them back to the same bits, with their attributes:
@@ -102,8 +102,8 @@ Result<Region> readRegion(std::string_view text, std::string_view name, const Re
 // CSV and JSON have no place for CircleAttributes::collection. In CSV a value that is an object or an array is its JSON
 // text, and a property that a circle lacks is null.
 //
-// Errors: nonFinite, coordinateTooLarge, tooManyCircles, badArithmetic; badInput if there are not as many attributes as
-// circles; notWritten if the stream fails. If the stream throws, its exception passes through.
+// Errors: nonFinite, coordinateTooLarge, tooManyCircles, badArithmetic; badInput if the numbers of attributes and
+// circles differ; notWritten if the stream fails. If the stream throws, its exception passes through.
 
 Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles,
                              const CircleAttributes& attributes = {});
@@ -118,18 +118,18 @@ Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circ
 /// keep all their digits. By default all numbers read back to the same bits. If you round vertices too far, `certify`
 /// rejects them.
 ///
-/// Errors: badOption if `digits` is negative; badInput if there are not as many vertexCircles as vertices; notWritten
+/// Errors: badOption if `digits` is negative; badInput if the numbers of vertexCircles and vertices differ; notWritten
 /// if the stream fails.
 Result<void> writeJson(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
 
 /// Writes a periodic diagram in the same format, with three more members: lattice, the two periods; images, for each
 /// circle of the diagram its given circle and its shift, the given circles first; neighbors, for each given circle the
-/// images beside it, with shifts relative to it. `readDiagram` reads it as the diagram of the images. `attributes` are
-/// those of the given circles (writeDiagramFile).
+/// images beside it, with shifts relative to it. `readDiagram` reads it as the diagram of the images. `attributes` has
+/// an entry for each given circle (writeDiagramFile).
 Result<void> writePeriodicJson(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {},
                                const CircleAttributes& attributes = {});
 
-/// A diagram and what its file says about its circles.
+/// A diagram and the attributes of its circles.
 struct DiagramFile {
   Diagram diagram = {};
   CircleAttributes attributes = {};
@@ -137,22 +137,22 @@ struct DiagramFile {
 
 /// Writes a diagram like `writeJson`, and attributes of its circles: a circle has the members `id`, `z` and
 /// `properties`, and the diagram the member `collection`. Readers that do not know these members skip them.
-/// Errors: those of `writeJson`; badInput also if there are not as many attributes as circles.
+/// Errors: see `writeJson`; badInput also if the numbers of attributes and circles differ.
 Result<void> writeDiagramFile(std::ostream& out, const Diagram& diagram, const CircleAttributes& attributes,
                               std::optional<int> digits = {});
 
-/// Reads a diagram in the format of `writeJson`, to the bit. Unknown keys are skipped. Of `stats` whatever is present
-/// is read, except for the certificate: call `certify` to get one. If the diagram fits together, its sides are linked
+/// Reads a diagram in the format of `writeJson`, to the bit. Unknown keys are skipped. Members of `stats` may be
+/// missing. The certificate is not read: call `certify` to get one. If the diagram fits together, its sides are linked
 /// (linkSides). The indices need not fit the circles.
 ///
-/// Errors: those of `readCircles`; badInput also for another format or version.
+/// Errors: see `readCircles`; badInput also for another format or version.
 Result<Diagram> readDiagram(std::string_view text, std::string_view name);
 
 /// Reads a diagram like `readDiagram`, and what the file says about its circles.
 Result<DiagramFile> readDiagramFile(std::string_view text, std::string_view name);
 
-/// Returns whether a text is meant for `readDiagram` and not for `readCircles`: a JSON object with the key `format`, as
-/// far as it is well-formed, and no key of GeoJSON before that.
+/// Returns whether a text is meant for `readDiagram` and not for `readCircles`: a JSON object, or the beginning of one,
+/// with the key `format` and no key of GeoJSON before it.
 [[nodiscard]] bool holdsDiagram(std::string_view text);
 
 /// Writes only the `stats` object of the format of `writeJson`.

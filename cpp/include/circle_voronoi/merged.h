@@ -12,7 +12,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A diagram with vertices of any degree: vertices joined by edges of length near zero are merged (paper, section 8).
 struct MergedDiagram {
-  /// The center and signed radius of each merged vertex: those of its member with the smallest index.
+  /// The center and signed radius of each merged vertex, taken from its member with the smallest index.
   std::vector<Vertex> vertices;
   /// The circles around merged vertex v are circles[firstCircle[v]] to circles[firstCircle[v + 1] - 1].
   std::vector<std::int32_t> firstCircle;

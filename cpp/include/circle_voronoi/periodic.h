@@ -40,10 +40,9 @@ struct CircleImage {
 
 /// The Voronoi diagram of circles that repeat with the periods of a lattice.
 ///
-/// `diagram` is the certified diagram of the given circles and of as many of their images as decide their cells. The
-/// given circles come first: circle i of `diagram` is given circle i. So the functions that take a diagram and a circle
-/// (cells.h, curve.h, hull.h) also serve here, for i < circleCount. The cells of the other circles are those of images
-/// and may lack neighbors.
+/// `diagram` is the certified diagram of the given circles and of the images that decide their cells. The given circles
+/// come first: circle i of `diagram` is given circle i. So the functions that take a diagram and a circle (cells.h,
+/// curve.h, hull.h) also serve here, for i < circleCount. The other cells belong to images and may lack neighbors.
 struct PeriodicDiagram {
   Diagram diagram;
   /// The number of given circles.
@@ -117,18 +116,18 @@ struct ContactTable {
 /// everywhere. Radii are not rounded.
 ///
 /// The circles stay where they are if they lie within one and a half periods of each other, in both directions of the
-/// shortest periods of the lattice. Otherwise each is moved by whole periods into the parallelogram of the shortest
-/// periods at the origin, and so are all circles if two of them lie at the same place of different boxes. `shiftOf`
-/// says by how much.
+/// shortest periods of the lattice. Otherwise each circle is moved by whole periods into the parallelogram of the
+/// shortest periods at the origin. This also happens if two circles lie at the same place of different boxes. `shiftOf`
+/// returns the shift of each circle.
 ///
 /// The result is proven twice. `finalCells` proves that the images are enough; if not, more are added. `checkPeriodic`
 /// proves that the cells fit together across the sides of the box.
 ///
 /// The progress starts anew when images are added. An observer is told of each attempt.
 ///
-/// Errors: those of `compute`; badOption if the periods are not finite, exceed kCoordinateLimit, or are zero or
-/// parallel up to 2^-40 of the largest coordinate, or if an image is 2^30 periods away; tooManyCircles if the circles
-/// and their images exceed kMaxCircles; notCertified if a proof fails.
+/// Errors: see `compute`; badOption if the periods are not finite, exceed kCoordinateLimit, or are zero or parallel up
+/// to 2^-40 of the largest coordinate, or if an image is 2^30 periods away; tooManyCircles if the circles and their
+/// images exceed kMaxCircles; notCertified if a proof fails.
 Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const Lattice& lattice,
                                         const Options& options = {});
 
@@ -137,7 +136,8 @@ Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const L
 /// formula V - E + F = 0 holds, and the areas sum to that of the box up to rounding. `computePeriodic` does this with
 /// each result. The check knows nothing of how the diagram was made.
 ///
-/// The areas are those of the polygons of the vertices: what an arc adds to one cell it takes from the other.
+/// The check uses the areas of the polygons of the vertices, because the area that an arc adds to one cell is missing
+/// in the other.
 ///
 /// Errors: badInput if the parts of the diagram do not fit together; notCertified if the cells do not, with a circle.
 Result<void> checkPeriodic(const PeriodicDiagram& periodic);

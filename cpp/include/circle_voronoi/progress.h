@@ -15,8 +15,8 @@ enum class Stage { order, triangulate, sample, pair, touch, flip, repair, certif
 [[nodiscard]] std::string_view stageName(Stage stage);
 
 /// A callback that `compute` calls when a stage begins, with `done` = 0. The stages of the touching disc method
-/// (sample, pair, touch) also call it with the part of the stage that is done, up to 1. Which stages run, and how
-/// often, depends on the method and the input. To cancel a computation, throw: the exception passes through `compute`.
+/// (sample, pair, touch) also call it with the part of the stage that is done, up to 1. The method and the input
+/// determine which stages run, and how often. To cancel a computation, throw: the exception passes through `compute`.
 using Progress = std::function<void(Stage stage, double done)>;
 
 }  // namespace circle_voronoi

@@ -12,7 +12,7 @@
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
 // Questions about circles that a diagram of Metric::circles answers, each in linear time. The triangles of the dual are
-// `Diagram::vertexCircles`. Two of them may share two or all three circles, so the dual is a quasi-triangulation.
+// `Diagram::vertexCircles`. Two triangles may share two or all three circles, so the dual is a quasi-triangulation.
 
 /// Returns the pairs of circles whose cells share an edge. Each pair occurs once, with the smaller index first, and the
 /// pairs are in increasing order.
@@ -27,8 +27,8 @@ struct ClosestPair {
 
 /// Returns the two visible circles with the smallest gap. Returns nothing if fewer than two circles are visible.
 ///
-/// The two share an edge: if a circle k were nearer than gap / 2 to the middle of their gap, the gap between k and each
-/// of them would be smaller.
+/// The two share an edge: if a circle k were nearer than gap / 2 to the middle of their gap, k would have a smaller gap
+/// to each.
 [[nodiscard]] std::optional<ClosestPair> closestPair(const Diagram& diagram);
 
 /// A disc and the circles that it touches.

@@ -24,9 +24,9 @@ struct RegionOptions {
 /// A closed set in the plane: one or more polygons with holes. It is validated once, when it is made, and can be used
 /// for many diagrams. Rings are counted through all polygons. Side k begins at point k of points().
 ///
-/// A ring is a list of points. The last point may repeat the first one or not, points may repeat the point before
-/// them, and the ring may run in either direction. The rules are those of the OGC's simple features, as GEOS and
-/// PostGIS check them:
+/// A ring is a list of points. The last point may repeat the first one or not, points may repeat the point before them,
+/// and the ring may run in either direction. The rules of the OGC's simple features apply, as GEOS and PostGIS check
+/// them:
 ///
 /// - A ring has at least three different points and does not cross or touch itself.
 /// - Different rings do not cross and have no part of a side in common. They may touch in single points, unless that
@@ -46,18 +46,18 @@ class Region {
   static Result<Region> fromPolygons(std::span<const std::vector<Ring>> polygons, const RegionOptions& options = {});
   /// Makes a region from rings in any order: a point belongs to the region if an odd number of rings contain it. So a
   /// ring inside another one is a hole, and a ring inside that hole is an island. With `dissolve`, rings may cross and
-  /// share sides, too, and the rule stays. Errors: those of fromPolygons.
+  /// share sides, too, and the rule stays. Errors: see fromPolygons.
   static Result<Region> fromRings(std::span<const Ring> rings, const RegionOptions& options = {});
   /// Makes a region from flat arrays. Ring k consists of the points from ringOffsets[k] to before ringOffsets[k + 1].
   /// Polygon k consists of the rings from polygonOffsets[k] to before polygonOffsets[k + 1]. Without polygonOffsets the
-  /// rings are those of fromRings. Errors: those of fromPolygons; badOption also if offsets decrease, do not begin with
-  /// 0, or do not end with the number of points or rings.
+  /// rings are interpreted like the rings of fromRings. Errors: see fromPolygons; badOption also if offsets decrease,
+  /// do not begin with 0, or do not end with the number of points or rings.
   static Result<Region> fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                                    std::span<const std::int32_t> polygonOffsets = {},
                                    const RegionOptions& options = {});
   /// Makes a region from a convex polygon.
   static Result<Region> from(const ConvexPolygon& polygon);
-  /// Makes a region from a box. Errors: those of ConvexPolygon.
+  /// Makes a region from a box. Errors: see ConvexPolygon.
   static Result<Region> from(const Box& box);
 
   /// Returns the points of all rings without repetitions, one ring after the other. Outer rings run counter-clockwise
@@ -81,7 +81,7 @@ class Region {
   /// Returns whether the region, boundary included, contains a point. Exact. Skips runs of sides that lie on one side
   /// of the point, so it takes O(log m) steps for most regions.
   [[nodiscard]] bool contains(Point p) const;
-  /// Returns the sides whose bounding box meets a box, in increasing order. Takes O(log m) steps for each of them.
+  /// Returns the sides whose bounding box meets a box, in increasing order. Takes O(log m) steps for each side found.
   [[nodiscard]] std::vector<RegionSideIndex> sidesIn(const Box& box) const;
   /// Returns the area, right to a few units of rounding.
   [[nodiscard]] double area() const;
@@ -93,7 +93,7 @@ class Region {
  private:
   Region() = default;
 
-  /// The region of arrays as they are. Throws a Refusal.
+  /// Returns the region of arrays without dissolving them. Throws a Refusal.
   static Region valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                       std::span<const std::int32_t> polygonOffsets);
 
@@ -108,7 +108,7 @@ class Region {
   std::vector<Point> points_;
   std::vector<std::int32_t> ringOffsets_;
   std::vector<std::int32_t> polygonOffsets_;
-  std::vector<std::vector<Run>> runs_;  ///< by level: those of a few sides first, one of all sides last
+  std::vector<std::vector<Run>> runs_;  ///< by level: runs of a few sides first, one run of all sides last
 };
 
 }  // namespace circle_voronoi

@@ -18,9 +18,9 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// returns the disc of ClippedDiagram::largestEmptyDisc, whose radius is not positive.
 ///
 /// Squares that may hold the center are divided, the most promising first, until few circles and sides are near. Then
-/// each three of them are asked for the disc that touches all three. The result is right up to rounding.
+/// the disc that touches each three of them is computed. The result is right up to rounding.
 ///
-/// Errors: badOption if the metric is not Metric::circles; tooManyCircles if memory runs out; those of
+/// Errors: badOption if the metric is not Metric::circles; tooManyCircles if memory runs out; the errors of
 /// ClippedDiagram::from if circles cover the region.
 Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, const Region& region);
 
@@ -28,11 +28,11 @@ Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, 
 /// and q lie in different parts of the region.
 ///
 /// The clearance counts circles only. The boundary is a limit and no obstacle, so the path may run along it. To keep
-/// away from the boundary, pass a smaller region. Of the clearest paths along edges and boundary, the result is the
-/// shortest.
+/// away from the boundary, pass a smaller region. The result is the shortest of the clearest paths along edges and
+/// boundary.
 ///
-/// Errors: badOption if p or q lies outside the region, the metric is not Metric::circles, or there are no circles;
-/// those of ClippedDiagram::from.
+/// Errors: badOption if p or q lies outside the region, the metric is not Metric::circles, or there are no circles; see
+/// also ClippedDiagram::from.
 Result<std::optional<ClearestPath>> clearestPath(const Diagram& diagram, Point p, Point q, const Region& region);
 
 }  // namespace circle_voronoi

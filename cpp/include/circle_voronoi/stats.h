@@ -79,7 +79,7 @@ inline constexpr auto kCountMembers = std::to_array<NamedMember<Counts, std::int
 });
 static_assert(sizeof(Counts) == kCountMembers.size() * sizeof(std::int64_t), "each count has a name");
 
-/// All members of Seconds: those of the stages in the order of Stage, then the total.
+/// All members of Seconds: the stages in the order of Stage, then the total.
 inline constexpr auto kSecondsMembers = std::to_array<NamedMember<Seconds, double>>({
     {"order", &Seconds::order},
     {"triangulate", &Seconds::triangulate},

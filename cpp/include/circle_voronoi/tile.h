@@ -22,7 +22,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// The circles of one part of a large input. Ids tell which circles of the whole input they are.
 struct Tile {
   std::vector<Circle> circles;
-  /// The id of each circle, from 0. Ids increase, because what is final depends on the order of the circles.
+  /// The id of each circle, from 0. Ids increase, because the order of the circles decides which parts are final.
   std::vector<std::int64_t> ids;
   /// For each circle, whether its parts are already written, or are written elsewhere.
   std::vector<std::uint8_t> done;
@@ -31,14 +31,14 @@ struct Tile {
 /// Reads a tile from a table like `readCircles`, with two optional columns. `id` or `fid` has integers from 0; by
 /// default the rows are numbered from 0. `done` has 0 or 1; by default 0. The circles are sorted by id.
 ///
-/// Errors: those of `readCircles`; badInput also if the text is JSON, or two circles have the same id.
+/// Errors: see `readCircles`; badInput also if the text is JSON, or two circles have the same id.
 Result<Tile> readTile(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 /// Reads the table of `readTile` piece by piece, for any number of circles. It needs memory for one piece. Circles come
 /// in the order of the lines. The circles and the first error do not depend on where the text is cut into pieces.
 ///
-/// Errors: those of `readTile`, except that equal ids are allowed; badInput also if the first 64 MiB have neither a
-/// header nor a circle.
+/// Errors: see `readTile`, except that equal ids are allowed; badInput also if the first 64 MiB have neither a header
+/// nor a circle.
 class TileStream {
  public:
   explicit TileStream(std::string name, const ReadOptions& options = {});
@@ -56,7 +56,7 @@ class TileStream {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Which circles' parts are written, and what the circles are called. The spans must outlive the selection.
+/// The circles whose parts are written, and their ids. The spans must outlive the selection.
 struct Selection {
   std::span<const std::int64_t> ids;       ///< the id of each circle, increasing; empty: ids are indices
   std::span<const std::uint8_t> isChosen;  ///< whether each circle is chosen; empty: all are
@@ -76,8 +76,8 @@ struct Selection {
 Result<void> writeTile(std::ostream& out, const Tile& tile, std::span<const std::uint8_t> isChosen);
 
 /// Writes the parts of the diagram that the chosen circles own, one a line. A vertex and an edge belong to their circle
-/// with the lowest id. So the lines of all tiles together are the lines of the whole diagram in another order. The
-/// columns are type, x, y, r, circle1, circle2, circle3, circle4:
+/// with the lowest id. Hence all tiles together have the lines of the whole diagram, in another order. The columns are
+/// type, x, y, r, circle1, circle2, circle3, circle4:
 ///
 /// - vertex: its disc and its three circles counter-clockwise, from the lowest id. No other vertex has these three
 ///   circles in this order.
@@ -86,8 +86,8 @@ Result<void> writeTile(std::ostream& out, const Tile& tile, std::span<const std:
 /// - hidden: a circle, and the circle that hides it.
 Result<void> writePartsCsv(std::ostream& out, const Diagram& diagram, const Selection& selection);
 
-/// Writes the features of `writeGeoJsonLines` for the chosen circles only, with ids in place of indices.
-/// Errors: also those of `writeGeoJsonLines`.
+/// Writes the features of `writeGeoJsonLines` for the chosen circles only, with ids in place of indices. Errors: see
+/// also `writeGeoJsonLines`.
 Result<void> writePartsGeoJsonLines(std::ostream& out, const Diagram& diagram, const Selection& selection,
                                     const ExportOptions& options = {});
 

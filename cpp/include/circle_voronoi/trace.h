@@ -18,8 +18,8 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// and 3). With `resample` everything may start anew; each start is a `roundBegun`.
 ///
 /// Flips and edits change the dual face by face. They first report all faces as `faceMade`. For each change they then
-/// report its reason, if there is one to name, the faces that disappear and those that appear. A face is a vertex of
-/// the diagram, or with two circles an unbounded end. The faces that remain at the end are those of the diagram.
+/// report its reason, if it has one, the removed faces and the new ones. A face is a vertex of the diagram, or with two
+/// circles an unbounded end. The faces that remain at the end are the faces of the diagram's dual.
 enum class TraceKind {
   roundBegun,     ///< everything starts anew, and so does the numbering; `numbers[0]` is the round, from 0
   centersJoined,  ///< an edge of the Delaunay graph of the visible circles' centers

@@ -12,7 +12,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-// Circles like those of the paper's figures. The paper gives no coordinates.
+// Circles like in the paper's figures. The paper gives no coordinates.
 
 /// A figure of the paper: its own circles, or circles of a family with seed 1.
 struct Figure {

@@ -6,8 +6,8 @@
     diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
     diagram.areas(bounds=(-5, -5, 15, 15))
 
-The package is a thin layer over the C++ library circle-voronoi. NumPy is all that it needs; shapely, geopandas and
-matplotlib are used where they are installed.
+The package is a thin layer over the C++ library circle-voronoi. It needs only NumPy. It uses shapely, geopandas and matplotlib if
+they are installed.
 """
 
 from ._diagram import (

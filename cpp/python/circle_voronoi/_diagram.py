@@ -210,7 +210,7 @@ class Diagram:
     def centroids(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
         """Return the center of mass of each cell.
 
-        Parameters are those of `areas`.
+        Takes the same parameters as `areas`.
 
         Returns
         -------
@@ -222,7 +222,7 @@ class Diagram:
     def perimeters(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
         """Return the length of the outline of each cell, holes included.
 
-        Parameters are those of `areas`.
+        Takes the same parameters as `areas`.
 
         Returns
         -------
@@ -247,7 +247,7 @@ class Diagram:
             The largest distance between a polygon and the true curves, in units of the input. By default a
             hundred-thousandth of the size of the box or region.
         bounds, region, max_distance : optional
-            Those of `areas`. By default cells are clipped to the bounding box of the circles with a margin.
+            See `areas`. By default cells are clipped to the bounding box of the circles with a margin.
 
         Returns
         -------
@@ -282,8 +282,8 @@ class Diagram:
         ----------
         circle : int
         bounds, region, max_distance : optional
-            Those of `areas`. With limits, only circles count that share a part of an edge inside them. For all circles
-            at once, `neighbor_pairs` is faster.
+            See `areas`. With limits, only circles count that share a part of an edge inside them. For all circles at
+            once, `neighbor_pairs` is faster.
 
         Returns
         -------
@@ -302,7 +302,7 @@ class Diagram:
     ) -> Indices:
         """Return the pairs of circles whose cells share an edge, as an array of shape (k, 2).
 
-        Each pair occurs once, with the smaller index first, in increasing order. Parameters are those of `neighbors`.
+        Each pair occurs once, with the smaller index first, in increasing order. Takes the same limits as `neighbors`.
         """
         clip, distance = region_of(bounds, region), _distance(max_distance)
         if clip is None and distance is None:
@@ -384,8 +384,8 @@ class Diagram:
     def update(self, *, remove: Any = (), replace: Mapping[int, Any] | None = None, insert: Any = ()) -> Diagram:
         """Return the certified diagram after some edits. All edits are made, or none.
 
-        The edits themselves take microseconds each, the arrays of the new diagram take linear time. This diagram stays
-        as it is. Only the newest diagram of a series can be updated.
+        The edits themselves take microseconds each, the arrays of the new diagram take linear time. This diagram does
+        not change. Only the newest diagram of a series can be updated.
 
         Parameters
         ----------
@@ -441,7 +441,7 @@ class Diagram:
         ----------
         format : {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj"}
         bounds, region, max_distance, tolerance : optional
-            Those of `polygons`.
+            See `polygons`.
         digits : int, optional
             The largest number of digits after the decimal point.
         attributes : sequence of n mappings, optional
@@ -567,7 +567,7 @@ def compute(
         For "touching-disc": which pairs of circles are tried ("dynamic", "uniform", "all-pairs"), the number of
         samples, and whether to take more samples where the diagram is not certified.
     threads : int
-        How many threads may work at the same time; 0 means as many as the machine has.
+        The number of threads that may work at the same time; 0 means one for each hardware thread.
 
     Returns
     -------

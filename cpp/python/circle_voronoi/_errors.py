@@ -7,14 +7,14 @@ from __future__ import annotations
 class CircleVoronoiError(ValueError):
     """Input that cannot be used, or a computation that failed.
 
-    The message is one sentence that says what is wrong and where.
+    The message is one sentence that describes the problem and its place.
 
     Attributes
     ----------
     code : str
-        What went wrong, by the name that it has in C++ and JavaScript, such as ``"negativeRadius"``.
+        The kind of error, by its name in C++ and JavaScript, such as ``"negativeRadius"``.
     circle : int or None
-        The row to blame (an id in `Diagram.update`), or None if no single row is.
+        The row to blame (an id in `Diagram.update`), or None if no single row is to blame.
     edit : int or None
         The index of the edit to blame in `Diagram.update`, in the order remove, replace, insert.
     """

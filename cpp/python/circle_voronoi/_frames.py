@@ -42,7 +42,7 @@ def to_geodataframe(diagram: Diagram, frame: Any, **limits: Any) -> Any:
     diagram : Diagram
         The diagram of the rows of `frame`, in their order.
     frame : geopandas.GeoDataFrame
-        The table. Its rows, columns, index and crs stay as they are.
+        The table. The copy has the same rows, columns, index and crs.
     **limits
         `tolerance`, `bounds`, `region` and `max_distance` of `Diagram.polygons`.
 

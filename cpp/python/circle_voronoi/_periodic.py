@@ -37,7 +37,7 @@ class PeriodicDiagram:
     Attributes
     ----------
     images : Diagram
-        The certified diagram of the given circles, which come first, and of as many images as decide their cells.
+        The certified diagram of the given circles, which come first, and of the images that decide their cells.
     """
 
     def __init__(self, core: _core.PeriodicDiagram) -> None:
@@ -148,7 +148,7 @@ def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, thr
     a, b : array_like, shape (2,)
         The periods: the sides of the box, which is any parallelogram.
     weights, threads
-        Those of `compute`.
+        See `compute`.
 
     Returns
     -------
@@ -192,7 +192,7 @@ def fit_areas_periodic(
     a, b : array_like, shape (2,)
         The periods: the sides of the box, which is any parallelogram.
     shares, tolerance, max_steps, relax, weights
-        Those of `fit_areas`.
+        See `fit_areas`.
 
     Returns
     -------

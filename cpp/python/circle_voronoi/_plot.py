@@ -50,5 +50,5 @@ def plot(diagram: Diagram, ax: Any, bounds: Any, region: Any, style: dict[str, A
 
 
 def _patch_style(style: dict[str, Any]) -> dict[str, Any]:
-    """Return properties of a line as those of a patch: `color` would fill it."""
+    """Translate properties of a line to properties of a patch, whose `color` would fill it."""
     return {"edgecolor" if name in ("color", "c") else "linewidth" if name == "lw" else name: value for name, value in style.items()}

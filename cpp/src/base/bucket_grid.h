@@ -40,7 +40,7 @@ class BucketGrid {
   /// Puts an item into the bucket of a point, in place of the one there.
   void put(Point p, int item) { items_[bucketOf(p)] = item; }
 
-  /// Gives each empty bucket the item of one beside it, from those that have some outwards.
+  /// Gives each empty bucket an item of a neighboring bucket, starting from the buckets that have items.
   void spread() {
     std::vector<std::size_t> filled;
     filled.reserve(items_.size());

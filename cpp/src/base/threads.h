@@ -19,7 +19,7 @@ inline constexpr bool kHasThreads = true;
 /// is shared out.
 class Threads {
  public:
-  /// 0: as many as the machine has. One where programs have no threads.
+  /// `count` 0 means one for each hardware thread. Without support for threads it is always 1.
   explicit Threads(int count = 1);
 
   int count() const { return kHasThreads ? count_ : 1; }
@@ -35,7 +35,7 @@ class Threads {
     return std::clamp(items / kFewItems, std::size_t{1}, 4 * static_cast<std::size_t>(count_));
   }
 
-  /// Calls function(begin, end, range) for consecutive ranges of the items, which are all of them.
+  /// Calls function(begin, end, range) for consecutive ranges that together cover all items.
   template <class Function>
   void forRanges(std::size_t items, Function function) const {
     const std::size_t ranges = rangesOf(items);

@@ -11,7 +11,7 @@ Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric
   if (metric == Metric::circles) return compute(circles);
   if (metric == Metric::power) return powerDiagram(circles);
   return guarded([&]() -> Result<Diagram> {
-    // Without radii nobody would see what is wrong with them.
+    // Radii are validated before they are dropped, so that errors in them are reported.
     const auto scaled = validate(circles);
     if (!scaled) return scaled.error();
     auto diagram = compute(pointsOf(circles));

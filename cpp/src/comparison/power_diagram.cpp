@@ -66,7 +66,7 @@ Scaled rounded(const Number& number) {
   (exponent > 0 ? below : above) <<= std::abs(exponent);
   Integer quotient, rest;
   divide_qr(above, below, quotient, rest);
-  // The last bit tells that there is more, and does not meet the rounding of the others.
+  // A sticky bit: it says that a remainder follows, and it is too small to disturb the rounding of the other bits.
   const auto bits = static_cast<std::uint64_t>(quotient) | (rest.is_zero() ? 0U : 1U);
   const auto size = static_cast<double>(bits);
   return {std::ldexp(number.sign() < 0 ? -size : size, 1 - kBits), exponent + kBits - 1};
@@ -109,7 +109,8 @@ Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c, int scal
   const Vector center = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
   const double d = length(center);
   const double power = (d - a.r) * (d + a.r);
-  // Where so much cancels, as for centers next to a line or to each other, what is left may be but rounding.
+  // If cancellation leaves a smaller share, as for nearly collinear or nearly equal centers, the rest may be rounding
+  // error.
   constexpr double kCertain = 0x1p-30;
   // Products of smaller numbers underflow, and products of larger ones overflow.
   constexpr double kSmallest = 0x1p-900;

@@ -25,12 +25,12 @@ namespace {
 //
 // Theorem. Let R be the largest radius, and H^2 = |a|^2 + |b'|^2, where b' is the part of b perpendicular to a. The
 // images whose centers lie within H - (R - r) of the parallelogram of the given centers, r being their radius, decide
-// all cells of the given circles.
-// Proof. Let m = H / 2. Each point lies within m of an image of any circle: subtract multiples of b, then of a. So the
-// distance f(p) from the nearest circle is at most m - R. Let p be a point of the closed cell of given circle i, and j
-// an image that is as near to p. Then |p - c_i| = f(p) + r_i <= m - R + r_i and |p - c_j| <= m - R + r_j, so
-// |c_i - c_j| <= H - (R - r_j) because r_i <= R. If circle i is hidden, then also by the nearest image of each circle
-// that hides it. Such a circle is visible, so m - R + r_j >= 0, and the image lies within m <= H - (R - r_j).
+// all cells of the given circles. Proof. Let m = H / 2. Each point lies within m of an image of any circle: subtract
+// multiples of b, then of a. Hence the distance f(p) from the nearest circle is at most m - R. Let p be a point of the
+// closed cell of given circle i, and j an image that is as near to p. Then |p - c_i| = f(p) + r_i <= m - R + r_i and |p
+// - c_j| <= m - R + r_j, so |c_i - c_j| <= H - (R - r_j) because r_i <= R. If circle i is hidden, then also by the
+// nearest image of each circle that hides it. Such a circle is visible, so m - R + r_j >= 0, and the image lies within
+// m <= H - (R - r_j).
 
 /// Coordinates of centers and periods have this many bits. The coordinates of an image are less than eight times as
 /// large: the given circles lie within kWidest periods of each other in both directions, and H is at most 1.53 times
@@ -40,7 +40,7 @@ constexpr double kWidest = 1.5;
 
 /// The circles, the shortest periods, and the place of each circle, in integers.
 struct Torus {
-  /// The unit of the rounding is a power of two: the product of these, which both are in the range of doubles.
+  /// The unit of the rounding: the product of these two powers of two, each in the range of doubles.
   std::array<double, 2> unit = {1, 1};
   Lattice lattice;  ///< rounded, in the unit of the input
   ReducedLattice reduced;
@@ -135,7 +135,7 @@ Spread spreadOf(const Torus& torus) {
   return spread;
 }
 
-/// Adds images, all that lie near enough to the parallelogram of the given circles.
+/// Adds all images that lie near enough to the parallelogram of the given circles.
 class Images {
  public:
   Images(std::span<const Circle> circles, const Torus& torus, const Spread& spread)

@@ -137,7 +137,7 @@ Construction flippedFromCenters(Sites& sites, bool mayRepair, const Observer& ob
   return {std::move(sites.centers), std::move(verdict)};
 }
 
-/// The circles at what was found wrong and their neighbors among the centers; all if none is named.
+/// Returns the circles that the judge blames and their neighbors among the centers, or all circles if it blames none.
 std::vector<int> circlesAround(const Construction& construction, const Dual& centers) {
   std::set<int> named;
   if (construction.unfit) {

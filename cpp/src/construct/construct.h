@@ -18,7 +18,7 @@ struct Unfit {
   Misfit misfit;
 };
 
-/// A dual over sites, and what the judge says of it; or what is none.
+/// A dual over sites with the verdict of the judge, or a topology that forms no dual.
 struct Construction {
   Dual dual;
   Verdict verdict;
@@ -27,8 +27,8 @@ struct Construction {
   bool isRight() const { return !unfit && verdict.isRight(); }
 };
 
-/// The touching disc method on the candidates of `options`, judged; with `options.resample`, again with more samples
-/// around what was wrong. Events go to `observer`, in sites and scaled units.
+/// Runs the touching disc method on the candidates of `options` and judges the result. With `options.resample`, tries
+/// again with more samples around the flaw. Events go to `observer`, in sites and scaled units.
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
                                      Journal& journal, Threads threads);
 
@@ -39,7 +39,7 @@ Construction constructByFlips(Sites& sites, const Observer& observer, Journal& j
 /// there are too many circles, or if the judge rejects the dual.
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts);
 
-/// Returns the first certified dual of these: by flips, with local repair if they leave little wrong, and then by
+/// Returns the first certified dual, made by flips, by local repair if the flips leave few wrong faces, or by
 /// insertion. If none is certified, returns the last one, with its verdict. Uses up the triangulation of the sites,
 /// because flips change it in place.
 Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal,

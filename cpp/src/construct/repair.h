@@ -16,10 +16,10 @@ namespace circle_voronoi {
 /// A certified dual of a few circles, none of which hides another, or nothing.
 using LocalSolver = std::function<std::optional<Dual>(std::span<const Circle>)>;
 
-/// Repairs a dual where it is visibly wrong. The faces within `reach` steps of a wrong one form a patch; the circles
-/// around the patch get a diagram of their own from `solve`, and what it has inside the patch's boundary replaces the
-/// patch, if the boundary fits. The rest of the dual stays as it is, and no more of it is looked at: the cost depends
-/// on the patches alone. The result is to be judged again.
+/// Repairs a dual where it is visibly wrong. The faces within `reach` steps of a wrong face form a patch. `solve`
+/// computes a dual of the circles around the patch. Its part inside the patch's boundary replaces the patch if the
+/// boundary fits. The rest of the dual is neither changed nor read, so the cost depends on the patches alone. The
+/// result is to be judged again.
 ///
 /// `discs` are all the discs of `dual` and `wrong` all its wrong faces (wrong_faces.h), before and after.
 /// Returns the number of patches replaced.

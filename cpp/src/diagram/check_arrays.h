@@ -10,7 +10,7 @@ namespace circle_voronoi {
 /// sides around its cell and ends where the next one begins, and all numbers are finite. Other arrays would lead a walk
 /// outside the arrays, or around without an end. Whether the diagram is right, only `certify` tells.
 ///
-/// Errors: badInput; those of `validate` for circles. Exported because the writers, a library of their own, call it.
+/// Errors: badInput; for circles see `validate`. Exported because the writers, a library of their own, call it.
 CIRCLE_VORONOI_API Result<void> checkArrays(const Diagram& diagram);
 
 }  // namespace circle_voronoi

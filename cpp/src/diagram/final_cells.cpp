@@ -40,7 +40,7 @@ class Outside {
     const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + std::abs(reach_);
     double excess = -kInfinite;
     for (const auto& [normal, offset] : sides_) {
-      // Seven roundings of numbers that are no larger than the sum of all, two of them of the normal.
+      // Seven roundings, two of them of the normal, of numbers that are no larger than the sum of all.
       const double rounding = 8 * kUnitRoundoff * (size + std::abs(offset)) + kUnderflowError;
       const double inside = dot(normal, {disc.x, disc.y}) - offset;
       const double value = disc.r + reach_ - inside + (2 * error + rounding);

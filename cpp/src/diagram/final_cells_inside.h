@@ -17,9 +17,9 @@ struct KnownHalfPlane {
   double offset = 0;
 };
 
-/// Does the work of `finalCells` for any convex region in place of the box: inside(p) is the smallest of
-/// normal . p - offset, and the theorem and its proof stay the same. The largest radius may be negative here.
-/// `knowsVertices`: the vertices are those that `compute` has just made, so their discs need not be computed anew.
+/// Does the work of `finalCells` for any convex region in place of the box: inside(p) is the smallest of normal . p -
+/// offset. The theorem and its proof also hold here. The largest radius may be negative here. `knowsVertices`: the
+/// vertices are those that `compute` has just made, so their discs need not be computed anew.
 /// Precondition: the indices of the diagram exist, and `scaled` are its circles.
 FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const KnownHalfPlane> known,
                             double maxRadius, bool knowsVertices = false);

@@ -10,7 +10,7 @@
 
 namespace circle_voronoi {
 
-/// The shortest periods of a lattice, and how many of the given periods each of them has.
+/// The shortest periods of a lattice, and their coefficients in the given periods.
 struct ReducedLattice {
   Vector a;  ///< the shorter one; zero if the given periods are parallel
   Vector b;  ///< to the left of a

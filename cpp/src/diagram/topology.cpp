@@ -11,8 +11,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Numbers those of some items for which a condition holds, in their order, and calls number(item, its number) for
-/// each. Returns how many there are.
+/// Numbers the items for which a condition holds, in their order, and calls number(item, its number) for each. Returns
+/// their count.
 template <class Condition, class Number>
 std::int32_t numbered(std::size_t items, Threads threads, Condition condition, Number number) {
   std::vector<std::int32_t> first(threads.rangesOf(items) + 1, 0);

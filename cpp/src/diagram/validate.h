@@ -26,7 +26,7 @@ struct Objection {
   const char* what;
 };
 
-/// Returns what is wrong with a circle: nonFinite, negativeRadius unless radii are weights, coordinateTooLarge.
+/// Returns the objection to a circle, if any: nonFinite, negativeRadius unless radii are weights, coordinateTooLarge.
 std::optional<Objection> objectionTo(const Circle& circle, bool weights);
 
 /// Errors: nonFinite, negativeRadius unless radii are weights (Options::weights), coordinateTooLarge, tooManyCircles,

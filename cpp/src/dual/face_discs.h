@@ -148,9 +148,9 @@ class FaceDiscs {
     return flaw;
   }
 
-  /// Returns the flaw of the edge h from a circle to infinity, between its neighbors on the hull. Where one of these
-  /// comes to the right hull again between the circle and the other, the circle may lie within their tangent line, but
-  /// then its own tangent lines are in order.
+  /// Returns the flaw of the edge h from a circle to infinity, between its neighbors on the hull. If one neighbor
+  /// occurs on the right hull again between the circle and the other neighbor, the circle may lie within the tangent
+  /// line of the two neighbors, but then its own tangent lines are in order.
   Flaw flawAtInfinity(int before, int h, int after, Predicates& predicates) const {
     const int circle = dual_.origin[h];
     if (before == after || predicates.tangentSide(after, before, circle) >= 0) return Flaw::none;

@@ -107,8 +107,8 @@ class Flipper {
     return true;
   }
 
-  /// Returns whether the common tangents of a and b are the longest of those of three circles. Where a disc is lost,
-  /// its circles come to lie along one tangent line, and c, in the middle, crosses that of a and b.
+  /// Returns whether of three circles a and b have the longest common tangents. Where a disc is lost, its circles come
+  /// to lie along one tangent line, and c, in the middle, crosses that of a and b.
   bool isTopOf(int a, int b, int c) const {
     const auto square = [this](int i, int j) {
       const Difference d(circles_[i], circles_[j]);

@@ -21,7 +21,7 @@ struct Flips {
 /// vertices are out of order along their bisector (after C. L. Lawson, 1977). Where a face has no disc, flips the edge
 /// whose tangent line the opposite circle crosses. From the Delaunay triangulation of the centers, the flips end in the
 /// dual in nearly all cases, but nothing guarantees this. They stop where they would cycle, for example where an edge
-/// is as wrong as the edge that would replace it. So the caller must judge the result.
+/// is as wrong as the edge that would replace it. Therefore the caller must judge the result.
 ///
 /// `discs` holds the discs of all faces of `dual`, before and after the flips. If `watcher` is given, it is told of
 /// each face that changes.

@@ -73,7 +73,7 @@ class Bisector {
   Vector v_ = {0, 0};
   double s_ = 0;
   double g_ = 1;
-  double scale_ = 1;  ///< of these, where their squares would underflow
+  double scale_ = 1;  ///< the scale of s_ and g_ if their squares would underflow
 };
 
 class Inserter : private DualKeeper {
@@ -93,7 +93,7 @@ class Inserter : private DualKeeper {
   std::optional<Inserted> run() && {
     std::vector<int> order = orderInRounds(circles_.size());
     if (order.empty()) return Inserted{};
-    // The largest first: no other hides it, so that there are always two as soon as it does not hide all.
+    // Start with the largest circle, which no other hides. Then two circles stay visible unless it hides all others.
     const auto largest =
         std::max_element(order.begin(), order.end(), [&](int i, int j) { return circles_[i].r < circles_[j].r; });
     std::rotate(order.begin(), largest, largest + 1);
@@ -194,7 +194,7 @@ class Inserter : private DualKeeper {
   /// Whether the center of circle j lies in the sector of h, up to rounding.
   bool spans(int h, int j) const { return discs_.spans(h, between(circles_[dual_.origin[h]], circles_[j])); }
 
-  /// Finds those that wait beside the new cell their sector anew.
+  /// Moves the circles that wait beside the new cell to their new sectors.
   void settle(int i) {
     const int first = edgeOf_[i];
     int spoke = first;
@@ -251,7 +251,7 @@ class Inserter : private DualKeeper {
     return !spans(first.h, j) && spans(second.h, j) ? second : first;
   }
 
-  /// Finds those whose centers the new cell has their sectors in it.
+  /// Finds the circles whose centers lie in the new cell their sectors in it.
   void settleInside(int i) {
     sectors_.clear();
     const int first = edgeOf_[i];
@@ -330,7 +330,7 @@ class Inserter : private DualKeeper {
   CellInserter inserter_;
   WaitingCircles waiting_;
   std::vector<int> removedFaces_;  ///< places for new ones
-  std::vector<int> movers_;        ///< those that waited at an edge beside the new cell
+  std::vector<int> movers_;        ///< the circles that waited at an edge beside the new cell
   std::vector<int> arrivals_;      ///< those whose centers the new cell has
   std::vector<Sector> sectors_;
 };

@@ -187,7 +187,7 @@ bool CellInserter::isHullLost(const Link& link) const {
   const int from = isOutgoing ? dual_.origin[link.h] : dual_.target(link.h);
   const int sign = turns(from, border, beyond, link.near);
   if (sign != 0) return isOutgoing ? sign > 0 : sign < 0;
-  // Two are the same, unless two are opposite. If the old ones are the same, the new cell has both.
+  // Two of the three discs are equal or opposite. If the old ones are equal, the new cell covers both.
   const auto isSame = [&](const Disc& first, const Disc& second) {
     const auto u = predicates_.direction(from, first.disc);
     const auto v = predicates_.direction(from, second.disc);

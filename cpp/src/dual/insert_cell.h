@@ -103,7 +103,7 @@ class CellInserter {
 
   /// A half-edge opposite the new circle. Its bisector, with its origin on the left, comes from the disc of the old
   /// face beyond it, leaves the old cells at that of its own face, and comes to `near` in the new cell: in this order,
-  /// or the new cell has all of it.
+  /// otherwise the new cell covers the whole bisector.
   struct Link {
     int h;
     bool isWithin;  ///< the last two are known to be out of order
@@ -134,8 +134,7 @@ class CellInserter {
   Disc discAt(int h) const;
   static bool isTangentLine(const Disc& disc);
 
-  /// Returns 1 if a disc comes before another along the bisector of a and b with a on the left, and 0 if they are the
-  /// same.
+  /// Returns 1 if a disc comes before another along the bisector of a and b with a on the left, 0 if they are equal.
   int orderAlongEdge(int a, int b, const Disc& first, const Disc& second) const;
 
   Cut cutOf(int h, int i) const;
@@ -154,7 +153,7 @@ class CellInserter {
   bool isLost(const Link& link, int i) const;
 
   /// Returns whether the new circle removes an edge to infinity: the tangent lines of its circle turn all around it, so
-  /// that only the order of three of them tells.
+  /// only the order of three tangent lines decides.
   bool isHullLost(const Link& link) const;
 
   /// Returns a positive number if three discs follow one another counter-clockwise around a circle, a negative number
@@ -193,7 +192,7 @@ class CellInserter {
   DualKeeper& keeper_;
   std::vector<Link> stack_;
   std::vector<int> hidden_;  ///< the circles that the new one hides
-  std::vector<int> lost_;    ///< those of them that still have a cell
+  std::vector<int> lost_;    ///< the hidden circles that still have a cell
   int hider_ = kPointAtInfinity;
   std::int64_t flips_ = 0;
 };

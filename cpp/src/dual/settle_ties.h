@@ -11,13 +11,13 @@ namespace circle_voronoi {
 
 /// Makes the dual of a Voronoi diagram unique. Where more than three circles touch one disc, any triangulation of the
 /// polygon of these circles is a valid set of faces. This function chooses the triangulation that results if all
-/// circles shrink by amounts of different orders: the greater the center by x and then y, the larger the amount. So the
-/// diagram does not depend on how it was made. The faces of a disc depend only on the circles that touch it, so a
-/// subset with these circles has the same faces. CGAL's Delaunay triangulations follow the same rule, so nothing needs
-/// to change for circles of equal radius.
+/// circles shrink by amounts of different orders: the greater the center by x and then y, the larger the amount. Hence
+/// the diagram does not depend on the method that made it. The faces of a disc depend only on the circles that touch
+/// it, so a subset with these circles has the same faces. CGAL's Delaunay triangulations follow the same rule, so
+/// nothing needs to change for circles of equal radius.
 ///
 /// A circle that shrinks leaves the disc that the others touch, and gets a face with its two neighbors on the polygon.
-/// So an edge is right if the greatest of the four circles around it is not one of its ends.
+/// Hence an edge is right if neither end is the greatest of the four circles around it.
 ///
 /// `verdict` must be the verdict of the judge on `dual`. A correct dual stays correct, because the regions in the
 /// judge's theorem stay the same sets of points. The proof records of the faces that change are computed again.

@@ -29,7 +29,7 @@ class FaceTeller final : public FaceWatcher {
   /// Begins a round.
   void tellRound(int round) const;
 
-  /// Tells the changes so far, and looks at one more face later.
+  /// Reports the pending changes, and marks one more face to be compared later.
   void willChange(int face) override;
 
   /// One that may have changed.

@@ -29,7 +29,7 @@ class WaitingCircles {
     lists_[h].first = circle;
   }
 
-  /// Puts all that wait at one half-edge before those at another.
+  /// Prepends the list of one half-edge to the list of another.
   void move(int from, int to) {
     List& moved = lists_[from];
     if (moved.first == kEnd) return;
@@ -39,7 +39,7 @@ class WaitingCircles {
     moved = {};
   }
 
-  /// Appends those of a list that still wait, and leaves it empty.
+  /// Appends the circles of a list that still wait to `taken`, and empties the list.
   void take(int h, std::vector<int>& taken) {
     for (int circle = lists_[h].first; circle != kEnd; circle = next_[circle]) {
       if (listOf_[circle] != kPointAtInfinity) taken.push_back(circle);

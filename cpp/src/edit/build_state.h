@@ -13,7 +13,7 @@
 namespace circle_voronoi {
 
 /// Makes the state of an editor with these circles. Their ids must increase.
-/// Errors: those of `compute`, with ids instead of indices, except for vertices (vertexError).
+/// Errors: see `compute`, with ids instead of indices, except for vertices (vertexError).
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
                                               bool weights);
 

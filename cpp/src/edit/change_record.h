@@ -10,7 +10,7 @@
 
 namespace circle_voronoi {
 
-/// Records what has changed in a diagram.
+/// Records the changes of a diagram.
 class ChangeRecorder {
  public:
   /// Returns the changes of a state since it was kept. Gives numbers to new edges.

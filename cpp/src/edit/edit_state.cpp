@@ -24,7 +24,7 @@ void EditState::sizeToPlaces() {
 
 int EditState::addFace() {
   const int face = facePlaces.take();
-  // Of the arrays of faces, this one is resized last. So all have room if it has, even if memory ran out in between.
+  // This array of faces is resized last. If it has room, all have, even if memory ran out in between.
   if (face >= static_cast<int>(savedFaceAt_.size())) sizeToPlaces();
   willChange(face);
   ++faceCount;

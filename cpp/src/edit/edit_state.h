@@ -86,8 +86,8 @@ class EditState final : public DualKeeper {
     const Circle& c = circles[slot];
     return inexact.empty() ? Circle{c.x * unit, c.y * unit, c.r * unit} : inexact[slot];
   }
-  /// Returns whether one circle hides another, that is, contains it. Of identical circles, the one with the lower id
-  /// hides the other.
+  /// Returns whether one circle hides another, that is, contains it. If two circles are identical, the lower id hides
+  /// the other.
   bool hides(int slot, int other) {
     return predicates.contains(circles[slot], circles[other]) &&
            !(circles[slot] == circles[other] && sites[slot].id > sites[other].id);
@@ -180,7 +180,7 @@ class EditState final : public DualKeeper {
 
   /// Allocates the memory that `keep` needs.
   void prepareToKeep();
-  /// Makes the current state the one that `takeAllBack` returns to. Call `prepareToKeep` first.
+  /// Makes the current state the target of `takeAllBack`. Call `prepareToKeep` first.
   void keep() noexcept;
   void takeAllBack() noexcept;
 

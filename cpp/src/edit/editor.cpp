@@ -57,7 +57,7 @@ class DiagramEditor::Editor {
     events_.clear();
   }
 
-  /// Passes the events so far to the observer.
+  /// Passes the recorded events to the observer.
   void handOut() {
     std::vector<TraceEvent> events;
     events.swap(events_);

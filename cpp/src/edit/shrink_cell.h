@@ -18,7 +18,7 @@ class CellShrinker {
   bool takeOut(EditState& state, int slot);
 
  private:
-  /// A half-edge from the circle, linked to the spokes before and after it among those that are left.
+  /// A half-edge from the circle, linked to the previous and the next remaining spoke.
   struct Spoke {
     int halfEdge;
     int before;

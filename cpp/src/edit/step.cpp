@@ -145,7 +145,7 @@ bool Stepper::takeOut(int slot) {
   return true;
 }
 
-/// Returns a visible circle that contains all that a circle contains: the circle itself if it is visible, or its hider.
+/// Returns the circle itself if it is visible, otherwise its hider.
 int Stepper::hiderBy(int slot) const { return state_.isVisible(slot) ? slot : state_.sites[slot].hider; }
 
 /// Moves the circles in the list of `slot` to the list of `hider`, which may be the same circle. The circles that
@@ -167,8 +167,8 @@ bool Stepper::releaseHidden(int slot, int hider) {
   return true;
 }
 
-/// Returns whether a circle covers so many visible ones that the whole diagram must be computed. A sample gives an
-/// estimate.
+/// Returns whether a circle covers so large a share of the visible circles that the whole diagram must be computed. A
+/// sample gives an estimate.
 bool Stepper::coversMany(const Circle& circle) const {
   const std::size_t slots = state_.sites.size();
   const std::size_t sample = std::min(slots, kSample);
@@ -242,7 +242,7 @@ bool Stepper::move(int slot, const Circle& circle) {
   return releaseHidden(slot, slot) && putWaiting(slot);
 }
 
-/// Returns how the step is certified, after flips or a patch if necessary. Returns nothing if it is not certified.
+/// Returns how the step is certified, after flips or a patch if necessary. Returns nothing if certification fails.
 std::optional<EditWay> Stepper::certify(int moved) {
   if (isRight(moved)) return EditWay::local;
   if (isBroken_) return std::nullopt;

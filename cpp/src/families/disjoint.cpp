@@ -10,7 +10,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Circles of these radii, at random places in a square of which they cover a fraction.
+/// Returns circles with these radii at random places in a square. `covered` is the fraction of the square that they
+/// cover.
 DisjointCircles place(std::vector<double> radii, double covered, Random& random) {
   std::ranges::sort(radii, std::greater<>());
   double area = 0;
@@ -113,7 +114,7 @@ std::vector<Circle> generateSpiral(std::size_t count, Random& random) { return m
 std::vector<Circle> generateLongSpiral(std::size_t count, Random& random) { return makeSpiral(count, 87, random); }
 
 std::vector<Circle> generateChaosDisjoint(std::size_t count, Random& random) {
-  // Among circles of one size at one distance this leaves room for all of them.
+  // At this distance all circles fit beside each other even if they have the same size and distance.
   const double nearest = std::sqrt(static_cast<double>(count));
   std::vector<double> radii(count);
   for (double& r : radii) r = random.logUniform(-4, 2);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kEnd = -1;
 
-/// Circles of a level have a radius up to its size, and above an eighth of it.
+/// The largest radius of a level. The radii of a level are larger than an eighth of this.
 double sizeOf(int level) { return std::ldexp(1.0, 3 * level); }
 
 std::int64_t cellOf(double coordinate, int level) {

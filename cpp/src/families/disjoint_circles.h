@@ -13,7 +13,7 @@ namespace circle_voronoi {
 /// A growing set of disjoint circles that come largest first, or of sizes within a factor of eight.
 ///
 /// A hierarchy of hashed grids, one for each factor of eight in radius. A cell is as wide as the largest circles of its
-/// grid, so a circle meets only those in the nine cells around its center in its own and each coarser grid.
+/// grid. So a circle meets only circles in the nine cells around its center, in its own grid and each coarser one.
 class DisjointCircles {
  public:
   /// `count` circles are expected; those smaller than `finest` go into the grid of circles of that radius.

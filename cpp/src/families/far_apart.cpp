@@ -7,8 +7,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Adds uniform circles around a place so far from the origin that they are moved by rounding: smaller by as much, so
-/// that they stay disjoint.
+/// Adds uniform circles around a place far from the origin. Radii are reduced by the rounding of the coordinates there,
+/// so that the circles stay disjoint.
 void addCluster(std::vector<Circle>& circles, std::size_t count, Point place, Random& random) {
   const double rounding = 0x1p-51 * std::max(place.x, place.y);
   for (const Circle& c : generateUniform(count, random)) {

@@ -12,7 +12,7 @@ Circle circleAt(double distance, Vector direction, double r) {
   return {distance * direction.x, distance * direction.y, r};
 }
 
-/// One circle in each of `count` directions, no two of them nearly the same, in random order.
+/// Makes one circle in each of `count` well separated directions, in random order.
 template <class Make>
 std::vector<Circle> allAround(std::size_t count, Random& random, Make make) {
   const double n = static_cast<double>(count);

@@ -13,7 +13,8 @@ namespace circle_voronoi {
 /// 10 to the power of `exponent`, within a few units of the last place and with the same bits on every platform.
 double powerOfTen(double exponent);
 
-/// The unit vector at `turns` full turns counter-clockwise from the x axis, likewise.
+/// The unit vector at `turns` full turns counter-clockwise from the x axis, within a few units of the last place and
+/// with the same bits on every platform.
 Vector directionAt(double turns);
 
 /// Random numbers that are the same on every platform (splitmix64 by Sebastiano Vigna, public domain).

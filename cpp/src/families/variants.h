@@ -12,14 +12,14 @@
 
 namespace circle_voronoi {
 
-/// Variants that make circles of any family harder: exactly `count` of them.
+/// A variant of all families that makes them harder. It has exactly `count` circles.
 struct Variant {
   std::string_view name;  ///< the suffix of the family's name; empty for the family itself
   std::vector<Circle> (*make)(Family family, std::size_t count, std::uint64_t seed);
 };
 
-/// The family as it is; with one point as far off as a sentinel value may be; a quarter of it copies; in two clusters,
-/// a thousand times farther apart.
+/// Returns the variants: unchanged; with one point as far away as a sentinel value; with a quarter of duplicates; in
+/// two clusters, a thousand times their size apart.
 std::span<const Variant> variants();
 
 }  // namespace circle_voronoi

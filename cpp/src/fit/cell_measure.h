@@ -14,7 +14,7 @@ struct Spring {
   CircleIndex left = {};
   CircleIndex right = {};
   double stiffness = 0;  ///< how fast area passes from the right cell to the left one as the left weight grows
-  double length = 0;     ///< the distance between the two centers, or those of the images that share the edge
+  double length = 0;     ///< the distance between the centers of the two circles or images that share the edge
 };
 
 /// The areas of all cells inside a region, and their derivative by the weights: the derivative of the area of cell i by

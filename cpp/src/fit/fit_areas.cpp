@@ -60,8 +60,8 @@ void checkSites(std::span<const Circle> sites) {
   }
 }
 
-/// Returns the periods, rounded as those of the fit will be. Sites that differ by whole periods are equal: as points,
-/// they hide one another.
+/// Returns the periods as the fit will round them. Throws if two sites differ by whole periods: as points, they hide
+/// one another.
 Lattice checkSites(std::span<const Circle> sites, const Lattice& lattice) {
   checkSites(sites);
   std::vector<Circle> points(sites.begin(), sites.end());
@@ -86,9 +86,8 @@ struct State {
   CellMeasure cells;
 };
 
-/// The density that areas are measured by: one everywhere in the region, and `background` besides in a box around
-/// region and sites, where every cell has a part. As the background fades, the weights come to those of the region
-/// alone.
+/// The density by which areas are measured: 1 inside the region, plus `background` in a box around region and sites
+/// that every cell meets. As the background fades, the weights converge to the weights for the region alone.
 struct Density {
   double background = 0;
 };
@@ -404,8 +403,8 @@ class Fitter {
     return std::abs(state.cells.areas[site] - targetOf(site)) / targetOf(site);
   }
 
-  /// Returns whether each area is within `tolerance`, relatively, or within `slack` times what it changes by if the
-  /// last bits of weights do.
+  /// Returns whether the relative error of each area is at most `tolerance`, or its error at most `slack` times the
+  /// change that the last bits of the weights cause.
   bool isWithin(const State& state, double tolerance, double slack) const {
     if (errorOf(state) <= tolerance) return true;
     std::vector<double> noise(sites_.size(), 0);

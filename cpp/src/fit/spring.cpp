@@ -21,8 +21,8 @@ double logarithm(double ratio) {
 }  // namespace
 
 // With the distances r and q of a point (|a| cosh t, b sinh t) from the foci, |u_left - u_right| = 2 b / sqrt(r q) and
-// ds = sqrt(r q) dt, where r q = c^2 cosh^2 t - a^2 = b^2 + c^2 sinh^2 t. So the integral is that of r q / (2 b) over
-// t: with d the width of the arc in t,
+// ds = sqrt(r q) dt, where r q = c^2 cosh^2 t - a^2 = b^2 + c^2 sinh^2 t. Hence we integrate r q / (2 b) over t. With d
+// the width of the arc in t, the integral is
 //
 //     (b^2 d + c^2 ((sinh d - d) + sinh d (cosh(t_0 + t_1) - 1)) / 2) / (2 b),
 //

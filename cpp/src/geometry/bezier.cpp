@@ -57,8 +57,8 @@ double cubicError(const Bisector& bisector, double from, double to) {
   return k * k * sine * sine > f ? std::min(error, bisector.b * f / (k * sine)) : error;
 }
 
-/// A parameter, `to` at most, up to which an arc keeps the tolerance, and of those the largest but for a few hundredths
-/// of the way; errors grow with it.
+/// Returns the largest parameter, at most `to`, up to which an arc keeps the tolerance, but for a few hundredths of the
+/// way. Precondition: the error grows with the parameter.
 template <class Error>
 double farthest(const Bisector& bisector, double from, double to, double tolerance, Error error) {
   if (!(error(bisector, from, to) > tolerance)) return to;
@@ -90,7 +90,7 @@ bool isPlainlyStraight(const EdgeCurve& curve, double tolerance) {
 
 Point mix(Point p, Point q, double share) { return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)}; }
 
-/// Where the tangents at two parameters meet: the polar form of the branch.
+/// The intersection of the tangents at two parameters: the polar form of the branch.
 Point control(const Bisector& bisector, double from, double to) {
   const double along = bisector.apex - std::abs(bisector.a) * ((from - 1) / (from + to) * (to - 1));
   const double across = bisector.b * (from / (from + to) * to - 1 / (from + to));

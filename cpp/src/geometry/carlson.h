@@ -10,7 +10,8 @@ struct Carlson {
 };
 
 /// Carlson's elliptic integrals to rounding, of the squares of three numbers above 0, by his duplication theorem (DLMF
-/// 19.36): each step quarters how much the arguments differ from their mean, and a series of it is the rest.
+/// 19.36): each step quarters the differences of the arguments from their mean, and a series in the last differences
+/// gives the rest.
 Carlson carlson(double rootX, double rootY, double rootZ);
 
 }  // namespace circle_voronoi

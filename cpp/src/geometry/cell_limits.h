@@ -14,8 +14,8 @@
 
 namespace circle_voronoi {
 
-/// Which parts of cells and edges are kept: those inside a region, those within a distance of the nearest circle, or
-/// those that are both. The functions below are exported because the library for files calls them.
+/// The limits of the parts of cells and edges that are kept: a region, a distance from the nearest circle, or both. The
+/// functions below are exported because the library for files calls them.
 struct Limits {
   const ConvexPolygon* region = nullptr;
   std::optional<double> maxDistance = {};
@@ -34,8 +34,8 @@ inline Result<void> checkMaxDistance(std::optional<double> distance) {
                std::string("The maximum distance must be finite and at most ") + kRegionLimitText + "."};
 }
 
-/// Returns the part of an edge within the distance, or without one the edge with ends far outside the region in place
-/// of those at infinity.
+/// Returns the part of an edge within the distance. Without a distance, returns the edge with infinite ends replaced by
+/// ends far outside the region.
 std::optional<CurvePart> partAtDistance(const Diagram& diagram, EdgeIndex edge, const Limits& limits);
 
 /// Returns the kept parts of an edge, in its direction.

@@ -60,14 +60,14 @@ Moments momentsOverChord(const CircleArc& arc, Point reference, double unit) {
 std::vector<Point> polyline(const CircleArc& arc, double tolerance) {
   const double least = std::max(tolerance, kFinestPolyline * arc.r);
   std::vector<Point> points = {arc.start, arc.end};
-  // The sagitta is that of each part, and halves of a part have about a quarter of it.
+  // Half of a part has about a quarter of the part's sagitta.
   const auto isCoarse = [&](Point p, Point q) {
     const HalfAngle half({p, q, arc.r});
     return arc.r * half.sine * (half.sine / (1 + half.cosine)) > least;
   };
   for (int k = 0; k < kMostHalvings && isCoarse(points[0], points[1]); ++k) {
     const Point middle = middleOf({points[0], points[1], arc.r});
-    // Nothing lies between points that are next to each other.
+    // There is no point between two adjacent points of the grid of doubles.
     const auto isMiddle = [&](Point p) { return p.x == middle.x && p.y == middle.y; };
     if (isMiddle(points[0]) || isMiddle(points[1])) break;
     std::vector<Point> finer = {points.front()};

@@ -9,8 +9,8 @@
 
 namespace circle_voronoi {
 
-/// An arc of a circle, counter-clockwise from `start` to `end`, of a quarter turn at most. So the ends and the radius
-/// say where the center is: to the left of the chord.
+/// An arc of a circle, counter-clockwise from `start` to `end`, of a quarter turn at most. The ends and the radius
+/// determine the center, which lies to the left of the chord.
 struct CircleArc {
   Point start;
   Point end;
@@ -25,8 +25,8 @@ double arcLength(const CircleArc& arc);
 /// The region between an arc and its chord, as that of an EdgeCurve.
 Moments momentsOverChord(const CircleArc& arc, Point reference, double unit);
 
-/// The points of a polyline that keeps within `tolerance` of an arc, two at least: those that divide it evenly. A
-/// tolerance below 1e-9 of the radius counts as that. The library of files takes it from this one.
+/// Returns at least two points that divide an arc evenly and form a polyline within `tolerance` of it. A tolerance
+/// below 1e-9 of the radius counts as that. The library of files takes it from this one.
 CIRCLE_VORONOI_API std::vector<Point> polyline(const CircleArc& arc, double tolerance);
 
 }  // namespace circle_voronoi

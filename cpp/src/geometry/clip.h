@@ -64,7 +64,7 @@ std::vector<HalfPlane> halfPlanesOf(const ConvexPolygon& region);
 /// Returns how far a point of a region may be from p, along one axis.
 double reachFrom(Point p, const ConvexPolygon& region);
 
-/// Returns a curve with its ends at infinity moved to points far outside a region, as they are then cut off.
+/// Returns a curve with its ends at infinity moved to points far outside a region, where clipping cuts them off.
 CurvePart boundedPart(const EdgeCurve& curve, const ConvexPolygon& region);
 
 /// Cuts a bounded part of a curve. Returns how many parts lie in the half-plane. They are in order.

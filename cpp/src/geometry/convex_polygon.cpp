@@ -26,7 +26,7 @@ bool isInRange(double coordinate) { return std::abs(coordinate) <= kRegionLimit;
 /// Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn.
 bool isUpper(Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); }
 
-/// Returns an error if the corners are not those of a convex polygon.
+/// Returns an error if the corners do not form a convex polygon.
 std::optional<std::string> problemOf(std::span<const Point> corners) {
   if (corners.size() < 3) return "A convex polygon needs three corners or more.";
   for (const Point& p : corners) {

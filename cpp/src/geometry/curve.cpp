@@ -10,7 +10,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Finite parameters keep away from what stands for infinity.
+/// Finite parameters stay above this limit, because 0 stands for infinity.
 constexpr double kSmallestParameter = 1e-300;
 constexpr double kLargestParameter = 1e300;
 /// Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray.
@@ -121,7 +121,7 @@ double parameterAt(const Bisector& bisector, Point p) {
   return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise);
 }
 
-// Of a hyperbola it is apex + c (cosh t - 1), of a line the hypotenuse of its apex and b sinh t.
+// On a hyperbola the distance is apex + c (cosh t - 1), on a line the hypotenuse of its apex and b sinh t.
 double parameterAtDistance(const Bisector& bisector, double distance) {
   const double apex = std::abs(bisector.apex);
   if (bisector.a != 0) return parameterAtRise((distance - apex) / (apex + std::abs(bisector.a)));

@@ -5,8 +5,8 @@
 
 namespace circle_voronoi {
 
-/// A curve as it is to be drawn with what lies up to `reach` away from its origin. See edgeCurve: two circles too near
-/// to each other to be told apart from there are moved apart; most curves stay as they are.
+/// Returns the curve to draw in a picture that extends up to `reach` from the curve's origin (edgeCurve). If the two
+/// circles are too near to each other to be told apart at this scale, they are moved apart. Most curves do not change.
 EdgeCurve seenFrom(const EdgeCurve& curve, double reach);
 
 /// The parameter s >= 1 at which a branch is at a distance from its origin, in its unit: not below that of its apex.

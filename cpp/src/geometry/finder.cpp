@@ -59,7 +59,8 @@ class Finder::Walker {
 
   const Diagram& diagram_;
   BucketGrid starts_;  ///< a visible circle for each bucket
-  /// Cells with many sides, increasing, and their sides: those of the k-th from firstOfMany_[k] to firstOfMany_[k + 1].
+  /// Cells with many sides, in increasing order. The k-th has the sides from firstOfMany_[k] to before firstOfMany_[k +
+  /// 1].
   std::vector<CircleIndex> many_;
   std::vector<std::size_t> firstOfMany_ = {0};
   std::vector<SideIndex> sidesOfMany_;
@@ -127,7 +128,7 @@ CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
   }
 }
 
-/// The indices of points, those of each bucket together: a walk then finds its circles in the cache.
+/// Returns the indices of points, grouped by bucket, so that a walk finds its circles in the cache.
 std::vector<std::uint32_t> Finder::Walker::inOrderOfBuckets(std::span<const Point> points) const {
   std::vector<std::uint32_t> order(points.size());
   if (!starts_.hasBuckets()) {

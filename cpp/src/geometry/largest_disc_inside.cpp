@@ -232,7 +232,8 @@ class Search {
 // along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
 // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
 // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All
-// candidates are tried, and each is shrunk until it is empty and inside. So rounding cannot make a result too large.
+// candidates are tried, and each is shrunk until it is empty and inside. Therefore rounding cannot make a result too
+// large.
 std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region) {
   const auto centered = largestEmptyDiscCenteredIn(diagram, region);
   if (centered && centered->disc.r <= 0) return centered;

@@ -231,8 +231,9 @@ class LoopCutter {
     return v.x < 0 ? 2 : 3;
   }
 
-  /// Along the line, from left to right as seen from outside, exits and entries alternate: what is inside begins at an
-  /// exit. So the k-th exit goes on to the k-th entry, whatever rounding does to the order of those at one place.
+  /// Along the line, from left to right as seen from outside, exits and entries alternate, and the part inside begins
+  /// at an exit. Hence the k-th exit goes on to the k-th entry, even if rounding changes the order of exits and entries
+  /// at one place.
   void cut(std::size_t h) {
     const HalfPlane& half = halves_[h];
     std::vector<CutLoop> loops;
@@ -407,7 +408,7 @@ constexpr double kRoundingOfArea = 0x1p-44;
 /// The error bound of a vertex (vertexOf, radicalCenter), as a share of the distances from its circles.
 constexpr double kRoundingOfVertices = 0x1p-34;
 constexpr double kRoundingOfPowerVertices = 0x1p-18;
-/// The error bound of a point on the boundary of the region, as a share of coordinates and of these distances.
+/// The error bound of a point on the boundary of the region, as a share of coordinates and distances.
 constexpr double kRoundingOfBoundary = 0x1p-44;
 /// Rounding of coordinates, as a share of the largest.
 constexpr double kRoundingOfSliver = 0x1p-48;

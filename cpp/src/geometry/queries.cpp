@@ -9,7 +9,7 @@
 namespace circle_voronoi {
 
 std::vector<std::array<CircleIndex, 2>> neighborPairs(const Diagram& diagram) {
-  // First by the smaller index, then those of each: few.
+  // Grouped by the smaller index first. Each group is small.
   CircleIndex last;
   for (const Edge& edge : diagram.edges) last = std::max(last, std::min(edge.left, edge.right));
   std::vector<std::size_t> end(static_cast<std::size_t>(last) + 2);

@@ -10,10 +10,10 @@
 
 namespace circle_voronoi {
 
-/// The cells as polygons, and the edges as polylines that these share.
+/// The cells as polygons, and the edges as polylines. Polygons of neighbors share the points of these polylines.
 ///
-/// Points are rounded by the frame's grid, but for those that meet the box, unless digits are asked for, and those of
-/// edges that rounding would turn around: these keep all digits.
+/// Points are rounded to the frame's grid, with two exceptions that keep all digits: points on the box, unless
+/// ExportOptions::digits is given, and points of edges that rounding would reverse.
 class CellPolygons {
  public:
   using Ring = std::vector<Point>;

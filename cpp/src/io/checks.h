@@ -12,7 +12,7 @@
 
 namespace circle_voronoi {
 
-/// Errors: badInput if there are not as many vertexCircles as vertices.
+/// Errors: badInput if the numbers of vertexCircles and vertices differ.
 inline Result<void> checkVertices(const Diagram& diagram) {
   if (diagram.vertexCircles.size() == diagram.vertices.size()) return {};
   return errorWith(ErrorCode::badInput, "There are not as many vertexCircles as vertices.");

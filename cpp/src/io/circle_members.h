@@ -91,7 +91,7 @@ class CircleMembers {
   struct Found {
     std::size_t k;  ///< which number it may be
     std::size_t rank;
-    std::string name;  ///< as it is written
+    std::string name;  ///< as in the text
     JsonKind kind;
     double value;
     std::size_t offset;  ///< of the end of the value

@@ -29,17 +29,16 @@ class ColumnNames {
   /// Returns whether all radii are 0.
   bool hasNoRadii() const { return radii_ == Radii::none; }
 
-  /// Returns how early a name stands among those of number k, from 0; nothing if it is none of them.
+  /// Returns the position of a name in the list of names of number k, from 0; nothing if the list does not contain it.
   std::optional<std::size_t> rank(std::size_t k, std::string_view name) const;
   bool means(std::size_t k, std::string_view name) const { return rank(k, name).has_value(); }
   /// Returns the column of number k, from 1, if its option is "#1", "#2", ...
   std::optional<std::size_t> columnNumber(std::size_t k) const { return numberIn(own_[k]); }
-  /// Returns the same for the id.
+  /// Returns the column of the id, from 1, if its option is "#1", "#2", ...
   std::optional<std::size_t> columnOfId() const { return numberIn(id_); }
   /// Returns whether the user gave any name.
   bool areGiven() const { return !missing(0).empty(); }
-  /// Returns the first name that the user gave and that is not the number of one of so many columns; empty if there is
-  /// none.
+  /// Returns the first name given by the user that is not the number of one of `columns` columns, or an empty string.
   std::string missing(std::size_t columns) const;
   bool isId(std::string_view name) const { return isSameName(name, id_); }
   /// Returns whether the user has named the column of ids.

@@ -56,7 +56,7 @@ std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& opti
 /// Reads the rows of a table, whose text may come in pieces.
 class CsvRowReader {
  public:
-  /// `isOfTile`: with ids, which are those of the rows from 0 where there is no such column, and what is done.
+  /// `isOfTile`: also read the columns `id`, by default the row numbers from 0, and `done`.
   explicit CsvRowReader(const CsvLayout& layout, const ReadOptions& options, bool isOfTile = false)
       : layout_(layout),
         weights_(options.weights),

@@ -22,8 +22,8 @@ inline constexpr std::size_t kLongestRecord = std::size_t{1} << 26;
 /// separators alone, or begin with # are passed over.
 class CsvTable {
  public:
-  /// A space as the separator stands for any number of spaces and tabs. Unless the text is whole, it is the beginning
-  /// of one: what it has of its last record is no record, as long as more text could change it.
+  /// A space as the separator stands for any number of spaces and tabs. If the text is not whole, more text may follow.
+  /// The last record is then left out as long as more text could change it.
   CsvTable(std::string_view text, char separator, bool isWhole = true)
       : text_(text), separator_(separator), isWhole_(isWhole) {}
 

@@ -18,7 +18,7 @@ constexpr std::array<double, kMostPlaces + 1> kPowers = [] {
   for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
   return powers;
 }();
-/// Whole numbers up to here are doubles, and their decimals differ from those of their neighbors.
+/// Up to this limit, whole numbers are doubles, and different ones stay different when divided by a power of ten.
 constexpr double kMostSteps = 1e15;
 
 /// Decimals of up to six places are common, and quick to write.

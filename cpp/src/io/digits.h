@@ -9,29 +9,28 @@ namespace circle_voronoi {
 /// No number is written with more characters.
 inline constexpr std::size_t kMostDigits = 32;
 
-/// Writes the shortest decimal that reads back to the same bits, without an exponent where it is short enough so, and
-/// returns the end of it. Precondition: there is room for kMostDigits characters.
+/// Writes the shortest decimal that reads back to the same bits, without an exponent if it is short enough without one,
+/// and returns a pointer past its end. Precondition: there is room for kMostDigits characters.
 char* writeDigits(char* to, double value);
 
 /// Rounds numbers to decimals whose steps are a power of ten.
 class DecimalGrid {
  public:
-  /// Steps of at most `step`, as large as possible; without any, if `step` is below 1e-22.
+  /// Uses the largest steps of at most `step`. Rounds nothing if `step` is below 1e-22.
   explicit DecimalGrid(double step);
-  /// Steps with so many digits after the decimal point, from 0; without any, if there is no number, or it is one that
-  /// leaves doubles as they are.
+  /// Uses steps of 10^-digits. Rounds nothing without `digits`, or with more of them than any double needs.
   explicit DecimalGrid(std::optional<int> digits);
 
   /// The largest change by `round`, or more.
   double error() const { return error_; }
 
-  /// The double next to the decimal next to a value, which is written with its digits. A value of so many steps that
-  /// no double tells them apart is returned as it is.
+  /// Returns the double nearest to the nearest decimal, whose shortest text is that decimal. Returns values unchanged
+  /// if they are so large that doubles cannot tell steps apart.
   double round(double value) const;
 
  private:
   double multiplier_ = 1;  ///< a power of ten, exact
-  double divisor_ = 1;     ///< likewise; one of the two is 1
+  double divisor_ = 1;     ///< a power of ten, exact; one of the two is 1
   double error_ = 0;
   bool isOff_ = true;
 };

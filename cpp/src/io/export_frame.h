@@ -15,8 +15,8 @@
 
 namespace circle_voronoi {
 
-/// Returns the region to which a diagram is clipped: that of the options, or their box, or the default box.
-/// Errors: notCertified if the diagram is not certified; badInput if there are not as many vertexCircles as vertices;
+/// Returns the region to which a diagram is clipped: the region of the options, their box, or the default box.
+/// Errors: notCertified if the diagram is not certified; badInput if the numbers of vertexCircles and vertices differ;
 /// badOption if an option is out of range.
 Result<Region> exportRegion(const Diagram& diagram, const ExportOptions& options);
 
@@ -54,7 +54,7 @@ struct ExportFrame {
 /// edge inside, each once.
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle);
 
-/// Returns rings as they are written (ExportOptions::place).
+/// Returns rings mapped by ExportOptions::place.
 std::vector<std::vector<std::vector<Point>>> placed(const ExportFrame& frame,
                                                     std::vector<std::vector<std::vector<Point>>> polygons);
 

@@ -132,7 +132,7 @@ class FeatureReader {
     std::optional<CircleMembers> properties;
     const auto failAsNone = [&] { reader_.fail("an item of the list of features is no Feature."); };
     if (reader_.kind() != JsonKind::object) {
-      reader_.skip();  // the error is about the value, not about what stands before it
+      reader_.skip();  // so that the error points to the end of the value
       failAsNone();
     }
     reader_.enterObject();

@@ -61,7 +61,7 @@ Result<ReadCircles> readJson(std::string_view text, std::string_view name, const
       return;
     }
     if (kind != JsonKind::object) {
-      reader.skip();  // the error is about the value, not about what stands before it
+      reader.skip();  // so that the error points to the end of the value
       reader.fail("expected a circle, [x,y,r] or {\"x\":..,\"y\":..,\"r\":..}, not " + std::string(nameOf(kind)) + ".");
     }
     CircleMembers members(names, 0, keep);

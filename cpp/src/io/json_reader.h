@@ -19,14 +19,14 @@ enum class JsonKind { null, boolean, number, string, array, object };
 /// With its article: "a number".
 std::string_view nameOf(JsonKind kind);
 
-/// Reads a JSON text (RFC 8259, UTF-8) from front to back. Its caller says what it wants next:
+/// Reads a JSON text (RFC 8259, UTF-8) from front to back. The caller asks for each value in turn:
 ///
 ///     reader.enterArray();
 ///     while (reader.nextItem()) sum += reader.number();
 ///     reader.finish();
 ///
-/// Nothing is built and nothing calls itself, so that neither size nor depth of the text costs memory but one bit a
-/// level of what is skipped. Invalid JSON, or a value of another kind than requested, is a ReadFailure.
+/// The reader builds no tree and does not recurse. Its memory does not grow with the size of the text, and only by one
+/// bit for each level of skipped values. Invalid JSON, or a value of another kind than requested, is a ReadFailure.
 class JsonReader {
  public:
   explicit JsonReader(std::string_view text) : text_(text) {}

@@ -45,7 +45,7 @@ std::string membersOf(const MemberList& members);
 /// escaped.
 std::string oneLine(std::string_view value);
 
-/// Reads the next value of a text. Returns it as it is written, but on one line.
+/// Reads the next value of a text. Returns its text, but on one line.
 std::string rawValue(JsonReader& reader, std::string_view text);
 
 /// Calls `visit(name, value)` for each of the members of an object, which are written without braces. The value is its

@@ -17,11 +17,11 @@ Box boxOf(const Lattice& lattice);
 
 /// Returns the options with a box around all circles of the diagram and the cells of the given ones, which it does not
 /// cut, and with the tolerance that the periods need. Without attributes.
-/// Errors: badOption if a box, a region or a maximum distance is given; badInput if there are not as many attributes as
-/// circles.
+/// Errors: badOption if a box, a region or a maximum distance is given; badInput if the numbers of attributes and
+/// circles differ.
 Result<ExportOptions> periodicOptions(const PeriodicDiagram& periodic, const ExportOptions& options);
 
-/// Returns the attributes of all images: those of the given circles, which come first, and nothing for the others.
+/// Returns attributes for all images: the attributes of the given circles, which come first, and none for the others.
 CircleAttributes imageAttributes(const PeriodicDiagram& periodic, const CircleAttributes* attributes);
 
 }  // namespace circle_voronoi

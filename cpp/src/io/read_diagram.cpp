@@ -33,7 +33,7 @@ using Values = std::array<double, kMostValues>;
 
 std::int32_t index(double value) { return static_cast<std::int32_t>(value); }
 
-/// A list of the format: the fields of its items, and what becomes of them.
+/// A list of the format: the fields of its items, and the function that stores an item.
 struct Section {
   std::string_view key;
   std::vector<Field> fields;

@@ -18,7 +18,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Polygons as they are read: those of all geometries of a text.
+/// The polygons of all geometries of a text.
 struct Polygons {
   std::vector<Point> points;
   std::vector<std::int32_t> ringOffsets = {0};
@@ -45,7 +45,8 @@ constexpr int kMultiPolygonHeight = 3;
 /// The largest number of GeoJSON objects inside one another: each level takes a part of the stack.
 constexpr int kMostNested = 100;
 
-/// Reads coordinates, and returns how many levels of arrays are above the positions. Nothing for an empty array.
+/// Reads coordinates, and returns how many levels of arrays are above the positions. Returns nothing for an empty
+/// array.
 std::optional<int> readCoordinates(JsonReader& reader, Polygons& polygons, int depth = 0) {
   reader.enterArray();
   std::optional<int> height;

@@ -6,8 +6,8 @@
 
 namespace circle_voronoi {
 
-/// Reads the `stats` of a diagram as far as they are present. Missing and unknown fields, and fields of another type,
-/// stay empty. A certificate is skipped.
+/// Reads the `stats` of a diagram. Missing and unknown fields, and fields of another type, stay empty. A certificate is
+/// skipped.
 Stats readStats(JsonReader& reader);
 
 }  // namespace circle_voronoi

@@ -19,7 +19,7 @@ struct PlacedCircles {
   std::vector<Circle> circles;
   std::vector<std::size_t> offsets;
   std::vector<std::int64_t> ids;   ///< of a tile (tile.h)
-  std::vector<std::uint8_t> done;  ///< likewise
+  std::vector<std::uint8_t> done;  ///< whether each circle of a tile is done
 };
 
 /// Why reading ends, and where in the text. Thrown inside the readers only; none lets it out.
@@ -51,7 +51,7 @@ Error errorAt(std::string_view name, std::string_view text, const ReadFailure& f
 /// Reports failures in the order of their places, in linear time.
 std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadFailure> failures);
 
-/// The error of `validate` with the line of the circle that it is about; `offsets` as those of PlacedCircles.
+/// Returns the error of `validate` with the line of the circle to blame; see ReadCircles for `offsets`.
 Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
              std::size_t linesBefore = 0);
 

@@ -57,7 +57,7 @@ class TileStream::Impl {
     return Tile{std::move(circles.circles), std::move(circles.ids), std::move(circles.done)};
   }
 
-  /// Returns whether the text determines the layout of the table. More text would not change what it tells.
+  /// Returns whether the text determines the layout of the table. If so, more text does not change the layout.
   Result<bool> readLayout(bool isLast) {
     const std::string_view text = withoutByteOrderMark(rest_);
     const std::string_view head = text.substr(0, kLongestRecord);

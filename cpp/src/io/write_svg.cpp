@@ -393,7 +393,7 @@ std::string idOf(const PeriodicDiagram& periodic) {
   return std::to_string(hash);
 }
 
-/// Draws the given circles once and uses them wherever an image of them meets the drawing: inside the box, and dimmed
+/// Draws the given circles once and repeats them wherever their images meet the drawing: inside the box, and dimmed
 /// around it.
 void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& periodic) {
   const Box box = boxOf(periodic.lattice);

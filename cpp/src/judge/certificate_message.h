@@ -9,7 +9,7 @@
 
 namespace circle_voronoi {
 
-/// Converts a verdict on a dual to the indices of its topology. Indices of circles stay the same.
+/// Converts a verdict on a dual to the indices of its topology. Indices of circles do not change.
 Certificate certificateOf(const Verdict& verdict, const Dual& dual, const Topology& topology);
 
 /// Returns one sentence on the flaw that a certificate found, with the indices concerned. Returns an empty string if

@@ -86,8 +86,9 @@ Topology visibleTopology(const Diagram& diagram, const std::vector<std::int32_t>
 }
 
 /// Returns whether a vertex is where the disc of its circles i, j, k is, up to rounding. Our own vertices are so to the
-/// bit. Others may be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather
-/// than near the one that touches the same circles clockwise. A disc beyond the doubles has no right place.
+/// bit. Vertices from other programs may be rounded differently: they must touch all three circles to 40 bits, and lie
+/// near our disc rather than near the disc that touches the same circles clockwise. A disc beyond the doubles has no
+/// right place.
 bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, double unit, const Circle& i, const Circle& j,
                const Circle& k) {
   if (!disc) return false;

@@ -18,9 +18,9 @@ inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
 /// Stands for an order of ends that has not been found yet.
 inline constexpr std::int8_t kUnknownOrder = -2;
 
-/// Returns the order of the discs at the ends of a bounded edge along its bisector: 1 if in order, 0 if they are the
-/// same, -1 if out of order. The judge and the builders both accept an edge if its ends are not out of order. `Discs`
-/// returns the disc of a face by its number.
+/// Returns the order of the discs at the ends of a bounded edge along its bisector: 1 if in order, 0 if equal, -1 if
+/// out of order. The judge and the builders both accept an edge if its ends are not out of order. `Discs` returns the
+/// disc of a face by its number.
 ///
 /// Seen from the larger circle, counter-clockwise, the face on the right of its half-edge comes before the face on the
 /// left. In order, the turn between the directions to their discs is less than half a turn.

@@ -46,7 +46,7 @@ class Judge {
     Verdict verdict;
     std::size_t check = std::numeric_limits<std::size_t>::max();  ///< at which the verdict was found: four a face
     std::vector<int> ties;
-    std::vector<int> across;  ///< half-edges of these faces whose twins are in a range before
+    std::vector<int> across;  ///< half-edges of the range's faces whose twins are in an earlier range
   };
   using FaceProver = Prover<std::vector<FaceDisc>>;
 

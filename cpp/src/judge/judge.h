@@ -34,17 +34,17 @@ struct Verdict {
 /// Proof. f is 1-Lipschitz: it is continuous and piecewise a distance less a constant. f(c_j) = -r_j, so
 /// f(p) <= |p - c_j| - r_j = d_j(p) for all p and j. As f(p) is one of the d_j(p), it is the smallest.
 ///
-/// Checked is what makes the faces of the dual such regions: adjacency, Euler's count, a disc at every face, the ends
-/// of every edge in order along their bisector (so each region is a union of sectors around its center, glued along
-/// common bisector arcs), and one full turn of every region around its center and of the hull. The signs of these rest
-/// on circles of which none contains a neighbor, which is checked of every edge. That no circle at all contains another
-/// follows: by the theorem each center lies in the region of its circle.
-/// Nothing else is needed. Where one sector ends at a bisector arc another begins, so all points of the plane lie in
-/// the same number of sectors, also if only one connected part of the dual is counted. Far out that number is how often
-/// the hull turns: once for one part and not at all for the others, which therefore have no sectors. So the one part
-/// covers the plane once. It has all m circles, for each has its full turn there, and infinity; a closed surface with m
-/// + 1 corners or more has 2 m - 2 faces or more, and no more if and only if it is a sphere and each corner one fan of
-/// faces. As there are 2 m - 2 faces in all, there are no others.
+/// The judge checks the properties that make the faces of the dual such regions: adjacency, Euler's count, a disc at
+/// every face, the ends of every edge in order along their bisector (so each region is a union of sectors around its
+/// center, glued along common bisector arcs), and one full turn of every region around its center and of the hull.
+/// These signs require that no circle contains a neighbor, which is checked for every edge. That no circle at all
+/// contains another follows: by the theorem each center lies in the region of its circle. These checks suffice. Where
+/// one sector ends at a bisector arc another begins, so all points of the plane lie in the same number of sectors, also
+/// if only one connected part of the dual is counted. Far out that number is how often the hull turns: once for one
+/// part and not at all for the others, which therefore have no sectors. Hence this part covers the plane once. It has
+/// all m circles, for each has its full turn there, and infinity; a closed surface with m + 1 corners or more has 2 m -
+/// 2 faces or more, and no more if and only if it is a sphere and each corner one fan of faces. As there are 2 m - 2
+/// faces in all, there are no others.
 ///
 /// A disc is a function of the corners of its face, and the order of the ends of an edge is one of its four circles.
 /// `proof` may have all discs, and with them all orders, as Predicates finds them: then the judge rests on these. It

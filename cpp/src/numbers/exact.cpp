@@ -228,7 +228,7 @@ int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
 }
 
 // Along the line, the difference of two circles has some length. Across the line, it is the difference of their radii.
-// So the cone product of two differences is the product of their lengths along the line.
+// Hence the cone product of two differences is the product of their lengths along the line.
 bool touchesBetween(const Circle& a, const Circle& b, const Circle& c) {
   const auto isSameWay = [](const Circle& from, const Circle& to, const Circle& circle) {
     return seenFrom(from, std::array{&to, &circle}, [](const auto& seen, int) {

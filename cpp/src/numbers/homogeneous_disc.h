@@ -84,8 +84,8 @@ inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
 
 /// The disc of three circles in counter-clockwise order, relative to the circle with the index `corner` (0 to 2).
 /// `discOf` takes the corner opposite the longest side, because both differences from it are short. If several such
-/// corners exist, it takes the one with the smallest center, by x and then y. So the disc has the same bits whichever
-/// circle is passed first.
+/// corners exist, it takes the one with the smallest center, by x and then y. The disc therefore has the same bits
+/// whichever circle is passed first.
 struct CornerDisc {
   HomogeneousDisc disc;
   int corner = 0;
@@ -181,8 +181,8 @@ inline CornerDisc discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
 inline bool mayBeOfShortSides(const HomogeneousDisc& disc) { return disc.error < 0x1p-110; }
 
 /// Returns the disc that `discOf` gave or, if all sides are short, the disc from scaled sides. The w of the latter is
-/// multiplied by the scale, so that w times a difference equals the scaled w times the scaled difference. So the error
-/// is that of scaled sides.
+/// multiplied by the scale, so that w times a difference equals the scaled w times the scaled difference. Hence the
+/// error bound for scaled sides applies.
 [[gnu::noinline, gnu::cold]] inline CornerDisc scaledIfShort(const CornerDisc& disc, const Circle& c0, const Circle& c1,
                                                              const Circle& c2) {
   const Difference d01(c1, c0);

@@ -95,7 +95,7 @@ class Integer {
 };
 
 /// An integer in two's complement with kLimbs limbs, several times faster than Integer. For numbers of at most 64 n - 3
-/// bits, take n limbs times the degree. The bits to spare are for sums of as many terms as the formulas have.
+/// bits, take n limbs times the degree. The spare bits leave room for the sums of the formulas' terms.
 template <int kLimbs>
 class FixedInteger {
  public:

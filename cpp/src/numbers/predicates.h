@@ -97,9 +97,9 @@ class Predicates {
     return sign != 0 ? sign : exactCross(from, first, second);
   }
 
-  /// Returns 1 if the discs of (a, b, c) and (b, a, d) lie in order along the bisector of a and b, that of (b, a, d)
-  /// first when going with a on the left; 0 if they are the same; -1 if they are out of order. This is the sign of the
-  /// cross product of the directions to them from a. The filter is not tried.
+  /// Returns 1 if the discs of (a, b, c) and (b, a, d) are in order along the bisector of a and b: the disc of (b, a,
+  /// d) comes first when going with a on the left. Returns 0 if they are equal, -1 if they are out of order. This is
+  /// the sign of the cross product of the directions to them from a. The filter is not tried.
   /// Precondition: both are faces of circles and have discs, and looksFromFirst(a, b).
   int exactEdgeOrder(int a, int b, int c, int d);
 
@@ -134,7 +134,7 @@ class Predicates {
   const FilterCounts& counts() const { return counts_; }
 
   /// Calls function(begin, end, range, predicates) for ranges of the items (Threads::forRanges). Each range has
-  /// predicates of its own, and their counts are added to those of this object.
+  /// predicates of its own, whose counts are added to the counts of this object.
   template <class Function>
   void forRanges(Threads threads, std::size_t items, Function function) {
     std::vector<FilterCounts> counts(threads.rangesOf(items));

@@ -110,7 +110,7 @@ struct Axis {
 /// - The sums are exact in two parts but for the roundings of the rests: A.rest + C.rest within u of u P, less B.rest
 ///   within u of u P, the rests of both sums within u of 2 u P, all within u of 3 u P: 7 u^2 P. With the errors of A,
 ///   B, C, S is within (e + 7 u^2) P.
-///   So S^2 is within this bound times the sum of the bound and 2 |S|.
+///   Hence S^2 is within this bound times the sum of the bound and 2 |S|.
 /// - S's own rest is at most u |S|: 2 u S^2 rounded, its square left out, 3 u S^2 rounded: 6 u^2 S^2.
 /// - 4 A C within 2 e and 9 u^2 of itself.
 /// - The difference of the rests, at most 3 u S^2 + 4 u A C, is rounded, as is its sum with that of the values' sum, 1

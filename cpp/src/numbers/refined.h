@@ -9,8 +9,8 @@ namespace circle_voronoi {
 
 /// The second stage of the predicates. Its estimates rest on the lengths of common tangents, which have twice the
 /// digits here, and on discs as seen from one of their circles. They decide near ties, and cases where discs or circles
-/// are far larger than the distances between circles. If a tangent length is lost to rounding all the same, errors are
-/// unknown. Preconditions are those of exact.h.
+/// are far larger than the distances between circles. If a tangent length is lost to rounding nevertheless, errors are
+/// unknown. The preconditions are the same as in exact.h.
 
 /// Computes the disc of three circles in counter-clockwise order, with the smallest as its corner.
 CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Circles as seen from one of them, in integers: what exact signs are computed from (exact.cpp).
+// Circles relative to one circle, in integers. Exact signs are computed from these numbers (exact.cpp).
 #pragma once
 
 #include <algorithm>

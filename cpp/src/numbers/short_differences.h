@@ -12,9 +12,9 @@
 namespace circle_voronoi {
 
 /// Returns whether the differences of points are exact and below 2^kBits times a power of two that divides them all.
-/// `largest` is the largest coordinate of the differences. Then products and sums of them are exact in double
-/// arithmetic as long as they fit in 53 bits. This decides the ties of grids and other short numbers, which no error
-/// bound does. If lengths are short, compute with scaled differences (short_lengths.h).
+/// `largest` is the largest coordinate of the differences. Then their products and sums are exact in double arithmetic
+/// as long as the results fit in 53 bits. This decides the ties of grids and other short numbers, which no error bound
+/// does. If lengths are short, compute with scaled differences (short_lengths.h).
 template <int kBits>
 bool haveShortDifferences(std::initializer_list<Point> points, double largest) {
   // A subnormal number has no leading bit in its exponent.

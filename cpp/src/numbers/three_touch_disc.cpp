@@ -25,7 +25,7 @@ std::optional<Vertex> vertexIn(const exact::Face& circles, double unit) {
 std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit) {
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
-  // The bound includes the error of w times the longer side, so w is right to as many bits.
+  // The bound includes the error of w times the longer side, so w has at least this relative accuracy, too.
   const Vector u = between(o, *circles[(corner + 1) % 3]);
   const Vector v = between(o, *circles[(corner + 2) % 3]);
   if (!(disc.error * disc.error <= 0x1p-72 * disc.w * disc.w * std::max(dot(u, u), dot(v, v)))) return std::nullopt;

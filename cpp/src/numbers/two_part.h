@@ -70,7 +70,7 @@ struct TangentSquare {
 /// Error: let l be the length of the difference in (x, y, s) space. The squares of the rounded differences and their
 /// two sums are exact in two parts; what remains, twice the differences' products with their rests and the rests of the
 /// squares and the sums, is at most 2 u l^2 + u l^2 + 2 u l^2, within 8 u of that; the squares of the rests are at most
-/// u^2 l^2. So all is within 41 u^2 l^2.
+/// u^2 l^2. Together this is within 41 u^2 l^2.
 inline TangentSquare tangentSquare(const Circle& p, const Circle& o, double scale) {
   constexpr double u = kUnitRoundoff;
   const TwoPart x = sum(p.x, -o.x) * scale;

@@ -37,7 +37,7 @@ std::int32_t windingAround(const Diagram& diagram, const Region& region, const S
     const Point to = region.points()[at(next)];
     const bool goesUp = isAbove(to);
     if (isAbove(from) == goesUp) continue;
-    // The ray crosses the side if the vertex lies left of it as it goes up, or right of it as it goes down.
+    // The ray crosses the side if the vertex lies left of a side that goes up, or right of a side that goes down.
     if ((signs.sideOfEnd(beginning, false, {from, to}) > 0) == goesUp) winding += goesUp ? 1 : -1;
   }
   return winding;

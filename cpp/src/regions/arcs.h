@@ -55,7 +55,7 @@ class Arcs {
   const Diagram& diagram_;
   const Crossings& crossings_;
   std::vector<bool> isCrossed_;           ///< for each edge, in bits that stay in the cache
-  std::vector<std::int32_t> rows_;        ///< for each edge its place among those with crossings, or kNone
+  std::vector<std::int32_t> rows_;        ///< for each edge its index in crossed_, or kNone
   std::vector<EdgeIndex> crossed_;        ///< the edges with crossings
   std::vector<std::int32_t> order_;       ///< the crossings by edge, and along it
   std::vector<std::int32_t> orderStart_;  ///< for each edge with crossings where they begin in order_

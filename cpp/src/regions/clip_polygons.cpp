@@ -197,7 +197,7 @@ void ClipFlattener::collectCorners() {
       clearance = std::min(clearance, distance);
       const bool isStraight =
           diagram.metric != Metric::circles || diagram.circles[at(cell)].r == diagram.circles[at(neighbor)].r;
-      // A corner on a straight edge becomes a point of it, where the border of a cell touches itself.
+      // A corner on a straight edge becomes a point of the edge, where the outline of a cell touches itself.
       const double reach =
           isStraight ? kOnePlace * (std::abs(p.x) + std::abs(p.y) + lengthOf(vectorTo(centerOf(diagram, cell), p)))
                      : tolerance_;
@@ -223,7 +223,7 @@ void ClipFlattener::collectCorners() {
 }
 
 /// The position of a point along the bisector of an edge, seen across it. All points between an arc and its chord have
-/// positions between those of the ends.
+/// positions between the positions of its ends.
 double ClipFlattener::heightOn(EdgeIndex edge, Point p) const {
   const Edge& ends = clipped_.diagram().edges[at(edge)];
   const Point left = centerOf(clipped_.diagram(), ends.left);

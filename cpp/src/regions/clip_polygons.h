@@ -52,7 +52,7 @@ class CIRCLE_VORONOI_API ClipFlattener {
   const ClippedDiagram& clipped_;
   double tolerance_;
   std::vector<std::int32_t> firstHere_;
-  std::vector<Corner> corners_;                  ///< those that are near a curved edge, by key
+  std::vector<Corner> corners_;                  ///< the corners near a curved edge, sorted by key
   std::vector<std::pair<Point, Point>> places_;  ///< points that another one stands for, sorted
 };
 

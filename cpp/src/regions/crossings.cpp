@@ -80,7 +80,7 @@ struct BranchCrossing {
     const double s = (half < 0) == (own < 0) ? (half + own) / (a + b) : (a - b) / (half - own);
     if (!(s > kLeastParameter && s < 1 / kLeastParameter)) return;
     parameter = s;
-    // The height is right within rounding of `size`; it grows along the line by no less than the root's share of it.
+    // The height has an error of a rounding of `size`. It grows along the line by at least the ratio of root and size.
     const double size = std::abs(bisector.a) + bisector.b + bisector.apex + std::abs(toLine.x) + std::abs(toLine.y);
     const double steepness = root / size;
     isCertain = kHeightRounding * size * bisector.unit < kCertainShare * scale * steepness * steepness;

@@ -27,8 +27,8 @@ struct Crossing {
 
 /// The course of a region's boundary through a diagram.
 ///
-/// It goes from cell to cell: each ring is a closed path in the dual. Which edges it crosses, and in which order, is
-/// decided by exact signs for a region that is moved by a tiny shift (shifted_signs.h).
+/// It goes from cell to cell: each ring is a closed path in the dual. Exact signs decide which edges it crosses and in
+/// which order, for a region that is moved by a tiny shift (shifted_signs.h).
 struct Crossings {
   std::vector<Crossing> all;  ///< along each ring in its order
   /// For each crossing the next one of its ring; kNone if the boundary has not been followed up to there.

@@ -82,7 +82,7 @@ struct Piece {
   bool isNew;  ///< not compared with others yet
 };
 
-/// Segments that meet at their ends only, and the polygons of each one's pieces: those of segment k are from offsets[k]
+/// Segments that meet at their ends only, and the polygons of their pieces. Segment k has the polygons from offsets[k]
 /// to before offsets[k + 1].
 struct Arrangement {
   std::vector<Point> points;
@@ -345,13 +345,13 @@ class Noder {
   std::vector<Point> points_;
   std::unordered_map<Point, std::int32_t, Hash> indices_;
   std::vector<Piece> pieces_;
-  std::vector<Segment> segments_;  ///< those of the pieces, each once
+  std::vector<Segment> segments_;  ///< the segments of all pieces, without duplicates
   std::vector<bool> isNew_;        ///< of each segment
   std::vector<Split> splits_;
   double grid_ = 0;  ///< the distance of places that points may have; 0: all doubles
 };
 
-/// The faces of an arrangement, which of them lie in a polygon, and the rings around these.
+/// The faces of an arrangement, whether each lies in a polygon, and the rings around the faces that do.
 ///
 /// Half-edge 2 k leads from the first point of segment k to the second, 2 k + 1 back. Its face lies on its left.
 class Faces {
@@ -388,7 +388,8 @@ class Faces {
         if (placeOnPath[at(origin)] != -1) end(at(placeOnPath[at(origin)]));
         placeOnPath[at(origin)] = static_cast<std::int32_t>(path.size());
         path.push_back(origin);
-        // The next side of the boundary clockwise, so that what is between belongs to the same part of the inside.
+        // Turn clockwise to the next side of the boundary: the faces between the two sides belong to the same part of
+        // the inside.
         h = next_[h];
         while (!isBoundary(h)) h = next_[h ^ 1];
       } while (h != start);

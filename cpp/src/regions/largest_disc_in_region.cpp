@@ -16,7 +16,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// With as few things nearby, all three of them are tried.
+/// With at most this number of circles and sides nearby, all triples are tried.
 constexpr std::size_t kFew = 10;
 /// Squares smaller than this share of the region are points but for rounding.
 constexpr double kFinestSquare = 0x1p-50;
@@ -78,8 +78,8 @@ std::optional<DiscPlace> solved(const std::array<Equation, 3>& equations) {
 /// Calls `take` with each place of a disc that touches three things from outside.
 ///
 /// Relative to the center of a circle of radius r, with q = rho + r, the center of a disc of radius rho that touches it
-/// is on the cone |p| = q. The difference of two such equations is linear in p and q, and so is that of a line. Two of
-/// them leave a line in space, which meets the cone twice.
+/// is on the cone |p| = q. The difference of two such equations is linear in p and q, and so is that of a line. Two
+/// linear equations determine a line in space, which meets the cone twice.
 template <class Take>
 void placesTouching(std::array<const Touchable*, 3> things, Take take) {
   const auto refined = [&](DiscPlace place) {
@@ -204,7 +204,7 @@ class DiscSearch {
     Point center;
     double half = 0;                 ///< of its side
     double most = 0;                 ///< no disc around a point of the square is larger
-    std::vector<std::int32_t> near;  ///< all that may be nearest to a point of the square
+    std::vector<std::int32_t> near;  ///< the circles and sides that may be nearest to a point of the square
   };
 
   Point here(Point p) const { return {(p.x - origin_.x) / unit_, (p.y - origin_.y) / unit_}; }
@@ -259,7 +259,7 @@ class DiscSearch {
     for (const std::int32_t thing : square.near) {
       near.push_back(things_[at(thing)]);
       if (at(thing) < circles_.size()) continue;
-      // The side that ends at a corner is as near as the one that begins there.
+      // Only one of the two sides at a corner adds the corner.
       const Side& side = sides_[at(thing) - circles_.size()];
       if (side.startsAtReflexCorner) near.push_back({side.from, {}, 0, false});
     }
@@ -310,9 +310,9 @@ class DiscSearch {
 
 }  // namespace
 
-// The distance from the nearest circle or side is largest where it cannot grow: at a point that is equally near to
-// three of them, or along two parallel sides, where it ends at such a point, too. A corner counts as a circle of radius
-// 0.
+// The distance from the nearest circle or side has its maximum at a point that is equally near to three circles or
+// sides, or along two parallel sides, and then also at an end of that segment, which is such a point. A corner counts
+// as a circle of radius 0.
 Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, const Region& region) {
   return guarded([&]() -> Result<std::optional<EmptyDisc>> {
     if (diagram.metric != Metric::circles) {

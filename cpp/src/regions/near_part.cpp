@@ -241,9 +241,9 @@ class DiscClipper {
     return best;
   }
 
-  /// Returns a place in one of the largest gaps between entries and exits: of several places the one that is deepest
-  /// inside or outside. The largest gap alone may lie on the boundary of both the ring and what is cut. In a gap that
-  /// is only rounding, it is not known on which side of the entry or exit a place is.
+  /// Returns a place far inside or outside: the best of several places in the largest gaps between entries and exits.
+  /// The largest gap alone is not enough: it may lie on the boundary of both the ring and the cut shape. Gaps as short
+  /// as rounding are left out, because a place there may be on either side of the entry or exit.
   double clearPlace() const {
     struct Gap {
       double size;

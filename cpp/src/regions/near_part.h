@@ -14,7 +14,7 @@ namespace circle_voronoi {
 std::optional<CurvePart> nearPart(const Diagram& diagram, EdgeIndex edge, const EdgeCurve& curve, double maxDistance);
 
 /// Returns the outline of the part of a cell in the region and within the maximum distance of its circle. `loops` are
-/// those of the cell in the region.
+/// the loops of the cell in the region.
 Outline nearOutline(const ClippedDiagram::Parts& parts, CircleIndex circle, const Loops& loops);
 
 }  // namespace circle_voronoi

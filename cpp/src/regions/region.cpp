@@ -66,7 +66,8 @@ void checkArrays(const Given& given) {
   }
 }
 
-/// Names rings and sides as they are given: from 0, rings within their polygon if there are several.
+/// Names rings and sides in messages: by their index in the input, from 0. If there are several polygons, rings are
+/// counted within their polygon.
 class Names {
  public:
   explicit Names(const Given& given) : given_(given) {}

@@ -32,8 +32,8 @@ using exact::signOf;
 constexpr double kSignRounding = 0x1p-48;
 /// Added where products of tiny numbers underflow.
 constexpr double kSignUnderflow = 0x1p-1000;
-/// Vertices are right to 36 bits of the distances from and between their circles (vertexOf), those of power diagrams to
-/// 21 bits (radicalCenter).
+/// Vertices are right to 36 bits of the distances from and between their circles (vertexOf), vertices of power diagrams
+/// to 21 bits (radicalCenter).
 constexpr double kVertexRounding = 0x1p-34;
 constexpr double kPowerVertexRounding = 0x1p-18;
 

@@ -103,8 +103,8 @@ class Steps {
     for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
   }
 
-  /// Closed walks around the connected parts of what lies on the left of the steps, divided into rings where they touch
-  /// themselves.
+  /// Closed walks around the connected parts of the area left of the steps, divided into rings where a walk touches
+  /// itself.
   std::vector<std::vector<PointRing>> walks() {
     std::vector<std::vector<PointRing>> result;
     isUsed_.assign(steps_.size(), 0);

@@ -138,8 +138,8 @@ std::unique_ptr<Item[]> roomFor(std::size_t count) {
 }
 
 /// A triangulation in progress. A part of n sites has the corners with the numbers of its sites, and 2 n - 2 faces in
-/// succession: those of its first half, those of its second half, and the two that join them. Equal sites leave some
-/// numbers free. So parts that have no site in common share no memory.
+/// succession: the faces of its first half, the faces of its second half, and two faces that join the halves. Equal
+/// sites leave some numbers free. So parts that have no site in common share no memory.
 struct Triangulation {
   explicit Triangulation(std::size_t count)
       : corners(roomFor<Point>(count)),
@@ -455,7 +455,7 @@ struct Job {
   Box box;
   int face;
   Axis axis = Axis::x;
-  std::size_t first = 0;  ///< the job of its first half, followed by that of the second; 0 if it is not divided
+  std::size_t first = 0;  ///< the job of its first half, before the job of its second half; 0 if it is not divided
   Part part = {};
 };
 

@@ -22,9 +22,9 @@ struct Hiders {
 };
 
 /// Finds a hider in `circles` for each circle of `inner`: the largest circle that contains it, and of equally large
-/// ones that with the lowest index. An identical circle hides it only if its index is lower. Both lists may be the
-/// same. The search gives up after `limit` steps, because it must visit many circles for each one if most almost hide
-/// one another.
+/// ones that with the lowest index. An identical circle hides it only if its index is lower. Both lists may be equal.
+/// The search gives up after `limit` steps, because it must visit many circles for each one if most almost hide one
+/// another.
 Hiders findHiders(NumberedCircles circles, NumberedCircles inner, std::int64_t limit, Threads threads = Threads());
 
 }  // namespace circle_voronoi

@@ -61,7 +61,7 @@ class SpatialOrder {
   }
 
  private:
-  /// The items from `begin` to before `end`, which lie in one cell of the curve so far.
+  /// The items from `begin` to before `end`, which lie in one cell of the curve at its current depth.
   struct Run {
     std::size_t begin, end;
   };
@@ -96,7 +96,7 @@ class SpatialOrder {
     });
   }
 
-  /// Sets the key of each item on the curve through their bounding box. Returns false if all points are the same.
+  /// Sets the key of each item on the curve through their bounding box. Returns false if all points are equal.
   bool setKeys(std::span<Keyed> items) const {
     if (items.empty()) return false;
     Point low = points_[items[0].index];

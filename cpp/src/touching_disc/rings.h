@@ -84,8 +84,8 @@ class SlotRings {
   /// The DE that faces the start of `edge` across the unused arc of circle a.
   int adjacentBefore(const DirectedEdge& edge) const { return slots_[slotBefore(edge.a, edge.slotA)].in; }
 
-  /// The DEs that bound the arc of a circle around a slot: the one that ends before it and the one that starts after
-  /// it, counter-clockwise. Without either the arc is used up.
+  /// The DEs that bound the arc of a circle around a slot, counter-clockwise: `in` ends before the slot, and `out`
+  /// starts after it. If one is missing, the arc is used up.
   struct Arc {
     int in = kNoEdge;
     int out = kNoEdge;
@@ -124,7 +124,7 @@ class SlotRings {
     return found != SlotSet::kNoSlot ? found : occupied_.lastIn(slot, firstSlot_[circle + 1]);
   }
 
-  std::vector<int> firstSlot_;  ///< of each circle; the slots of circle i end where those of i + 1 begin
+  std::vector<int> firstSlot_;  ///< the first slot of each circle, and the number of slots
   std::vector<Slot> slots_;
   SlotSet occupied_;
   std::vector<DirectedEdge> edges_;

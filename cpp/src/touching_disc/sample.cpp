@@ -47,7 +47,7 @@ double smallestRadius(std::span<const Circle> circles) {
 /// Appends the point of circle i, less the smallest radius, in a direction given by a unit vector.
 class Sampler {
  public:
-  /// `count` is how many there will be.
+  /// `count` is the number of samples to come.
   Sampler(std::span<const Circle> circles, std::int64_t count, const Done& progress)
       : circles_(circles), smallest_(smallestRadius(circles)), count_(count), progress_(progress) {
     if (count > kMaxSamplePoints) {

@@ -122,7 +122,7 @@ class Touch {
     if (in.a == partner || out.b == partner) return true;
     const Vector from = in.fromB;
     const Vector to = out.fromA;
-    // The two DEs of one antipodal disc that is alone on the circle leave all of it unused but its footpoint.
+    // If the two DEs of one antipodal disc are alone on the circle, the whole circle except the footpoint is unused.
     if (arc.isWhole && from.x == to.x && from.y == to.y) return cross(from, direction) == 0 && dot(from, direction) > 0;
     // A footpoint that touches a used arc counts as used.
     return !strictlyBetween(from, direction, to);

@@ -80,7 +80,7 @@ inline to_chars_result to_chars(char* to, char* last, double value) {
   if (exponent < 0) {
     plain = "0." + string(static_cast<size_t>(-exponent - 1), '0') + digits;
   } else if (count <= exponent + 1) {
-    // All digits of a whole number, not only those that it takes to tell it from its neighbors.
+    // All digits of a whole number, not only the shortest unique ones.
     auto whole = static_cast<unsigned __int128>(abs(value));
     do plain.insert(plain.begin(), static_cast<char>('0' + static_cast<int>(whole % 10)));
     while ((whole /= 10) != 0);

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The algorithms on ranges that are used, those of range-v3: <algorithm> has them from version 15 of libc++ on. In
-// front of every source: libc++ includes <algorithm> itself before it has what range-v3 needs.
+// SPDX-License-Identifier: GPL-3.0-or-later The range algorithms that the library uses, taken from range-v3, because
+// <algorithm> lacks them before version 15 of libc++. In front of every source: libc++ includes <algorithm> itself
+// before it has what range-v3 needs.
 #pragma once
 #include <algorithm>
 
