@@ -168,7 +168,7 @@ export class Frame {
     if (this.#naturalHeight() !== this.#height) this.#tell()
   }
 
-  /** Whether all circles are visible, which they stay while the size changes. */
+  /** Whether all circles are visible. They then stay visible while the size changes. */
   get #isFitted(): boolean {
     return this.#isShown && this.#view === undefined
   }

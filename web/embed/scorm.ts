@@ -13,7 +13,7 @@ export interface ScormApi {
   LMSFinish(empty: ''): string
 }
 
-/** Limits the search for the interface, as frames may be nested in a cycle. */
+/** The largest number of windows to search for the interface, because frames may be nested in a cycle. */
 const MOST_PARENTS = 500
 /** The maximum length of `cmi.suspend_data`, in characters. */
 const MOST_SUSPENDED = 4096

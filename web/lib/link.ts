@@ -152,8 +152,8 @@ const FIELDS = [
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
  *
- * @throws CircleVoronoiError `badInput`, also for circles that `compute` would refuse; `linkTooLong`, if a state
- *   exceeds `LINK_LIMITS`; `notLoaded`, where there is no `CompressionStream`
+ * @throws CircleVoronoiError `badInput`, also for circles that `compute` refuses; `linkTooLong`, if a state exceeds
+ *   `LINK_LIMITS`; `notLoaded`, if `CompressionStream` does not exist
  *
  * @category Links
  * @example
@@ -221,8 +221,8 @@ function jsonOf(state: LinkInput): string {
  * whether the edits fit the circles.
  *
  * @param text the part of an address after the `#`, with or without the `#`
- * @throws CircleVoronoiError `badInput`; `linkTooLong`, if the link exceeds `LINK_LIMITS`; `notLoaded`, where there is
- *   no `DecompressionStream`
+ * @throws CircleVoronoiError `badInput`; `linkTooLong`, if the link exceeds `LINK_LIMITS`; `notLoaded`, if
+ *   `DecompressionStream` does not exist
  *
  * @category Links
  * @example

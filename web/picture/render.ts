@@ -101,7 +101,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   }
 }
 
-/** Checks all fields of a state as a link's fields are checked. */
+/** Checks all fields of a state like the fields of a link. */
 async function checked(state: LinkInput | string): Promise<LinkState & { circles: Float64Array }> {
   if (typeof state !== 'string' && !isRecord(state)) {
     refuseInput(`renderSVG takes a state or a link, not ${shown(state)}.`)

@@ -44,7 +44,7 @@ export interface FinalCells {
 }
 
 /**
- * The loaded library.
+ * The functions of the loaded library.
  *
  * @category Loading
  */
@@ -53,7 +53,7 @@ export interface CircleVoronoi {
    * Computes the diagram of circles that the functions `x`, `y` and `r` find in data, like `Delaunay.from` of
    * d3-delaunay. Each function is called with a datum, its index and the data.
    *
-   * @throws CircleVoronoiError as below; what the functions throw
+   * @throws CircleVoronoiError as for plain circles. Errors of the functions are passed on.
    *
    * @example
    * const cities = [{ at: [0, 0], people: 4 }, { at: [6, 0], people: 1 }]
