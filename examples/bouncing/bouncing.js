@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A thousand bouncing discs in a box, and their Voronoi diagram
-// An editor keeps the diagram up to date. Two discs that touch are neighbors, so only discs that share an edge can collide.
+// A thousand bouncing discs in a box, and their Voronoi diagram An editor keeps the diagram up to date. Two discs that
+// touch are neighbors, so only discs that share an edge can collide.
 import { loadCircleVoronoi } from '../../dist/lib/index.js'
 
 const DISCS = 1000

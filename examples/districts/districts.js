@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Districts of equal population
-// `fitAreas` sets areas, not populations. So this code repeats: fit, count the people, make crowded districts smaller.
+// Districts of equal population `fitAreas` sets areas, not populations. So this code repeats: fit, count the people,
+// make crowded districts smaller.
 
 const ROUNDS = 60
-/** Smaller steps at the end, when the borders pass single cities. */
+/** The steps become smaller toward the end, when borders pass single cities. */
 const BOLDNESS = { first: 0.5, last: 0.05 }
 const MOVES = 30
 
 /**
- * Divides cities `{ x, y, people }` among `count` districts of nearly equal population. Returns the diagram whose cells are the
- * districts, and the people of each. `shape` is the region that they divide.
+ * Divides cities `{ x, y, people }` among `count` districts of nearly equal population. Returns the diagram whose cells
+ * are the districts, and the population of each district. `shape` is the region to divide.
  */
 export function districtsOf({ fitAreas }, cities, count, shape) {
   const sites = centersOf(cities, count)
@@ -29,7 +29,7 @@ export function districtsOf({ fitAreas }, cities, count, shape) {
   return best
 }
 
-/** Where people live: `count` points, each in the middle of the people who are nearest to it. */
+/** Returns `count` points where people live. Each point is in the middle of the people who are nearest to it. */
 function centersOf(cities, count) {
   // Begins with the largest cities that are far from one another.
   let reach = 2000

@@ -25,7 +25,7 @@ function draw() {
   document.querySelector('#chosen').value = count.value
   const { diagram, people, error } = districtsOf(regions, cities, Number(count.value), shape)
   const { minX, minY, maxX, maxY } = shape.box
-  // Adds a color where neighbors have all others.
+  // Adds a color if the neighbors have all other colors.
   const colors = []
   people.forEach((_, i) => {
     const taken = Array.from(diagram.neighbors(i, { region: shape }), (neighbor) => colors[neighbor])

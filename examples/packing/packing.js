@@ -2,28 +2,28 @@
 // A dense packing of discs of two sizes in a box whose opposite sides are glued together. The discs grow; where two
 // overlap, they move apart. The neighbors come from the table of contacts.
 
-/** Discs touch whose gap is at most this share of the mean radius. */
+/** The largest gap between touching discs, as a share of the mean radius. */
 const TOUCH = 0.02
 const GROWTH = 1.02
 const LEAST_GROWTH = 1.0005
-/** The overlap that is left before discs grow again, as a share of their growth. */
+/** The overlap at which discs grow again, as a share of their growth. */
 const SLACK = 0.5
-/** Discs that overlap move by more than they must, so that their neighbors settle sooner. */
+/** Overlapping discs move by this multiple of the necessary distance, so that their neighbors settle sooner. */
 const PUSH = 1.5
 /** Discs grow more slowly after this many steps without room. */
 const PATIENCE = 100
 const STEPS = 3000
 
 /**
- * @param library what loadCircleVoronoi returns
- * @param lattice the periods of the box, which the smaller discs and the larger ones share evenly
- * @param ratio of the two radii
+ * @param library the result of loadCircleVoronoi
+ * @param lattice the periods of the box
+ * @param ratio the ratio of the two radii
  * @param random returns numbers from 0 to 1
  */
 export function pack(library, lattice, count, ratio, random) {
   const { a, b } = lattice
   const area = Math.abs(a[0] * b[1] - a[1] * b[0])
-  // The discs begin with two fifths of the box.
+  // At the start, the discs cover two fifths of the box.
   let radius = Math.sqrt((0.4 * area) / (Math.PI * (count / 2) * (1 + ratio ** 2)))
   let growth = GROWTH
   let waiting = 0
@@ -41,13 +41,13 @@ export function pack(library, lattice, count, ratio, random) {
       radius *= growth
       waiting = 0
     } else if (++waiting === PATIENCE) {
-      // No room is left for so much: back, and on in smaller steps.
+      // There is no room for this growth, so undo it and continue with smaller steps.
       radius /= growth
       growth = 1 + (growth - 1) / 2
       waiting = 0
     }
   }
-  // The rest of the overlaps goes.
+  // Remove the remaining overlaps.
   resize()
   const { gaps } = library.computePeriodic(circles, lattice).contacts()
   radius += Math.min(0, ...gaps) / 2
@@ -55,7 +55,7 @@ export function pack(library, lattice, count, ratio, random) {
   return library.computePeriodic(circles, lattice)
 }
 
-/** Moves discs that overlap apart, and returns the largest overlap. */
+/** Moves overlapping discs apart and returns the largest overlap. */
 function separate(circles, { a, b }, periodic) {
   const { contacts, gaps } = periodic.contacts()
   gaps.forEach((gap, k) => {
@@ -72,7 +72,7 @@ function separate(circles, { a, b }, periodic) {
   return -Math.min(0, ...gaps)
 }
 
-/** The pairs of discs that touch, each once: two discs, and the shift of the second. */
+/** Returns each pair of touching discs once: two discs, and the shift of the second. */
 export function touching(periodic) {
   const { contacts, gaps } = periodic.contacts()
   const { circles } = periodic.diagram

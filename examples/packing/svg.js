@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A packing as the text of an SVG: cells, darker where discs fill more of them, discs, and lines between discs that touch.
+// Returns a packing as the text of an SVG, with cells, discs, and lines between touching discs. A cell is darker if its
+// disc fills more of it.
 import { touching } from './packing.js'
 
-/** `width`: of the picture, in pixels. */
+/** `width` is the width of the picture in pixels. */
 export function svgOf(periodic, width) {
   const { diagram, circleCount, lattice } = periodic
   const { circles } = diagram

@@ -5,14 +5,14 @@
     tiles.py CIRCLES.csv FOLDER --size 1000 --halo 30
     tiles.py CIRCLES.csv FOLDER --size 1000 --halo 30 --scheduler tcp://node1:8786
 
-The circles are cut into tiles (FOLDER/0/tiles), and each is computed by a worker: a process on this machine, or one of a
-Dask cluster whose machines share the folder. The final parts of a tile are in FOLDER/0/parts. The circles that are left, at
-the rim of the whole and of holes wider than the halo, and huge ones, go on with their neighbors to the next level
-(FOLDER/1): in wider tiles as long as there are more than --most of them, at last in one. FOLDER/*/parts together are the
-diagram, each line once.
+The program cuts the circles into tiles (FOLDER/0/tiles). A worker computes each tile: a process on this machine, or on a
+Dask cluster whose machines share the folder. The final parts of a tile are written to FOLDER/0/parts. Some circles are not
+final yet: huge circles, and circles at the rim of the whole or of holes wider than the halo. They go on to the next level
+(FOLDER/1) together with their neighbors. Tiles of the next level are wider; once at most --most circles are left, there is
+only one tile. FOLDER/*/parts together are the diagram, each line once.
 
-A tile that fails, or whose worker is killed, is tried again. Run again after an interruption, it goes on where it was: a
-part is there as a whole or not at all.
+A failed tile is tried again, also if its worker was killed. After an interruption, run the same command again: it skips
+the finished tiles, because parts are only ever written as a whole.
 """
 
 import argparse
@@ -38,7 +38,7 @@ def run(*command):
 
 
 def cut(program, circles, level, size, halo):
-    """The tiles of a level; they are all there if their list is."""
+    """Returns the tiles of a level, and cuts them first unless their list exists, which is written last."""
     tiles = level / "tiles"
     if not (tiles / "tiles.txt").exists():
         shutil.rmtree(tiles, ignore_errors=True)
@@ -47,13 +47,13 @@ def cut(program, circles, level, size, halo):
 
 
 def compute(program, circles, part, left, core, known, options):
-    """Writes what is final in the core, and before that the circles that are left."""
+    """Writes the final parts of the core, after writing the circles that are not final."""
     to_left = ["--open", left] if left else []
     run(program, "compute", circles, f"--known={known}", f"--core={core}", "--max-radius=0", *to_left, "-o", part, *options)
 
 
 def compute_tiles(client, level, tiles, task, ending):
-    """Computes those tiles of a level that are not done, and shows how many are."""
+    """Computes the unfinished tiles of a level, and shows the number of finished tiles."""
     for folder in ("open", "parts"):
         (level / folder).mkdir(exist_ok=True)
     begin, done = time.time(), 0
@@ -74,23 +74,23 @@ def compute_tiles(client, level, tiles, task, ending):
 
 
 def keep_only(folder, names):
-    """Removes what programs that were killed had begun to write beside the files that are wanted."""
+    """Removes all other files, which killed programs left incomplete."""
     for file in folder.iterdir():
         if file.name not in names:
             file.unlink(missing_ok=True)
 
 
 def show(done, tiles, begin):
-    isOver = done == tiles
-    if isOver or sys.stderr.isatty():
+    is_over = done == tiles
+    if is_over or sys.stderr.isatty():
         bar = "#" * (30 * done // tiles)
-        print(f"\r[{bar:30}] {done} of {tiles} tiles, {time.time() - begin:.0f} s", end="\n" if isOver else "", file=sys.stderr)
+        print(f"\r[{bar:30}] {done} of {tiles} tiles, {time.time() - begin:.0f} s", end="\n" if is_over else "", file=sys.stderr)
 
 
 def gather(level, tiles, circles):
-    """Writes the circles that the tiles of a level leave, and returns how many there are.
+    """Writes the circles that are not final after a level, and returns their number.
 
-    Reads the files of the tiles alone: a program that was killed may have left a file it had begun beside them.
+    It reads only the files of the tiles, because killed programs may have left incomplete files beside them.
     """
     count = 0
     circles.parent.mkdir(exist_ok=True)
@@ -109,12 +109,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("circles", help="a table with the columns x, y, r and perhaps id")
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--size", type=float, required=True, help="the side of a tile: a million circles or so in each")
-    parser.add_argument("--halo", type=float, required=True, help="some ten times the distance of neighbors")
-    parser.add_argument("--most", type=int, default=5_000_000, help="circles that one process may have at last")
-    parser.add_argument("--bounds", help="write cells clipped to it, as lines of GeoJSON, not vertices and edges as CSV")
+    parser.add_argument("--size", type=float, required=True, help="the side of a tile, with about a million circles in each tile")
+    parser.add_argument("--halo", type=float, required=True, help="about ten times the distance between neighbors")
+    parser.add_argument("--most", type=int, default=5_000_000, help="the largest number of circles in the last tile")
+    parser.add_argument("--bounds", help="write cells clipped to this box as lines of GeoJSON, instead of vertices and edges as CSV")
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes on this machine")
-    parser.add_argument("--scheduler", help="the address of a cluster of Dask, in place of these")
+    parser.add_argument("--scheduler", help="the address of a Dask cluster to use instead")
     parser.add_argument("--program", default="circle-voronoi")
     arguments = parser.parse_args()
     program, folder = arguments.program, arguments.folder.resolve()
@@ -142,7 +142,7 @@ def main():
         keep_only(level / "parts", [part.name])
     if cluster:
         cluster.close()
-    print(f"{folder}/*/parts: done; {left} circles in the last.", file=sys.stderr)
+    print(f"{folder}/*/parts: done; {left} circles in the last tile.", file=sys.stderr)
 
 
 if __name__ == "__main__":

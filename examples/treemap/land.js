@@ -49,7 +49,7 @@ export const LAND = {
   })),
 }
 
-/** A disc, as a ring of points. */
+/** Returns a disc as a ring of points. */
 export function disc({ x, y, r }, corners = 180) {
   const angles = Array.from({ length: corners }, (_, k) => (2 * Math.PI * k) / corners)
   return angles.map((angle) => [x + r * Math.cos(angle), y + r * Math.sin(angle)])

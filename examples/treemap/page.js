@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A treemap in a page
-// Click a cell, or reach it with the tab key, to make it grow. Shift makes it shrink.
+// A treemap in a page Click a cell, or reach it with the tab key, to make it grow. Shift makes it shrink.
 import { loadRegions } from '../../dist/lib/regions.js'
 import { disc, LAND } from './land.js'
 import { svgOf } from './svg.js'

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A treemap as the text of an SVG: groups have colors, names are as large as their cells.
+// Returns a treemap as the text of an SVG. Groups have colors, and names grow with their cells.
 
 const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#b9c4cf', '#a99bd0', '#e39a6f']
-/** Relative to the root of a cell's area, so that a name of average length fits. */
+/** The size of names, relative to the square root of a cell's area. A name of average length fits. */
 const SIZE_OF_NAMES = 1.3
 
 /** `size` is the width and height of the picture. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A treemap of cells
-// The cell of each group is the region of its parts, so every cell is as large as its number, at each level.
+// A treemap of cells The cell of each group is the region of its parts, so every cell is as large as its number, at
+// each level.
 
 /** Number of times that points move to the centroids of their cells, which makes cells rounder. */
 const RELAX = 20
@@ -8,9 +8,9 @@ const RELAX = 20
 const TOLERANCE = 0.002
 
 /**
- * Returns the cells of a tree: `{ name, children }` with numbers as the `value` of leaves. Each cell has its `name`, the
- * `names` of its groups from the outermost to its own, its `value`, its `path` for SVG and its `area`. Groups come before their
- * parts. `regions` is what `loadRegions` loads; `shape` is the region of the whole tree.
+ * Returns the cells of a tree: `{ name, children }` with numbers as the `value` of leaves. Each cell has its `name`,
+ * the `names` of its groups from the outermost to its own, its `value`, its `path` for SVG and its `area`. Groups come
+ * before their parts. `regions` is the result of `loadRegions`; `shape` is the region of the whole tree.
  */
 export function treemap(regions, tree, shape) {
   const cells = []
@@ -48,11 +48,11 @@ function addParts(regions, { children }, shape, names, cells) {
   })
 }
 
-/** Points spread evenly over a region, the same each time. */
+/** Returns points spread evenly over a region. They are the same each time. */
 function pointsIn(shape, count) {
   const { minX, minY, maxX, maxY } = shape.box
   const points = []
-  // The golden ratio's counterpart in the plane.
+  // The plastic number, the counterpart of the golden ratio in the plane.
   for (let k = 1; points.length < count; k++) {
     const x = minX + (maxX - minX) * ((0.754877666 * k) % 1)
     const y = minY + (maxY - minY) * ((0.569840291 * k) % 1)

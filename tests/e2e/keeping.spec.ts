@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Links, the state after a reload or in the next tab, and openings that lose nothing.
 
-import { packed } from '../../web/lib/base/compressed-text.ts'
+import { compressText } from '../../web/lib/base/compressed-text.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { soon } from '../soon.ts'
 import { got, heldBack } from './held-back.ts'
@@ -125,7 +125,7 @@ test('choosing another data set throws no edits away', async ({ app }) => {
 
 test('a link that is wrong shows an error, and the page works', async ({ app }) => {
   // encodeLink refuses such circles, so the link is packed by hand.
-  const invalid = `v1.${await packed(JSON.stringify({ circles: [0, 0, -1], view: [1e300, 0, 1e-300] }))}`
+  const invalid = `v1.${await compressText(JSON.stringify({ circles: [0, 0, -1], view: [1e300, 0, 1e-300] }))}`
   for (const [what, link, says] of [
     ['damaged', 'v1.AAAA', /cannot be read/],
     ['from a later version', 'v9.AAAA', /version 9/],

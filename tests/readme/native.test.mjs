@@ -127,7 +127,7 @@ describe('Use it from C++', () => {
     below('Use it from C++')
       .filter(({ headings, language }) => headings.includes(heading) && language === name)
       .map(({ code }) => code)
-  const source = blocksOf('Options, errors, progress and cancelling', 'cpp')[0]
+  const source = blocksOf('Options, errors, progress and canceling', 'cpp')[0]
   const [installed, fetched] = blocksOf('Use it in your project', 'cmake')
   /** A project in a folder of its own. */
   const write = (name, lists) => {

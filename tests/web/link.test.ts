@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
-import { packed } from '../../web/lib/base/compressed-text.ts'
+import { compressText } from '../../web/lib/base/compressed-text.ts'
 import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import {
   type Check,
@@ -173,7 +173,8 @@ describe('a link', () => {
   })
 })
 
-const said = async (value: unknown) => `v1.${await packed(typeof value === 'string' ? value : JSON.stringify(value))}`
+const said = async (value: unknown) =>
+  `v1.${await compressText(typeof value === 'string' ? value : JSON.stringify(value))}`
 const nested = (depth: number): unknown => (depth === 0 ? 1 : [nested(depth - 1)])
 
 describe('what is no link', () => {

@@ -81,6 +81,8 @@ describe('the steps of a trace', () => {
     expect(told).toContain('The Delaunay graph of the centers has 3 edges.')
     expect(told).toContain('The smallest disc in the list lies between circles 0 and 1, with radius 2.')
     expect(told).toContain('The disc of circles 0 and 1 is empty: directed edges 0→1 and 1→0 are placed.')
+    expect(ENGLISH_PLAYER.place(0, 1, [4])).toMatch(/is empty, because circle 4 does not reach into it: directed/)
+    expect(ENGLISH_PLAYER.place(0, 1, [4, 5])).toContain('because circles 4 and 5 do not reach into it')
     expect(
       told.some((text) => /is empty: its center \(3, 4\) is a vertex, at distance 4 from all three/.test(text)),
     ).toBe(true)

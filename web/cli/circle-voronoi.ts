@@ -9,7 +9,7 @@ import { ProgressLine } from './progress-line.ts'
 import type { Start, Told } from './thread-messages.ts'
 
 const [command, ...rest] = process.argv.slice(2)
-// The only command outside the core: it draws like the page.
+// The only command outside the core, because it uses the page's drawing code.
 if (command === 'picture') {
   const { picture } = await import(new URL('../picture/command.js', import.meta.url).href)
   process.exitCode = await picture(rest, fileURLToPath(import.meta.url))

@@ -7,8 +7,8 @@ export interface Start {
 }
 
 /**
- * The messages of the thread: the incomplete output file, or none; the start of the progress line and its delay in
- * milliseconds; the stage, and the percentage done if known; the end of the line.
+ * The messages of the thread: the incomplete output file, if any; the start of the progress line, with its delay in
+ * milliseconds; the stage and, if known, the percentage; the end of the line.
  */
 export type Told =
   | { readonly made: string | undefined }

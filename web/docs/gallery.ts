@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Runs examples in the page on request, each in the place of its picture. */
+/** Runs examples in the page on request. Each replaces its picture. */
 export function runExamples(page: Document): void {
   for (const figure of page.querySelectorAll<HTMLElement>('figure.example')) {
     const button = figure.querySelector('button') as HTMLButtonElement

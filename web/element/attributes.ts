@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parsers of attributes that hold more than a word.
+// Parsers of attributes that hold more than one word.
 import { reasonOf } from '../lib/base/errors.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
 import type { Lattice } from '../lib/index.ts'

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * `<circle-voronoi>` in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do not use it with
- * bundlers: its thread would not find their output.
+ * `<circle-voronoi>` in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do not use
+ * it with bundlers: its thread would not find their output.
  */
-// First, because it brings Emscripten's scripts, which are compressed to a third if they follow one another.
+// Imported first, because it contains Emscripten's scripts. Next to one another, they compress to a third of their
+// size.
 import '../view/painter/other-modules.ts'
 import { answerViews } from '../view/painter/painter-thread.ts'
 import { THREAD_NAME } from '../view/painter-file.ts'

@@ -69,7 +69,7 @@ export interface FigureState {
   readonly areas?: Areas | undefined
 }
 
-/** The events of an element, by name. All of them bubble and leave shadow roots. */
+/** The events of an element, by name. All events bubble and leave shadow roots. */
 export interface CircleVoronoiEventMap {
   /** Circles were set, moved, added or deleted. `circles` has x, y and r of each; `ids` has the id of each. */
   circleschange: CustomEvent<{ readonly circles: Float64s; readonly ids: Int32Array }>
@@ -92,7 +92,7 @@ export interface CircleVoronoiEventMap {
 /** With more circles, no drawing for print is kept, because each edit would take long. */
 const MOST_DRAWN = 5000
 
-/** Node has no `HTMLElement`, so that importing this module there needs a substitute. */
+/** A substitute for `HTMLElement` in Node, where this module can be imported but not used. */
 const Base: typeof HTMLElement = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement)
 
 const ATTRIBUTES = [
@@ -130,9 +130,9 @@ const ATTRIBUTES = [
  * @cssState met - The circles meet the check.
  * @cssprop {<color>} --circle-voronoi-paper - The background.
  * @cssprop {<color>} --circle-voronoi-edge - Edges and vertices of the diagram.
- * @cssprop {<color>} --circle-voronoi-rim - Rims of circles, which have none by default.
+ * @cssprop {<color>} --circle-voronoi-rim - Rims of circles. By default, rims are not drawn.
  * @cssprop {<color>} --circle-voronoi-hidden - Circles that others contain.
- * @cssprop {<color>} --circle-voronoi-accent - What is hovered, selected and focused.
+ * @cssprop {<color>} --circle-voronoi-accent - Hovered, selected and focused circles.
  * @cssprop {<color>} --circle-voronoi-selected-disc - The outline of the selected circle.
  * @cssprop {<color>} --circle-voronoi-selected-cell - The outline of the selected circle's cell.
  * @cssprop {<color>} --circle-voronoi-neighbor-cell - The outlines of the cells next to the selected circle's.
@@ -148,22 +148,25 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-sample-graph - The layer sample-graph.
  * @cssprop {<color>} --circle-voronoi-antipodal-discs - The layer antipodal-discs.
  * @cssprop {<color>} --circle-voronoi-directed-edges - The layer directed-edges.
- * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, where a page has it draw them.
+ * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, if the page draws
+ *   them.
  * @cssprop {<color>} --circle-voronoi-region - The border of the region.
- * @cssprop {<color>} --circle-voronoi-tint-0 - The ramp of colors for measures, such as cells=area, goes through six: the color of the smallest.
+ * @cssprop {<color>} --circle-voronoi-tint-0 - The first of the six colors for measures, such as cells=area: the color
+ *   of the smallest value.
  * @cssprop {<color>} --circle-voronoi-tint-1 - The second color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-2 - The third color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-3 - The fourth color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-4 - The fifth color of the ramp.
- * @cssprop {<color>} --circle-voronoi-tint-5 - The color of the largest.
+ * @cssprop {<color>} --circle-voronoi-tint-5 - The sixth color of the ramp: the color of the largest value.
  * @cssprop {<color>} --circle-voronoi-map-0 - One of six colors by which neighbors differ.
  * @cssprop {<color>} --circle-voronoi-map-1 - One of six colors by which neighbors differ.
  * @cssprop {<color>} --circle-voronoi-map-2 - One of six colors by which neighbors differ.
  * @cssprop {<color>} --circle-voronoi-map-3 - One of six colors by which neighbors differ.
  * @cssprop {<color>} --circle-voronoi-map-4 - One of six colors by which neighbors differ.
  * @cssprop {<color>} --circle-voronoi-map-5 - One of six colors by which neighbors differ.
- * @cssprop {<color>} --circle-voronoi-cell-opacity - A cell has the color of its circle, as weak as this color is transparent.
- * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The shape of the picture, where its height is not set.
+ * @cssprop {<color>} --circle-voronoi-cell-opacity - A color whose alpha value is the opacity of the circles' colors in
+ *   their cells.
+ * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The aspect ratio of the picture, if its height is not set.
  */
 export class CircleVoronoiElement extends Base {
   /** Tells the browser that the element can be part of a form. */
@@ -255,7 +258,7 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** Ends the figure, unless the element is only moved. Undo goes back to before in any case. */
+  /** Ends the figure, unless the element is only moved. The undo history is kept in both cases. */
   disconnectedCallback(): void {
     this.#stopWatching?.()
     this.#stopWaiting?.()
@@ -367,9 +370,9 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The x, y and r of each circle, as it is now. Set circles in any form that `compute` takes, or as text like the
-   * attribute: JSON (`[[x, y, r], ...]`, or objects with x, y and r), GeoJSON or CSV. `undefined` or `null` restores the
-   * circles of the attributes and children. Circles that cannot be shown cause an `error` event.
+   * The current x, y and r of each circle. Set circles in any form that `compute` takes, or as text like the attribute:
+   * JSON (`[[x, y, r], ...]`, or objects with x, y and r), GeoJSON or CSV. `undefined` or `null` restores the circles
+   * of the attributes and children. Circles that cannot be shown cause an `error` event.
    */
   get circles(): Float64s {
     if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.circles.circles()
@@ -382,8 +385,8 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * An alias of `circles`, by the name that form libraries use. Between two changes it is one object. Setting circles that are
-   * there already changes nothing, and `''` means "not set".
+   * An alias of `circles`, by the name that form libraries use. Between two changes it is one object. Setting the
+   * current circles again changes nothing, and `''` means "not set".
    */
   get value(): Float64s {
     if (this.#value?.change !== this.#changes) this.#value = { circles: this.circles, change: this.#changes }
@@ -449,9 +452,9 @@ export class CircleVoronoiElement extends Base {
 
   /**
    * The region to which cells are clipped: polygons with holes. Set GeoJSON (`Polygon`, `MultiPolygon`, `Feature`,
-   * `FeatureCollection`), a list of rings of points, or text like the attribute: GeoJSON, rings in JSON, well-known text
-   * (`POLYGON ((0 0, 9 0, 9 9, 0 9))`) or the address of such a file. `undefined` if there is none. Areas of cells are
-   * those inside. A region whose rings cross causes an `error` event, unless `dissolve` is set.
+   * `FeatureCollection`), a list of rings of points, or text like the attribute: GeoJSON, rings in JSON, well-known
+   * text (`POLYGON ((0 0, 9 0, 9 9, 0 9))`) or the address of such a file. `undefined` if there is none. Areas of cells
+   * are measured inside the region. A region whose rings cross causes an `error` event, unless `dissolve` is set.
    */
   get region(): RegionShape | undefined {
     const { scene, domain } = this.#figure?.editing ?? {}
@@ -478,10 +481,11 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The two periods with which the circles repeat: the sides of a box whose opposite sides are glued together, as
-   * `{ a: [ax, ay], b: [bx, by] }`. The attribute has the four numbers, separated by spaces. The figure shows the box with a
-   * corner at the origin, and dimmed images around it. A circle that is dragged out of the box comes in on the other side.
-   * A lattice takes no region. Periods that are parallel cause an `error` event. `undefined` if circles do not repeat.
+   * The two periods with which the circles repeat: the sides of a box whose opposite sides are glued together, as `{ a:
+   * [ax, ay], b: [bx, by] }`. The attribute has the four numbers, separated by spaces. The figure shows the box with a
+   * corner at the origin, and dimmed images around it. A circle that is dragged out of the box comes in on the other
+   * side. A lattice takes no region. Periods that are parallel cause an `error` event. `undefined` if circles do not
+   * repeat.
    */
   get lattice(): Lattice | undefined {
     const { scene, domain } = this.#figure?.editing ?? {}
@@ -501,10 +505,10 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The areas of the cells inside the region: `equal`, or a list of numbers above 0 in the order of the circles, which are
-   * scaled to the area of the region. The attribute has the same, separated by spaces. The radii of the circles
-   * become the weights with which each cell has its area, and circles are shown as points. The cells keep their areas
-   * while points are moved; an added circle gets the mean of the others. `undefined` if circles keep their radii.
+   * The areas of the cells inside the region: `equal`, or a list of numbers above 0 in the order of the circles, which
+   * are scaled to the area of the region. In the attribute, numbers are separated by spaces. The figure chooses the
+   * radii of the circles as weights that give each cell its area, and shows the circles as points. The cells keep their
+   * areas while points are moved; an added circle gets the mean of the others. `undefined` if circles keep their radii.
    */
   get areas(): Areas | undefined {
     const { scene, areas } = this.#figure?.editing ?? {}
@@ -530,7 +534,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   set step(step: number | undefined | null) {
-    // An attribute that is not there does not change.
+    // Removing a missing attribute causes no callback.
     if (!isSet(step) && !this.hasAttribute('step')) this.#play(undefined)
     else this.#reflect('step', step)
   }
@@ -723,10 +727,9 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * Restores a state, or opens a link. A state without circles leaves the circles as they are, and whatever else it does
-   * not name.
+   * Restores a state, or opens a link. Without circles, a state changes only the parts that it names.
    *
-   * @throws CircleVoronoiError if the state cannot be shown; the figure then stays as it is
+   * @throws CircleVoronoiError if the state cannot be shown. The figure then stays unchanged
    */
   async setState(state: LinkInput | string): Promise<void> {
     const said: LinkState =
@@ -1026,7 +1029,7 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** `undefined` if neither properties nor attributes give circles. */
+  /** Returns the circles of properties, attributes or children; `undefined` if there are none. */
   async #opened(signal: AbortSignal): Promise<OpenRequest | undefined> {
     if (this.#own !== undefined) return this.#own
     const text = this.getAttribute('circles')
@@ -1167,7 +1170,7 @@ export class CircleVoronoiElement extends Base {
     return ''
   }
 
-  /** The event gets a copy of the circles. */
+  /** Returns the detail of an event, with a copy of the circles. */
   #detail(): CircleVoronoiEventMap['circleschange']['detail'] {
     let circles: Float64s | undefined
     const ids = () => this.ids
@@ -1262,7 +1265,7 @@ const PARSERS = {
   view: parseView,
 }
 
-/** Frameworks remove a property by setting it to `undefined` or `null`. */
+/** Whether a property is set. Frameworks unset a property with `undefined` or `null`. */
 function isSet<Value>(value: Value | undefined | null): value is Value {
   return value !== undefined && value !== null
 }

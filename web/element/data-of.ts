@@ -12,7 +12,7 @@ import { type ElementRefusals, refuse } from './refusals.ts'
 
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
-/** Circles as they are opened. */
+/** Converts circles to a request to open them. */
 export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): OpenRequest {
   const { region, lattice, areas, attributes: _, names: __, ...others } = rest
   const attributes = attributesOfLink(rest, circles.length / 3)
@@ -21,7 +21,7 @@ export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dat
   return { circles, dataSet: '', isEdited: false, ...others, ...(attributes && { attributes }), domain }
 }
 
-/** Circles of a text, as they are opened. */
+/** Converts circles from a text to a request to open them. */
 export function openedText({ circles, columns }: TextCircles): OpenRequest {
   const request = opened(circles)
   return columns.length === 0 ? request : { ...request, attributes: { ...NO_ATTRIBUTES, columns } }
@@ -84,13 +84,13 @@ export async function regionFrom(text: string, base: string, signal: AbortSignal
   return readRegion(await response.text())
 }
 
-/** The circles between an element's tags, if there are any. */
+/** Returns the circles between an element's tags, if any. */
 export function circlesWithin(element: Element): TextCircles | undefined {
   const script = element.querySelector(':scope > script[type="application/json"]')
   if (script !== null) return readCircles(script.textContent ?? '')
   const table = element.querySelector('table') ?? tableAfter(element)
   if (table !== null) return circlesOfTable(table)
-  // A Markdown table that no program has converted.
+  // The content may be a Markdown table that was not converted to HTML.
   const text = Array.from(element.childNodes, (node) =>
     node.nodeType === Node.TEXT_NODE ? node.textContent : '',
   ).join('')
@@ -98,9 +98,9 @@ export function circlesWithin(element: Element): TextCircles | undefined {
 }
 
 /**
- * The table that an author has written between the tags. Some Markdown converters close the paragraph of the first tag
- * after it (`<p><circle-voronoi></p><table>...</table><p></circle-voronoi></p>`). A browser then closes the element
- * before the table, and leaves an empty paragraph behind it.
+ * Returns the table that an author has written between the tags. Some Markdown converters close the paragraph of the
+ * first tag after it (`<p><circle-voronoi></p><table>...</table><p></circle-voronoi></p>`). A browser then closes the
+ * element before the table, and leaves an empty paragraph behind it.
  */
 function tableAfter(element: Element): HTMLTableElement | null {
   const paragraph = element.parentElement

@@ -3,8 +3,9 @@ import type { LinkInput } from '../lib/link.ts'
 import type { FigureState } from './circle-voronoi-element.ts'
 
 /**
- * The message that `embed.html` posts to its parent when it is ready, and when its height, its circles or its check change.
- * Listen with `window.addEventListener('message', ...)`, and compare `event.source` with the `contentWindow` of the frame.
+ * The message that `embed.html` posts to its parent when it is ready, and when its height, its circles or its check
+ * change. Listen with `window.addEventListener('message', ...)`, and compare `event.source` with the `contentWindow` of
+ * the frame.
  */
 export interface FrameMessage {
   readonly type: 'circle-voronoi'
@@ -24,8 +25,8 @@ export interface FrameMessage {
 export interface FrameRequest {
   readonly type: 'circle-voronoi'
   /**
-   * A state, or a link as text. A state without circles leaves the circles as they are, and whatever else it does not name.
-   * Without a state, everything stays as it is.
+   * A state, or a link as text. Without circles, a state changes only the parts that it names. A message without a
+   * state changes nothing.
    */
   readonly state?: LinkInput | string | undefined
 }

@@ -10,8 +10,8 @@ import type { Layers } from '../view/layers.ts'
 import type { CircleVoronoiEventMap } from './circle-voronoi-element.ts'
 
 /**
- * The properties of `<circle-voronoi>` in JSX and in templates. `undefined` and `null` mean "not set", and a string is read
- * like the attribute.
+ * The properties of `<circle-voronoi>` in JSX and in templates. `undefined` and `null` mean "not set", and a string is
+ * read like the attribute.
  *
  * @category Element
  */

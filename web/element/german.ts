@@ -173,6 +173,8 @@ const plural = (count: number, one: string, many: string) => `${count} ${count =
 const list = (items: readonly (number | string)[]) => listed(items.map(String), 'und')
 const circles = (ids: readonly number[]) => (ids.length === 1 ? `Kreis ${ids[0]}` : `die Kreise ${list(ids)}`)
 const ofCircles = (ids: readonly number[]) => (ids.length === 1 ? `von Kreis ${ids[0]}` : `der Kreise ${list(ids)}`)
+const becauseOutside = (ids: readonly number[]) =>
+  ids.length === 0 ? '' : `, denn ${circles(ids)} ${ids.length === 1 ? 'ragt' : 'ragen'} nicht hinein`
 
 const PLAYER: PlayerWords = {
   lang: 'de',
@@ -269,7 +271,7 @@ const PLAYER: PlayerWords = {
     `Ein Fußpunkt der Scheibe ${ofCircles(ids)} liegt, wo schon eine andere Grenze entlanglief: Sie wird verworfen.`,
   notEmpty: (a, b, c) => `Kreis ${c} ragt in die Scheibe der Kreise ${a} und ${b}: Sie wird verworfen.`,
   place: (a, b, tested) =>
-    `Die Scheibe der Kreise ${a} und ${b} ist leer: Die gerichteten Kanten ${a}→${b} und ${b}→${a} werden gesetzt.${tested.length > 0 ? ` Sie überlappt ${circles(tested)} nicht.` : ''}`,
+    `Die Scheibe der Kreise ${a} und ${b} ist leer${becauseOutside(tested)}: Die gerichteten Kanten ${a}→${b} und ${b}→${a} werden gesetzt.`,
   form: (discs) =>
     `${plural(discs.length, 'Dreiberührscheibe kommt', 'Dreiberührscheiben kommen')} in die Liste: ${discs.join(', ')}.`,
   disc: (name, radius) => `${name} (Radius ${radius})`,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces web/view/painter/other-modules.ts in the element. The scripts of the modules are imported statically: Vite up
-// to 7 cannot split the code of a worker, and a script that is opened from a disk can import nothing. They are imported
-// first and together, because they are alike and so compressed to a third.
+// Replaces web/view/painter/other-modules.ts in the element. The scripts of the modules are imported statically: Vite
+// up to 7 cannot split the code of a worker, and a script that is opened from a disk can import nothing. They are
+// imported first and together: similar scripts next to one another compress to a third of their size.
 import '../lib/generated/circle-voronoi.js'
 import '../lib/generated/circle-voronoi-comparison.js'
 import '../lib/generated/circle-voronoi-regions.js'

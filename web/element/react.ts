@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * `<circle-voronoi>` as a component of React 18 and 19, also where pages are rendered on a server. React itself sets properties that
- * are objects, and adds listeners, only to elements that it has created in the browser.
+ * `<circle-voronoi>` as a component of React 18 and 19, also for pages rendered on a server. React itself sets object
+ * properties and adds listeners only on elements that it creates in the browser.
  *
  * @module circle-voronoi/react
  */
@@ -39,7 +39,8 @@ type Listener<Name extends keyof CircleVoronoiEventMap> =
 type Listeners = { [Name in keyof typeof LISTENERS]?: Listener<(typeof LISTENERS)[Name]> }
 
 /**
- * The properties of `CircleVoronoi`: those of the element, a listener for each of its events, and what any element has.
+ * The properties of `CircleVoronoi`: the element's properties, a listener for each of its events, and the common
+ * attributes of HTML elements.
  *
  * @category Element
  */
@@ -91,7 +92,7 @@ export const CircleVoronoi: ForwardRefExoticComponent<
     const figure = element.current as unknown as Record<string, unknown>
     const next = objectsOf(props)
     for (const name of Object.keys(objects.current)) {
-      // React has already set the attribute of a property that is a text now.
+      // If the new value is text, React has already set the attribute.
       if (!Object.hasOwn(next, name)) figure[name] = (props as Record<string, unknown>)[name]
     }
     for (const [name, value] of Object.entries(next)) if (objects.current[name] !== value) figure[name] = value

@@ -14,8 +14,8 @@ import { parseJson } from './attributes.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
 /**
- * Circles of a text: JSON (`[[x, y, r], ...]`, objects, or an object with `circles`), GeoJSON points, or CSV. Numbers and
- * columns are those that `readCircles` of `circle-voronoi/files` reads, to the bit.
+ * Reads circles from a text: JSON (`[[x, y, r], ...]`, objects, or an object with `circles`), GeoJSON points, or CSV.
+ * The numbers and columns equal the result of `readCircles` of `circle-voronoi/files`, bit for bit.
  *
  * @throws CircleVoronoiError `badInput`
  */
@@ -62,7 +62,7 @@ function circlesOfCells(
   }))
   const fieldsOf = (line: number) => rows.find((row) => row.line === line)?.fields.map((text) => text.trim()) ?? []
   const circles = saying(
-    // Cells are separate already, so that commas are decimal marks.
+    // The cells are already separated, so commas are decimal marks.
     () => circlesOfRows(cells, ';'),
     (words, line) => words.notThree(place(words, line), fieldsOf(line).join(' ')),
   )

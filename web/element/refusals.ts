@@ -14,7 +14,7 @@ export interface ElementRefusals extends Refusals {
   readonly sharesOrEqual: string
   readonly selection: string
   readonly listOfIds: string
-  /** Some of these words may be given, or all. */
+  /** Lists the allowed words, of which any number may be given. */
   someOf(words: readonly string[]): string
   notJson(what: string, reason: string): string
   readonly view: string

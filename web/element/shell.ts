@@ -39,7 +39,7 @@ export class Shell {
     this.#about.id = 'about'
     this.#keys.id = 'keys'
     this.figure.setAttribute('part', 'figure')
-    // The figure handles keys itself, so that screen readers must pass them on.
+    // The figure handles keys itself, so screen readers must pass them on.
     this.figure.role = 'application'
     this.figure.setAttribute('aria-describedby', 'about keys')
     this.controls.setAttribute('part', 'controls')
@@ -61,7 +61,7 @@ export class Shell {
     this.frame.append(this.figure, this.paper, this.#fallback, this.#hint, this.#problem)
     this.picture.append(this.frame, this.controls)
     // The probe's colors have transitions, whose events report changes of custom properties and of the color scheme.
-    // Nothing else reports these.
+    // Browsers report these changes in no other way.
     const probe = make('span', 'probe')
     probe.addEventListener('transitionrun', () => this.onrestyle())
     const stage = make('div', 'stage')

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** The position of an element relative to the window: `near`, or so `far` that it needs no pixels. */
+/** The position of an element relative to the window. `far` elements need no pixels. */
 export type Visibility = 'near' | 'far'
 
-/** Distances in heights of the window. Between them the state stays as it is. */
+/** Distances as multiples of the window's height. Between the two, the state does not change. */
 const NEAR = '25%'
 const FAR = '150%'
 
@@ -11,7 +11,8 @@ const listeners = new WeakMap<Element, (sight: Visibility) => void>()
 let observers: readonly IntersectionObserver[] | undefined
 
 /**
- * Reports when an element comes near or goes far. Returns a function that stops this. All elements share two observers.
+ * Reports when an element comes near or goes far. Returns a function that stops the reports. All elements share two
+ * observers.
  */
 export function watchVisibility(element: Element, tell: (sight: Visibility) => void): () => void {
   observers ??= [observer(NEAR, true, 'near'), observer(FAR, false, 'far')]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of one figure, with the title and the question that its link has. `embed.ts` shows it in a frame, `course.ts` in a course.
+// A page of one figure, with the title and the question of its link. `embed.ts` shows it in a frame, `course.ts` in a
+// course.
 import type { CircleVoronoiElement } from '../element/circle-voronoi-element.ts'
 import type { FrameMessage, FrameRequest } from '../element/frame-types.ts'
 import {
@@ -78,14 +79,17 @@ export class Frame {
     problem.hidden = this.#error === undefined
   }
 
-  /** Shows the state of a request. A state without circles leaves whatever it does not name; without a state, all stays. */
+  /**
+   * Shows the state of a request. Without circles, a state changes only the parts that it names; without a state,
+   * nothing changes.
+   */
   async request({ state }: Partial<FrameRequest>): Promise<void> {
     if (state === undefined) return this.#tellSoon()
     // Encoding checks all fields of a state that another page has sent.
     await this.#show(() => decodeLink(typeof state === 'string' ? state.replace(/^.*#/, '') : encodeLinkAtOnce(state)))
   }
 
-  /** Shows circles of an earlier session, as if the reader had edited those of the link. */
+  /** Shows circles of an earlier session, as if the reader had edited the circles of the link. */
   restore(circles: Float64Array): void {
     this.#figure.circles = circles
   }
@@ -108,7 +112,7 @@ export class Frame {
       if (turn !== this.#turn) return
       const { circles, step } = loaded
       const isWhole = circles !== undefined
-      // A check must not name circles that are not there yet.
+      // A check must not name circles that do not exist yet.
       if (isWhole || loaded.check !== undefined) this.#figure.check = undefined
       if (isWhole || step !== undefined) this.#figure.controls = step === undefined ? '' : 'player'
       this.#texts = isWhole ? frameOf(loaded) : { ...this.#texts, ...frameOf(loaded) }
@@ -164,7 +168,7 @@ export class Frame {
     if (this.#naturalHeight() !== this.#height) this.#tell()
   }
 
-  /** Whether all circles are visible, which they stay while the size changes. */
+  /** Whether all circles are visible. They then stay visible while the size changes. */
   get #isFitted(): boolean {
     return this.#isShown && this.#view === undefined
   }
@@ -209,7 +213,7 @@ export class Frame {
     this.#part('texts').classList.toggle('visually-hidden', title === '' && question === '' && !this.#isAsked)
     const open = this.#part('open')
     open.textContent = words.open
-    // A reader who has to answer here does not leave for another page.
+    // The link to the playground is hidden while the reader has a question to answer.
     open.hidden = this.#isAsked
     if (this.#figure.readonly !== readonly) this.#figure.readonly = readonly
     if (this.#figure.alt !== alt) this.#figure.alt = alt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports to a learning management system by SCORM 1.2 (Run-Time Environment, ADL, 2001): the status of the lesson, the score,
-// the time, and the circles, so that a reader goes on where they were.
+// Reports to a learning management system by SCORM 1.2 (Run-Time Environment, ADL, 2001): the status of the lesson, the
+// score, the time, and the circles, so that a reader can resume.
 import type { FrameMessage } from '../element/frame-types.ts'
 import { encodeLink } from '../lib/link.ts'
 
@@ -13,7 +13,7 @@ export interface ScormApi {
   LMSFinish(empty: ''): string
 }
 
-/** Limits the search for the interface, as frames may be nested in a cycle. */
+/** The largest number of windows to search for the interface, because frames may be nested in a cycle. */
 const MOST_PARENTS = 500
 /** The maximum length of `cmi.suspend_data`, in characters. */
 const MOST_SUSPENDED = 4096
@@ -34,7 +34,7 @@ function apiAround(start: Window): ScormApi | undefined {
   return undefined
 }
 
-/** A window of another origin throws. */
+/** Returns the interface of a window, if any. A window of another origin throws. */
 function apiOf(window: Window): ScormApi | undefined {
   try {
     return (window as Window & { API?: ScormApi }).API ?? undefined

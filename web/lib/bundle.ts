@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The library and its worker in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do not use
- * it with bundlers: its worker would not find their output.
+ * The library and its worker in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do
+ * not use it with bundlers: its worker would not find their output.
  */
-// First, because Emscripten's scripts are compressed to a third if they follow one another.
+// Emscripten's scripts come first: next to one another, they compress to a third of their size.
 import './generated/circle-voronoi.js'
 import './generated/circle-voronoi-comparison.js'
 import './generated/circle-voronoi-regions.js'
@@ -16,7 +16,7 @@ export * from './link.ts'
 export * from './regions.ts'
 export * from './worker.ts'
 
-// The same file is what its workers run.
+// The workers run the same file.
 const nodeThread = globalThis.process?.getBuiltinModule?.('node:worker_threads')
 const name: unknown = nodeThread === undefined ? Object(globalThis).name : nodeThread.workerData
 if (name === THREAD_NAME) answerRequests()

@@ -85,12 +85,12 @@ export interface CircleFile {
   /** x, y and r of each circle. */
   readonly circles: Float64s
   readonly attributes: CircleAttributes
-  /** The rows and features that were skipped, with `skipInvalid`: the index of each in the file, and why. */
+  /** The rows and features that `skipInvalid` skipped: the index of each in the file, and the reason. */
   readonly skipped: readonly { readonly index: number; readonly message: string }[]
 }
 
 /**
- * A diagram and what its file says about its circles.
+ * A diagram and the attributes of its circles.
  *
  * @category Files
  */
@@ -115,8 +115,7 @@ export interface DiagramFileOptions {
   readonly bounds?: Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | undefined
   /**
    * The region to clip to, in place of bounds. A cell without a part in the region is a feature without a geometry.
-   * Cells at
-   * the boundary keep all their digits.
+   * Cells at the boundary keep all their digits.
    */
   readonly region?: Region | undefined
   /** The distance from their circles at which cells and edges are cut. Default: no limit. */
@@ -155,8 +154,7 @@ export interface ReadCirclesOptions extends ReadOptions {
   readonly points?: boolean | undefined
   /**
    * The column of a table, or the member of JSON objects, that has x. Columns are also called `#1`, `#2` and so on.
-   * Default: one
-   * of the usual names.
+   * Default: one of the usual names.
    */
   readonly x?: string | undefined
   /** The column or member that has y. Default: one of the usual names. */
@@ -166,8 +164,8 @@ export interface ReadCirclesOptions extends ReadOptions {
   /** The column, member or property that has the id. Default: `id`. */
   readonly id?: string | undefined
   /**
-   * Whether rows and features that are no circles are skipped rather than refused: those without a place or a radius,
-   * with a number that is not finite, or with another geometry than a point. Default: false.
+   * Whether rows and features that are not circles are skipped instead of refused. They have no place or no radius, a
+   * number that is not finite, or a geometry other than a point. Default: false.
    */
   readonly skipInvalid?: boolean | undefined
 }
@@ -182,8 +180,8 @@ export interface Files {
    * Reads circles from CSV (x, y, r, or columns found by name), JSON (`[[x, y, r], ...]` or objects) or GeoJSON points
    * with a property r, rad or radius, and returns x, y, r of each.
    *
-   * @throws CircleVoronoiError whose message begins with the file's name and the line: `badInput`, and what `compute`
-   *   would refuse
+   * @throws CircleVoronoiError whose message begins with the file's name and the line: `badInput`, and the codes of
+   *   `compute`
    */
   readCircles(text: string | Uint8Array, options?: ReadCirclesOptions): Float64s
   /**
@@ -213,10 +211,8 @@ export interface Files {
   /**
    * Writes a diagram and checks it again.
    *
-   * @throws CircleVoronoiError `notCertified`, if something is to be drawn of a diagram that is not right; `badOption`,
-   * also
-   *   if it is to be drawn of a power diagram, of which there is no proof; `badInput`, if arrays are not those of a
-   * diagram
+   * @throws CircleVoronoiError `notCertified`, if a format that draws gets a diagram that is not correct; `badOption`,
+   *   also if it gets a power diagram, which has no proof; `badInput`, if the arrays are not a diagram
    */
   writeDiagram(diagram: DiagramData, options?: DiagramFileOptions): string
 }
@@ -295,7 +291,7 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
   }
 }
 
-/** The options about columns, all of them given. */
+/** Returns the options about columns, with an empty text for each that is missing. */
 function columnsOf(options: ReadCirclesOptions) {
   const flag = (name: 'weights' | 'points' | 'skipInvalid'): boolean => {
     const value: unknown = options[name] ?? false
@@ -330,11 +326,11 @@ function attributesFrom({ properties, ids, heights, collection }: WasmAttributes
   }
 }
 
-/** The attributes of `count` circles as lines. They come from outside, so that each is checked. */
+/** Checks the attributes of `count` circles and returns them as lines. */
 function linesOf(attributes: CircleAttributes | undefined, count: number): WasmAttributes | undefined {
   if (attributes === undefined) return undefined
   const { properties = [], ids = [], heights = [], collection = '' }: Partial<CircleAttributes> = Object(attributes)
-  const members = (text: string) => (text === '' ? '' : oneLine(text).replace(/^ *\{|\} *$/g, ''))
+  const members = (text: string) => (text === '' ? '' : withoutLineEnds(text).replace(/^ *\{|\} *$/g, ''))
   const lines = (name: string, list: readonly string[], isRight: (value: unknown) => boolean) => {
     if (!Array.isArray(list)) refuseOption(`The ${name} of attributes are a list, not ${shown(list)}.`)
     if (list.length !== 0 && list.length !== count) {
@@ -349,26 +345,26 @@ function linesOf(attributes: CircleAttributes | undefined, count: number): WasmA
   return {
     properties: lines('properties', properties, isRecord).map(members).join('\n'),
     ids: lines('ids', ids, (value) => typeof value === 'string' || typeof value === 'number')
-      .map(oneLine)
+      .map(withoutLineEnds)
       .join('\n'),
-    heights: lines('heights', heights, Number.isFinite).map(oneLine).join('\n'),
+    heights: lines('heights', heights, Number.isFinite).map(withoutLineEnds).join('\n'),
     collection: members(foreignMembers(collection)),
   }
 }
 
-/** A collection without the members that the writers write themselves, and without the box of other features. */
+/** Returns a collection without the members that the writers add, and without `bbox`, which may not fit. */
 function foreignMembers(collection: string): string {
   const { type, features, bbox, ...others }: Record<string, unknown> = Object(parsed(collection))
   if (type === undefined && features === undefined && bbox === undefined) return collection
   return Object.keys(others).length === 0 ? '' : JSON.stringify(others)
 }
 
-/** Line ends stand between the values of JSON only. */
-function oneLine(json: string): string {
+/** Removes line ends, which JSON allows only between values. */
+function withoutLineEnds(json: string): string {
   return json.trim().replace(/[\r\n]/g, ' ')
 }
 
-/** The value of a text of JSON; `undefined` if it is none. */
+/** Parses JSON; `undefined` if the text is not valid. */
 function parsed(json: unknown): unknown {
   try {
     return JSON.parse(json as string)

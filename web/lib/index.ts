@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The Voronoi diagram of circles: `loadCircleVoronoi`, then `compute`, then the methods of `Diagram`. Functions that
- * few programs need are exported one by one. The examples use the `library` and the `diagram` of these two lines.
+ * The Voronoi diagram of circles. Call `loadCircleVoronoi`, then `compute`, then the methods of `Diagram`. Less common
+ * features are standalone functions. All examples begin with these two lines:
  *
  * ```js
  * const library = await loadCircleVoronoi()

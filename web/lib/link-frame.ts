@@ -24,7 +24,7 @@ export interface LinkFrame {
 
 const FRAME_FIELDS = ['title', 'question', 'check', 'readonly', 'alt', 'lang'] as const
 
-/** The fields of a state that are about the frame. */
+/** Returns the fields of a state that describe the frame. */
 export function frameOf(state: LinkFrame): LinkFrame {
   return Object.fromEntries(FRAME_FIELDS.flatMap((name) => (state[name] === undefined ? [] : [[name, state[name]]])))
 }

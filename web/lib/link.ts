@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The part after the `#` of a link to the page: circles or a data set, edits, and the view. It is compressed, and
- * whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
+ * The part after the `#` of a link to the page: circles or a data set, edits, and the view. It is compressed. Decoding
+ * any text gives a `LinkState` or a `CircleVoronoiError`.
  *
  * @module circle-voronoi/link
  */
 import { isRecord, refuseInput, shown } from './base/check.ts'
-import { packed, packedAtOnce, unpacked } from './base/compressed-text.ts'
+import { compressText, decompressText, storeText } from './base/compressed-text.ts'
 import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from './base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './base/coordinates.ts'
 import { CircleVoronoiError } from './base/errors.ts'
@@ -98,7 +98,7 @@ export interface LinkState extends LinkFrame {
    * chosen so that neighbors differ.
    */
   readonly colors?: string | undefined
-  /** The edits in order; ids are those of `DiagramEditor`. */
+  /** The edits in order, with the ids of `DiagramEditor`. */
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
   /** The settings of layers by name. */
@@ -107,11 +107,13 @@ export interface LinkState extends LinkFrame {
   readonly step?: number | undefined
   /** The method that is shown step by step, as in the option of `trace`. */
   readonly method?: string | undefined
-  /** The region to which cells are clipped. `null` for none, where the data set has one. */
+  /** The region to which cells are clipped. `null` removes the region of the data set.*/
   readonly region?: RegionShape | null | undefined
-  /** The periods with which the circles repeat. `null` for none. */
+  /** The periods with which the circles repeat. `null` means that they do not repeat. */
   readonly lattice?: Lattice | null | undefined
-  /** The areas of the cells: shares of the region, numbers above 0 for the circles in order, or `equal`. */
+  /**
+   * The areas of the cells: `equal`, or a number above 0 for each circle in order. The areas are proportional to them.
+   */
   readonly areas?: 'equal' | readonly number[] | undefined
 }
 
@@ -129,7 +131,7 @@ const LONGEST_NAME = 200
 const LONGEST_ATTRIBUTE = 10_000
 const LONGEST_QUESTION = 2000
 const DEEPEST_LAYER = 8
-/** A check has as many levels, each of which is an object and may have a list. */
+/** The largest nesting depth of a check. Each level is an object and may contain a list. */
 const DEEPEST_CHECK = 20
 const FIELDS = [
   'circles',
@@ -150,8 +152,8 @@ const FIELDS = [
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
  *
- * @throws CircleVoronoiError `badInput`, also for circles that `compute` would refuse; `linkTooLong`, if a state is beyond
- *   `LINK_LIMITS`; `notLoaded`, where there is no `CompressionStream`
+ * @throws CircleVoronoiError `badInput`, also for circles that `compute` refuses; `linkTooLong`, if a state exceeds
+ *   `LINK_LIMITS`; `notLoaded`, if `CompressionStream` does not exist
  *
  * @category Links
  * @example
@@ -162,13 +164,13 @@ const FIELDS = [
  * view // { x: 3, y: 4, span: 12 }
  */
 export async function encodeLink(state: LinkInput): Promise<string> {
-  return linkFrom(await packed(jsonOf(state)))
+  return linkFrom(await compressText(jsonOf(state)))
 }
 
 /**
  * Encodes a state immediately, for a page that is about to close. The text is not compressed and several times as long.
  *
- * @throws CircleVoronoiError as `encodeLink`, but for `notLoaded`
+ * @throws CircleVoronoiError as `encodeLink`, except `notLoaded`
  *
  * @category Links
  * @example
@@ -176,7 +178,7 @@ export async function encodeLink(state: LinkInput): Promise<string> {
  * circles // Float64Array(3) [ 0, 0, 1 ]
  */
 export function encodeLinkAtOnce(state: LinkInput): string {
-  return linkFrom(packedAtOnce(jsonOf(state)))
+  return linkFrom(storeText(jsonOf(state)))
 }
 
 function linkFrom(letters: string): string {
@@ -215,12 +217,12 @@ function jsonOf(state: LinkInput): string {
 }
 
 /**
- * Decodes the text of a link. Its circles, including those of its edits, are valid input for `compute`. Whether the
- * edits fit the circles is checked by an editor.
+ * Decodes the text of a link. The circles of the state and of its edits are valid input for `compute`. An editor checks
+ * whether the edits fit the circles.
  *
- * @param text what stands after the `#` of an address, with it or without
- * @throws CircleVoronoiError `badInput`; `linkTooLong`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is no
- *   `DecompressionStream`
+ * @param text the part of an address after the `#`, with or without the `#`
+ * @throws CircleVoronoiError `badInput`; `linkTooLong`, if the link exceeds `LINK_LIMITS`; `notLoaded`, if
+ *   `DecompressionStream` does not exist
  *
  * @category Links
  * @example
@@ -236,7 +238,7 @@ export async function decodeLink(text: string): Promise<LinkState> {
   if (`v${version}` !== VERSION) refuse(`it has version ${version}, and this library reads version ${VERSION.slice(1)}`)
   let said: unknown
   try {
-    const json = await unpacked(letters as string, LINK_LIMITS.bytes)
+    const json = await decompressText(letters as string, LINK_LIMITS.bytes)
     if (json === undefined) tooMuch()
     said = JSON.parse(json)
   } catch (error) {
@@ -318,7 +320,7 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
   '=': [4, true],
 }
 
-/** Why this is not `Said`. */
+/** Returns the reason why a value is not an `EncodedLink`, or `undefined` if it is. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it has no content'
   const { circles, names, attributes, colors, dataSet, edits, view, layers, step, method, region, lattice, areas } =
@@ -371,7 +373,7 @@ function problemOf(said: unknown): string | undefined {
   return isRight ? undefined : 'the layers are invalid'
 }
 
-/** Whether the conditions of a check make sense is for the element to say. */
+/** Returns the reason why the fields of a frame are invalid. The element judges the conditions of a check. */
 function problemOfFrame({ title, question, check, readonly, alt, lang }: Record<string, unknown>): string | undefined {
   for (const [name, text] of Object.entries({ title, alt, lang })) {
     if (text !== undefined && !isName(text)) return `the field ${name} is not a text of at most ${LONGEST_NAME} letters`
@@ -384,7 +386,7 @@ function problemOfFrame({ title, question, check, readonly, alt, lang }: Record<
   return isPlain ? undefined : 'the field check is invalid'
 }
 
-/** Whether it is made of rings of finite numbers. Their shape is not checked. */
+/** Whether a value consists of rings of finite numbers. The shape of the rings is not checked. */
 function isRegion(value: unknown): boolean {
   try {
     return ringArraysOf(value as RegionShape).points.every(Number.isFinite)
@@ -408,7 +410,7 @@ function areAttributes(value: unknown, count: number): boolean {
   )
 }
 
-/** Whether it is an empty text, or that of a value of JSON which is right. */
+/** Whether a text is empty, or is JSON whose value passes `isRight`. */
 function isJson(text: unknown, isRight: (value: unknown) => boolean): boolean {
   if (typeof text !== 'string' || text.length > LONGEST_ATTRIBUTE) return false
   try {
@@ -423,7 +425,8 @@ function isName(value: unknown): boolean {
 }
 
 /**
- * Says why `compute` would refuse the circle whose x, y and r begin at an index of a list, in the words of the core.
+ * Returns the core's reason for refusing the circle whose x, y and r begin at index `first`, or `undefined` if it is
+ * valid.
  */
 function problemOfCircle(numbers: readonly number[], first: number): string | undefined {
   const [x, y, r] = [numbers[first] as number, numbers[first + 1] as number, numbers[first + 2] as number]
@@ -444,7 +447,7 @@ function isLayer(value: unknown, depth: number, count: { left: number }): value 
   count.left -= 1
   if (depth === 0 || count.left < 0) tooMuch()
   if (Array.isArray(value)) return value.every((item) => isLayer(item, depth - 1, count))
-  // With a name like that, whoever copies it to another object would change what that one is.
+  // Copying a member of such a name to another object would change its prototype.
   if (isRecord(value)) {
     return Object.entries(value).every(([name, item]) => name !== '__proto__' && isLayer(item, depth - 1, count))
   }

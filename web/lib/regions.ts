@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Regions, to which diagrams are clipped, and fits of cells to given areas.
+ * Clips diagrams to regions, and fits cells to given areas.
  *
  * @module circle-voronoi/regions
  */

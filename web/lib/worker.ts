@@ -80,7 +80,8 @@ export interface WorkerMethods {
   /**
    * Creates an editor in a thread of its own, with the arguments of `edit` of the library.
    *
-   * @throws CircleVoronoiError as `edit`; a `DOMException` named AbortError if the worker is disposed of. Each as a rejection.
+   * @throws CircleVoronoiError as `edit`; a `DOMException` named AbortError if the worker is disposed of. Each as a
+   *   rejection.
    *
    * @example
    * ```js
@@ -128,7 +129,7 @@ export interface WorkerMethods {
 }
 
 /**
- * A worker that computes one diagram or fit after the other. `using` disposes of it.
+ * A worker that computes one diagram or fit after the other. `using` disposes of the worker.
  *
  * @category Workers
  */
@@ -150,13 +151,13 @@ export function createWorker(options: LoadOptions = {}): CircleVoronoiWorker {
   return new Client(options)
 }
 
-/** A computation that waits or runs. */
+/** A pending or running computation. */
 interface Job {
   readonly request: Request
-  /** The memory of the request, to be handed over instead of copied. */
+  /** The memory of the request, which is transferred instead of copied. */
   readonly transfer: ArrayBuffer[]
   readonly observer: Observer
-  /** Takes the last reply. */
+  /** Fulfills the promise with the last reply. */
   readonly resolve: (reply: Reply) => void
   readonly reject: (reason: unknown) => void
   readonly onAbort: () => void
@@ -171,7 +172,7 @@ interface Observer {
 /** The options of a computation, some of which find circles in data. */
 type ReadOptions<Datum> = AsyncOptions & Partial<Accessors<Datum>>
 
-/** The arrays that the region is made of again in the worker. */
+/** Returns the arrays from which the worker makes the region again. */
 function arraysOf({ points, ringOffsets, polygonOffsets }: Region): RingArrays {
   return { points, ringOffsets, polygonOffsets }
 }
@@ -180,7 +181,7 @@ class Client implements CircleVoronoiWorker {
   readonly #module: () => Promise<CompiledWasm>
   readonly #regionsModule = loadedOnce(() => compileWasm(undefined, defaultRegionsWasm))
   #thread: Thread | undefined
-  /** The first is the thread's, the others wait. */
+  /** The first job belongs to the thread; the others wait. */
   #jobs: Job[] = []
   /** The job that the thread has been given. */
   #running: Job | undefined
@@ -265,7 +266,7 @@ class Client implements CircleVoronoiWorker {
   dispose(): void {
     this.#isDisposed = true
     for (const editor of this.#editors) editor.dispose()
-    // From the last to the first, so that none of them begins.
+    // The last job is canceled first, so that no other job begins.
     for (const job of this.#jobs.toReversed()) this.#cancel(job, disposed())
     this.#stopThread()
   }
@@ -291,7 +292,7 @@ class Client implements CircleVoronoiWorker {
   #begin(job: Job): void {
     this.#module()
       .then((module) => {
-        // It may have been canceled meanwhile.
+        // The job may have been canceled in the meantime.
         if (this.#jobs[0] === job) this.#run(job, module)
       })
       .catch((error) => this.#settle(job, () => job.reject(error)))

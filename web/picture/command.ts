@@ -65,7 +65,7 @@ async function draw(args: readonly string[], program: string): Promise<void> {
     process.stdout.write(svg)
     return
   }
-  // Written to a temporary file first, so that an existing file is replaced only by a complete one.
+  // The picture is written to a temporary file first, so that only a complete file replaces an existing one.
   const made = `${output}.part${format}`
   try {
     if (format === '.svg') writeFileSync(made, svg)

@@ -59,7 +59,7 @@ function byBrowser(picture: Converted, format: 'png' | 'pdf', made: string, fold
           `--window-size=${Math.ceil(width)},${Math.ceil(height)}`,
           `--force-device-scale-factor=${scale}`,
         ]
-  // The sandbox protects from pages of others, which are not loaded here. In containers it often cannot start.
+  // The sandbox protects against foreign pages, which are not loaded here. In containers it often cannot start.
   const always = [
     '--headless',
     '--no-sandbox',

@@ -48,13 +48,13 @@ async function circlesOfFile(bytes: Uint8Array, text: string, name: string, prog
   return withAttributes(circles, attributes)
 }
 
-/** More circles than a link may have are drawn without their names. */
+/** Adds names to circles, unless there are more circles than a link may have. */
 function withAttributes(circles: Float64s, attributes: LinkAttributes): LinkInput {
   const isDrawn = circles.length / 3 <= LINK_LIMITS.circles && attributes.properties.length > 0
   return { circles, ...(isDrawn && { attributes }) }
 }
 
-/** A state with the circles of the data set that it names. */
+/** Returns a state with the circles of its data set. */
 async function withCircles(state: LinkState, address: string, program: string): Promise<LinkInput> {
   const { dataSet, ...rest } = state
   if (dataSet === undefined) return rest
@@ -86,7 +86,7 @@ function generated(program: string, family: string, count: number, seed: number)
   return execFileSync(process.execPath, args, { encoding: 'utf8', maxBuffer: PROGRAM_OUTPUT })
 }
 
-/** The playground serves its data sets next to its page. */
+/** Fetches a data set, which the playground serves next to its page. */
 async function fetched(dataSet: string, file: string, address: string): Promise<string> {
   if (!/^https?:/.test(address)) {
     refuse(`The link names the data set "${dataSet}" of the playground: pass its whole address, https://.../#v1...`)

@@ -44,11 +44,11 @@ const ROOM = { top: 16, right: 16, bottom: 16, left: 16 }
 const LONGEST_SIDE = 100_000
 
 /**
- * Draws a state, as an element or the playground shows it, and returns the text of an SVG. It is the text that `toSVG` of an
- * element of that size returns, byte for byte. Without a view, all circles are visible.
+ * Draws a state like an element or the playground, and returns the text of an SVG. An element of this size returns the
+ * same bytes from `toSVG`. Without a view, all circles are visible.
  *
- * @param state a state as `getState` returns it, or a link with circles as text. A link to a data set of the playground is
- *   not enough, because its circles are there
+ * @param state a state as `getState` returns it, or a link with circles as text. A link to a data set of the playground
+ *   does not work, because it contains no circles
  * @throws CircleVoronoiError as `decodeLink` and `compute`; `badInput`, `badOption`
  *
  * @category Pictures
@@ -101,7 +101,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   }
 }
 
-/** Checks all fields of a state as a link's fields are checked. */
+/** Checks all fields of a state like the fields of a link. */
 async function checked(state: LinkInput | string): Promise<LinkState & { circles: Float64Array }> {
   if (typeof state !== 'string' && !isRecord(state)) {
     refuseInput(`renderSVG takes a state or a link, not ${shown(state)}.`)
@@ -110,7 +110,7 @@ async function checked(state: LinkInput | string): Promise<LinkState & { circles
     typeof state === 'string'
       ? await decodeLink(state.replace(/^.*#/s, ''))
       : {
-          // A link has fewer circles than a picture may have.
+          // A picture may have more circles than a link.
           ...(await decodeLink(encodeLinkAtOnce(hasData(state) ? state : { ...state, circles: undefined }))),
           ...((state.circles ?? undefined) !== undefined && { circles: coordinatesOf(state.circles as never) }),
         }
@@ -127,7 +127,7 @@ function hasData({ names, attributes }: LinkInput): boolean {
   return names !== undefined || attributes !== undefined
 }
 
-/** The overlay after a step; `undefined` at the last step, which shows the diagram. */
+/** Returns the overlay after a step; `undefined` for the last step, which shows the diagram. */
 function playedAt(
   { library, picture }: PaintedScene,
   step: number,

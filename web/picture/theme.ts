@@ -49,7 +49,7 @@ function argumentsIn(text: string): string[] {
   return [text.trim()]
 }
 
-/** A color as browsers write it. */
+/** Returns a color in the notation of browsers. */
 function serialized(color: string): string {
   const [red, green, blue, alpha] = channelsOf(color)
   const rgb = `${red}, ${green}, ${blue}`

@@ -34,7 +34,7 @@ export interface PlayerOptions {
   readonly options: TraceOptions
   /** Returns the current step. The player keeps none of its own. */
   place(): PlayerPlace
-  /** Changes the current step. `stage` is that of `PlayerPlace`. */
+  /** Changes the current step. `stage` is the stage of `PlayerPlace`. */
   go(step: number, stage?: Line): void
   /** Called with each step shown and the number of steps. */
   onstep(step: number, steps: number): void
@@ -413,7 +413,7 @@ class MethodPlayer implements Player {
     render(this.#page(trace, current, state, tested, circleOf), this.#root)
     this.#drawTimeline()
     this.#reveal()
-    // Of circles that are no longer so, nothing is drawn.
+    // The overlay is empty at the last step, and while the trace of changed circles is loading.
     const isNothing = step === steps.length - 1 || this.#isLoading
     this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, this.#colorsNow())
   }
@@ -424,7 +424,7 @@ class MethodPlayer implements Player {
     const line = root.querySelector('[aria-current]')
     if (line === null || root.scrollHeight <= root.clientHeight || line.getClientRects().length === 0) return
     const head = root.querySelector('.head') as HTMLElement
-    // A head that scrolls along would take its buttons away with it.
+    // If the head is not sticky, scrolling would move its buttons out of view.
     if (getComputedStyle(head).position !== 'sticky') return
     const [{ top, bottom }, around] = [line.getBoundingClientRect(), root.getBoundingClientRect()]
     const above = head.getBoundingClientRect().bottom - top

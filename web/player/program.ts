@@ -5,7 +5,7 @@ import type { Line, PlayerWords } from './words.ts'
 
 export type { Line } from './words.ts'
 
-/** Titled lines of pseudocode; the numbers are indentation levels. */
+/** Lines of pseudocode with a title. The numbers are indentation levels. */
 export interface Algorithm {
   readonly title: keyof PlayerWords['titles']
   readonly lines: readonly (readonly [line: Line, depth: number])[]

@@ -31,7 +31,7 @@ export const PLAYER_COLORS: Colors = {
 
 /** With more circles than this, only the circles of the current step show their numbers. */
 const MOST_NUMBERED = 60
-/** Relative size of a circle that is smaller than another one not only by rounding. */
+/** A circle is smaller than another circle if the ratio of their radii is below this, not only by rounding. */
 const SMALLER = 1 - 1e-9
 /** Largest size of an arrow head, relative to the extent of all circles. */
 const LARGEST_HEAD = 0.02
@@ -255,7 +255,7 @@ function pointsOf(trace: Trace, events: Int32Array): Float64Array {
   )
 }
 
-/** The circles on which the samples lie, where these are smaller than the given ones. */
+/** Returns the circles on which the samples lie, if they are smaller than the given circles. */
 function sampledRims(trace: Trace, samples: Int32Array, circleOf: CircleOf): Float64Array {
   const rims = new Map<number, readonly number[]>()
   for (const k of samples) {
@@ -321,7 +321,7 @@ function extentOf(circles: ReadonlyMap<number, Circle>): number {
   return Math.max(maxX - minX, maxY - minY)
 }
 
-/** Relative to the arrow's length. */
+/** The size of an arrow head, relative to the arrow's length. */
 const HEAD = 0.3
 
 /**

@@ -13,7 +13,7 @@ export interface SteppingOptions {
   readonly view: View
   readonly store: Store<State>
   readonly actions: EditorActions
-  /** Returns the trace options whenever playback begins. `method` is the state's. */
+  /** Returns the options of the trace when playback begins. `method` is the method of the state. */
   options(method: string | undefined): TraceOptions
   /** Called with each step shown and the number of steps. */
   readonly onstep?: ((step: number, steps: number) => void) | undefined

@@ -14,7 +14,7 @@ const ROWS: readonly (readonly [sort: StepKind, color: keyof Colors, top: number
 
 /** The columns of the timelines on screen, by width. */
 const known = new WeakMap<readonly Step[], readonly ReadonlyMap<StepKind, number>[]>()
-/** Opacity of a mark where its kind is rarest. */
+/** Opacity of a mark in the columns where its kind is rarest. */
 const WEAKEST = 0.15
 
 function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyMap<StepKind, number>[] {

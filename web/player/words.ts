@@ -97,6 +97,9 @@ function list(items: readonly (number | string)[]): string {
 
 const circles = (ids: readonly number[]) => (ids.length === 1 ? `circle ${ids[0]}` : `circles ${list(ids)}`)
 
+const becauseOutside = (ids: readonly number[]) =>
+  ids.length === 0 ? '' : `, because ${circles(ids)} ${ids.length === 1 ? 'does' : 'do'} not reach into it`
+
 const LINES = {
   begin: 'Given: circles; those inside others are left out',
   centers: 'T ← Delaunay graph of the centers',
@@ -119,7 +122,7 @@ const LINES = {
   hull: 'the directed edges that are left over lead around the hull',
   flipCenters: 'T ← Delaunay triangulation of the centers',
   flipDiscs: 'for each triangle of T: the disc that touches its circles',
-  flipTest: 'while the disc beside an edge a–b meets the circle opposite, or there is none:',
+  flipTest: 'while the disc beside an edge a–b meets the circle opposite, or no such disc exists:',
   flip: 'replace a–b by the edge of the two circles opposite',
   flipDone: 'no edge is wrong: T is the dual of the Voronoi diagram',
   editBegin: 'the diagram as it is: its triangles and their discs',
@@ -196,7 +199,7 @@ export const ENGLISH_PLAYER: PlayerWords = {
     `A foot of the disc of ${circles(ids)} lies where another border has already passed. The disc is thrown away.`,
   notEmpty: (a, b, c) => `Circle ${c} reaches into the disc of circles ${a} and ${b}. The disc is thrown away.`,
   place: (a, b, tested) =>
-    `The disc of circles ${a} and ${b} is empty: directed edges ${a}→${b} and ${b}→${a} are placed.${tested.length > 0 ? ` It does not overlap ${circles(tested)}.` : ''}`,
+    `The disc of circles ${a} and ${b} is empty${becauseOutside(tested)}: directed edges ${a}→${b} and ${b}→${a} are placed.`,
   form: (discs) =>
     `${plural(discs.length, 'three-touch disc')} ${discs.length === 1 ? 'goes' : 'go'} into the list: ${discs.join(', ')}.`,
   disc: (name, radius) => `${name} (radius ${radius})`,

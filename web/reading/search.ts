@@ -7,9 +7,9 @@ export interface Section {
   readonly title: string
   /** The section's heading; empty for text before the first heading. */
   readonly heading: string
-  /** Relative to the site's folder. */
+  /** The address, relative to the site's folder. */
   readonly address: string
-  /** The beginning of its text. */
+  /** The beginning of the section's text. */
   readonly shown: string
 }
 
@@ -17,22 +17,22 @@ export interface Section {
 export type Snippet = readonly { readonly text: string; readonly isMarked: boolean }[]
 
 const MOST = 10
-/** Results of one page, at most. */
+/** The largest number of results of one page. */
 const MOST_OF_PAGE = 3
 /** Characters of a snippet before the match. */
 const BEFORE = 40
 const LENGTH = 150
-/** The reference and the changelog name everything; pages that explain come first. */
+/** Pages that explain come before the reference and the changelog, which contain almost every word. */
 const MINOR = /^(?:api\/|docs\/changelog\.html)/
 const MINOR_BOOST = 0.3
-/** Letters that may differ, as a part of a word that the site does not have. */
+/** The share of letters that may differ, in a word that the site does not contain. */
 const MISSPELLED = 0.2
 const SHORTEST_MISSPELLED = 5
 
 const OPTIONS: SearchOptions = {
   combineWith: 'AND',
   prefix: (term) => term.length > 2,
-  // A word as the reader wrote it counts more than one that begins like it.
+  // An exact match counts more than a word that only begins with the query.
   weights: { prefix: 0.35, fuzzy: 0.1 },
   boost: { title: 4, heading: 4 },
   boostDocument: (_, term, stored) => {
@@ -50,8 +50,9 @@ export interface Found extends Section {
 }
 
 /**
- * Returns the sections that have all words of a text, or some of them if none has all; the best first. Other spellings of a word
- * are tried only if no section has a word that begins like it.
+ * Returns the sections that contain all words of a query, the best first. If no section contains all words, sections
+ * with some of the words are returned. Other spellings are tried only for words that no section contains, even as a
+ * beginning.
  */
 export function find(search: MiniSearch<Section>, words: string): readonly Found[] {
   const isKnown = (term: string) => search.search(term, OPTIONS).length > 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of a diagram that somebody claims, right or wrong: its edges and vertices as listed, and the part that the judge rejects.
+// Draws a claimed diagram, right or wrong: its listed edges and vertices, and the part that the judge rejects.
 import {
   type Certificate,
   clipCurve,

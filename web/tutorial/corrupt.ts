@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A diagram that the reader makes wrong, drawn as it is claimed, and the verdict of the judge.
+// A diagram that the reader corrupts, drawn with its claimed edges and vertices, and the verdict of the judge.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
 import { claimedLayer, flawOf, type Marked, markedLayer, markedVertex } from './claimed-diagram.ts'
@@ -135,7 +135,7 @@ class CorruptFigure {
     return row
   }
 
-  /** Draws the diagram as it is claimed, with a mark on a vertex of the table, or else on the flaw. */
+  /** Draws the claimed diagram, and marks a vertex of the table or, without one, the flaw. */
   #mark(vertex: number | undefined): void {
     const diagram = this.#diagram as Diagram
     const isRight = this.#flaw === undefined
@@ -148,7 +148,7 @@ class CorruptFigure {
     this.#figure.layers = { ...layers, edges: isRight, vertices: isRight, cells: isRight ? 'auto' : 'none', data }
   }
 
-  /** `vertex`: the vertex of the table that stays marked. */
+  /** Shows the verdict of the judge. `vertex` is a vertex of the table that stays marked. */
   async #judge(vertex?: number): Promise<void> {
     const library = await (this.#library as Promise<CircleVoronoi>)
     const diagram = this.#diagram as Diagram

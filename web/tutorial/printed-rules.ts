@@ -58,7 +58,7 @@ export async function loadPrintedRules(wasm?: WasmSource): Promise<PrintedRules>
 export interface Arrow {
   readonly from: Point
   readonly to: Point
-  /** Whether the border is unbounded, so that a left-over directed edge is right. */
+  /** Whether the border is unbounded. A left-over directed edge is then correct. */
   readonly isRight: boolean
 }
 

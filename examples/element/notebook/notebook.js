@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// As in Observable and in Jupyter's HTML output: the cell imports a module, and its value is an element.
+// A notebook cell, as in Observable or Jupyter's HTML output, imports a module and returns an element.
 const { CircleVoronoiElement } = await import('../../../dist/element/bundle.js')
 
 const figure = document.createElement('circle-voronoi')

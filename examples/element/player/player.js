@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words in the text that show a stage of the method.
+// Buttons in the text show a stage of the method.
 const figure = document.querySelector('#told')
 for (const button of document.querySelectorAll('[data-step]')) {
   button.addEventListener('click', () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks of arguments whose types JavaScript does not enforce. An invalid one is refused in one sentence.
+// Checks of arguments whose types JavaScript does not enforce. An invalid argument throws an error of one sentence.
 
 import { REGION_LIMIT, REGION_LIMIT_TEXT } from './coordinate-limits.ts'
 import { CircleVoronoiError } from './errors.ts'
@@ -16,7 +16,7 @@ export function refuseOption(message: string): never {
 }
 
 /**
- * Whether `options` is an object with no other options than those named; an option that is `undefined` is none.
+ * Whether `options` is an object that has only the options in `known`. Options that are `undefined` are ignored.
  *
  * @throws CircleVoronoiError `badOption`
  */
@@ -34,7 +34,8 @@ export function checkOptionNames(options: unknown, caller: string, known: readon
 }
 
 /**
- * Refuses options of a function that has none. Other arguments may follow, as where the function is a callback of `map`.
+ * Refuses options of a function that has no options. Further arguments are allowed, because `map` passes them to a
+ * callback.
  *
  * @throws CircleVoronoiError `badOption`
  */
@@ -49,7 +50,7 @@ export function checkNumber(value: unknown, caller: string, name: string): void 
   if (typeof value !== 'number') refuseInput(`${caller} takes a number as ${name}, not ${shown(value)}.`)
 }
 
-/** @throws CircleVoronoiError `badInput`, if `length` is no number, or NaN */
+/** @throws CircleVoronoiError `badInput`, if `length` is not a number, or is NaN */
 export function checkLength(length: unknown, caller: string, name: string): void {
   if (Number.isNaN(length)) refuseInput(`${caller} takes a number as ${name}, not NaN.`)
   checkNumber(length, caller, name)
@@ -63,32 +64,34 @@ export function checkIndex(index: unknown, count: number, caller: string, thing:
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if `diagram` has no methods: `new Diagram(data)` gives it some */
+/** @throws CircleVoronoiError `badInput`, if `diagram` is not a `Diagram` with methods */
 export function checkDiagram(diagram: unknown, caller: string): void {
   if (typeof (diagram as { find?: unknown } | null | undefined)?.find !== 'function') {
     refuseInput(`${caller} takes a Diagram, not ${shown(diagram)}; new Diagram(data) makes one of plain data.`)
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if `value` is nothing that has a `part`, by which a `thing` is known */
+/** @throws CircleVoronoiError `badInput`, if `value` has no property `part`, which every `thing` has */
 export function checkThing(value: unknown, part: string, caller: string, thing: string): void {
   if (typeof value !== 'object' || value === null || !(part in value)) {
     refuseInput(`${caller} takes ${thing}, not ${shown(value)}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if `data` is no diagram, with or without methods */
+/** @throws CircleVoronoiError `badInput`, if `data` is not a diagram */
 export function checkData(data: unknown, caller: string): void {
   checkThing(data, 'vertexCircles', caller, 'a diagram')
 }
 
-/** @throws CircleVoronoiError `badInput`: arrays that a program has changed would lead outside them, or around without an end */
+/**
+ * @throws CircleVoronoiError `badInput`: a program has changed the arrays, so that a walk would leave them or never end
+ */
 export function refuseArrays(thing: string, index: number): never {
   const message = `The arrays of the diagram do not fit together at ${thing} ${index}. They must not be changed.`
   throw new CircleVoronoiError('badInput', message)
 }
 
-/** @throws CircleVoronoiError `nonFinite`: there are coordinates that are not finite */
+/** @throws CircleVoronoiError `nonFinite`: a coordinate is not finite */
 export function refuseInfinite(circles: Float64Array): never {
   const circle = Math.floor(circles.findIndex((value) => !Number.isFinite(value)) / 3)
   throw new CircleVoronoiError('nonFinite', `Circle ${circle} has a coordinate that is not a finite number.`, {
@@ -96,7 +99,7 @@ export function refuseInfinite(circles: Float64Array): never {
   })
 }
 
-/** @throws CircleVoronoiError `badInput`, if `circles` are not x, y and r of each in one array */
+/** @throws CircleVoronoiError `badInput`, if `circles` is not one array with x, y and r of each circle */
 export function checkCircles(circles: unknown, caller: string): void {
   if (!(circles instanceof Float64Array)) {
     refuseInput(`${caller} takes a Float64Array of x, y and r for each circle, not ${shown(circles)}.`)
@@ -106,7 +109,7 @@ export function checkCircles(circles: unknown, caller: string): void {
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if `curve` has no two ends */
+/** @throws CircleVoronoiError `badInput`, if `curve` does not have two ends */
 export function checkBoundedCurve(curve: unknown, caller: string): void {
   checkThing(curve, 'bisector', caller, 'a curve')
   const { start, end } = curve as { start?: unknown; end?: unknown }
@@ -115,14 +118,14 @@ export function checkBoundedCurve(curve: unknown, caller: string): void {
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if `outline` is no list of loops */
+/** @throws CircleVoronoiError `badInput`, if `outline` is not a list of loops */
 export function checkOutline(outline: unknown, caller: string): void {
   if (!(Array.isArray(outline) && outline.every(Array.isArray))) {
     refuseInput(`${caller} takes an outline, a list of closed loops, not ${shown(outline)}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if `point` is no finite point */
+/** @throws CircleVoronoiError `badInput`, if `point` is not a finite point */
 export function checkPoint(point: unknown, caller: string): asserts point is Point {
   const { x, y }: Partial<Point> = Object(point)
   if (!Number.isFinite(x) || !Number.isFinite(y)) {
@@ -130,14 +133,14 @@ export function checkPoint(point: unknown, caller: string): asserts point is Poi
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if a question has no answer in the metric of a diagram */
+/** @throws CircleVoronoiError `badInput`, if a function does not support the metric of a diagram */
 export function checkMetric({ metric }: DiagramData, caller: string, ...known: readonly Metric[]): void {
   if (!known.includes(metric)) {
     refuseInput(`${caller} takes a diagram of the metric ${listed(known)}, not of ${metric}.`)
   }
 }
 
-/** @throws CircleVoronoiError `badOption`, if there is a distance that is no number, or beyond those of regions */
+/** @throws CircleVoronoiError `badOption`, if `distance` is given and is not a number, or exceeds `REGION_LIMIT` */
 export function checkDistance(distance: unknown): void {
   if (distance === undefined) return
   if (typeof distance !== 'number' || !(Math.abs(distance) <= REGION_LIMIT)) {
@@ -145,7 +148,7 @@ export function checkDistance(distance: unknown): void {
   }
 }
 
-/** @throws CircleVoronoiError `badOption`, if there is such a distance, or one that the metric does not measure */
+/** @throws CircleVoronoiError `badOption`, if `distance` is invalid or the metric of the diagram has no distances */
 export function checkMaxDistance({ metric }: DiagramData, caller: string, distance: unknown): void {
   if (distance === undefined) return
   checkDistance(distance)
@@ -160,19 +163,19 @@ export function checkTolerance(tolerance: unknown): asserts tolerance is number 
   }
 }
 
-/** @throws CircleVoronoiError `badOption`, if there are digits that are no number of them */
+/** @throws CircleVoronoiError `badOption`, if `digits` is given and is not a number of digits */
 export function checkDigits(digits: unknown): void {
   if (digits !== undefined && !(Number.isInteger(digits) && (digits as number) >= 0)) {
     refuseOption(`The number of digits is a whole number from 0, not ${shown(digits)}.`)
   }
 }
 
-/** Whether a value is an object with names, as JSON has them. */
+/** Whether a value is an object with named members, like an object in JSON. */
 export function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value)
 }
 
-/** A value as it can stand in a sentence. */
+/** Returns a value as text for an error message. */
 export function shown(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value)
   if (Array.isArray(value)) return 'an array'

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes as the letters, digits, `-` and `_` of an address, compressed by the streams of browsers and Node.
+// Compresses text to the characters that an address may contain (base64url), with the streams of browsers and Node.
 import { CircleVoronoiError } from './errors.ts'
 
 /** The largest number of arguments of `String.fromCharCode`. */
 const PART = 0x8000
-/** The bytes of a stored block, and those before them: whether it is the last, its length, and that length again. */
+/** The largest number of bytes in a stored block of deflate. */
 const LONGEST_BLOCK = 0xffff
 const BLOCK_HEAD = 5
 
-/** A text, compressed. */
-export async function packed(text: string): Promise<string> {
+export async function compressText(text: string): Promise<string> {
   return lettersOf(
-    await through(new TextEncoder().encode(text), streamOf('CompressionStream'), Number.POSITIVE_INFINITY),
+    await readUpTo(new TextEncoder().encode(text), streamOf('CompressionStream'), Number.POSITIVE_INFINITY),
   )
 }
 
-/** The same at once, not compressed: blocks of deflate that are stored as they are (RFC 1951, section 3.2.4). */
-export function packedAtOnce(text: string): string {
+/** Encodes a text synchronously, in uncompressed blocks of deflate (RFC 1951, section 3.2.4). */
+export function storeText(text: string): string {
   const bytes = new TextEncoder().encode(text)
   const blocks = Math.max(Math.ceil(bytes.length / LONGEST_BLOCK), 1)
   const all = new Uint8Array(bytes.length + blocks * BLOCK_HEAD)
@@ -39,16 +38,16 @@ function lettersOf(bytes: Uint8Array): string {
 }
 
 /**
- * Reverses `packed` and `packedAtOnce`.
+ * Reverses `compressText` and `storeText`. Returns `undefined` if the text has more than `most` bytes.
  *
  * @param most the largest number of bytes
- * @throws whatever is wrong with it; `undefined`: there is more of it
+ * @throws any error of decoding
  */
-export async function unpacked(letters: string, most: number): Promise<string | undefined> {
+export async function decompressText(letters: string, most: number): Promise<string | undefined> {
   const binary = atob(letters.replaceAll('-', '+').replaceAll('_', '/'))
   const bytes = new Uint8Array(binary.length)
   for (let i = 0; i < bytes.length; i++) bytes[i] = binary.charCodeAt(i)
-  const text = await through(bytes, streamOf('DecompressionStream'), most)
+  const text = await readUpTo(bytes, streamOf('DecompressionStream'), most)
   return text.length > most ? undefined : new TextDecoder('utf-8', { fatal: true }).decode(text)
 }
 
@@ -60,8 +59,8 @@ function streamOf(name: 'CompressionStream' | 'DecompressionStream'): Transforma
   return new Stream('deflate-raw') as Transformation
 }
 
-/** Reads a stream up to a length just over `most`. A small text may unpack to one that fills the memory. */
-async function through(
+/** Reads a stream until it exceeds `most` bytes, because a small text may unpack to one that fills the memory. */
+async function readUpTo(
   bytes: Uint8Array<ArrayBuffer>,
   stream: Transformation,
   most: number,

@@ -2,7 +2,7 @@
 
 /** The largest coordinate or radius of a circle, in absolute value (kCoordinateLimit of circle_voronoi/limits.h). */
 export const COORDINATE_LIMIT = 1e150
-/** The limit as messages write it. */
+/** The limit in error messages. */
 export const COORDINATE_LIMIT_TEXT = '1e150'
 
 /**
@@ -14,5 +14,5 @@ export const COORDINATE_LIMIT_TEXT = '1e150'
  * REGION_LIMIT // 1e+152
  */
 export const REGION_LIMIT = 1e152
-/** The limit as messages write it. */
+/** The limit in error messages. */
 export const REGION_LIMIT_TEXT = '1e152'

@@ -25,8 +25,8 @@ export type Circles = Float64Array | Float32Array | Iterable<CircleLike>
 export type Accessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
 
 /**
- * Options for data that are not circles: functions that find x, y and r in a datum. A datum that has a number of that
- * name, or the first three items of an array, needs no function.
+ * Options for data that are not circles: functions that find x, y and r in a datum. No function is needed for data with
+ * numbers `x`, `y` and `r`, or for arrays `[x, y, r]`.
  *
  * @category Loading
  */
@@ -39,8 +39,8 @@ export type Accessors<Datum> = {
 /**
  * A copy of the circles as x, y, r of each.
  *
- * @throws CircleVoronoiError `badInput`: embind would convert whatever it is given, so types are checked here; what the
- * functions throw
+ * @throws CircleVoronoiError `badInput`. Types are checked here, because embind would convert any value. Errors of the
+ *   functions are passed on.
  */
 export function coordinatesOf<Datum>(
   circles: Circles | Iterable<Datum>,
@@ -79,7 +79,7 @@ function coordinatesFrom<Datum>(
   return new Float64Array(numbers)
 }
 
-/** The accessors of an object or an array; of anything else nothing, which is refused. */
+/** The default accessors, for objects and arrays. For other values they return `undefined`, which is refused. */
 export function circleX(circle: unknown): number {
   return part(circle, 0, 'x')
 }
@@ -92,7 +92,7 @@ export function circleRadius(circle: unknown): number {
 
 function part(circle: unknown, k: number, name: keyof Circle): number {
   const named = (circle as Circle | null | undefined)?.[name]
-  // An object that has the name is none with numbered items, whatever its length is: data may have a key of that name.
+  // An object with the name is not read as an array, even if it has a `length`: data may have a key `length`.
   if (named !== undefined || typeof circle !== 'object' || circle === null || !('length' in circle))
     return named as number
   return (circle as ArrayLike<number>)[k] as number

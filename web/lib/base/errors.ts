@@ -37,7 +37,7 @@ export const ERROR_CODES = [
  * - `badInput`: the input cannot be read as circles, or another argument that is no option is invalid
  * - `badArithmetic`: the program does not round to nearest (in C++ only)
  * - `notWritten`: a stream did not accept the whole text (in C++ only)
- * - `linkTooLong`: a link, or what it is to contain, is beyond `LINK_LIMITS`
+ * - `linkTooLong`: a link or its state exceeds `LINK_LIMITS`
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` is the reason
  * - `internal`: the library itself failed; please report the input
  *
@@ -64,12 +64,12 @@ export class CircleVoronoiError extends Error {
   /** The index of the circle with the problem (its id in an editor); `undefined` if there is no such circle. */
   readonly circle: number | undefined
   /**
-   * The weight of each site after the last step of a fit of areas that did not converge (`notConverged`), from which another
-   * fit can go on; otherwise `undefined`.
+   * The weight of each site after the last step of a fit of areas that did not converge (`notConverged`), from which
+   * another fit can go on; otherwise `undefined`.
    */
   readonly weights: Float64Array | undefined
 
-  /** Creates an error. `details`: what else is known about it. */
+  /** Creates an error. `details` are optional. */
   constructor(code: ErrorCode, message: string, { circle, weights, ...options }: ErrorDetails = {}) {
     super(message, options)
     this.code = code
@@ -79,7 +79,7 @@ export class CircleVoronoiError extends Error {
 }
 
 /**
- * Details of an error, each of them optional.
+ * The details of an error. All are optional.
  *
  * @category Errors
  */
@@ -108,12 +108,12 @@ export function receivedError({ code, message, ...details }: PostedError): Circl
   return new CircleVoronoiError(code, message, details)
 }
 
-/** The message of a caught value, for use in a sentence. */
+/** Returns the message of a caught value, for use in a sentence. */
 export function reasonOf(cause: unknown): string {
   return (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '')
 }
 
-/** The error of what could not be done because a worker failed. */
+/** Returns the error for a task that could not finish because a worker failed. */
 export function workerFailure(cause: unknown): CircleVoronoiError {
   return new CircleVoronoiError('internal', `The worker failed: ${reasonOf(cause)}.`, { cause })
 }

@@ -7,8 +7,8 @@ export interface Queued<Work, Answer> {
 }
 
 /**
- * Work that waits for its turn. The newest request of a key replaces the one that waits under this key, and answers
- * both. So a drag is never behind by more than one request.
+ * A queue of work. New work replaces pending work that has the same key, and its answer goes to both callers. This
+ * keeps a drag at most one request behind.
  */
 export class NewestQueue<Work, Answer> {
   #waiting: Queued<Work, Answer>[] = []
@@ -17,7 +17,7 @@ export class NewestQueue<Work, Answer> {
   #current: Work | undefined
   #isBusy = false
 
-  /** `key`: of what may be replaced. */
+  /** Adds work. If `key` is given, later work with this key may replace it. */
   add(work: Work, key?: unknown): Promise<Answer> {
     return new Promise((resolve, reject) => {
       const before = this.#newest.get(key)
@@ -32,7 +32,7 @@ export class NewestQueue<Work, Answer> {
     })
   }
 
-  /** Keeps pending work from being replaced: of one key, or all. */
+  /** Keeps pending work from being replaced: the work of one key, or all work. */
   settle(key?: unknown): void {
     if (key === undefined) this.#newest.clear()
     else this.#newest.delete(key)
@@ -44,7 +44,7 @@ export class NewestQueue<Work, Answer> {
     return this.#current === undefined ? waiting : [this.#current, ...waiting]
   }
 
-  /** Takes out all that waits. */
+  /** Removes and returns all pending work. */
   takeAll(): Queued<Work, Answer>[] {
     const taken = this.#waiting
     this.#waiting = []
@@ -52,7 +52,7 @@ export class NewestQueue<Work, Answer> {
     return taken
   }
 
-  /** Does what waits, one after the other, unless that is under way. */
+  /** Runs pending work one after the other. Does nothing if it is already running. */
   async drain(act: (work: Work) => Promise<Answer>): Promise<void> {
     if (this.#isBusy) return
     this.#isBusy = true

@@ -13,7 +13,7 @@ export function length(v: Vector): number {
   return Math.sqrt(dot(v, v))
 }
 
-/** From one point, or center, to another. */
+/** Returns the vector from one point to another. */
 export function between(from: Point, to: Point): Vector {
   return { x: to.x - from.x, y: to.y - from.y }
 }

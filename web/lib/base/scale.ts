@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lengths from the smallest to the largest number, whose products neither overflow nor vanish.
+// Arithmetic with lengths of any size, whose products neither overflow nor underflow.
 import { cross, dot, length } from './point.ts'
 import type { Vector } from './types.ts'
 
-/** Parameters of curves and places on them may be off by this share, by rounding. */
+/** The relative rounding error of curve parameters and of points on curves. */
 export const ROUNDING = 2 ** -40
 
 const view = new DataView(new ArrayBuffer(8))
 
-/** Whether a sum of two products has neither overflown nor lost what counts. */
+/** Whether a sum of two products has neither overflowed nor lost significant digits. */
 function isSafe(product: number): boolean {
   const size = Math.abs(product)
   return 2 ** -900 < size && size < 2 ** 1000
 }
 
-/** The largest power of two up to `size` > 0. */
+/** Returns the largest power of two that is not above `size` > 0. */
 export function powerOfTwoIn(size: number): number {
   if (size < 2 ** -1022) return powerOfTwoIn(size * 2 ** 100) * 2 ** -100
   view.setFloat64(0, size)
@@ -24,8 +24,8 @@ export function powerOfTwoIn(size: number): number {
 }
 
 /**
- * A unit to measure lengths of about `size` in, so that products of up to four are safe: 1 for most, else a power of two
- * next to `size`. To divide by it is exact.
+ * Returns a unit for lengths of about `size`, in which products of up to four lengths are safe. The unit is 1 for most
+ * sizes, otherwise a power of two near `size`, so division by it is exact.
  */
 export function unitFor(size: number): number {
   const isSafe = 2 ** -200 < size && size < 2 ** 200
@@ -40,12 +40,12 @@ export function measuredIn(unit: number, v: Vector): Vector {
   return unit === 1 ? v : { x: v.x / unit, y: v.y / unit }
 }
 
-/** The length of a vector of any size. */
+/** Returns the length of a vector of any size. */
 export function lengthOf({ x, y }: Vector): number {
   return hypotenuse(x, y)
 }
 
-/** The hypotenuse of a vector by its coordinates. */
+/** Returns the length of the vector (x, y). */
 export function hypotenuse(x: number, y: number): number {
   const square = x * x + y * y
   if (isSafe(square)) return Math.sqrt(square)
@@ -54,14 +54,14 @@ export function hypotenuse(x: number, y: number): number {
   return unit * length(measuredIn(unit, v))
 }
 
-/** The cross product but for a factor above 0: positive if the way from u to v is a left turn. */
+/** Returns the cross product times a positive factor. It is positive if the turn from u to v is to the left. */
 export function turn(u: Vector, v: Vector): number {
   const product = cross(u, v)
   if (isSafe(product)) return product
   return cross(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v))
 }
 
-/** The dot product but for a factor above 0. */
+/** Returns the dot product times a positive factor. */
 export function facing(u: Vector, v: Vector): number {
   return dot(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v))
 }

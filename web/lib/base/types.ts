@@ -57,8 +57,8 @@ export interface Edge {
 }
 
 /**
- * A hidden circle, which has no cell, and a visible circle that contains it: the largest one, and of several equal ones
- * the first.
+ * A hidden circle, which has no cell, and the largest visible circle that contains it. Among equal circles, it is the
+ * first.
  *
  * @category Diagrams
  */
@@ -188,7 +188,7 @@ export const WAYS = ['flip', 'repair', 'insert', 'touching-disc', 'edit'] as con
 export type Method = (typeof METHODS)[number]
 
 /**
- * Which pairs of circles get an antipodal disc in the touching disc method: neighbors in the Delaunay graph of
+ * The pairs of circles that get an antipodal disc in the touching disc method: neighbors in the Delaunay graph of
  * dynamically chosen samples (`dynamic`) or of equally spaced samples (`uniform`), or all pairs (`all-pairs`).
  *
  * @category Loading
@@ -351,7 +351,7 @@ export interface Box {
 }
 
 /**
- * Support for `using`, in versions of TypeScript that know it.
+ * Support for `using`, in versions of TypeScript that have it.
  *
  * @category Editing
  */

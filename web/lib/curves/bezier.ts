@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arcs of bisectors as Bezier curves and polylines.
+// Arcs of bisectors as Bézier curves and polylines.
 //
-// Each error depends on the middle of an arc's range and on its half-width h alone, since multiplying the parameter is an
-// affine map. Let w = cosh h, the weight of the arc as a rational Bezier curve, be
+// Each error depends only on the middle of an arc's parameter range and on its half-width h, because multiplying the
+// parameter is an affine map. Let w = cosh h, the weight of the arc as a rational Bézier curve, be
 //
 //     w = (sqrt(to / from) + sqrt(from / to)) / 2.
 
@@ -66,9 +66,9 @@ export function bezierPointAt(bezier: RationalBezier, u: number): Point {
 }
 
 /**
- * Converts a bounded arc to cubic Bézier curves within `tolerance` of it, as few as possible. Each curve has the
- * tangents of the arc at both ends and meets it in the middle, or is straight. The smallest effective tolerance is
- * 1e-12 of the extent of the arc.
+ * Converts a bounded arc to as few cubic Bézier curves as possible, no farther than `tolerance` from the arc. Each
+ * curve has the tangents of the arc at both ends and meets it in the middle, or is straight. The smallest effective
+ * tolerance is 1e-12 of the extent of the arc.
  *
  * @throws CircleVoronoiError `badInput`
  *
@@ -130,15 +130,14 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
     sink.lineTo(curve.end.x, curve.end.y)
     return
   }
-  // The excess of the rest of the arc.
   let excess = excessOf(from, last)
   let error = chordError(bisector.a, bisector.b, from, last, excess)
-  const limit = atLeast(1e-12, curve, error, tolerance)
+  const limit = effectiveTolerance(1e-12, curve, error, tolerance)
   for (let isLast = false; !isLast; ) {
-    // To know that one curve does for the rest spares the search for how far a line would do.
+    // If one cubic is enough for the rest of the arc, no search for the longest line is needed.
     const byOneCubic = error > limit && cubicError(bisector.a, bisector.b, from, last, excess) <= limit
     const byCubic = byOneCubic || !(error > limit) ? last : farthest(bisector, from, last, limit, cubicError)
-    // As errors grow along the arc, this spares the search if a line errs too much up to there.
+    // Errors grow along the arc, so no search is needed if a line up to `byCubic` exceeds the limit.
     const isShorter = byOneCubic || (byCubic > from && chordError(bisector.a, bisector.b, from, byCubic) > 2 * limit)
     const byLine = isShorter ? from : farthest(bisector, from, last, limit, chordError)
     const to = Math.max(byLine, byCubic)
@@ -168,8 +167,8 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
 }
 
 /**
- * Converts a bounded arc to the points of a polyline within `tolerance` of it: at least two points, and as few as
- * possible. The smallest effective tolerance is 1e-9 of the extent of the arc.
+ * Converts a bounded arc to a polyline no farther than `tolerance` from the arc. It has as few points as possible, at
+ * least two. The smallest effective tolerance is 1e-9 of the extent of the arc.
  *
  * @throws CircleVoronoiError `badInput`
  *
@@ -188,7 +187,7 @@ export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
 export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, from: first, to, start, end } = curve
   if (isNearlyStraight(bisector.a, first, to, tolerance / bisector.unit)) return [start, end]
-  const limit = atLeast(1e-9, curve, chordError(bisector.a, bisector.b, first, to), tolerance)
+  const limit = effectiveTolerance(1e-9, curve, chordError(bisector.a, bisector.b, first, to), tolerance)
   const points = [start]
   let from = farthest(bisector, first, to, limit, chordError)
   while (from < to) {
@@ -199,7 +198,7 @@ export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   return points
 }
 
-/** Where the tangents at two parameters meet: the polar form of the branch. */
+/** Returns the intersection of the tangents at two parameters: the polar form of the branch. */
 export function controlPoint(bisector: Bisector, from: number, to: number): Point {
   const { apex, a, b } = bisector
   const u = apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
@@ -213,10 +212,11 @@ function excessOf(from: number, to: number): number {
 }
 
 /**
- * The largest distance of an arc from its chord, or a bound; as all lengths of a bisector, in its unit. On one side of the apex the arc turns by less than a right
- * angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1 times the
- * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
- * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
+ * Returns the largest distance of an arc from its chord, or an upper bound, in the unit of the bisector. On one side of
+ * the apex the arc turns by less than a right angle, so the distance is largest at the middle parameter, where the
+ * tangent is parallel to the chord: w - 1 times the distance of that tangent from the middle of the hyperbola. An arc
+ * around the apex may be a needle, nearer to the line of its chord than to the chord itself. Its bound is the distance
+ * parallel to the axis, at most w - 1 times |a|.
  */
 function chordError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   if (a === 0) return 0
@@ -229,8 +229,8 @@ function chordError(a: number, b: number, from: number, to: number, excess = exc
 }
 
 /**
- * Whether a bound without roots tells that an arc keeps within a tolerance of its chord, as most in a drawing do: the error
- * is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) at most (to - from)^2 / (8 from to).
+ * Whether an arc is within a tolerance of its chord by a bound without square roots, which most arcs of a drawing
+ * satisfy. The error is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) is at most (to - from)^2 / (8 from to).
  */
 function isNearlyStraight(a: number, from: number, to: number, tolerance: number): boolean {
   const difference = to - from
@@ -260,8 +260,8 @@ function cubicError(a: number, b: number, from: number, to: number, excess = exc
 }
 
 /**
- * A parameter, `to` at most, up to which an arc keeps the tolerance, and of those the largest but for a few hundredths of
- * the way; errors grow with it.
+ * Returns the largest parameter up to `to` at which an arc is still within the tolerance, except for a few percent of
+ * the way. The errors grow with the parameter.
  */
 function farthest(
   { a, b }: Bisector,
@@ -283,8 +283,16 @@ function farthest(
   return good > from ? good : bad
 }
 
-/** A tolerance in the unit of the bisector, and not below a share of the arc's extent. `error`: of its chord. */
-function atLeast(share: number, { bisector, start, end }: BoundedCurve, error: number, tolerance: number): number {
+/**
+ * Returns a tolerance in the unit of the bisector, not below a share of the arc's extent. `error` is the error of the
+ * chord.
+ */
+function effectiveTolerance(
+  share: number,
+  { bisector, start, end }: BoundedCurve,
+  error: number,
+  tolerance: number,
+): number {
   const { unit } = bisector
   const least = share * (hypotenuse(end.x - start.x, end.y - start.y) / unit + error)
   return tolerance / unit > least ? tolerance / unit : least

@@ -14,13 +14,13 @@ import { METRICS, type Metric } from '../base/types.ts'
  *
  * so s = 1 is the apex, on the line of centers, and growing s has the left circle on its left. With s = e^t this is the
  * usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ between
- * platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
+ * platforms. For equal radii, and for the other metrics, a is 0 and the branch is a straight line.
  *
- * a, b and apex are measured in `unit`, which is 1 unless the circles are so near or so far that products of lengths would
- * leave the range of numbers: curves of all circles that `compute` takes are right up to rounding.
+ * a, b and apex are measured in `unit`, which is 1 unless products of lengths would overflow or underflow. So the
+ * curves of all circles that `compute` accepts are correct up to rounding.
  *
- * Multiplying s by a number is an affine map of the branch onto itself: an arc is as curved as the ratio of the parameters
- * of its ends says, wherever it lies.
+ * Multiplying s by a number is an affine map of the branch onto itself. So the shape of an arc depends only on the
+ * ratio of the parameters at its ends.
  *
  * @category Curves
  */
@@ -33,7 +33,10 @@ export interface Bisector {
   readonly unit: number
   /** Half the difference of the radii, (r_left - r_right) / 2; 0 for a straight bisector. In `unit`. */
   readonly a: number
-  /** The other half-axis of the hyperbola, above 0: a^2 + b^2 = c^2, where c is half the distance of the centers. In `unit`. */
+  /**
+   * The other half-axis of the hyperbola, above 0: a^2 + b^2 = c^2, where c is half the distance of the centers. In
+   * `unit`.
+   */
   readonly b: number
   /** The center of the smaller circle, or of the left circle if the radii are equal. */
   readonly origin: Point
@@ -42,26 +45,30 @@ export interface Bisector {
   /** Unit vector at right angles to `along`, with the left circle on its left. */
   readonly across: Vector
   /**
-   * The distance c - |a| from the origin to the apex, in `unit`. For the metric `power` it is where the radical axis crosses the line
-   * of centers, and may be negative.
+   * The distance c - |a| from the origin to the apex, in `unit`. For the metric `power` it is where the radical axis
+   * crosses the line of centers, and may be negative.
    */
   readonly apex: number
 }
 
-/** Finite parameters keep away from what stands for infinity. */
+/** The smallest parameter of a finite point: 0 and infinity are reserved for ends at infinity. */
 const SMALLEST_PARAMETER = 1e-300
 const LARGEST_PARAMETER = 1e300
-/** Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray. */
+/**
+ * The smallest b, as a share of the distance. It keeps b above 0 where one circle touches the other from inside, and
+ * the branch is a folded ray.
+ */
 const SMALLEST_B = 2 ** -50
 /** Points closer to each other than this fraction of their distance from the viewpoint count as one. */
 const FINEST = 2 ** -900
-/** The line of equal power may lie beyond all numbers. */
+/** The largest apex, because the line of equal power may lie farther away than any number. */
 const FARTHEST_APEX = 1e300
 
 /**
  * Returns the bisector of two circles that both have cells. `circles` has x, y, r of each circle.
  *
- * @throws CircleVoronoiError `badInput`, if there are no such circles, or they have one center, or of an unknown metric
+ * @throws CircleVoronoiError `badInput`, if there are no such circles, they have the same center, or the metric is
+ *   unknown
  *
  * @category Curves
  * @example
@@ -85,14 +92,17 @@ export function bisectorOf(circles: Float64Array, left: number, right: number, m
 /** An object whose numbers can be replaced in place. */
 export type Mutable<T> = { -readonly [Key in keyof T]: T[Key] extends Point ? { x: number; y: number } : T[Key] }
 
-/** A bisector to be measured. Its numbers are no integers, which engines would store in another way. */
+/**
+ * Creates a bisector for `measureBisector` to fill. Its numbers are not integers, which engines would store in another
+ * way.
+ */
 export function blankBisector(): Mutable<Bisector> {
   const point = () => ({ x: 0.5, y: 0.5 })
   const left = point()
   return { left, right: point(), unit: 1, a: 0.5, b: 0.5, origin: left, along: point(), across: point(), apex: 0.5 }
 }
 
-/** Makes a bisector that of two circles, and returns it. */
+/** Sets `target` to the bisector of two circles and returns it. */
 export function measureBisector(
   target: Mutable<Bisector>,
   circles: Float64Array,
@@ -119,7 +129,7 @@ export function measureBisector(
     metric === 'power' ? ((leftRadius - rightRadius) / unit) * ((leftRadius + rightRadius) / unit / (2 * d)) : 0
   target.unit = unit
   target.a = difference / 2
-  // Not c^2 - a^2, which cancels for a circle almost inside the other.
+  // The product avoids c^2 - a^2, which cancels if one circle is almost inside the other.
   target.b = Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2
   target.origin = origin
   target.along.x = x / d
@@ -153,7 +163,7 @@ export function pointOf(bisector: Bisector, s: number): Point {
   return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
 }
 
-/** The point at some lengths along and across from the origin, in the bisector's unit. */
+/** Returns the point at u along and v across from the origin, in the bisector's unit. */
 export function inPlane({ origin, unit, along, across }: Bisector, u: number, v: number): Point {
   return { x: origin.x + unit * (u * along.x + v * across.x), y: origin.y + unit * (u * along.y + v * across.y) }
 }
@@ -181,9 +191,9 @@ export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const dy = (y - origin.y) / unit
   const sine = (dx * across.x + dy * across.y) / b
   if (a === 0) return exponentialOf(sine)
-  // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
-  // changes faster. For a narrow branch, this is the distance. Its height may be off by any factor, as b is: each of
-  // the two says whether the distance is the one.
+  // The point's height b sinh t and its distance apex + c (cosh t - 1) both determine t. Rounding matters less in the
+  // value that changes faster. For a narrow branch this is the distance, because the height may be off by any factor,
+  // like b. Each of the two values tells whether to use the distance.
   const c = apex + Math.abs(a)
   const rise = Math.max((hypotenuse(dx, dy) - apex) / c, 0)
   const size = Math.max(Math.abs(sine), Math.sqrt(rise) * Math.sqrt(rise + 2))
@@ -192,14 +202,14 @@ export function parameterOf(bisector: Bisector, x: number, y: number): number {
   return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise)
 }
 
-/** The parameter s >= 1 at which the distance is apex + c rise, rise = cosh t - 1. */
+/** Returns the parameter s >= 1 at which the distance is apex + c rise, where rise = cosh t - 1. */
 function parameterAtRise(rise: number): number {
   return exponentialOf(Math.sqrt(rise) * Math.sqrt(rise + 2))
 }
 
 /**
- * The parameter s >= 1 at which a branch is at a distance from its origin, in its unit: not below that of its apex. Of a
- * hyperbola it is apex + c (cosh t - 1), of a line the hypotenuse of its apex and b sinh t.
+ * Returns the parameter s >= 1 at which a branch has a distance from its origin, in its unit. The distance is at least
+ * that of the apex. It is apex + c (cosh t - 1) for a hyperbola, and the hypotenuse of apex and b sinh t for a line.
  */
 export function parameterAtDistance(bisector: Bisector, distance: number): number {
   const apex = Math.abs(bisector.apex)
@@ -208,8 +218,8 @@ export function parameterAtDistance(bisector: Bisector, distance: number): numbe
 }
 
 /**
- * The bisector as it is to be drawn with what lies up to `reach` away from its origin: two circles that are too near to
- * each other to be told apart from there are moved apart, but a straight branch stays where it is. Itself for most.
+ * Returns the bisector for drawing points up to `reach` away from its origin. If its centers cannot be distinguished
+ * from that distance, they are moved apart; a straight branch keeps its place. Most bisectors are returned unchanged.
  */
 export function movedApart(bisector: Bisector, reach: number): Bisector {
   const { a, b, apex } = bisector

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * R_F(x, y, z) and R_D(x, y, z), Carlson's elliptic integrals, to rounding, of the squares of three numbers above 0, by his
- * duplication theorem (DLMF 19.36): each step quarters how much the arguments differ from their mean, and a series of it
- * is the rest.
+ * Returns Carlson's elliptic integrals R_F(x, y, z) and R_D(x, y, z) up to rounding, where x, y and z are the squares
+ * of three numbers above 0. By his duplication theorem (DLMF 19.36), each step quarters the differences between the
+ * arguments and their mean. A series in the last differences gives the rest.
  */
 export function carlson(rootX: number, rootY: number, rootZ: number): readonly [number, number] {
-  // The series leave out sixth powers. From ratios of 2^1000 it takes some fifteen steps.
+  // The series omit sixth powers. For ratios of 2^1000 there are about fifteen steps.
   const near = 1e-3
   const mostSteps = 50
   let [x, y, z] = [rootX * rootX, rootY * rootY, rootZ * rootZ]

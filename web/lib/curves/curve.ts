@@ -17,8 +17,8 @@ import {
 
 /**
  * An arc of a bisector, from parameter `from` to parameter `to` >= `from`. An end at infinity has the parameter 0 or
- * infinity and no point; the other ends of an edge are its vertices bit for bit: arcs that meet in a vertex meet exactly.
- * An edge of length zero has equal parameters.
+ * infinity and no point. The other ends of an edge equal its vertices bit for bit, so arcs that share a vertex meet
+ * exactly. An edge of length zero has equal parameters.
  *
  * @category Curves
  */
@@ -90,7 +90,7 @@ function roomForCurve() {
   return { bisector: blankBisector(), start: { x: 0.5, y: 0.5 }, end: { x: 0.5, y: 0.5 } }
 }
 
-/** A point, moved to a vertex. */
+/** Moves a point to a vertex and returns it; `undefined` at infinity. */
 function placed(point: Mutable<Point>, vertices: Float64Array, vertex: number): Point | undefined {
   if (vertex === NONE) return undefined
   point.x = at(vertices, 3 * vertex)
@@ -102,9 +102,9 @@ const room = roomForCurve()
 let borrowers = 0
 
 /**
- * Borrows the curve of a side, with its cell on the left, until `returnCurve`. Only `left` and `right` of its bisector are
- * those of the edge. The objects of the curve are reused, because drawing needs each curve once. A context that draws another
- * cell from its own callbacks gets new objects.
+ * Borrows the curve of a side, with its cell on the left, until `returnCurve`. Only `left` and `right` of its bisector
+ * are the objects of the edge. The objects of the curve are reused, because drawing needs each curve once. A context
+ * that draws another cell from its own callbacks gets new objects.
  */
 export function borrowCurve(diagram: DiagramData, side: number): EdgeCurve {
   const curve = curveOf(diagram, side >> 1, borrowers === 0 ? room : roomForCurve())
@@ -122,25 +122,25 @@ export function returnCurve(): void {
   borrowers -= 1
 }
 
-/** The distance of an end along one axis; 0 at infinity. */
+/** Returns the larger coordinate difference of an end from the origin; 0 at infinity. */
 function reachOf(origin: Point, end: Point | undefined): number {
   return end === undefined ? 0 : Math.max(Math.abs(end.x - origin.x), Math.abs(end.y - origin.y))
 }
 
-/** Parameters with a larger quotient belong to two points. */
+/** Parameters with a larger quotient belong to different points. */
 const FAR_APART = 2 ** 10
 
-/** Returns whether rounding of a point hides on which side of the axis it lies, as far out on a narrow branch. */
+/** Returns whether rounding hides on which side of the axis a point lies, for example far out on a narrow branch. */
 function isSideHidden({ origin, unit, across }: Bisector, { x, y }: Point): boolean {
   const toPoint = { x: (x - origin.x) / unit, y: (y - origin.y) / unit }
   return Math.abs(dot(toPoint, across)) <= ROUNDING * lengthOf(toPoint)
 }
 
-/** The arc of a bisector with two ends, of which those that are `undefined` are at infinity. */
+/** Returns the arc of a bisector between two ends. An end that is `undefined` is at infinity. */
 function arcBetween(curve: Bisector, start: Point | undefined, end: Point | undefined): EdgeCurve {
   let from = start === undefined ? 0 : parameterOf(curve, start.x, start.y)
   let to = end === undefined ? Number.POSITIVE_INFINITY : parameterOf(curve, end.x, end.y)
-  // Two ends far from each other in the wrong order: one of them is on the other side of the axis.
+  // If two distant ends are in the wrong order, one of them is on the other side of the axis.
   if (from > FAR_APART * to) {
     if (to < 1 && isSideHidden(curve, end as Point)) to = 1 / to
     else if (from > 1 && isSideHidden(curve, start as Point)) from = 1 / from
@@ -150,19 +150,19 @@ function arcBetween(curve: Bisector, start: Point | undefined, end: Point | unde
   return { bisector: curve, from, to, start, end }
 }
 
-/** A curve as it is to be drawn with what lies up to `reach` away from its origin (`movedApart`). */
+/** Returns a curve for drawing points up to `reach` away from its origin (`movedApart`). */
 export function seenFrom(curve: EdgeCurve, reach: number): EdgeCurve {
   const bisector = movedApart(curve.bisector, reach)
   return bisector === curve.bisector ? curve : arcBetween(bisector, curve.start, curve.end)
 }
 
-/** The same arc run through the other way: left and right change places. */
+/** Returns the arc in the opposite direction, with left and right exchanged. */
 export function reversed(curve: BoundedCurve): BoundedCurve
 export function reversed(curve: EdgeCurve): EdgeCurve
 export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCurve {
   const { left, right, unit, a, b, origin, along, across, apex } = bisector
   return {
-    // Not by a spread, which takes longer.
+    // A spread would take longer.
     bisector: {
       left: right,
       right: left,
@@ -174,7 +174,7 @@ export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCur
       across: { x: -across.x, y: -across.y },
       apex,
     },
-    // 1 / infinity is 0, and the other way round.
+    // 1 / infinity is 0, and 1 / 0 is infinity.
     from: 1 / to,
     to: 1 / from,
     start: end,
@@ -182,7 +182,7 @@ export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCur
   }
 }
 
-/** The straight segment from `start` to `end`, which differ. */
+/** Returns the straight segment between two different points. */
 export function segment(start: Point, end: Point): BoundedCurve {
   const chord = between(start, end)
   const unit = unitFor(largestOf(chord))

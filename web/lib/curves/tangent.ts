@@ -5,8 +5,8 @@ import { largestOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { Circle, Point, Vector } from '../base/types.ts'
 
 /**
- * The unit normal n, pointing to the right, of the common tangent of two circles that has both on its left and is directed
- * from i to j: n . c_i + r_i = n . c_j + r_j. Neither circle contains the other.
+ * Returns the unit normal n, pointing to the right, of a common tangent of two circles. The tangent is directed from i
+ * to j and has both circles on its left: n . c_i + r_i = n . c_j + r_j. Neither circle contains the other.
  */
 export function tangentNormal(i: Circle, j: Circle): Vector {
   const unit = unitFor(largestOf(between(i, j)))
@@ -18,7 +18,7 @@ export function tangentNormal(i: Circle, j: Circle): Vector {
   return { x: (v.x * along + v.y * across) / d, y: (v.y * along - v.x * across) / d }
 }
 
-/** The point of a circle in the direction of a unit vector. */
+/** Returns the point of a circle in the direction of a unit vector. */
 export function pointOn({ x, y, r }: Circle, direction: Vector): Point {
   return { x: x + r * direction.x, y: y + r * direction.y }
 }

@@ -16,7 +16,7 @@ export type EditWay = 'local' | 'patch' | 'whole'
  * Circles are named by their ids. Each vertex and each edge has a number, which may be reused after the vertex or edge
  * is removed. An edge that gets another end counts as a new edge, and a vertex whose circle moves counts as a new
  * vertex. To update a copy of the diagram, take away the removed parts and then add the added ones, as `Diagram.apply`
- * does. The circles and vertices then equal those of `DiagramEditor.snapshot` to the bit, at any scale.
+ * does. The circles and vertices of the copy then equal `DiagramEditor.snapshot` bit for bit, at any scale.
  *
  * @category Editing
  */
@@ -30,7 +30,7 @@ export interface Change {
   readonly replaced: Int32s
   /** Three numbers for each inserted circle, then for each replaced circle: x, y, r. */
   readonly circles: Float64s
-  /** Circles that lost their cell, or were inserted without one. */
+  /** Circles that lost their cell, or were inserted without a cell. */
   readonly hidden: Int32s
   /**
    * Two ids for each circle in `hidden`, and for each hidden circle that got another hider: the circle, and a visible
@@ -54,17 +54,17 @@ export interface Change {
    */
   readonly edges: Int32s
   /**
-   * Two numbers for each unbounded side that is followed by another side than before: the side, and the next side
-   * around its cell. Side 2 e belongs to the left circle of edge e, side 2 e + 1 to the right circle.
+   * Two numbers for each unbounded side whose next side has changed: the side, and the next side around its cell. Side
+   * 2 e belongs to the left circle of edge e, side 2 e + 1 to the right circle.
    */
   readonly hullSides: Int32s
 }
 
 const WAYS: readonly EditWay[] = ['local', 'patch', 'whole']
-/** Numbers before the lists. */
+/** The number of integers before the lists. */
 const HEAD = 18
 
-/** The change in the bytes of cpp/wasm/editor_bindings.cpp, which are copied. */
+/** Reads a change from the bytes of cpp/wasm/editor_bindings.cpp and copies its lists. */
 export function changeOf(bytes: Uint8Array, revision: number): Change {
   const buffer = bytes.slice().buffer
   const head = new Int32Array(buffer, 0, HEAD)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The JSON format of the command line (circle_voronoi/io.h), as values of JavaScript.
+// The JSON format of the command line (circle_voronoi/io.h) as JavaScript values.
 import { shown } from '../base/check.ts'
 import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
 import { at, NONE } from '../base/diagram-data.ts'
@@ -12,8 +12,8 @@ const FORMAT = 'circle-voronoi'
 const VERSION = 1
 
 /**
- * A diagram as the command line writes and reads it. `metric` is there where it is not `circles`, `weights` where radii are
- * weights.
+ * A diagram as the command line writes and reads it. `metric` is missing if it is `circles`, and `weights` if radii are
+ * not weights.
  *
  * @category Diagrams
  */
@@ -35,7 +35,7 @@ export interface DiagramFile {
   readonly stats: Stats & { readonly certificate: Certificate }
 }
 
-/** A diagram as the value that `JSON.stringify` writes as such a file. */
+/** Returns a diagram as the value that `JSON.stringify` writes to a file. */
 export function fileOf(diagram: DiagramData): DiagramFile {
   const { metric, weights, circles, vertices, vertexCircles, edges, hidden, hull, certificate, stats } = diagram
   const list = <Item>(array: Float64Array | Int32Array, size: number, item: (first: number) => Item): Item[] =>
@@ -63,8 +63,8 @@ export function fileOf(diagram: DiagramData): DiagramFile {
 }
 
 /**
- * The diagram of such a file, which is text or has been parsed. Whether it is one is not judged, and what the file says of
- * that is not believed; but all indices are those of its circles and vertices.
+ * Reads a diagram from the text of a file or from its parsed value. The result has no certificate, whatever the file
+ * says, but all indices are in range.
  */
 export function dataFrom(json: unknown): DiagramData {
   const file = typeof json === 'string' ? parsed(json) : json
@@ -176,7 +176,7 @@ function circleOf(item: unknown, i: number, weights: boolean): number[] {
   return numbers
 }
 
-/** `size` whole numbers from `first` on that are less than `count`. */
+/** Reads `size` whole numbers from `first` up to but not including `count`. */
 function indicesOf(value: unknown, size: number | undefined, first: number, count: number, name: string): number[] {
   const list = listOf(value, name)
   if (size !== undefined && list.length !== size) refuse(`${name} are ${list.length} numbers, not ${size}.`)
@@ -188,7 +188,7 @@ function indicesOf(value: unknown, size: number | undefined, first: number, coun
   return list as number[]
 }
 
-/** Reads the fields that exist. Missing and invalid ones are empty, as on the command line. */
+/** Reads the existing fields. Missing and invalid fields are empty, as on the command line. */
 export function statsOf(value: unknown): Stats {
   const part = (item: unknown, name: string): unknown => Object(item)[name]
   const nameOf = <Name extends string>(list: string, known: readonly Name[]): Name | '' =>

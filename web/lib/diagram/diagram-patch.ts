@@ -12,43 +12,43 @@ export type PatchedArrays = Omit<DiagramData, 'metric' | 'weights' | 'certificat
 }
 
 /**
- * Applies the changes of an editor to the arrays of a diagram: in place, in the time that the change takes. Arrays have no gaps:
- * where more goes than comes, the last ones move into the places that become free.
+ * Applies the changes of an editor to the arrays of a diagram, in place and in time proportional to the change. Arrays
+ * have no gaps: the last entries move into the places of removed ones.
  */
 export class DiagramPatch {
-  readonly #circles: Growing<Float64s>
-  readonly #firstSide: Growing<Int32s>
-  readonly #ids: Growing<Int32s>
-  readonly #vertices: Growing<Float64s>
-  readonly #vertexCircles: Growing<Int32s>
-  readonly #vertexSides: Growing<Int32s>
-  readonly #vertexNumbers: Growing<Int32s>
-  readonly #edges: Growing<Int32s>
-  readonly #nextSide: Growing<Int32s>
-  readonly #edgeNumbers: Growing<Int32s>
+  readonly #circles: GrowableArray<Float64s>
+  readonly #firstSide: GrowableArray<Int32s>
+  readonly #ids: GrowableArray<Int32s>
+  readonly #vertices: GrowableArray<Float64s>
+  readonly #vertexCircles: GrowableArray<Int32s>
+  readonly #vertexSides: GrowableArray<Int32s>
+  readonly #vertexNumbers: GrowableArray<Int32s>
+  readonly #edges: GrowableArray<Int32s>
+  readonly #nextSide: GrowableArray<Int32s>
+  readonly #edgeNumbers: GrowableArray<Int32s>
   /** Maps each id or number to its index in the arrays. */
-  readonly #circleOfId: Places
-  readonly #vertexOf: Places
-  readonly #edgeOf: Places
+  readonly #circleOfId: IndexMap
+  readonly #vertexOf: IndexMap
+  readonly #edgeOf: IndexMap
   #hidden: Int32s
   #hull: Int32s
   #revision: number
 
-  /** `data`: a diagram whose arrays this may change from now on, with the numbers of its parts. */
+  /** `data` is a diagram whose arrays are changed in place; `numbers` are the ids and numbers of its parts. */
   constructor(data: DiagramData, numbers: SnapshotNumbers) {
-    this.#circles = new Growing(data.circles)
-    this.#firstSide = new Growing(data.firstSide)
-    this.#ids = new Growing(numbers.circles)
-    this.#vertices = new Growing(data.vertices)
-    this.#vertexCircles = new Growing(data.vertexCircles)
-    this.#vertexSides = new Growing(data.vertexSides)
-    this.#vertexNumbers = new Growing(numbers.vertices)
-    this.#edges = new Growing(data.edges)
-    this.#nextSide = new Growing(data.nextSide)
-    this.#edgeNumbers = new Growing(numbers.edges)
-    this.#circleOfId = new Places(numbers.circles)
-    this.#vertexOf = new Places(numbers.vertices)
-    this.#edgeOf = new Places(numbers.edges)
+    this.#circles = new GrowableArray(data.circles)
+    this.#firstSide = new GrowableArray(data.firstSide)
+    this.#ids = new GrowableArray(numbers.circles)
+    this.#vertices = new GrowableArray(data.vertices)
+    this.#vertexCircles = new GrowableArray(data.vertexCircles)
+    this.#vertexSides = new GrowableArray(data.vertexSides)
+    this.#vertexNumbers = new GrowableArray(numbers.vertices)
+    this.#edges = new GrowableArray(data.edges)
+    this.#nextSide = new GrowableArray(data.nextSide)
+    this.#edgeNumbers = new GrowableArray(numbers.edges)
+    this.#circleOfId = new IndexMap(numbers.circles)
+    this.#vertexOf = new IndexMap(numbers.vertices)
+    this.#edgeOf = new IndexMap(numbers.edges)
     const { hiders } = numbers
     this.#hidden =
       hiders === undefined
@@ -58,15 +58,15 @@ export class DiagramPatch {
     this.#revision = numbers.revision
   }
 
-  /** The index of a circle, or `NONE`. */
+  /** Returns the index of a circle, or `NONE`. */
   indexOf(id: number): number {
     return this.#circleOfId.of(id)
   }
 
   /**
-   * Returns the circles, by their indices, whose cells, places or indices are others now.
+   * Applies a change. Returns the indices of circles whose cell, place or index has changed.
    *
-   * @throws CircleVoronoiError `badInput`, if it is not the change that comes next
+   * @throws CircleVoronoiError `badInput`, if a change has been left out
    */
   apply(change: Change): Set<number> {
     if (change?.revision !== this.#revision + 1) {
@@ -94,7 +94,7 @@ export class DiagramPatch {
     return new Set([...[...change.cells, ...change.replaced].map((id) => this.indexOf(id)), ...moved.values()])
   }
 
-  /** The arrays as they are now, until the next change. */
+  /** Returns the current arrays, which are valid until the next change. */
   arrays(): PatchedArrays {
     return {
       circles: this.#circles.view,
@@ -129,7 +129,7 @@ export class DiagramPatch {
     })
   }
 
-  /** Returns the places of the edges that go, and notes whose first side goes. */
+  /** Returns the places of the removed edges, and adds the circles that lose their first side to `shortened`. */
   #takeEdges({ removedEdges }: Change, shortened: Set<number>): number[] {
     return Array.from(removedEdges, (number) => {
       const edge = this.#edgeOf.take(number)
@@ -182,7 +182,7 @@ export class DiagramPatch {
     return edge
   }
 
-  /** A circle has the smallest of its sides as the first. */
+  /** Makes a side the first side of its circle if it is the smallest. */
   #noteSide(side: number): void {
     const circle = this.#circleOf(side)
     const first = at(this.#firstSide.list, circle)
@@ -209,7 +209,7 @@ export class DiagramPatch {
     for (let k = 0; k < hullSides.length; k += 2) {
       const side = this.#sideOf(at(hullSides, k))
       this.#nextSide.list[side] = this.#sideOf(at(hullSides, k + 1))
-      // A cell may have no other side left than one of an unchanged edge.
+      // The only remaining side of a cell may belong to an unchanged edge.
       this.#noteSide(side)
     }
   }
@@ -225,7 +225,7 @@ export class DiagramPatch {
     this.#firstSide.list[circle] = least
   }
 
-  /** The hull, by the circles' indices before any of them moves. */
+  /** Returns the new hull, with the indices of circles before `removeCircles` moves them. */
   #hullAfter({ hullSides, removed }: Change, hidden: Int32s): Int32s {
     if (hullSides.length > 0) {
       const hull: number[] = []
@@ -238,7 +238,7 @@ export class DiagramPatch {
       return Int32Array.from(hull)
     }
     if (this.#edgeOf.count > 0) return this.#hull
-    // No edges, so at most one circle with a cell.
+    // Without edges, at most one circle has a cell.
     const without = new Set(removed.map((id) => this.indexOf(id)))
     for (let k = 0; k < hidden.length; k += 2) without.add(at(hidden, k))
     const visible = this.#ids.view.findIndex((_, circle) => !without.has(circle))
@@ -271,7 +271,7 @@ export class DiagramPatch {
       }
       const circle = this.#circleOf(side)
       if (at(this.#firstSide.list, circle) === side) this.#firstSide.list[circle] = name
-      // Lets the twin find the side, also for a cell with this side only.
+      // The twin finds the side by this entry, even if the cell has no other side.
       nextSide[name] = at(nextSide, side)
       this.#edges.list[4 * to + parity] = circle
       this.#edges.list[4 * to + 2 + parity] = vertex
@@ -295,7 +295,7 @@ export class DiagramPatch {
     this.#vertexOf.put(number, to)
   }
 
-  /** Returns where the circles have gone that moved into free places. */
+  /** Removes circles. Returns the new index of each circle that moved into a free place. */
   #removeCircles({ removed }: Change): Map<number, number> {
     const moved = new Map<number, number>()
     const free = Array.from(removed, (id) => this.indexOf(id))
@@ -325,7 +325,7 @@ export class DiagramPatch {
     } while (side !== first)
   }
 
-  /** The side after one, in a walk of which `left` sides are left at most. */
+  /** Returns the next side of a walk with at most `left` more sides. */
   #sideAfter(side: number, left: number): number {
     if (left < 0) refuseArrays('side', side)
     return at(this.#nextSide.list, side)
@@ -344,7 +344,7 @@ export class DiagramPatch {
     this.#edgeNumbers.resize(edges)
   }
 
-  /** The side here of one that a change names. */
+  /** Returns the side in these arrays for a side of a change. */
   #sideOf(side: number): number {
     return 2 * this.#edgeOf.of(side >> 1) + (side & 1)
   }
@@ -357,15 +357,14 @@ export class DiagramPatch {
     return at(this.#edges.list, 4 * (side >> 1) + 2 + (side & 1))
   }
 
-  /** The place of a circle among the three of a vertex. */
+  /** Returns the place of a circle among the three circles of a vertex. */
   #slotOf(vertex: number, circle: number): number {
     const list = this.#vertexCircles.list
     return 3 * vertex + (at(list, 3 * vertex) === circle ? 0 : at(list, 3 * vertex + 1) === circle ? 1 : 2)
   }
 }
 
-/** A typed array with room to grow. */
-class Growing<List extends Float64s | Int32s> {
+class GrowableArray<List extends Float64s | Int32s> {
   list: List
   length: number
   #view: List
@@ -376,7 +375,6 @@ class Growing<List extends Float64s | Int32s> {
     this.#view = list
   }
 
-  /** The current contents. */
   get view(): List {
     if (this.#view.length !== this.length || this.#view.buffer !== this.list.buffer) {
       this.#view = this.list.subarray(0, this.length) as List
@@ -393,8 +391,7 @@ class Growing<List extends Float64s | Int32s> {
   }
 }
 
-/** Maps numbers to indices. */
-class Places {
+class IndexMap {
   count: number
   #places: Int32Array
 
@@ -428,7 +425,7 @@ class Places {
   }
 }
 
-/** The place after one of the three of a vertex, around it. */
+/** Returns the place after `slot` among the three circles of a vertex, counter-clockwise. */
 function after(slot: number): number {
   return slot % 3 === 2 ? slot - 2 : slot + 1
 }
@@ -437,7 +434,7 @@ function copyThree(from: Float64Array | Int32Array, i: number, to: Float64Array 
   for (let k = 0; k < 3; k++) to[3 * j + k] = at(from, 3 * i + k)
 }
 
-/** Moves the last of `count` things into places that are free, each at most once. Returns how many there are then. */
+/** Moves the last of `count` entries into free places, each entry at most once. Returns the new number of entries. */
 function closeGaps(free: number[], count: number, move: (from: number, to: number) => void): number {
   const left = count - free.length
   const gaps = free.sort((a, b) => a - b)
@@ -455,10 +452,10 @@ function closeGaps(free: number[], count: number, move: (from: number, to: numbe
   return left
 }
 
-/** A circle, and what hides it now, or `NONE`. */
+/** A circle and the circle that hides it now, or `NONE`. */
 type HidingChange = readonly [circle: number, by: number]
 
-/** Pairs of a hidden circle and what hides it, in increasing order, with changes. */
+/** Applies changes to the pairs of a hidden circle and its hider, which are sorted. */
 function withChanges(hidden: Int32s, changes: HidingChange[]): Int32s {
   if (changes.length === 0) return hidden
   const result = new Int32Array(hidden.length + 2 * changes.length)
@@ -480,7 +477,7 @@ function withChanges(hidden: Int32s, changes: HidingChange[]): Int32s {
   return result.slice(0, written)
 }
 
-/** The index of the first pair of this circle or a later one. */
+/** Returns the index of the first pair whose circle is at least `circle`. */
 function placeOf(hidden: Int32s, circle: number): number {
   let low = 0
   let high = hidden.length >> 1
@@ -492,7 +489,7 @@ function placeOf(hidden: Int32s, circle: number): number {
   return 2 * low
 }
 
-/** The same pairs with circles that have moved to places below `count`. */
+/** Renames moved circles in the pairs and sorts the pairs again. All indices are then below `count`. */
 function renamed(hidden: Int32s, moved: ReadonlyMap<number, number>, count: number): Int32s {
   if (moved.size === 0) return hidden
   const changes: HidingChange[] = []
@@ -508,7 +505,7 @@ function renamed(hidden: Int32s, moved: ReadonlyMap<number, number>, count: numb
   return result
 }
 
-/** A hull that starts with its smallest step, as `compute` has it. */
+/** Rotates a hull so that it starts with its smallest step, as in `compute`. */
 function rotated(hull: Int32s): Int32s {
   const next = (k: number) => at(hull, (k + 1) % hull.length)
   let start = 0

@@ -76,8 +76,8 @@ export interface Cell {
 /**
  * The Voronoi diagram of n circles: flat arrays, and methods that draw, measure and query them. A structured clone, for
  * example one made by `postMessage`, is plain `DiagramData`; `new Diagram(data)` restores the methods, and `fromJSON`
- * reads JSON. Nothing has to be freed. `compute` returns a `ComputedDiagram`, and editors return a `DiagramSnapshot`,
- * which have further methods.
+ * reads JSON. A diagram holds no memory that has to be freed. `compute` returns a `ComputedDiagram`, and editors return
+ * a `DiagramSnapshot`, which have further methods.
  *
  * Drawing methods take one object of options. With a `context` (a canvas, a `Path2D` or any other `PathSink`) they
  * draw; without one they return the `d` attribute of an SVG path. Curves are approximated by Bézier curves within
@@ -142,8 +142,8 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * @internal Takes the arrays of another diagram, and forgets what was derived from the old ones. `follow` changes the
-   * search structure of `find`, and returns whether it could; then the cells stay valid, too.
+   * @internal Takes the arrays of another diagram and drops all data derived from the old arrays. If `follow` can
+   *   update the search structure of `find`, it returns true, and the cells stay valid too.
    */
   protected renew(data: Partial<DiagramData>, follow?: (finder: Finder) => boolean): void {
     Object.assign(this, data)
@@ -200,7 +200,7 @@ export class Diagram implements DiagramData {
    * Returns the circles whose cells share an edge with the cell of circle `i`, counter-clockwise. A circle appears once
    * for each shared edge. The result is empty if circle `i` is hidden.
    *
-   * With `bounds`, a `region` or `maxDistance`, it returns those that share a part of an edge inside, each once.
+   * With `bounds`, a `region` or `maxDistance`, it returns each circle once that shares a part of an edge inside.
    */
   neighbors(i: number, options: BoundsOptions = {}): Int32Array {
     this.#checkCircle(i, 'neighbors')
@@ -228,10 +228,10 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Returns the circle nearest to (x, y) by the signed distance to its boundary, or by the metric of the diagram. If
-   * several circles are equally near up to rounding, it returns one of them; if there are no circles or a coordinate is
-   * not finite, `NONE`. The search walks from a circle near the point, or from `hint` if that is nearer, and needs a
-   * step or two if the circles are spread evenly.
+   * Returns the circle nearest to (x, y) by the signed distance to its boundary, or by the metric of the diagram. Ties
+   * up to rounding may go to any of the nearest circles. Returns `NONE` if there are no circles or a coordinate is not
+   * finite. The search walks from a circle near the point, or from `hint` if that is nearer, and needs a step or two if
+   * the circles are spread evenly.
    */
   find(x: number, y: number, hint: number = NONE): number {
     checkNumber(x, 'find', 'x')
@@ -486,7 +486,7 @@ export class Diagram implements DiagramData {
     return values
   }
 
-  /** Draws what bounds or a region keep. */
+  /** Draws the parts inside the bounds or the region of the options. */
   #drawn(
     caller: string,
     options: DrawOptions,
@@ -503,14 +503,14 @@ export class Diagram implements DiagramData {
     return textOf(sink)
   }
 
-  /** The region of the options, if they have one. */
+  /** Returns the checked region of the options, if any. */
   #regionIn(caller: string, options: BoundsOptions): Region | undefined {
     const region = regionOption(options, caller)
     if (region !== undefined) checkMaxDistance(this, caller, options.maxDistance)
     return region
   }
 
-  /** All cells in a region. The last ones are kept, for the next question. */
+  /** Returns all cells clipped to a region. The last result is cached. */
   #clippedTo(region: Region, { maxDistance }: BoundsOptions): ClippedDiagram {
     const clipped = this.#keptClip(region, maxDistance) ?? region.module.clip(this, maxDistance)
     this.#clip = { region, maxDistance, clipped }
@@ -522,7 +522,7 @@ export class Diagram implements DiagramData {
     return last?.region === region && last.maxDistance === maxDistance ? last.clipped : undefined
   }
 
-  /** One cell in a region: the cells and its row. */
+  /** Returns clipped cells and the row of cell `i` among them. */
   #cellIn(region: Region, i: number, options: BoundsOptions): [cells: ClippedCells, row: number] {
     const { maxDistance } = options
     const cells = this.#isClippedAlone(region, i, maxDistance) && region.module.clipCell(this, i, maxDistance)
@@ -530,8 +530,8 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Whether a cell is clipped without the others: the first few after a change, as an editor asks for them. Once
-   * clipping single cells has cost as much as clipping all of them, all cells are clipped.
+   * Whether a cell is clipped alone. Only the first few are, for editors that read a few cells after each change. When
+   * single cells have taken as much time as clipping all cells, all cells are clipped.
    */
   #isClippedAlone(region: Region, i: number, maxDistance: number | undefined): boolean {
     if (this.#keptClip(region, maxDistance) !== undefined || this.metric !== 'circles') return false
@@ -539,7 +539,7 @@ export class Diagram implements DiagramData {
     return CELLS_FOR_ONE * this.#alone <= this.circles.length / 3 && this.cells.sides(i).length > 0
   }
 
-  /** The limits by the options' bounds and distance. Returns the last limits if they are the same. */
+  /** Returns the limits for the bounds and distance of the options, or the cached limits if nothing has changed. */
   #limitsOf(caller: string, { bounds, maxDistance }: BoundsOptions): Limits {
     checkMaxDistance(this, caller, maxDistance)
     const last = this.#lastLimits
@@ -565,14 +565,14 @@ export class Diagram implements DiagramData {
   }
 }
 
-/** Whether bounds are the four numbers of a region that is a box. */
+/** Whether a polygon is a box with the four numbers of `bounds`. */
 function isBoxOf({ isBox, box }: ConvexPolygon, bounds: Bounds): boolean {
   if (!isBox || !Array.isArray(bounds) || bounds.length !== 4) return false
   const { minX, minY, maxX, maxY } = box
   return bounds[0] === minX && bounds[1] === minY && bounds[2] === maxX && bounds[3] === maxY
 }
 
-/** Number of cells that are clipped together in the time of one alone. */
+/** The number of cells that are clipped together in the time of one cell alone. */
 const CELLS_FOR_ONE = 64
 
 function numberOf(value: unknown): number {
@@ -580,9 +580,12 @@ function numberOf(value: unknown): number {
   return value as number
 }
 
-/** The half-edge from the k-th circle of a triangle to the next one crosses the edge between their sides. */
+/**
+ * Pairs the half-edges of the triangles. The half-edge from the k-th circle to the next one crosses the edge between
+ * them.
+ */
 function halfedgesOf({ vertexCircles, edges, vertexSides }: DiagramData): Int32Array {
-  // For each side the half-edge that crosses it where it begins: towards its own circle from the previous one.
+  // For each side, the half-edge that crosses it at its start: from the previous circle to its own circle.
   const crossing = new Int32Array(edges.length / 2).fill(NONE)
   vertexSides.forEach((side, slot) => {
     crossing[side] = before(slot)

@@ -7,11 +7,11 @@ import type { Vector } from '../base/types.ts'
 import type { Cells } from '../regions/cells.ts'
 
 /**
- * The largest number of sides for which asking every neighbor is faster. The nearest neighbor then makes the longest
- * step.
+ * The largest number of sides for which testing every neighbor is faster than bisection. The nearest neighbor then
+ * gives the longest step.
  */
 const FEW_SIDES = 24
-/** The error of a difference of distances, as a share of its numbers: more than twice the loss of its operations. */
+/** The relative error bound of a difference of distances: more than twice the rounding of its operations. */
 const ROUNDING = 2 ** -49
 /** Squares of smaller numbers lose digits. */
 const SMALL = 1e-140
@@ -27,10 +27,10 @@ const FEW_CIRCLES = 16
  * From cell i the walk goes on to a neighbor that is nearer to p, until there is none. That cannot end too early: the
  * cells are star-shaped around their centers, so if p is outside cell i, the segment from c_i to p leaves it across a
  * side, and from there on it is nearer to the neighbor across that side (the points nearer to i than to j are
- * star-shaped around c_i too). In a cell with many sides, the side is found by bisection. For the metric `power` cells
- * are intersections of half-planes, one for each neighbor, and one of them excludes p.
+ * star-shaped around c_i too). In a cell with many sides, the side is found by bisection. For the metric `power`, cells
+ * are intersections of half-planes, one for each neighbor, and some half-plane excludes p.
  *
- * A grid of starting circles makes the walk short: for circles spread evenly a step or two.
+ * A grid of starting circles shortens the walk to a step or two if the circles are spread evenly.
  */
 export class Finder {
   readonly #cells: Cells
@@ -42,14 +42,17 @@ export class Finder {
   readonly #rows: number = 0
   /** A visible circle for each bucket, row by row. */
   readonly #starts: Int32Array
-  /** The sides of cells with more than `FEW_SIDES`; of those that have changed, and may have fewer, not yet. */
+  /**
+   * The sides of cells with more than `FEW_SIDES` sides. Changed cells map to `undefined` until their sides are read
+   * again.
+   */
   readonly #manySides: Map<number, Int32Array | undefined>
   /** The number of circles that the grid was made for. */
   readonly #circleCount: number
-  /** A circle that was found last, where a start is gone. */
+  /** The circle found last, as a start if the circle of a bucket is gone. */
   #last: number = 0
 
-  /** In linear time. */
+  /** Builds the grid in linear time. */
   constructor(cells: Cells) {
     this.#cells = cells
     const { circles } = cells.diagram
@@ -70,9 +73,9 @@ export class Finder {
       const [width, height] = [maxX - minX, maxY - minY]
       if (!Number.isFinite(width + height)) refuseInfinite(circles)
       const wanted = Math.max(1, visible / PER_BUCKET)
-      const extent = Math.max(width, height) // a product of the smallest numbers would be 0
+      const extent = Math.max(width, height) // the product of the smallest numbers would be 0
       const share = Math.max(Math.sqrt(((width / extent) * (height / extent)) / wanted), 1 / wanted)
-      this.#side = extent * share || 1 // any size does for one place
+      this.#side = extent * share || 1 // any size is right if all centers are equal
       this.#columns = Math.floor(width / this.#side) + 1
       this.#rows = Math.floor(height / this.#side) + 1
     }
@@ -81,8 +84,8 @@ export class Finder {
   }
 
   /**
-   * The circle of smallest distance to (x, y), one of them up to rounding where several are. The walk starts near the
-   * point, or from `hint`, if that is nearer. `NONE` if there are no circles, or a coordinate is not finite.
+   * Returns the circle nearest to (x, y), or `NONE` if there are no circles or a coordinate is not finite. Ties up to
+   * rounding may go to any of the nearest circles. The walk starts near the point, or at `hint` if that is nearer.
    */
   find(x: number, y: number, hint: number = NONE): number {
     if (this.#columns === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return NONE
@@ -90,9 +93,8 @@ export class Finder {
     if (!this.#cells.exists(circle)) circle = this.#someCircle()
     if (circle === NONE) return NONE
     if (this.#cells.exists(hint) && this.#lead(hint, circle, x, y) > 0) circle = hint
-    // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met
-    // again
-    // that was marked at step 1, 2, 4, 8 and so on.
+    // Each step comes nearer, so the walk ends. But rounding may lead around a loop, which then meets the circle marked
+    // at step 1, 2, 4, 8 and so on.
     let marked = circle
     for (let step = 0, markAt = 1; ; step++) {
       const next = this.#nearerNeighbor(circle, x, y)
@@ -108,9 +110,8 @@ export class Finder {
   }
 
   /**
-   * For each of many points, x and y each, the same; points near in the list that are near in the plane help. Half as
-   * many
-   * indices as numbers.
+   * Returns the nearest circle of each point; `points` has x and y of each. It is fastest if consecutive points are
+   * near each other.
    */
   findAll(points: Float64Array): Int32Array {
     let circle = NONE
@@ -121,9 +122,8 @@ export class Finder {
   }
 
   /**
-   * Told that some circles of the diagram, and their cells, are others now. Returns whether this is still good for the
-   * diagram:
-   * not, if it has grown too much.
+   * Updates the finder after some circles and their cells have changed. Returns false if the diagram has grown too much
+   * and needs a new finder.
    */
   follow(changed: Iterable<number>): boolean {
     const cells = this.#cells
@@ -137,7 +137,7 @@ export class Finder {
     return true
   }
 
-  /** A circle with a cell, where a start has none any more; `NONE` if there is none. */
+  /** Returns a circle with a cell, in place of a start that lost its cell; `NONE` if no circle has a cell. */
   #someCircle(): number {
     const { circles } = this.#cells.diagram
     const count = circles.length / 3
@@ -148,7 +148,7 @@ export class Finder {
     return NONE
   }
 
-  /** The sides of a cell, if they are many. */
+  /** Returns the sides of a cell if it has more than `FEW_SIDES`. */
   #manySidesOf(circle: number): Int32Array | undefined {
     if (this.#manySides.size === 0) return undefined
     const known = this.#manySides.get(circle)
@@ -175,7 +175,7 @@ export class Finder {
     for (let i = 0; i < circles.length / 3; i++) {
       if (this.#cells.exists(i)) starts[this.#bucketOf(at(circles, 3 * i), at(circles, 3 * i + 1))] = i
     }
-    // Empty buckets take the start of a filled one near them. The list grows while it is gone through.
+    // Empty buckets take the start of a filled bucket near them. The list grows during the loop.
     const filled: number[] = []
     for (let bucket = 0; bucket < starts.length; bucket++) {
       if (at(starts, bucket) !== NONE) filled.push(bucket)
@@ -195,7 +195,7 @@ export class Finder {
     return starts
   }
 
-  /** A neighbor nearer to the point than the circle itself, or `NONE`. */
+  /** Returns a neighbor that is nearer to the point than the circle itself, or `NONE`. */
   #nearerNeighbor(circle: number, x: number, y: number): number {
     const cells = this.#cells
     const { circles, metric, edges, nextSide, firstSide } = cells.diagram
@@ -204,7 +204,7 @@ export class Finder {
     let stop = side
     const many = metric === 'power' ? undefined : this.#manySidesOf(circle)
     if (many !== undefined) {
-      // Rounding may be off by a side of next to no length.
+      // Rounding may choose the wrong side if a side has almost no length.
       const after = this.#sidesUpTo(many, circle, x, y)
       side = at(many, (after + many.length - 2) % many.length)
       stop = at(many, (after + 2) % many.length)
@@ -216,7 +216,7 @@ export class Finder {
     let left = nextSide.length
     do {
       if (left-- === 0) refuseArrays('circle', circle)
-      // neighborOf(side), to which calls are too much here.
+      // The code of neighborOf(side) inline, because calls would be too slow here.
       const neighbor = at(edges, 4 * (side >> 1) + 1 - (side & 1))
       side = at(nextSide, side)
       const toOther = plainDistance(circles, neighbor, x, y)
@@ -231,7 +231,10 @@ export class Finder {
     return nearest
   }
 
-  /** The lead of one circle over another at a point, by plain distances unless rounding may decide. */
+  /**
+   * Returns the lead of one circle over another at a point. It uses plain distances unless rounding could change the
+   * sign.
+   */
   #lead(circle: number, other: number, x: number, y: number): number {
     const { circles, metric } = this.#cells.diagram
     if (metric === 'circles') {
@@ -244,7 +247,7 @@ export class Finder {
     return this.#cells.lead(circle, other, x, y)
   }
 
-  /** The number of sides of a cell before the direction of a point, counted from the start of the first side. */
+  /** Returns the number of sides between the start of the first side and the direction of a point. */
   #sidesUpTo(sides: Int32Array, circle: number, x: number, y: number): number {
     const { circles } = this.#cells.diagram
     const toPoint = { x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) }
@@ -259,7 +262,7 @@ export class Finder {
     return low
   }
 
-  /** The direction from the cell's center in which a side begins. */
+  /** Returns the direction from the cell's center to the start of a side. */
   #beginningOf(side: number): Vector {
     const { circles, vertices } = this.#cells.diagram
     const circle = this.#cells.circleOf(side)
@@ -291,7 +294,7 @@ function manySidesOf(cells: Cells): Map<number, Int32Array | undefined> {
   return sides
 }
 
-/** The distance from the center of a circle, without care for numbers whose squares are beyond the range of numbers. */
+/** Returns the distance to the center of a circle. The squares may overflow or underflow. */
 function plainDistance(circles: Float64Array, circle: number, x: number, y: number): number {
   const dx = x - at(circles, 3 * circle)
   const dy = y - at(circles, 3 * circle + 1)
@@ -299,14 +302,14 @@ function plainDistance(circles: Float64Array, circle: number, x: number, y: numb
 }
 
 /**
- * Whether a lead that was found by plain distances is right in its sign. Comparisons that rounding may decide, here or
- * beyond the range of squares, need care.
+ * Whether a lead from plain distances certainly has the right sign: it exceeds the rounding error, and no square
+ * overflows or underflows.
  */
 function isClear(lead: number, toCenter: number, r: number, toOther: number, otherR: number): boolean {
   return Math.abs(lead) > ROUNDING * (toCenter + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL
 }
 
-/** Whether turning counter-clockwise from `reference` one meets v no later than w. */
+/** Whether a counter-clockwise turn from `reference` meets v no later than w. */
 function noLater(reference: Vector, v: Vector, w: Vector): boolean {
   const isSecondHalf = (u: Vector) => {
     const side = turn(reference, u)

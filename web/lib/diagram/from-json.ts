@@ -3,11 +3,10 @@ import { Diagram } from './diagram.ts'
 import { dataFrom } from './diagram-file.ts'
 
 /**
- * Reads a diagram from the text of a JSON file or from the object that `JSON.parse` makes of it, as
- * `JSON.stringify(diagram)` and the command line write it. Numbers round-trip exactly. The diagram is not checked; use
- * `certify` of the library for that.
+ * Reads a diagram from JSON that `JSON.stringify(diagram)` or the command line wrote, as text or as the object that
+ * `JSON.parse` returns. Numbers round-trip exactly. The diagram is not checked; use `certify` of the library for that.
  *
- * @throws CircleVoronoiError `badInput`, if it is no such file or an index is none of its circles or vertices;
+ * @throws CircleVoronoiError `badInput`, if the text is not such a diagram or an index is out of range;
  *   `negativeRadius`, `coordinateTooLarge`
  *
  * @category Diagrams

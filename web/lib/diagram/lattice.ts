@@ -5,8 +5,8 @@ import { cross, dot } from '../base/point.ts'
 import type { Point } from '../base/types.ts'
 
 /**
- * The two periods of a plane that repeats itself: the sides of a box whose opposite sides are glued together, as x and y
- * of each. The box is any parallelogram.
+ * The two periods of a plane that repeats itself: the sides of a box whose opposite sides are glued together, each as x
+ * and y. The box can be any parallelogram.
  *
  * @category Periodic diagrams
  */
@@ -23,7 +23,8 @@ export interface Lattice {
 export type Shift = readonly [a: number, b: number]
 
 /**
- * The numbers of a lattice: embind would convert whatever it is given. The core judges their values.
+ * Returns the numbers of a lattice. Types are checked here, because embind would convert any value; the core judges the
+ * values.
  *
  * @throws CircleVoronoiError `badInput`
  */
@@ -40,11 +41,11 @@ export function latticeNumbers(lattice: Lattice, caller: string): Float64Array<A
 
 /** The shortest periods of a lattice. */
 export interface Periods {
-  /** The vector of the lattice that is nearest to another vector, or nearly, and its shift. */
+  /** Returns a lattice vector that is nearest or almost nearest to (x, y), and its shift. */
   nearest(x: number, y: number): { readonly steps: Point; readonly shift: Shift }
 }
 
-/** Reduces a lattice (Lagrange, Gauss), as `reduce` in cpp/src/diagram/reduced_lattice.h. */
+/** Reduces a lattice (Lagrange, Gauss) like `reduce` in cpp/src/diagram/reduced_lattice.h. */
 export function shortestPeriods({ a, b }: Lattice): Periods {
   // All lengths are divided by the largest coordinate, so that no square vanishes.
   const unit = Math.max(...[...a, ...b].map(Math.abs))

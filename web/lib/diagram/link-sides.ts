@@ -7,8 +7,8 @@ type Adjacency = Pick<DiagramData, 'nextSide' | 'vertexSides' | 'firstSide'>
 type Parts = Pick<DiagramData, 'circles' | 'vertexCircles' | 'edges' | 'hull'>
 
 /**
- * How the sides of a diagram hang together, from its vertices, edges and hull, whose indices are in range. If these do not
- * fit together, no side has a next one, and `certify` says what is wrong.
+ * Links the sides of a diagram by its vertices, edges and hull, whose indices are in range. If these do not fit
+ * together, no side has a next side, and `certify` names the flaw.
  */
 export function linkSides(parts: Parts): Adjacency {
   const adjacency = unlinked(parts)
@@ -33,12 +33,15 @@ function originOf({ edges }: Parts, side: number): number {
   return at(edges, 4 * (side >> 1) + 2 + (side & 1))
 }
 
-/** The place before one of the three of a vertex, around it. */
+/** Returns the place before `slot` among the three circles of a vertex, counter-clockwise. */
 export function before(slot: number): number {
   return slot % 3 === 0 ? slot + 2 : slot - 1
 }
 
-/** A side that leaves a vertex has its own circle on its left, and on its right the one before it around the vertex. */
+/**
+ * Links the sides at vertices. A side that leaves a vertex has its own circle on the left and the previous circle of
+ * the vertex on the right.
+ */
 function linkAtVertices(parts: Parts, { nextSide, vertexSides }: Adjacency): boolean {
   const { vertexCircles } = parts
   for (let side = 0; side < nextSide.length; side++) {
@@ -58,8 +61,8 @@ function linkAtVertices(parts: Parts, { nextSide, vertexSides }: Adjacency): boo
 }
 
 /**
- * The side of circle i that begins at infinity next to circle j belongs to the hull's step from i to j, its twin ends there;
- * each step occurs once.
+ * Links the sides at infinity. For each step of the hull from i to j, one side of circle i next to circle j begins at
+ * infinity, and its twin ends there. Each step occurs once.
  */
 function linkAtInfinity(parts: Parts, { nextSide }: Adjacency): boolean {
   const { circles, hull } = parts

@@ -23,29 +23,28 @@ export interface CircleImage {
 }
 
 /**
- * The data of a periodic diagram, as a structured clone has them.
+ * The data of a periodic diagram, without its methods, as in a structured clone.
  *
  * @category Periodic diagrams
  */
 export interface PeriodicData {
-  /** The diagram of the given circles and of as many images as decide their cells. The given circles come first. */
+  /** The diagram of the given circles, which come first, and of all images that determine their cells. */
   readonly diagram: DiagramData
   /** The number of given circles. */
   readonly circleCount: number
   /** The periods, rounded to multiples of 2^-50 of the largest coordinate. */
   readonly lattice: Lattice
-  /** For each circle of `diagram` the given circle of which it is an image. */
+  /** For each circle of `diagram`, the given circle whose image it is. */
   readonly circleOf: Int32s
   /**
-   * For each circle of `diagram` its shift from the given circle, two numbers each. They are 0 for a given circle,
-   * unless
-   * the given circles were too far apart and had to be moved by whole periods.
+   * Two numbers for each circle of `diagram`: its shift from the given circle. The shift of a given circle is 0, unless
+   * the given circles were so far apart that they had to be moved by whole periods.
    */
   readonly shiftOf: Int32s
 }
 
 /**
- * The neighbors of all circles, and the measures of a packing. Item k of `lengths` and `gaps` is that of contact k.
+ * The neighbors of all circles, and the measures of a packing. Item k of `lengths` and `gaps` belongs to contact k.
  *
  * @category Periodic diagrams
  */
@@ -64,9 +63,8 @@ export interface ContactTable {
 
 /**
  * The Voronoi diagram of circles that repeat with two periods, made by `library.computePeriodic`. The methods take the
- * given circles, from 0 to `circleCount` - 1, and their cells are whole. `diagram` has everything else: it is the
- * diagram of
- * the given circles and of their images around them.
+ * given circles, from 0 to `circleCount` - 1, whose cells are complete. Use `diagram`, the diagram of the given circles
+ * and the images around them, for everything else.
  *
  * @category Periodic diagrams
  * @example
@@ -105,8 +103,7 @@ export class PeriodicDiagram implements PeriodicData {
 
   /**
    * Returns the images across the sides of cell `i`, counter-clockwise. Their shifts are relative to circle `i`. A
-   * circle may
-   * be its own neighbor. An image appears once for each shared edge.
+   * circle may be its own neighbor. An image appears once for each shared edge.
    */
   neighbors(i: number): CircleImage[]
   neighbors(i: number, ...others: readonly unknown[]): CircleImage[] {
@@ -127,14 +124,13 @@ export class PeriodicDiagram implements PeriodicData {
     const { circles } = this.diagram
     if (this.circleCount === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return undefined
     this.#periods ??= shortestPeriods(this.lattice)
-    // Beside the given circles a point is nearest to some image. Moved by the shift of this image, it lies beside the
-    // given
-    // circle and no farther from the nearest one, so this ends at a given circle, whose cell is right.
+    // The nearest circle of a point may be an image. Shifted back by the shift of the image, the point lies near the
+    // given circle and no farther from its nearest circle. So the loop ends at a given circle, whose cell is correct.
     const { steps, shift } = this.#periods.nearest(x - at(circles, 0), y - at(circles, 1))
     let p: Point = { x: x - steps.x, y: y - steps.y }
     let [k, l] = shift
     let found = this.diagram.find(p.x, p.y)
-    // Rounding may lead around in circles, among images that are equally near.
+    // Rounding may lead to an endless loop among images that are equally near.
     for (let tries = 0; tries < 100 && found >= this.circleCount; tries++) {
       const given = at(this.circleOf, found)
       p = {
@@ -250,7 +246,7 @@ export class PeriodicDiagram implements PeriodicData {
 
   /**
    * Returns the table of `contacts` as CSV, with the columns circle, neighbor, shift_a, shift_b, length, gap, area and
-   * packing_fraction. The last two are those of the circle. Hidden circles have no line.
+   * packing_fraction. The last two columns describe the circle. Hidden circles have no line.
    */
   contactsCsv(): string {
     const { contacts, lengths, gaps, areas, packingFractions } = this.contacts()
@@ -278,7 +274,7 @@ export class PeriodicDiagram implements PeriodicData {
   }
 }
 
-/** By default curves are drawn within this share of the largest coordinate of the periods. */
+/** The default tolerance of curves, as a share of the largest coordinate of the periods. */
 const TOLERANCE = 1e-5
 
 function gapOf(circles: Float64Array, i: number, j: number): number {
@@ -286,7 +282,7 @@ function gapOf(circles: Float64Array, i: number, j: number): number {
   return apart - at(circles, 3 * i + 2) - at(circles, 3 * j + 2)
 }
 
-/** A box that cuts no given cell: each point of a cell is nearer to its center than the sum of the periods. */
+/** Returns a box that cuts no given cell: a cell extends from its center by less than the sum of the periods. */
 function wholeCells(diagram: Diagram, { a, b }: Lattice): [number, number, number, number] {
   const { minX, minY, maxX, maxY }: Box = exportBox(diagram.circles)
   const margin = Math.abs(a[0]) + Math.abs(a[1]) + Math.abs(b[0]) + Math.abs(b[1])

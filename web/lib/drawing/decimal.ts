@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text of numbers that are rounded to some digits after the decimal point. It is written as bytes: a string for each number
-// would take most of the time of an SVG path.
+// Writes numbers rounded to some digits after the decimal point. The text is collected as bytes, because a string for
+// each number would take most of the time of an SVG path.
 
-/** Beyond it a quotient of doubles may be rounded to a whole number that it is not. */
+/** The largest scaled number for which a quotient of doubles is not rounded to the wrong whole number. */
 const MOST = 2 ** 44
-/** The digits that an integer of 32 bits has room for. */
+/** The number of digits that fit into a 32-bit integer. */
 const MOST_DIGITS = 8
 
 const bytes = new Uint8Array(2 ** 14)
-/** Room for a command of a path with its numbers. */
+/** The largest number of bytes of one path command with its numbers. */
 const ROOM = 256
 const decoder = new TextDecoder()
-/** The text that is being written to the bytes, and how many of them it uses. */
+/** The text that owns the buffer, and the number of bytes it uses. */
 let writing: DecimalText | undefined
 let used = 0
 
-/** A text, and numbers in it with at most `digits` digits after the decimal point, without zeros at the end. */
+/** A text with numbers, which have at most `digits` digits after the decimal point and no trailing zeros. */
 export class DecimalText {
   readonly #digits: number
   readonly #scale: number
   #text = ''
 
-  /** `digits`: from 0. More than a double has stand for all of them. */
+  /** `digits` is at least 0. If a double has fewer digits, all digits are written. */
   constructor(digits: number) {
     this.#digits = digits
     this.#scale = 10 ** digits
@@ -61,7 +61,7 @@ export class DecimalText {
     const size = Math.abs(scaled)
     const quotient = size / scale
     if (!(size < MOST && quotient < 2 ** 31) || this.#digits > MOST_DIGITS) {
-      // Beyond 2^53 a double has no digits to round off.
+      // A double beyond 2^53 has no digits after the decimal point.
       this.add(`${size < 2 ** 53 ? scaled / scale : value}`)
       return
     }
@@ -70,7 +70,7 @@ export class DecimalText {
     let count = 1
     for (let power = 10; power <= whole; power *= 10) count += 1
     addDigits(whole, count)
-    // An integer of 32 bits: the remainder of a double takes longer.
+    // 32-bit integers, because the remainder of doubles is slower.
     let rest = (size - whole * scale) | 0
     if (rest === 0) return
     bytes[used++] = POINT
@@ -95,7 +95,7 @@ export class DecimalText {
 
 const [MINUS, POINT, ZERO] = [0x2d, 0x2e, 0x30]
 
-/** The last `count` digits of a whole number. */
+/** Writes the last `count` digits of a whole number. */
 function addDigits(value: number, count: number): void {
   let rest = value
   for (let k = used + count; k > used; ) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the parts inside a region, from the flat arrays of its module.
+// Draws the parts inside a region, from the flat arrays of the module that clips.
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData, PathSink, Point } from '../base/types.ts'
 import { addArc } from '../curves/bezier.ts'
@@ -10,14 +10,14 @@ import type { Outline, OutlinePiece } from '../regions/outline-piece.ts'
 import type { ClippedCells, ClippedEdges, ClippedPolygons, Region } from '../regions/region.ts'
 
 /**
- * The coordinates of a GeoJSON MultiPolygon: a list of polygons, each a list of closed rings that repeat their first point.
- * The first ring of a polygon is its outer ring, counter-clockwise; the others are holes, clockwise.
+ * The coordinates of a GeoJSON MultiPolygon: a list of polygons, each a list of closed rings that repeat their first
+ * point. The first ring of a polygon is its outer ring, counter-clockwise; the others are holes, clockwise.
  *
  * @category Regions
  */
 export type MultiPolygon = [x: number, y: number][][][]
 
-/** The outline of the kept part of the cell in a row. */
+/** Returns the outline of the kept part of the cell in a row. */
 export function clippedOutline(
   diagram: DiagramData,
   [cells, row]: readonly [cells: ClippedCells, row: number],
@@ -29,7 +29,7 @@ export function clippedOutline(
   return loops
 }
 
-/** The sides of which the cell in a row keeps a part. */
+/** Returns the sides that the cell in a row keeps in whole or in part. */
 export function clippedSides([cells, row]: readonly [cells: ClippedCells, row: number]): ReadonlySet<number> {
   const [first, last] = [at(cells.loopOffsets, row), at(cells.loopOffsets, row + 1)]
   return new Set(cells.side.subarray(at(cells.pieceOffsets, first), at(cells.pieceOffsets, last)))
@@ -54,13 +54,13 @@ function loopOf(diagram: DiagramData, cells: ClippedCells, from: number, to: num
   return pieces
 }
 
-/** The part of a side between two of its points. */
+/** Returns the part of a side between two of its points. */
 function sideBetween(diagram: DiagramData, side: number, start: Point, end: Point): BoundedCurve {
   const isForward = side % 2 === 0
   const { bisector } = curveOf(diagram, side >> 1)
   const [first, last] = isForward ? [start, end] : [end, start]
   let [from, to] = [parameterOf(bisector, first.x, first.y), parameterOf(bisector, last.x, last.y)]
-  // Where rounding contradicts their order, the part has the length zero.
+  // If rounding contradicts the order of the points, the part has length zero.
   if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
   const curve = { bisector, from, to, start: first, end: last }
   return isForward ? curve : reversed(curve)
@@ -79,7 +79,7 @@ export function drawOutline(sink: PathSink, outline: Outline, tolerance: number)
   }
 }
 
-/** Draws the pieces of an outline that are of one side. */
+/** Draws the pieces of an outline that belong to one side. */
 export function drawPiecesOf(sink: PathSink, outline: Outline, side: number, tolerance: number): void {
   for (const piece of outline.flat()) {
     if (piece.side !== side) continue
@@ -122,7 +122,7 @@ export function drawPolygons(sink: PathSink, polygons: MultiPolygon): void {
   }
 }
 
-/** The polygons of a row, if it has any. */
+/** Returns the polygons of a row, or `undefined` if it has none. */
 export function multiPolygonOf(polygons: ClippedPolygons, row: number): MultiPolygon | undefined {
   const { polygonOffsets, ringOffsets } = polygons
   const [first, last] = [at(polygonOffsets, row), at(polygonOffsets, row + 1)]

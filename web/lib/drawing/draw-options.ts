@@ -77,21 +77,24 @@ export interface ContextOptions {
  */
 export type DrawOptions = PolygonOptions & (TextOptions | ContextOptions)
 
-/** @throws CircleVoronoiError `badOption`, if there is a tolerance that is none */
+/** @throws CircleVoronoiError `badOption`, if the tolerance is given and invalid */
 export function toleranceOf({ tolerance }: PolygonOptions, region: { readonly box: Box }): number {
   if (tolerance === undefined) return exportTolerance(region.box)
   checkTolerance(tolerance)
   return tolerance
 }
 
-/** The path of the last text, and its digits: most texts are drawn with the same. */
+/**
+ * The path of the last text and its number of digits. Both are kept, because most texts have the same number of digits.
+ */
 let path = new SvgPath()
 let pathDigits: number | undefined
 
 /**
- * The context of the options, or a path whose text `textOf` returns. Nothing else may be drawn before that.
+ * Returns the context of the options, or a path whose text `textOf` returns. Call `textOf` before drawing anything
+ * else.
  *
- * @throws CircleVoronoiError `badOption`, if there is something wrong with them
+ * @throws CircleVoronoiError `badOption`, if an option is invalid
  */
 export function sinkOf({ context, digits }: TextOptions | ContextOptions, tolerance: number | undefined): PathSink {
   if (context !== undefined) {
@@ -102,24 +105,24 @@ export function sinkOf({ context, digits }: TextOptions | ContextOptions, tolera
   const count = digits ?? (tolerance === undefined ? undefined : digitsFor(tolerance))
   if (count !== pathDigits) path = new SvgPath(count)
   pathDigits = count
-  // An error may have left something.
+  // An error may have left text.
   path.take()
   return path
 }
 
-/** The path text of the sink of `sinkOf`, unless the sink is the context of the options. */
+/** Returns the text of the path from `sinkOf`; `undefined` if the sink is the context of the options. */
 export function textOf(sink: PathSink): string | undefined {
   return sink === path ? path.take() : undefined
 }
 
-/** The names of the options of functions that draw within bounds, and of those that do not. */
+/** The names of the options of drawing functions, with and without bounds. */
 export const BOUNDS_OPTIONS = ['bounds', 'region', 'maxDistance']
 export const POLYGON_OPTIONS = [...BOUNDS_OPTIONS, 'tolerance']
 export const DRAW_OPTIONS = ['context', ...POLYGON_OPTIONS, 'digits']
 export const HULL_OPTIONS = ['region', 'tolerance']
 export const PATH_OPTIONS = ['context', 'digits']
 
-/** @throws CircleVoronoiError `badOption`, if there are others than those named */
+/** @throws CircleVoronoiError `badOption`, if there are options other than `known` */
 export function checkDrawOptions(options: object, caller: string, known: readonly string[]): void {
   if (typeof (options as Partial<PathSink> | null)?.moveTo === 'function') {
     refuseOption(`What ${caller} draws on is an option: { context }.`)
@@ -128,8 +131,8 @@ export function checkDrawOptions(options: object, caller: string, known: readonl
 }
 
 /**
- * The number of digits for which rounding moves no point by more than a tenth of a tolerance: by the root of 1/2 in the
- * last digit.
+ * Returns the number of digits for which rounding moves points by at most a tenth of a tolerance. Rounding moves a
+ * point by up to sqrt(1/2) in the last digit.
  */
 function digitsFor(tolerance: number): number {
   return Math.max(0, Math.ceil(-Math.log10(0.14 * tolerance)))

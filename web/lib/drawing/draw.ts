@@ -17,7 +17,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
   if (hasEndsInside(diagram, e, limits, tolerance)) {
     const { vertices, edges } = diagram
     const [start, end] = [at(edges, 4 * e + 2), at(edges, 4 * e + 3)]
-    // An edge that is its chord cannot leave the bounds between its ends.
+    // An edge drawn as its chord cannot leave the bounds between its ends.
     if (isNearChord(diagram, e, tolerance)) {
       sink.moveTo(at(vertices, 3 * start), at(vertices, 3 * start + 1))
       sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
@@ -25,7 +25,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
     }
     const curve = borrowCurve(diagram, 2 * e) as BoundedCurve
     try {
-      // An arc lies in the triangle of its Bezier points.
+      // An arc lies in the triangle of its Bézier points.
       if (isWithin(limits.bounds.box, controlPoint(curve.bisector, curve.from, curve.to), 0)) {
         sink.moveTo(curve.start.x, curve.start.y)
         addArc(sink, curve, tolerance)
@@ -53,7 +53,7 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: L
   drawOutline(sink, outlineOf(cells, circle, limits), tolerance)
 }
 
-/** Draws a cell that lies inside the bounds, without cutting it: most cells of a view do. */
+/** Draws a cell that lies inside the bounds without clipping, as for most cells of a view. */
 function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: number): void {
   const { vertices, firstSide, nextSide } = cells.diagram
   const first = at(firstSide, circle)
@@ -78,9 +78,9 @@ function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: 
 }
 
 /**
- * Whether an edge with two ends is drawn as its chord, by a bound that spares its curve: of most that are. With d the
- * distance of the centers, |a| the difference of the radii by two and L the chord, the error is at most |a| (w - 1)
- * (`traceArc`), and w - 1 at most L^2 / (8 b^2), 4 b^2 = d^2 - (2 a)^2.
+ * Whether a bounded edge can be drawn as its chord, by a bound that does not need its curve. With d the distance of the
+ * centers, |a| half the difference of the radii and L the chord, the error is at most |a| (w - 1) (`traceArc`), and w -
+ * 1 is at most L^2 / (8 b^2), where 4 b^2 = d^2 - (2 a)^2.
  */
 function isNearChord({ circles, edges, vertices, metric }: DiagramData, e: number, tolerance: number): boolean {
   const left = 3 * at(edges, 4 * e)
@@ -92,7 +92,7 @@ function isNearChord({ circles, edges, vertices, metric }: DiagramData, e: numbe
   const square = dx * dx + dy * dy
   const rest = square - difference * difference
   const most = 3.9 * tolerance * rest
-  // Not where the difference cancels, or where squares leave the range of numbers.
+  // The bound fails if the difference cancels or squares overflow or underflow.
   if (!(rest > 1e-6 * square && most > 1e-280 && most < 1e280)) return false
   const start = 3 * at(edges, 4 * e + 2)
   const end = 3 * at(edges, 4 * e + 3)
@@ -101,7 +101,7 @@ function isNearChord({ circles, edges, vertices, metric }: DiagramData, e: numbe
   return Math.abs(difference) * (x * x + y * y) <= most
 }
 
-/** Whether an edge has two ends, which lie inside bounds that are a box, farther than drawing may err. */
+/** Whether the bounds are a box and both ends of an edge lie inside it, by more than the error of drawing. */
 function hasEndsInside(
   { edges, vertices }: DiagramData,
   e: number,
@@ -157,7 +157,7 @@ export function drawDual(sink: PathSink, { circles, edges }: DiagramData): void 
   }
 }
 
-/** Draws a circle, one of negative radius as a point. */
+/** Draws a circle, or a point if the radius is negative. */
 export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number): void {
   const { x, y, r } = circleOf(circles, i)
   const radius = Math.max(r, 0)
@@ -167,9 +167,8 @@ export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number):
 }
 
 /**
- * Spares the work for most of the edges outside small bounds: the distance from the left center grows along a branch
- * from
- * its apex either way, so it is largest at a vertex.
+ * Whether an edge is certainly outside the bounds, which saves time for small bounds. The distance from the left center
+ * grows from the apex to both sides, so it is largest at a vertex.
  */
 function isBeyondEdge(diagram: DiagramData, e: number, bounds: ConvexPolygon): boolean {
   const { circles, edges, vertices } = diagram
@@ -184,7 +183,7 @@ function isBeyondEdge(diagram: DiagramData, e: number, bounds: ConvexPolygon): b
   return Math.max(toStart, toEnd) < distanceTo(bounds, diagram, left)
 }
 
-/** At most the distance from a circle's center to the bounds. */
+/** Returns a lower bound for the distance from a circle's center to the bounds. */
 function distanceTo({ box }: ConvexPolygon, { circles }: DiagramData, circle: number): number {
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)

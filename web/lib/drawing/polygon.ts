@@ -18,8 +18,8 @@ import { type MultiPolygon, multiPolygonOf } from './draw-clipped.ts'
 export type Polygon = [x: number, y: number][]
 
 /**
- * The loops of an outline as one ring: from the first point it goes to each further loop and back. Neighbors share their
- * points bit for bit.
+ * Joins the loops of an outline to one ring, which goes from the first point to each further loop and back. Neighboring
+ * cells share their points bit for bit.
  */
 export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: number): Polygon | undefined {
   const [ring, ...others] = outline.map((loop) => {
@@ -48,7 +48,7 @@ function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
   return piece.forward === piece.curve ? points : points.reverse()
 }
 
-/** The part of the hull inside a region, of the ring that `hullRing` makes; none if the hull has no area there. */
+/** Returns the part of `hullRing` inside a region; `undefined` if it has no area. */
 export function hullInRegion(diagram: DiagramData, region: Region, tolerance: number): MultiPolygon | undefined {
   const corners = hullRing(diagram, tolerance)?.slice(0, -1) ?? []
   const inside = region.module.clipConvex(corners.map(([x, y]) => ({ x, y })))
@@ -56,8 +56,8 @@ export function hullInRegion(diagram: DiagramData, region: Region, tolerance: nu
 }
 
 /**
- * The hull of a diagram's circles as a ring inside it, not farther from it than the tolerance. One below 1e-9 of a circle's
- * radius counts as that.
+ * Returns a ring inside the hull of the circles, no farther from the hull than the tolerance. The smallest effective
+ * tolerance is 1e-9 of a circle's radius.
  */
 export function hullRing(diagram: DiagramData, tolerance: number): Polygon | undefined {
   const ring: Polygon = []

@@ -15,7 +15,7 @@ import { DecimalText } from './decimal.ts'
  */
 export class SvgPath implements PathSink {
   readonly #text: DecimalText
-  /** Points that are nearer are one point in the text. */
+  /** The unit of the last digit. Points closer than this are equal in the text. */
   readonly #unit: number
   #x = Number.NaN
   #y = Number.NaN
@@ -69,7 +69,7 @@ export class SvgPath implements PathSink {
     const [startX, startY] = pointAt(startAngle)
     if (this.#text.isEmpty) this.moveTo(startX, startY)
     else if (!this.#isAt(startX, startY)) this.lineTo(startX, startY)
-    // An arc of SVG is less than a full turn: two halves are as good as any.
+    // An arc of SVG is less than a full turn, so the arc is split into two halves.
     const middle = (startAngle + endAngle) / 2
     for (const angle of [middle, endAngle]) {
       this.#text.add('A')
@@ -83,7 +83,7 @@ export class SvgPath implements PathSink {
     this.#text.add('Z')
   }
 
-  /** Engines may differ in the last bit of a cosine. */
+  /** Whether the path is at (x, y), up to the last bits of a cosine, in which engines may differ. */
   #isAt(x: number, y: number): boolean {
     if (this.#x === x && this.#y === y) return true
     return Math.abs(this.#x - x) < this.#unit && Math.abs(this.#y - y) < this.#unit

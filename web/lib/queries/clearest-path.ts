@@ -18,7 +18,7 @@ import { Heap } from './heap.ts'
 import { pathInside } from './path-inside.ts'
 
 /**
- * A path among circles with the largest possible distance from all of them.
+ * A path whose smallest distance from any circle is as large as possible.
  *
  * @category Questions
  */
@@ -39,8 +39,7 @@ export interface ClearestPath {
   readonly exit: Point | undefined
   /**
    * With bounds or a region, the curves of the whole path from p to q. Each ends where the next one starts. Parts of
-   * edges
-   * are arcs, and the others are straight.
+   * edges are arcs, and the others are straight.
    */
   readonly curves?: readonly BoundedCurve[]
 }
@@ -89,9 +88,8 @@ export function clearestPath(
     }
     return pathInside(diagram, p, q, outlinesIn(diagram, given))
   }
-  // To move straight away from the nearest center until an edge is met never loses clearance. Every path can be carried
-  // onto the edges in this way, infinity included. Therefore some path along edges is as clear as any: that of greatest
-  // bottleneck (Dijkstra).
+  // Moving straight away from the nearest center until an edge never loses clearance. So every path, also through
+  // infinity, can be moved onto the edges. The clearest path is therefore the widest path along edges (Dijkstra).
   const fromCircle = diagram.find(p.x, p.y)
   const toCircle = diagram.find(q.x, q.y)
   const from = exitOf(diagram, fromCircle, p)
@@ -116,20 +114,20 @@ function outlinesIn(diagram: Diagram, region: Region | ConvexPolygon): Outline[]
   return indices.map((i) => clippedOutline(diagram, [cells, i]))
 }
 
-/** The point where the ray from a cell's center through a point leaves the cell. */
+/** The point where a ray from a cell's center leaves the cell. */
 interface Exit {
   readonly edge: number
-  /** On the curve of the edge. */
+  /** The parameter on the curve of the edge. */
   readonly parameter: number
   readonly point: Point
 }
 
-/** `undefined`: never. */
+/** Returns the exit of the ray through p, or `undefined` if the ray never leaves the cell. */
 function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
   const c = circleOf(diagram.circles, circle)
   const toPoint = between(c, p)
   const direction = toPoint.x === 0 && toPoint.y === 0 ? { x: 1, y: 0 } : toPoint
-  // One side is crossed; which one rounding may leave open where two meet.
+  // The ray crosses one side. Near a vertex, rounding may hide which side.
   let leastMiss = 1 + 1e-9
   let exit: Exit | undefined
   for (const side of diagram.cells.sides(circle)) {
@@ -145,16 +143,16 @@ function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
   return exit
 }
 
-/** How clear the best path to each node, a vertex or infinity, is, and how it comes there. */
+/** The clearance of the best path to each node (a vertex or infinity), and its last step. */
 interface Reach {
   readonly clearance: Float64Array
-  /** The edge by which it comes; `NONE`: it starts there. */
+  /** The last edge of the path; `NONE` if the path starts at the node. */
   readonly edge: Int32Array
-  /** The node it comes from; `NONE`: it starts on the edge. */
+  /** The previous node of the path; `NONE` if the path starts on the edge. */
   readonly before: Int32Array
 }
 
-/** Infinity is the node after the last vertex. */
+/** Returns the node of a vertex. Infinity is the node after the last vertex. */
 function nodeOf({ vertices }: Diagram, vertex: number): number {
   return vertex === NONE ? vertices.length / 3 : vertex
 }
@@ -167,13 +165,16 @@ function endOf(diagram: Diagram, edge: number): number {
   return nodeOf(diagram, at(diagram.edges, 4 * edge + 3))
 }
 
-/** The least distance from its circles along a part of an edge: at the apex if that is inside, else at an end. */
+/**
+ * Returns the least distance from the circles along a part of an edge. It is at the apex if the part contains it,
+ * otherwise at an end.
+ */
 function clearanceOf(diagram: Diagram, { bisector }: EdgeCurve, edge: number, from: number, to: number): number {
   const { x, y } = pointOf(bisector, Math.min(Math.max(1, from), to))
   return distanceFrom(diagram, at(diagram.edges, 4 * edge), x, y)
 }
 
-/** The best paths from a place on an edge, or from infinity, to all nodes. */
+/** Finds the best paths from a point on an edge, or from infinity, to all nodes. */
 function reached(diagram: Diagram, from: Exit | undefined): Reach {
   const { vertexSides } = diagram
   const nodeCount = nodeOf(diagram, NONE) + 1
@@ -240,7 +241,7 @@ function routeTo(diagram: Diagram, reach: Reach, from: Exit | undefined, to: Exi
   return throughStart >= throughEnd ? routeToNode(reach, start, byStart, edge) : routeToNode(reach, end, byEnd, edge)
 }
 
-/** The path to a node, and on along a last edge. */
+/** Returns the path to a node and on along a last edge. */
 function routeToNode({ clearance, edge, before }: Reach, node: number, lastClearance: number, last: number): Route {
   const edges = last === NONE ? [] : [last]
   for (let place = node; place !== NONE; place = at(before, place)) {

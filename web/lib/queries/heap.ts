@@ -5,7 +5,7 @@ interface Entry {
   readonly key: number
 }
 
-/** A binary heap of indices, the one with the largest key first; of equal keys the largest index. */
+/** A binary heap of indices. The largest key comes first; for equal keys, the largest index. */
 export class Heap {
   readonly #entries: Entry[] = []
 

@@ -14,19 +14,16 @@ import { type ConvexBoundsOptions, ConvexPolygon } from '../regions/convex-polyg
 import { type Region, regionOption } from '../regions/region.ts'
 import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
 
-/** The order of depths may be off by that, by rounding. */
+/** The relative rounding error of depths. */
 const ROUNDING_OF_DEPTH = 2 ** -48
-/** Where a disc touches a circle and a side, the two distances differ by less than this share. */
+/** The largest relative difference of two distances that count as equal, from a circle and from a side. */
 const ROUNDING_OF_PLACE = 2 ** -31
 
 /**
  * Finds the largest empty disc that lies completely inside some bounds or a region. The disc may touch the boundary as
- * well
- * as circles. Without circles it is the largest disc inside. If circles cover the region, the function returns the
- * result
- * of `largestEmptyDiscCenteredIn`, whose radius is then not positive. The diagram must have the metric `circles`. For
- * bounds
- * the time is proportional to the number of circles times the number of sides.
+ * well as circles. Without circles, the result is the largest disc inside. If circles cover the region, the result is
+ * that of `largestEmptyDiscCenteredIn`, with a radius that is not positive. The diagram must have the metric `circles`.
+ * For bounds, the time is proportional to the number of circles times the number of sides.
  *
  * @throws CircleVoronoiError `badInput`, `badOption`
  *
@@ -44,15 +41,12 @@ export function largestEmptyDiscInside(
   checkOptionNames(options, caller, ['bounds', 'region'])
   const given = regionOption(options, caller)
   if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDiscInside()
-  // The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell
-  // or
-  // along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
-  // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches
-  // three
-  // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region,
-  // which
-  // has some two segments for each side. All candidates are tried, and each is shrunk until it is empty and inside.
-  // So rounding cannot make a result too large.
+  // The radius of a disc is the smaller of two lengths: the distance from the nearest circle, and the depth in the
+  // region. If circles alone bound the disc, it can grow inside a cell (away from the center) and along an edge (away
+  // from the apex). If one circle and one side bound it, it can grow along the side. So the largest disc touches three
+  // circles, two circles and a side, one circle and two sides, or sides alone. In the last two cases its center lies on
+  // the medial axis of the region, which has about two segments for each side. All candidates are tried. Each is shrunk
+  // until it is empty and inside, so rounding cannot make the result too large.
   const region = ConvexPolygon.of((options as ConvexBoundsOptions).bounds)
   const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
   if (centered !== undefined && centered.disc.r <= 0) return centered
@@ -61,7 +55,7 @@ export function largestEmptyDiscInside(
   let best: EmptyDisc | undefined
   const radius = () => best?.disc.r ?? Number.NEGATIVE_INFINITY
   const depthOf = (p: Point) => sides.reduce((least, side) => Math.min(least, depth(side, p)), Infinity)
-  /** The largest disc around a point, if it touches the circles named but for rounding. */
+  /** Tries the largest disc around a point, which should touch the given circles up to rounding. */
   const offer = (p: Point, ...circles: readonly number[]) => {
     const inside = depthOf(p)
     if (!(inside > radius())) return
@@ -75,12 +69,12 @@ export function largestEmptyDiscInside(
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleOf(diagram.circles, circles[0]).r)
     if (!circles.includes(nearest) && distanceFrom(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
-    // It may touch but sides.
+    // The disc may touch sides only.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }
   }
 
-  // First what touches most circles: of equal discs the first is kept.
+  // The first of equal discs is kept, so discs that touch most circles come first.
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
     const { x, y, r: empty } = vertexOf(diagram, v)
     if (empty <= radius() || depthOf({ x, y }) < empty) continue
@@ -108,7 +102,7 @@ export function largestEmptyDiscInside(
   return best
 }
 
-/** The line of a side of the region, with the region on its left. */
+/** A side of the region as a line, with the region on the left. */
 interface Side {
   readonly corner: Point
   /** Unit normal. */
@@ -119,7 +113,7 @@ function depth({ corner, inward }: Side, p: Point): number {
   return dot(inward, between(corner, p))
 }
 
-/** The sides of a region; several on one line are one. */
+/** Returns the sides of a region. Sides on one line are joined. */
 function sidesOf(region: ConvexPolygon): Side[] {
   const directions = region.corners.map((corner, k) => between(corner, region.cornerAfter(k)))
   return region.corners.flatMap((corner, k) => {
@@ -130,7 +124,10 @@ function sidesOf(region: ConvexPolygon): Side[] {
   })
 }
 
-/** A segment of the medial axis of the region: points at the same depth from two sides, and from none less. */
+/**
+ * A segment of the medial axis of the region: its points have the same depth from two sides and no smaller depth from
+ * others.
+ */
 interface Ridge {
   readonly from: Point
   readonly to: Point
@@ -138,13 +135,11 @@ interface Ridge {
   readonly depthTo: number
 }
 
-/**
- * The medial axis: of each side the part of the region to which it is the nearest, cut out of the region side by side.
- */
+/** Returns the medial axis. For each side, the part of the region nearest to it is cut out of the region. */
 function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
   const allowed = ROUNDING_OF_DEPTH * region.reachFrom(region.corner(0))
   return sides.flatMap((side, k) => {
-    // Each corner with the side beyond the line from here to the next corner; itself: a side of the region.
+    // `cut` is the side on the other side of the line from a corner to the next; k for a side of the region.
     let part = region.corners.map((point) => ({ point, cut: k }))
     sides.forEach((other, j) => {
       if (j === k) return
@@ -164,18 +159,17 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
     })
     return part.flatMap(({ point: from, cut }, i) => {
       const to = (part[(i + 1) % part.length] as { point: Point }).point
-      // Each ridge belongs to two sides.
+      // Each ridge belongs to two sides and is kept once.
       return cut <= k ? [] : [{ from, to, depthFrom: depth(side, from), depthTo: depth(side, to) }]
     })
   })
 }
 
 /**
- * The centers of discs that touch the two circles of an edge and a side. With n the normal of the side, D the depth of
- * the
- * curve's origin, and r the radius of its circle, the distance from the circle is the depth where
- * (P - Q) s^2 - 2 K s + (P + Q) = 0, P = c + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and
- * K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).
+ * Returns the centers of discs that touch the two circles of an edge and a side. Let n be the normal of the side, D the
+ * depth of the curve's origin, and r the radius of its circle. Distance and depth are equal where (P - Q) s^2 - 2 K s +
+ * (P + Q) = 0, P = c + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and K^2 - P^2 + Q^2 = (D + r) (D
+ * + r + 2 (c n . along + |a|)).
  */
 function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
   const { left, right } = edgeOf(diagram, e)
@@ -198,7 +192,7 @@ function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sid
   )
 }
 
-/** The centers of discs that touch a circle and the two sides of a ridge. */
+/** Returns the centers of discs that touch a circle and the two sides of a ridge. */
 function placesAlongRidge({ circles }: Diagram, circle: number, { from, to, depthFrom, depthTo }: Ridge): Point[] {
   const c = circleOf(circles, circle)
   const toFrom = between(c, from)
@@ -217,7 +211,7 @@ function placesAlongRidge({ circles }: Diagram, circle: number, { from, to, dept
     .map((u) => ({ x: from.x + u * step.x, y: from.y + u * step.y }))
 }
 
-/** The solutions of u^2 growth - 2 u half + decay = 0, given half^2 - growth decay. */
+/** Solves u^2 growth - 2 u half + decay = 0. `discriminant` is half^2 - growth decay. */
 function rootsOf(growth: number, half: number, decay: number, discriminant: number): number[] {
   if (!(discriminant >= 0)) return []
   const root = Math.sqrt(discriminant)

@@ -16,7 +16,7 @@ import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
 import { type Region, regionOption } from '../regions/region.ts'
 
 /**
- * A disc that touches circles but does not overlap any.
+ * A disc that touches circles but overlaps no circle.
  *
  * @category Questions
  */
@@ -27,9 +27,9 @@ export interface EmptyDisc {
 }
 
 /**
- * Finds the largest empty disc whose center lies in some bounds or in a region: the point there that is farthest from all
- * circles. The disc may stick out. Its radius is negative if circles cover all points. Returns `undefined` if there are no
- * circles. The diagram must have the metric `circles`.
+ * Finds the largest empty disc whose center lies in some bounds or in a region: the point there that is farthest from
+ * all circles. The disc may stick out. Its radius is negative if circles cover all points. Returns `undefined` if there
+ * are no circles. The diagram must have the metric `circles`.
  *
  * @throws CircleVoronoiError `badInput`, `badOption`
  *
@@ -48,8 +48,8 @@ export function largestEmptyDiscCenteredIn(
   const given = regionOption(options, caller)
   if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDisc()
   const region = ConvexPolygon.of((options as ConvexBoundsOptions).bounds)
-  // The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
-  // cell it is convex along every line.
+  // In a cell, the distance from the nearest circle is convex along every line. Its maximum is therefore at a vertex,
+  // at a corner, or where an edge crosses the boundary.
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
     const nearest = diagram.find(corner.x, corner.y)
@@ -99,7 +99,8 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram, ...others: read
   }
 
   // The part of the diagram outside the hull, beyond the tangent segment from circle i to circle j, is a tree that
-  // hangs from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
+  // hangs from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line.
+  // Therefore:
   //   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
   //   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
   //     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;
@@ -122,9 +123,9 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram, ...others: read
       const line = new LineCrossing(bisector, touch, { x: -normal.y, y: normal.x })
       const crossings = line.parameters.filter((s) => from < s && s < to)
       const target = cells.targetOf(side)
-      // An edge that crosses the line twice has come out of the hull again elsewhere.
+      // An edge that crosses the line twice leaves the hull again elsewhere.
       if (target !== NONE && crossings.length < 2 && dot(normal, between(touch, vertexOf(diagram, target))) > 0) {
-        // Only rounding leads to a vertex twice.
+        // Only rounding can lead to a vertex twice.
         if (isOutside[target] === 0) {
           isOutside[target] = 1
           for (const next of vertexSides.subarray(3 * target, 3 * target + 3))
@@ -158,12 +159,12 @@ class Largest {
     this.#offer(vertexOf(this.#diagram, v), this.#diagram.vertexCircles.subarray(3 * v, 3 * v + 3))
   }
 
-  /** The disc around a point that touches these circles. */
+  /** Offers the disc around a point that touches the given circles. */
   offerAround({ x, y }: Point, ...circles: readonly number[]): void {
     this.#offer({ x, y, r: distanceFrom(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
-  /** A point of a circle that has grown. */
+  /** Offers a point on a circle that has grown by `growth`. */
   offerTouch({ x, y }: Point, growth: number, circle: number): void {
     this.#offer({ x, y, r: growth }, [circle])
   }

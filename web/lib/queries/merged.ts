@@ -13,11 +13,14 @@ import type { DiagramData } from '../base/types.ts'
 export interface MergedDiagram {
   /** Three numbers for each merged vertex: x, y and signed radius of its member with the smallest index. */
   readonly vertices: Float64Array
-  /** For each merged vertex the index in `circles` where its circles begin, and at the end the length of `circles`. */
+  /**
+   * For each merged vertex, the index in `circles` where its circles begin. The last item is the length of `circles`.
+   */
   readonly firstCircle: Int32Array
   /**
-   * The circles of merged vertex v stand from `firstCircle[v]` up to before `firstCircle[v + 1]`, counter-clockwise
-   * from the smallest index. A circle appears several times if its cell meets the vertex more than once.
+   * The circles of merged vertex v have the indices from `firstCircle[v]` to `firstCircle[v + 1] - 1`,
+   * counter-clockwise from the smallest circle. A circle appears several times if its cell meets the vertex more than
+   * once.
    */
   readonly circles: Int32Array
   /**
@@ -25,15 +28,15 @@ export interface MergedDiagram {
    * vertices where it starts and ends.
    */
   readonly edges: Int32Array
-  /** For each vertex of the diagram its merged vertex. */
+  /** For each vertex of the diagram, its merged vertex. */
   readonly mergedVertex: Int32Array
 }
 
 /**
- * Merges vertices of a certified diagram that are joined by edges not longer than `nearZero`, in the units of the input. By
- * default the limit is a small multiple of the rounding error of the vertices of each edge. The circles around each merged
- * vertex do not depend on the order of the input, except for their indices, as long as no edge is about as long as
- * `nearZero`.
+ * Merges vertices of a certified diagram that are joined by edges not longer than `nearZero`, in the units of the
+ * input. By default the limit is a small multiple of the rounding error of the vertices of each edge. The circles
+ * around each merged vertex do not depend on the order of the input, except for their indices, as long as no edge is
+ * about as long as `nearZero`.
  *
  * @throws CircleVoronoiError `badInput`
  *
@@ -68,8 +71,8 @@ export function mergeVertices(diagram: DiagramData, nearZero?: number): MergedDi
     mergedVertex[v] = root === v ? members.push(v) - 1 : at(mergedVertex, root)
   }
 
-  // Clockwise around a merged vertex: beyond a long side that leaves it lies a cell, of which the next long side leaves it
-  // too.
+  // The walk goes clockwise around a merged vertex. Beyond each long side that leaves the vertex lies a cell, whose
+  // next long side also leaves the vertex.
   const isMet = new Uint8Array(2 * edgeCount)
   const around: number[][] = members.map(() => [])
   const isShortSide = (side: number) => isShort[side >> 1] === 1
@@ -115,8 +118,8 @@ function fromSmallest(cycle: readonly number[]): number[] {
 }
 
 /**
- * 2^-40 of the numbers that went into a vertex: some thousand times the unit roundoff, for the condition of three-touch
- * discs of circles that are drawn, and far below what can be seen.
+ * Returns 2^-40 of the numbers that determine a vertex. This is several thousand times the unit roundoff, because
+ * three-touch discs may be badly conditioned, and far below a visible length.
  */
 function roundingError({ circles, vertices, vertexCircles }: DiagramData, vertex: number): number {
   const sizeOf = (numbers: Float64Array, i: number) =>
@@ -128,7 +131,7 @@ function roundingError({ circles, vertices, vertexCircles }: DiagramData, vertex
   return 2 ** -40 * size
 }
 
-/** Union-find over indices, the smallest index of a set standing for it. */
+/** Union-find over indices. The smallest index represents its set. */
 class Sets {
   readonly #parent: Int32Array
 

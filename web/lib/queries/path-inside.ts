@@ -13,26 +13,26 @@ import type { Outline } from '../regions/outline-piece.ts'
 import type { ClearestPath } from './clearest-path.ts'
 import { Heap } from './heap.ts'
 
-/** Places on curves may be off by this share. */
+/** The relative error of points on curves. */
 const SLACK = 1e-9
 
-/** A piece of the outline of a cell: a part of an edge in its direction, or a part of the boundary. */
+/** A piece of the outline of a cell: a part of an edge, in the direction of the edge, or a part of the boundary. */
 interface Piece {
   readonly curve: BoundedCurve
-  /** `NONE` on the boundary. */
+  /** The edge, or `NONE` on the boundary. */
   readonly edge: number
   readonly circle: number
   readonly hits: Hit[]
 }
 
-/** Where a ray meets a piece: at a parameter of an edge, at a share of a segment. */
+/** The point where a ray meets a piece, as a parameter of an edge or a fraction of a segment. */
 interface Hit {
   readonly piece: Piece
   readonly place: number
   readonly point: Point
 }
 
-/** A way from one node to another. */
+/** A step from one node to another. */
 interface Link {
   readonly nodes: readonly [number, number]
   readonly curve: BoundedCurve
@@ -42,15 +42,12 @@ interface Link {
 }
 
 /**
- * Finds the path of greatest clearance from `p` to `q` inside the outlines of all cells, of those the shortest along
- * edges and
- * boundary; `undefined` if there is none.
+ * Finds the clearest path from `p` to `q` inside the outlines of all cells; `undefined` if no path exists. If several
+ * paths are equally clear, it is the shortest along edges and boundary.
  *
- * To move straight away from the nearest center never loses clearance. It leads to an edge or to the boundary. So a
- * path along
- * edges and boundary is as clear as any, with one exception: where the ray from the center passes a corner that reaches
- * into
- * the cell, the place that it leads to jumps. There the path may follow the ray.
+ * Moving straight away from the nearest center never loses clearance and leads to an edge or the boundary. So some
+ * clearest path follows edges and boundary, with one exception. Where the ray from the center passes a corner of the
+ * region inside the cell, the end of the ray jumps, and the path may follow the ray.
  */
 export function pathInside(
   diagram: Diagram,
@@ -116,7 +113,7 @@ class Graph {
     })
   }
 
-  /** Adds the ray from a center past a corner that reaches into its cell. */
+  /** Adds the ray from a center past a corner of the region inside its cell. */
   #passCorner(circle: number, before: BoundedCurve, after: BoundedCurve): void {
     const corner = after.start
     const along = between(before.start, before.end)
@@ -129,9 +126,8 @@ class Graph {
   }
 
   /**
-   * Follows the ray from the center of a circle through a point, from this point to where it leaves the cell, or the
-   * region.
-   * `least` is how far ahead that is, as a share of the distance from the center.
+   * Follows the ray from a circle's center through `from`, from there to its exit from the cell or the region. `least`
+   * is the smallest distance to the exit, as a share of the distance of `from` from the center.
    */
   shoot(circle: number, from: Point, least: number): Hit | undefined {
     const center = circleOf(this.#diagram.circles, circle)
@@ -154,7 +150,7 @@ class Graph {
     return first
   }
 
-  /** Links the ends of pieces, and what rays hit between them. */
+  /** Links the ends of pieces, and the hits of rays between them. */
   link(): void {
     for (const { curve, edge, circle, hits } of this.#pieces) {
       const isEdge = edge !== NONE
@@ -173,7 +169,7 @@ class Graph {
     }
   }
 
-  /** The least distance from a circle along a curve. */
+  /** Returns the least distance from a circle along a curve. */
   #clearanceOf({ bisector, from, to, start, end }: BoundedCurve, isEdge: boolean, circle: number): number {
     if (isEdge) {
       const { x, y } = pointOf(bisector, Math.min(Math.max(1, from), to))
@@ -203,7 +199,7 @@ class Graph {
     return node
   }
 
-  /** The shortest of the clearest ways from one place to another. */
+  /** Returns the shortest of the clearest routes between two points. */
   route(from: Point, to: Point): Link[] | undefined {
     const [start, goal] = [this.#nodeOf(from), this.#nodeOf(to)]
     const clearest = this.#best(start, Infinity, (clearance, link) => Math.min(clearance, link.clearance))
@@ -222,7 +218,7 @@ class Graph {
     return links.reverse()
   }
 
-  /** For each node the largest key of a path from the start, and the last link of this path (Dijkstra). */
+  /** Finds for each node the largest key of a path from the start, and the last link of this path (Dijkstra). */
   #best(start: number, key: number, keyAlong: (key: number, link: Link) => number) {
     const keys = new Float64Array(this.#links.length).fill(-Infinity)
     const by: (Link | undefined)[] = []
@@ -245,7 +241,7 @@ class Graph {
   }
 }
 
-/** The points where the ray from a center meets a piece. */
+/** Returns the points where the ray from a center meets a piece. */
 function crossingsOf(
   { curve, edge }: Piece,
   center: Circle,

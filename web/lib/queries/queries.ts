@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Queries about the circles of a diagram of the metric `circles`, each in linear time except for sorting. The dual's
-// triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
+// Queries about the circles of a diagram of the metric `circles`, each in linear time except for sorting. The triangles
+// of the dual are `vertexCircles`. Two triangles may share two circles or all three (a quasi-triangulation).
 import { checkData, checkMetric, checkNoOptions } from '../base/check.ts'
 import { at, circleOf } from '../base/diagram-data.ts'
 import { between } from '../base/point.ts'
@@ -16,7 +16,7 @@ export interface ClosestPair {
   /** The circle with the smaller index. */
   readonly first: number
   readonly second: number
-  /** |c - c'| - r - r': negative if the two overlap. */
+  /** The gap |c - c'| - r - r', negative if the circles overlap. */
   readonly gap: number
 }
 
@@ -35,7 +35,8 @@ export function closestPair(diagram: DiagramData, ...others: readonly unknown[])
   checkData(diagram, 'closestPair')
   checkMetric(diagram, 'closestPair', 'circles')
   const { circles, edges } = diagram
-  // The two share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
+  // The two circles of the closest pair share an edge: a circle nearer than gap / 2 to the middle of their gap would
+  // have a smaller gap to each.
   let closest: ClosestPair | undefined
   for (let e = 0; e < edges.length; e += 4) {
     const first = Math.min(at(edges, e), at(edges, e + 1))
@@ -50,7 +51,7 @@ export function closestPair(diagram: DiagramData, ...others: readonly unknown[])
   return closest
 }
 
-/** If gaps are equal, the pair with the smallest indices counts, whatever the order of the edges. */
+/** Breaks ties between equal gaps by the smallest indices, so the result does not depend on the order of the edges. */
 function isBefore(first: number, second: number, other: ClosestPair): boolean {
   return first < other.first || (first === other.first && second < other.second)
 }

@@ -6,18 +6,18 @@ import { curveOf } from '../curves/curve.ts'
 import { boundedPart, type Part, partNear, partsInside } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 
-/** The limits of cells and edges: the inside of bounds and, if there is one, a distance from the nearest circle. */
+/** The limits of cells and edges: bounds and, optionally, a maximum distance from the nearest circle. */
 export interface Limits {
   readonly bounds: ConvexPolygon
   readonly maxDistance: number | undefined
 }
 
-/** The radius, perhaps not above 0, of the disc around the center of a circle that the distance keeps. */
+/** Returns the radius of the disc around a circle's center that the maximum distance keeps. It may be negative. */
 export function reachFrom({ circles, metric }: DiagramData, circle: number, maxDistance: number): number {
   return (metric === 'circles' ? at(circles, 3 * circle + 2) : 0) + maxDistance
 }
 
-/** Whether all of a cell is kept, for all points up to `reach` from its circle's center are. */
+/** Whether the limits keep a whole cell, because they keep all points up to `reach` from its circle's center. */
 export function isKeptWhole(diagram: DiagramData, circle: number, reach: number, limits: Limits): boolean {
   const { bounds, maxDistance } = limits
   if (maxDistance !== undefined && !(reach < reachFrom(diagram, circle, maxDistance))) return false
@@ -30,8 +30,8 @@ export function isKeptWhole(diagram: DiagramData, circle: number, reach: number,
 }
 
 /**
- * The part of an edge within the distance, or without one the edge with ends far outside the bounds in place of those at
- * infinity.
+ * Returns the part of an edge within the maximum distance. Without a maximum distance, it is the edge with its ends at
+ * infinity moved to points far outside the bounds.
  */
 export function partAtDistance(diagram: DiagramData, edge: number, { bounds, maxDistance }: Limits): Part | undefined {
   const curve = curveOf(diagram, edge)
@@ -40,7 +40,7 @@ export function partAtDistance(diagram: DiagramData, edge: number, { bounds, max
   return partNear(curve, Math.min(reachOf(0), reachOf(1)))
 }
 
-/** The parts of an edge that are kept, in its direction. */
+/** Returns the parts of an edge inside the limits, in the direction of the edge. */
 export function keptParts(diagram: DiagramData, edge: number, limits: Limits): Part[] {
   const part = partAtDistance(diagram, edge, limits)
   return part === undefined ? [] : partsInside(part, limits.bounds)

@@ -34,7 +34,8 @@ export class Cells {
    * Returns the largest distance from the center of a circle to a point of its cell: infinity for an unbounded cell,
    * NaN if there is no cell.
    *
-   * @throws CircleVoronoiError `badInput`, if the arrays of the diagram were changed so that the cell's sides lead elsewhere
+   * @throws CircleVoronoiError `badInput`, if the arrays of the diagram were changed so that the cell's sides lead
+   *   elsewhere
    */
   reach(circle: number): number {
     if (!this.exists(circle)) return Number.NaN
@@ -62,11 +63,12 @@ export class Cells {
    * Returns the sides of a cell, counter-clockwise; none if there is no cell or it is the whole plane. In an unbounded
    * cell, the side that ends at infinity is followed by the side that begins there.
    *
-   * @throws CircleVoronoiError `badInput`, if the arrays of the diagram were changed so that the cell's sides lead elsewhere
+   * @throws CircleVoronoiError `badInput`, if the arrays of the diagram were changed so that the cell's sides lead
+   *   elsewhere
    */
   sides(circle: number): Int32Array {
     const { firstSide, nextSide } = this.diagram
-    // Past the circles there are no sides either.
+    // An index past the last circle has no sides either.
     const first = firstSide[circle] ?? NONE
     if (first === NONE) return new Int32Array()
     const sides: number[] = []
@@ -119,7 +121,7 @@ export class Cells {
    */
   contains(circle: number, x: number, y: number): boolean {
     if (!this.exists(circle)) return false
-    // It suffices to ask the neighbors: a ray from the center that leaves the cell across a side stays nearer to the
+    // It suffices to test the neighbors: a ray from the center that leaves the cell across a side stays nearer to the
     // neighbor there, and for the metric `power` a cell is the intersection of half-planes, one for each neighbor. If a
     // neighbor is as near as the circle up to rounding, one of its own neighbors may be much nearer.
     const asked = new Set([circle])
@@ -128,7 +130,7 @@ export class Cells {
         if (asked.has(other)) continue
         const lead = this.lead(circle, other, x, y)
         const rounding = this.#roundingOfLead(circle, other)
-        // False for NaN, too.
+        // The comparison is false for NaN, too.
         if (!(lead >= (k === circle ? 0 : -rounding))) return false
         if (lead <= rounding) asked.add(other)
       }
@@ -174,7 +176,7 @@ export class Cells {
     return 2 ** -49 * (hypotenuse(dx, dy) + Math.abs(at(circles, 3 * circle + 2) - at(circles, 3 * other + 2)))
   }
 
-  /** Checks a side that a walk around a cell comes to, which may have `left` sides more. */
+  /** Checks the next side of a walk around a cell that may visit `left` more sides. */
   #checkSide(side: number, circle: number, left: number): void {
     const { circles, vertices } = this.diagram
     const other = this.neighborOf(side)
@@ -183,7 +185,9 @@ export class Cells {
     if (!(left > 0 && isOfCell && origin >= NONE && origin < vertices.length / 3)) refuseArrays('circle', circle)
   }
 
-  /** The distance from the center of the side's circle to where it begins, which the side before has, too. */
+  /**
+   * Returns the distance from the circle's center to the start of a side, which is also the end of the previous side.
+   */
   #reachOf(side: number): number {
     const origin = this.originOf(side)
     if (origin === NONE) return Number.POSITIVE_INFINITY

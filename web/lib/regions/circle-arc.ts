@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arcs of circles in outlines: counter-clockwise and of a quarter turn at most, so that the ends and the radius say
-// where
-// the center is, to the left of the chord.
+// Arcs of circles in outlines. They are counter-clockwise and at most a quarter turn, so the ends and the radius
+// determine the center, which is to the left of the chord.
 
-/** A region's area and the integrals of x and y over it, relative to a point, all lengths in some unit. */
+/** The area of a region and the integrals of x and y over it. Lengths are relative to a point and in some unit. */
 export interface Moments {
   readonly area: number
   readonly x: number
@@ -16,12 +15,12 @@ import type { PathSink, Point } from '../base/types.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 
-/** The least tolerance of a polyline, as a share of the radius. */
+/** The smallest tolerance of a polyline, as a share of the radius. */
 const FINEST_POLYLINE = 1e-9
-/** They make that of any arc, of half a turn at most. */
+/** The number of halvings after which an arc of half a turn reaches the smallest tolerance. */
 const MOST_HALVINGS = 16
 
-/** Whether a piece of an outline is such an arc; its `curve` is the chord then. */
+/** Whether a piece of an outline is an arc of a circle, whose `curve` is the chord. */
 export function isCircleArc({ r }: OutlinePiece): boolean {
   return r > 0
 }
@@ -32,9 +31,8 @@ export function arcLength({ curve: { start, end }, r }: OutlinePiece): number {
 }
 
 /**
- * The region between an arc and its chord, as that of a curve. The center of mass is 2 / 3 sin^3 h / (h - sin h cos h)
- * radii
- * from the circle's center, and the chord cos h.
+ * Returns the moments of the region between an arc and its chord. From the circle's center, the centroid is 2 / 3 sin^3
+ * h / (h - sin h cos h) radii away, and the chord cos h radii.
  */
 export function momentsOverChord({ curve, r }: OutlinePiece, reference: Point, unit: number): Moments {
   const chord = measuredIn(unit, between(curve.start, curve.end))
@@ -51,25 +49,25 @@ export function momentsOverChord({ curve, r }: OutlinePiece, reference: Point, u
   }
 }
 
-/** The points of a polyline that keeps within a tolerance of an arc, two at least: those that divide it evenly. */
+/** Returns a polyline within a tolerance of an arc. Its points, at least two, divide the arc evenly. */
 export function polyline({ curve, r }: OutlinePiece, tolerance: number): Point[] {
   const least = Math.max(tolerance, FINEST_POLYLINE * r)
   let points: Point[] = [curve.start, curve.end]
-  // The sagitta is that of each part, and halves of a part have about a quarter of it.
+  // All parts have the same sagitta. Halving the parts divides the sagitta by about four.
   const isCoarse = () => {
     const { sine, cosine } = halfAngleOf(points[0] as Point, points[1] as Point, r)
     return r * sine * (sine / (1 + cosine)) > least
   }
   for (let round = 0; round < MOST_HALVINGS && isCoarse(); round++) {
     const middle = middleOf(points[0] as Point, points[1] as Point, r)
-    // Nothing lies between points that are next to each other.
+    // No number lies between adjacent floating-point numbers.
     if (points.slice(0, 2).some(({ x, y }) => x === middle.x && y === middle.y)) break
     points = points.flatMap((point, k) => (k === 0 ? [point] : [middleOf(points[k - 1] as Point, point, r), point]))
   }
   return points
 }
 
-/** Draws on from the start of an arc to its end. */
+/** Draws an arc. The path must already be at its start. */
 export function traceCircleArc(sink: PathSink, { curve: { start, end }, r }: OutlinePiece): void {
   const chord = between(start, end)
   const size = lengthOf(chord)
@@ -82,8 +80,8 @@ export function traceCircleArc(sink: PathSink, { curve: { start, end }, r }: Out
 }
 
 /**
- * An arc by half its angle h: sin h and cos h, and R_F and R_D of (cos^2 h, 1, 1), with which h = sin h R_F and
- * h - sin h cos h = 2 / 3 sin^3 h R_D (DLMF 19.25).
+ * Returns sin h and cos h for half the angle h of an arc, and R_F and R_D of (cos^2 h, 1, 1). The identities are h =
+ * sin h R_F and h - sin h cos h = 2 / 3 sin^3 h R_D (DLMF 19.25).
  */
 function halfAngleOf(start: Point, end: Point, r: number) {
   const sine = Math.min(lengthOf(between(start, end)) / r / 2, 1)
@@ -92,7 +90,9 @@ function halfAngleOf(start: Point, end: Point, r: number) {
   return { sine, cosine, first, second }
 }
 
-/** The point in the middle of an arc: beyond the middle of the chord by 1 - cos h = sin h tan (h / 2). */
+/**
+ * Returns the point in the middle of an arc. It is 1 - cos h = sin h tan (h / 2) radii beyond the middle of the chord.
+ */
 function middleOf(start: Point, end: Point, r: number): Point {
   const chord = between(start, end)
   const { sine, cosine } = halfAngleOf(start, end, r)

@@ -9,19 +9,19 @@ import { type Bisector, parameterAtDistance, pointOf } from '../curves/bisector.
 import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from '../curves/curve.ts'
 import { boundsOf, type ConvexBoundsOptions, type ConvexPolygon } from './convex-polygon.ts'
 
-/** In place of a side of a polygon: the circle that cuts a cell at the maximum distance. */
+/** Stands for a side of a polygon: the end lies on the circle that cuts a cell at the maximum distance. */
 export const CIRCLE_CUT = -2
-/** In place of a side of a polygon: nothing. The end of the curve is at infinity, which here is a point far outside. */
+/** Stands for a side of a polygon: the end is at infinity, represented by a point far outside. */
 const FAR_CUT = -3
 /**
- * Ends at infinity are moved to that many times the distance of the bounds from the centers. From there, its directions
- * are those at infinity up to a few degrees.
+ * The distance of ends at infinity, as a multiple of the distance of the bounds from the centers. The directions there
+ * differ from the directions at infinity by a few degrees.
  */
 const FAR = 64
 
 /**
- * A part of a curve inside bounds. `cutFrom` and `cutTo` are the sides of the bounds, or `CIRCLE_CUT`, on which the ends
- * of the part lie; `NONE` if the part ends where the curve does.
+ * A part of a curve inside bounds. `cutFrom` and `cutTo` are the sides of the bounds on which the ends of the part lie,
+ * or `CIRCLE_CUT`. `NONE` means that the part ends at the end of the curve.
  */
 export interface Part {
   readonly curve: BoundedCurve
@@ -29,7 +29,7 @@ export interface Part {
   readonly cutTo: number
 }
 
-/** Returns whether cutting has left a point. */
+/** Returns whether cutting has left only a point. */
 export function isPoint({ curve: { start, end }, cutFrom, cutTo }: Part): boolean {
   return isSame(start, end) && (cutFrom !== NONE || cutTo !== NONE)
 }
@@ -65,8 +65,8 @@ export class HalfPlane {
   }
 
   /**
-   * Returns how far a point is to the left of the line, in a unit of its own: negative outside. Exact for points on a line
-   * parallel to an axis.
+   * Returns how far a point is to the left of the line, in a unit of the line. It is negative outside, and exact for
+   * points on a line parallel to an axis.
    */
   height(p: Point): number {
     return cross(this.along, between(this.from, p))
@@ -107,7 +107,7 @@ export function clipCurve(curve: EdgeCurve, options: ConvexBoundsOptions): Bound
   return partsInside(boundedPart(curve, bounds), bounds).map((part) => part.curve)
 }
 
-/** Returns a curve with its ends at infinity moved to points far outside bounds, as they are then cut off. */
+/** Returns a curve whose ends at infinity are moved to points far outside the bounds, where clipping removes them. */
 export function boundedPart(whole: EdgeCurve, bounds: ConvexPolygon): Part {
   const reach = Math.max(bounds.reachFrom(whole.bisector.left), bounds.reachFrom(whole.bisector.right))
   const curve = seenFrom(whole, reach)
@@ -133,8 +133,9 @@ export function boundedPart(whole: EdgeCurve, bounds: ConvexPolygon): Part {
 /**
  * Cuts a bounded part of a curve. Returns the parts in the half-plane, in order.
  *
- * The points that pieces share decide which ends are inside. A root only says where: it is moved to the end that it
- * should not be beyond. So rounding moves an end by as little as the line, and the pieces of a loop stay linked.
+ * The shared end points of pieces decide which ends are inside. A root only determines the place of a crossing, and is
+ * moved back if it lies beyond an end. So rounding moves an end as little as it moves the line, and the pieces of a
+ * loop stay linked.
  */
 export function cutPart(part: Part, half: HalfPlane): readonly Part[] {
   const { bisector, from, to, start, end } = part.curve
@@ -166,7 +167,7 @@ export function cutPart(part: Part, half: HalfPlane): readonly Part[] {
   return hasStart ? [endAt(part, early), startAt(part, late)] : [endAt(startAt(part, early), late)]
 }
 
-/** Moves the ends of a part that were cut off onto the sides that cut them. Rounding may have left them beyond a corner. */
+/** Moves the cut ends of a part onto the sides that cut them, because rounding may have left them beyond a corner. */
 export function movedOntoSides(part: Part, halves: readonly HalfPlane[]): Part {
   const { curve, cutFrom, cutTo } = part
   if (cutFrom === NONE && cutTo === NONE) return part
@@ -175,7 +176,7 @@ export function movedOntoSides(part: Part, halves: readonly HalfPlane[]): Part {
   return { ...part, curve: { bisector, from, to, start: moved(cutFrom, curve.start), end: moved(cutTo, curve.end) } }
 }
 
-/** Returns the parts of a part of a curve inside bounds, in order. */
+/** Returns the parts of a curve's part inside the bounds, in order. */
 export function partsInside(part: Part, bounds: ConvexPolygon): Part[] {
   const halves = HalfPlane.of(bounds)
   let parts = [part]
@@ -186,8 +187,8 @@ export function partsInside(part: Part, bounds: ConvexPolygon): Part[] {
 }
 
 /**
- * The part of a curve whose points are up to a distance from the origin of its bisector, the center of the smaller circle:
- * bounded, if there is one. The distance grows from the apex to both sides: it is from 1 / s to s.
+ * Returns the bounded part of a curve whose points are at most `reach` from the center of the smaller circle;
+ * `undefined` if no point is. The distance grows from the apex to both sides, so the part is from 1 / s to s.
  */
 export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
   const curve = seenFrom(whole, reach)
@@ -211,19 +212,19 @@ export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
 /**
  * The point where a branch crosses the line through `p` along a direction.
  *
- * With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
- * (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex along).
- * Only the ratios of A, B and k count.
+ * With n the normal to the right of the line, multiplying n . (point(s) - p) > 0 by 2 s gives (A+B) s^2 - 2 (A+k) s +
+ * (A-B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex along). Only the ratios of A, B and
+ * k matter.
  */
 export class LineCrossing {
-  /** The parameters, increasing: none, one or two. */
+  /** The parameters in increasing order: none, one or two. */
   readonly parameters: readonly number[]
   readonly #crossings: readonly { readonly s: number; readonly goesRight: boolean }[]
   readonly #growth: number
   readonly #decay: number
 
   constructor(bisector: Bisector, p: Point, direction: Vector) {
-    // Short, since k is large where the circles are near one another.
+    // The normal is short, because k is large if the circles are near each other.
     const largest = largestOf(direction)
     const along = measuredIn(largest > 0 ? powerOfTwoIn(largest) : 1, direction)
     const normal = { x: along.y, y: -along.x }
@@ -249,14 +250,14 @@ export class LineCrossing {
     this.parameters = this.#crossings.map(({ s }) => s)
   }
 
-  /** Returns where the branch goes from the left of the line to its right, or the other way. */
+  /** Returns the parameter where the branch crosses from the left of the line to the right, or from right to left. */
   crossing(toRight: boolean): number | undefined {
     return this.#crossings.find(({ goesRight }) => goesRight === toRight)?.s
   }
 
   /**
-   * Returns where the branch is farthest to the right of the line, or to its left, between two crossings; `undefined` if
-   * there are no two, or the branch is on the other side between them.
+   * Returns the parameter between two crossings where the branch is farthest to the right of the line, or to the left.
+   * Returns `undefined` without two crossings, or if the branch is on the other side between them.
    */
   turningPoint(right: boolean): number | undefined {
     if (this.parameters.length < 2 || this.#growth < 0 !== right) return undefined

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A convex polygon as a cell, which a module of regions clips like any other.
+// Turns a convex polygon into a cell, so that the module for regions can clip it.
 import { between, cross } from '../base/point.ts'
 import { largestOf, lengthOf } from '../base/scale.ts'
 import type { Float64s, Point } from '../base/types.ts'
@@ -8,8 +8,9 @@ import type { Float64s, Point } from '../base/types.ts'
 const LEAST_WIDTH = 1e-9
 
 /**
- * Returns points, as circles of radius 0, of which the first has a convex polygon as its cell: a point inside, and its mirror
- * images in the sides. `corners` run counter-clockwise. Returns `undefined` for a polygon without an area.
+ * Returns points, as circles of radius 0, such that the cell of the first point is a convex polygon. They are a point
+ * inside and its mirror images in the sides. `corners` run counter-clockwise. Returns `undefined` for a polygon without
+ * an area.
  */
 export function circlesOfConvexCell(corners: readonly Point[]): Float64s | undefined {
   const count = corners.length

@@ -13,7 +13,7 @@ import type { Box, Point, Vector } from '../base/types.ts'
 export type Bounds = Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | ConvexPolygon
 
 /**
- * The bounds of functions that take nothing else.
+ * The options of functions that only clip to bounds.
  *
  * @category Cells
  */
@@ -21,7 +21,7 @@ export interface ConvexBoundsOptions {
   readonly bounds: Bounds
 }
 
-/** @throws CircleVoronoiError `badOption`, if they say no bounds, or more */
+/** @throws CircleVoronoiError `badOption`, if `bounds` is missing or there are other options */
 export function boundsOf(options: ConvexBoundsOptions, caller: string): ConvexPolygon {
   checkOptionNames(options, caller, ['bounds'])
   return ConvexPolygon.of(options.bounds)
@@ -87,8 +87,8 @@ export class ConvexPolygon {
   /**
    * Creates the polygon of some bounds.
    *
-   * @throws CircleVoronoiError `badOption`, if they are neither a polygon nor a box of four numbers, or a box that is
-   * empty, or a coordinate is not finite or exceeds `REGION_LIMIT`.
+   * @throws CircleVoronoiError `badOption`, if `bounds` is not a polygon or a box of four numbers, the box is empty, or
+   *   a coordinate is not finite or exceeds `REGION_LIMIT`.
    */
   static of(bounds: Bounds): ConvexPolygon {
     if (bounds instanceof ConvexPolygon) return bounds
@@ -120,7 +120,7 @@ export class ConvexPolygon {
     return this.corners.every((corner, k) => turn(between(corner, this.cornerAfter(k)), between(corner, p)) >= 0)
   }
 
-  /** @internal Returns how far a point of the polygon may be from `p` along one axis, at most. */
+  /** @internal Returns the largest coordinate difference between `p` and a point of the polygon. */
   reachFrom({ x, y }: Point): number {
     const { minX, minY, maxX, maxY } = this.box
     return Math.max(Math.abs(minX - x), Math.abs(maxX - x), Math.abs(minY - y), Math.abs(maxY - y))

@@ -3,13 +3,13 @@ import { at } from '../base/diagram-data.ts'
 import type { Box } from '../base/types.ts'
 
 const MARGIN = 0.05
-/** Relative to the farthest coordinate. */
+/** The smallest margin, relative to the farthest coordinate. */
 const LEAST_MARGIN = 2 ** -50
 const TOLERANCE = 1e-5
 
 /**
- * The box that drawings are clipped to by default: the bounding box of the circles, each grown by `maxDistance`, plus a
- * margin of a twentieth of its size. `circles` has x, y, r of each circle.
+ * Returns the default bounds of drawings: the bounding box of the circles, each grown by `maxDistance`, plus a margin
+ * of a twentieth of its size. `circles` has x, y, r of each circle.
  */
 export function exportBox(circles: Float64Array, maxDistance = 0): Box {
   if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
@@ -28,7 +28,7 @@ export function exportBox(circles: Float64Array, maxDistance = 0): Box {
   }
   const size = Math.max(maxX - minX, maxY - minY)
   const farthest = Math.max(-minX, -minY, maxX, maxY)
-  // The minimum keeps the margin from being lost by rounding.
+  // The minimum prevents rounding from losing the margin.
   const margin = Math.max(size > 0 ? MARGIN * size : 1, LEAST_MARGIN * farthest)
   return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
 }

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells of a large diagram in a small one: some circles and their neighbors have a diagram of their own, in which the
-// cells of
-// these circles are the same. To clip them to a region, nothing else of the large diagram is needed.
+// Clips a few cells of a large diagram with a small diagram. The diagram of some circles and their neighbors has the
+// same cells for these circles, so clipping them to a region needs no other circles.
 import { at } from '../base/diagram-data.ts'
 import type { DiagramData, Float64s, Int32s } from '../base/types.ts'
 import { Cells } from './cells.ts'
 
-/** Some circles and their neighbors, in the order of the large diagram, which decides how bisectors are computed. */
+/**
+ * Some circles and their neighbors, in the order of the large diagram, because the order decides how bisectors are
+ * computed.
+ */
 export interface FewCircles {
   readonly indices: Int32s
-  /** x, y and r of each. */
+  /** x, y and r of each circle. */
   readonly circles: Float64s
-  /** The indices of these circles among all circles. */
+  /** The places of the chosen circles in `circles`. */
   readonly chosen: Int32s
 }
 
-/** The parts of a diagram that tell the sides of cells. */
+/** The arrays of a diagram that describe the sides of cells. */
 export type Sides = Pick<DiagramData, 'edges' | 'nextSide' | 'firstSide'>
 
-/** Finds the neighbors of some circles. */
+/** Collects some circles and their neighbors. */
 export function fewCircles(diagram: DiagramData, circlesOfCells: readonly number[]): FewCircles {
   const cells = new Cells(diagram)
   const indices = Int32Array.from(new Set(circlesOfCells.flatMap((i) => [i, ...cells.neighbors(i)]))).sort()
@@ -31,11 +33,9 @@ export function fewCircles(diagram: DiagramData, circlesOfCells: readonly number
 }
 
 /**
- * Returns the side of the large diagram for each side of the first cell in the small one, or `undefined` if the cell
- * has other
- * sides there. No input is known for which it has: where more than three circles touch one disc, their places decide
- * which are
- * neighbors, in any diagram of them. The cell has sides.
+ * Maps each side of the first chosen cell from the small diagram to the large one, or returns `undefined` if the sides
+ * differ. No input is known for which they differ, because ties are broken by the places of the circles, which both
+ * diagrams share. The cell must have sides.
  */
 export function sidesOfFew(diagram: DiagramData, few: FewCircles, small: Sides): Map<number, number> | undefined {
   const { indices } = few
@@ -45,8 +45,8 @@ export function sidesOfFew(diagram: DiagramData, few: FewCircles, small: Sides):
   const theirs = sidesFrom(small, chosen)
   if (theirs.length !== ours.length) return undefined
   const neighborOf = (side: number) => at(indices, at(small.edges, 4 * (side >> 1) + (1 - (side & 1))))
-  // Neighbors do not alternate (a, b, a, b), as the borders against two of them cross at most twice. So there is one
-  // way.
+  // The neighbors of a cell cannot alternate (a, b, a, b), because its borders with two circles cross at most twice. So
+  // at most one shift fits.
   const shift = theirs.findIndex((_, start) =>
     ours.every((side, k) => cells.neighborOf(side) === neighborOf(theirs[(start + k) % theirs.length] as number)),
   )

@@ -38,10 +38,10 @@ const FULL_TURN = 2 * Math.PI
 const THREE_QUARTER_TURN = 1.5 * Math.PI
 
 /**
- * Returns the convex hull of the circles of a certified diagram, with its arcs in the order of `diagram.hull`. The hull of
- * a single circle is the circle itself: one arc with the angle 2 pi. For the metrics `centers` and `power`, it is the hull
- * of the centers. If weights on the hull are negative, all circles are first grown by one amount, which makes the circle
- * with the smallest of these weights a point.
+ * Returns the convex hull of the circles of a certified diagram, with its arcs in the order of `diagram.hull`. The hull
+ * of a single circle is the circle itself: one arc with the angle 2 pi. For the metrics `centers` and `power`, it is
+ * the hull of the centers. If weights on the hull are negative, all circles are first grown equally, until the smallest
+ * weight on the hull is 0.
  *
  * @throws CircleVoronoiError `badInput`
  *
@@ -92,21 +92,21 @@ export function convexHull(diagram: DiagramData, ...others: readonly unknown[]):
   return { arcs, length: perimeter, area }
 }
 
-/** The growth of circles for their hull: 0, unless weights on the hull are negative. */
+/** Returns the growth of all circles for the hull: 0, unless weights on the hull are negative. */
 export function hullGrowth({ circles, hull }: DiagramData): number {
   return hull.reduce((growth, circle) => Math.max(growth, -at(circles, 3 * circle + 2)), 0)
 }
 
-/** A circle as far as it matters to the hull, grown by `hullGrowth`. */
+/** Returns a circle as the hull uses it: grown by `hullGrowth`, or a point for the metrics `centers` and `power`. */
 export function hullCircleAt({ circles, metric }: DiagramData, circle: number, growth: number): Circle {
   const { x, y, r } = circleOf(circles, circle)
   return { x, y, r: metric === 'circles' ? r + growth : 0 }
 }
 
 /**
- * Rounding may turn an arc of next to no angle into one of nearly a full turn, or the other way round. The hull turns once,
- * and only its largest circle may turn by more than half of that: what reaches farthest in two opposite directions is as
- * wide as any other.
+ * Corrects angles so that they add up to one full turn. Rounding may turn an arc of almost no angle into almost a full
+ * turn, or the reverse. Only the largest circle of the hull may have an arc of more than half a turn, because a circle
+ * that reaches farthest in two opposite directions is as wide as any other circle.
  */
 function turnedOnce(angles: readonly number[], radii: readonly number[]): number[] {
   const largest = radii.reduce((one, other) => Math.max(one, other))
@@ -116,12 +116,12 @@ function turnedOnce(angles: readonly number[], radii: readonly number[]): number
   })
   const sum = () => result.reduce((partial, angle) => partial + angle, 0)
   const widest = () => result.indexOf(result.reduce((one, other) => Math.max(one, other)))
-  // Numbers that a program has changed may have no angles.
+  // The angles may be NaN if a program has changed the arrays.
   const turns = Number.isFinite(sum()) ? sum() / FULL_TURN : 1
   for (let excess = Math.round(turns) - 1; excess !== 0; excess -= Math.sign(excess)) {
     result[excess > 0 ? widest() : radii.indexOf(largest)] = excess > 0 ? 0 : FULL_TURN
   }
-  // The missing angle belongs to arcs with hardly any turn, whose angles rounding has changed.
+  // The missing angle was lost by rounding in arcs of almost no angle.
   ;(result[widest()] as number) += FULL_TURN - sum()
   return result
 }

@@ -17,14 +17,14 @@ import {
 import type { ConvexPolygon } from './convex-polygon.ts'
 import type { Outline, OutlinePiece } from './outline-piece.ts'
 
-/** An area of less than this share of the square around it is but rounding. */
+/** A smaller area, as a share of the square around it, is only rounding. */
 const ROUNDING_OF_AREA = 2 ** -44
 /** The error bound of a vertex, as a share of the distances from its circles. */
 const ROUNDING_OF_VERTICES = 2 ** -34
 const ROUNDING_OF_POWER_VERTICES = 2 ** -18
-/** The error bound of a point on the border of the bounds, as a share of coordinates and of these distances. */
+/** The error bound of a point on the border of the bounds, as a share of coordinates and of distances from circles. */
 const ROUNDING_OF_BOUNDARY = 2 ** -44
-/** Rounding of coordinates, as a share of the largest. */
+/** The rounding error of coordinates, as a share of the largest coordinate. */
 const ROUNDING_OF_COORDINATES = 2 ** -48
 
 /**
@@ -49,8 +49,8 @@ export function areaOf(outline: Outline): number {
 }
 
 /**
- * Returns how much rounding of coordinates can move a loop of a cell around `center`, and whether it has more area than that
- * makes.
+ * Returns how far rounding of coordinates can move a loop of a cell around `center`, and whether the loop has more area
+ * than rounding can make.
  */
 export function roundingOf(
   loop: Outline[number],
@@ -120,7 +120,7 @@ export class AreaJudge {
   readonly #bounds: ConvexPolygon
   readonly #perimeter: number
   readonly #ofVertices: number
-  /** The largest coordinate of the bounds, and distance of a circle from them. */
+  /** The largest coordinate of the bounds or distance between a circle and the bounds. */
   #reach: number
   #sum = 0
 
@@ -137,7 +137,8 @@ export class AreaJudge {
   }
 
   /**
-   * Adds the area of the cell of a circle around `center`. It must be between 0 and that of the bounds.
+   * Adds the area of a cell, whose circle has the center `center`. The area must be between 0 and the area of the
+   * bounds.
    *
    * @throws CircleVoronoiError `notCertified`
    */
@@ -151,8 +152,8 @@ export class AreaJudge {
   }
 
   /**
-   * Checks that the areas of all cells sum to that of the bounds. Both cells of an edge see its ends at the same places,
-   * however far vertices are off.
+   * Checks that the areas of all cells sum to the area of the bounds. Errors of vertices do not matter here, because
+   * both cells of an edge have the same end points.
    *
    * @throws CircleVoronoiError `notCertified`
    */
@@ -163,14 +164,13 @@ export class AreaJudge {
   }
 }
 
-/** The length of a piece. */
 export function lengthOfPiece(piece: OutlinePiece): number {
   return isCircleArc(piece) ? circleArcLength(piece) : curveLength(piece.curve)
 }
 
 /**
- * The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes a few
- * dozen square roots for every arc.
+ * Returns the length of a bounded arc, up to rounding of its ends. It is an elliptic integral, computed by Carlson's
+ * duplication with a few dozen square roots.
  */
 export function curveLength({ bisector, from, to, start, end }: BoundedCurve): number {
   const { unit, a, b } = bisector
@@ -180,14 +180,14 @@ export function curveLength({ bisector, from, to, start, end }: BoundedCurve): n
   if (to <= 1) length = lengthBeyondApex(bisector, 1 / to, 1 / from)
   else if (from >= 1) length = lengthBeyondApex(bisector, from, to)
   else length = lengthBeyondApex(bisector, 1, 1 / from) + lengthBeyondApex(bisector, 1, to)
-  // The chord from point(from) to point(to), which are the ends but for rounding.
+  // The chord from point(from) to point(to), which equal the ends up to rounding.
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const span = (to - from) / middle
   const straight = span * lengthOf({ x: (a * (middle - 1 / middle)) / 2, y: (b * (middle + 1 / middle)) / 2 })
   return chord + unit * Math.max(length - straight, 0)
 }
 
-/** The start of the first piece: moments are taken relative to it. */
+/** Returns the start of the first piece, the reference point of moments. */
 function referenceOf(outline: Outline): Point {
   return outline[0]?.[0]?.curve.start ?? { x: 0, y: 0 }
 }
@@ -197,8 +197,8 @@ export function middleOf({ bisector, from, to }: BoundedCurve): Point {
 }
 
 /**
- * Returns about the largest distance of two points of an outline. The middle of a curved piece may be much farther away than
- * its ends.
+ * Returns approximately the largest distance between two points of an outline. The middle of a curved piece may be much
+ * farther away than its ends.
  */
 function extentOf(outline: Outline): number {
   const reference = referenceOf(outline)
@@ -232,11 +232,12 @@ function momentsOf(outline: Outline, unit: number): Moments {
 }
 
 /**
- * The region between a bounded arc and its chord, counted positive where the arc bends to the right of its chord.
+ * Returns the moments of the region between a bounded arc and its chord, positive if the arc bends to the right of its
+ * chord.
  *
- * In the frame of the middle of the hyperbola and of conjugate half-diameters along the arc's middle parameter, the region
- * is sqrt(1 + y^2) <= x <= cosh h with |y| <= sinh h, h half the width of the arc in t. Its area is (sinh(2 h) - 2 h) / 2,
- * and the integral of x over it 2 / 3 sinh^3 h. Both are divided by e^(2 h), as it may be beyond all numbers.
+ * In the frame of the middle of the hyperbola and of conjugate half-diameters along the arc's middle parameter, the
+ * region is sqrt(1 + y^2) <= x <= cosh h with |y| <= sinh h, h half the width of the arc in t. Its area is (sinh(2 h) -
+ * 2 h) / 2, and the integral of x over it 2 / 3 sinh^3 h. Both are divided by e^(2 h), which may overflow.
  */
 function momentsOverChord({ bisector, from, to }: BoundedCurve, reference: Point, unit: number): Moments {
   const { a: signed, b, origin, along, across, apex } = bisector
@@ -260,8 +261,8 @@ function momentsOverChord({ bisector, from, to }: BoundedCurve, reference: Point
 }
 
 /**
- * sinh(d) - d for d = ln(ratio) >= 0, with square roots alone: f(2 d) = 2 f(d) + 2 sinh(d) (cosh(d) - 1) has no
- * cancellation, and leads back to small d.
+ * Returns f(d) = sinh(d) - d for d = ln(ratio) >= 0, with square roots only. The recursion f(2 d) = 2 f(d) + 2 sinh(d)
+ * (cosh(d) - 1) leads to small d without cancellation.
  */
 function sinhExcess(ratio: number): number {
   if (ratio < 1.25) {
@@ -279,21 +280,21 @@ function sinhExcess(ratio: number): number {
   return 2 * sinhExcess(root) + 2 * sine * cosineExcess
 }
 
-/** The same divided by the ratio, which may be beyond all numbers. */
+/** Returns `sinhExcess` divided by the ratio, which may overflow. */
 function sinhExcessShare(ratio: number): number {
   return ratio < 1e300 ? sinhExcess(ratio) / ratio : 0.5
 }
 
 /**
- * The length from parameter 1 <= from to `to`, in the bisector's unit; a branch is alike on both sides of its apex.
+ * Returns the length from parameter `from` >= 1 to `to`, in the bisector's unit. A branch is symmetric about its apex.
  *
- * With Y = sinh t as the variable and m = 1 + (a / b)^2 it is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)), or
- * with y = Y^2 half of that of (1 + m y) / sqrt(y (1 + y) (1 + m y)): between any limits
+ * With Y = sinh t and m = 1 + (a / b)^2, the length is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)) over Y.
+ * With y = Y^2, this is half the integral of (1 + m y) / sqrt(y (1 + y) (1 + m y)), which is between any limits
  *
  *     R_F(U12^2, U13^2, U14^2) + m (R_D(U12^2, U13^2, U14^2) / 3 + Y_from Y_to / U14)
  *
- * with the U of DLMF 19.29.5, a sum of positive terms. All sines and cosines are divided by e^t, and the U by e^t of
- * `from`: nothing overflows.
+ * with the U of DLMF 19.29.5, a sum of positive terms. To avoid overflow, all sines and cosines are divided by e^t, and
+ * the U by e^t of `from`.
  */
 function lengthBeyondApex({ a, b }: Bisector, from: number, to: number): number {
   if (!(to > from)) return 0

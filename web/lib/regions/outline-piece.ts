@@ -21,8 +21,8 @@ export interface OutlinePiece {
   /** The side of the `Region` that the piece lies on, counted through all its rings; `NONE` elsewhere. */
   readonly regionSide?: number
   /**
-   * The radius of an arc of a circle around the center of the cell, which a maximum distance makes; 0 for other pieces.
-   * Such an arc is counter-clockwise and at most a quarter turn, so its ends and its radius determine its center.
+   * The radius of an arc around the center of the cell, made by a maximum distance; 0 for other pieces. Such an arc is
+   * counter-clockwise and at most a quarter turn, so its ends and its radius determine its center.
    */
   readonly r: number
 }

@@ -13,7 +13,8 @@ import { middleOf, roundingOf } from './measure.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 
 /**
- * A piece, and the same in the direction of its edge: what is made of that is the same to the bit in both of its cells.
+ * A piece with its curve also in the direction of its edge (`forward`). Points computed from `forward` are equal bit
+ * for bit in both cells of the edge.
  */
 export interface SharedPiece extends OutlinePiece {
   readonly forward: BoundedCurve
@@ -45,7 +46,7 @@ export function outlineOf(cells: Cells, circle: number, limits: Limits): readonl
   return new LoopCutter(cells, circle, limits, radius).run()
 }
 
-/** The outline of a cell that the bounds contain, without cutting it. */
+/** Returns the outline of a cell that the bounds contain, without clipping it. */
 function wholeLoop(cells: Cells, circle: number, bounds: ConvexPolygon): SharedPiece[] {
   const { diagram } = cells
   const pieces: SharedPiece[] = []
@@ -68,17 +69,17 @@ function refuseOutline(circle: number): never {
 }
 
 /**
- * A piece of a loop. The pieces of an edge follow its direction, so that both cells of the edge cut it alike, to the
- * bit.
+ * A piece of a loop. The pieces of an edge follow its direction, so that both cells of the edge cut it at the same
+ * points, bit for bit.
  */
 interface CutPiece {
   /** For a segment or an arc of a circle, only the ends count. */
   readonly part: Part
-  /** `NONE`: a segment, or an arc. */
+  /** The side of the cell; `NONE` for a segment or an arc. */
   readonly side: number
   /** The radius of an arc. */
   readonly r: number
-  /** The side of the bounds on whose line a segment lies; `NONE`: far outside. */
+  /** The side of the bounds on whose line a segment lies; `NONE` if it lies far outside. */
   readonly line: number
 }
 
@@ -118,30 +119,34 @@ function pieceBetween(start: Point, end: Point, r: number, line: number): CutPie
   return { part: { curve, cutFrom: NONE, cutTo: NONE }, side: NONE, r, line }
 }
 
-/** The part of a loop in a half-plane from where it comes in to where it goes out. */
+/** The part of a loop in a half-plane between an entry and the next exit. */
 interface Chain {
   readonly pieces: CutPiece[]
   readonly entry: Point
   exit: Point
 }
 
-/** Where a side is cut off far outside, or by the circle, and the next one begins: directions from the center. */
+/**
+ * A gap between a side that is cut off, far outside or by the circle, and the next side, as directions from the center.
+ */
 interface Gap {
   readonly from: Vector
   readonly to: Vector
-  /** Whether the gap is a full turn or none, but for rounding. */
+  /** Whether the gap is a full turn or zero, up to rounding. */
   readonly isNear: boolean
   readonly sweep: number
 }
 
-/** A number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; 0 for the zero vector. */
+/**
+ * Returns a number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; 0 for the zero vector.
+ */
 function pseudoAngle({ x, y }: Vector): number {
   const size = Math.abs(x) + Math.abs(y)
   const along = size > 0 ? x / size : 1
   return y >= 0 ? 1 - along : 3 + along
 }
 
-/** The turn from u to v as a difference of pseudo-angles. It may be slightly below 0. */
+/** Returns the turn from u to v as a difference of pseudo-angles. It may be slightly below 0. */
 function sweep(u: Vector, v: Vector): number {
   const difference = pseudoAngle(v) - pseudoAngle(u)
   return difference <= -1 ? difference + 4 : difference > 3 ? difference - 4 : difference
@@ -156,13 +161,13 @@ function onAxis(middle: Point, r: number, k: number): Point {
   return { x: middle.x + r * axis.x, y: middle.y + r * axis.y }
 }
 
-/** The quarter of the circle in which a direction lies: from an axis to before the next. */
+/** Returns the quarter of the circle that contains a direction. A quarter includes its first axis only. */
 function quarterOf({ x, y }: Vector): number {
   if (y >= 0) return x > 0 ? 0 : y > 0 ? 1 : 2
   return x < 0 ? 2 : 3
 }
 
-/** The approximate extent of the chains from the line of a side. */
+/** Returns the approximate distance that the chains reach from the line of a side. */
 function extentOf(chains: readonly Chain[], half: HalfPlane): number {
   let extent = 0
   for (const { pieces } of chains) {
@@ -172,9 +177,8 @@ function extentOf(chains: readonly Chain[], half: HalfPlane): number {
 }
 
 /**
- * A cell as a loop, cut by one line after the other. Every step is continuous: whatever rounding does to a point moves
- * the
- * result by as little.
+ * A cell as a loop, cut by one line after the other. Every step is continuous, so a rounding error of a point moves the
+ * result only slightly.
  */
 class LoopCutter {
   readonly #cells: Cells
@@ -207,8 +211,8 @@ class LoopCutter {
   }
 
   /**
-   * The cell within the disc; without one, as far as its sides are bounded, and around the bounds from where they go to
-   * infinity.
+   * Starts with the cell inside the disc of the maximum distance. Without a maximum distance, unbounded sides end far
+   * outside and are joined around the bounds.
    */
   #begin(): void {
     const sides: CutPiece[] = []
@@ -227,7 +231,7 @@ class LoopCutter {
     this.#loops.push(loop)
   }
 
-  /** Joins the ends that are cut off to the next ones, counter-clockwise around the center. */
+  /** Joins the sides to a closed loop, counter-clockwise around the center, across the gaps between cut ends. */
   #closed(sides: readonly CutPiece[]): CutPiece[] {
     const { metric } = this.#cells.diagram
     let total = 0
@@ -241,7 +245,7 @@ class LoopCutter {
       let from = between(middle, endOf(piece))
       let to = between(middle, startOf(next))
       radius = Math.max(radius, lengthOf(from), lengthOf(to))
-      // From any point of a cell of the power diagram, these directions stay in the cell: it is convex.
+      // A cell of the power diagram is convex, so these directions stay in the cell from any of its points.
       if (metric === 'power') {
         const { across } = piece.part.curve.bisector
         const { across: nextAcross } = next.part.curve.bisector
@@ -259,7 +263,7 @@ class LoopCutter {
       return gap
     })
     radius = this.#radius ?? radius
-    // Together they go around the center once. On a branch that folds up, directions are but rounding.
+    // Sides and gaps go around the center once. On a folded branch, the directions are only rounding.
     let full: Gap | undefined
     if (nearest !== undefined && total < 2 && metric !== 'power') {
       const { from } = nearest as Gap
@@ -290,8 +294,8 @@ class LoopCutter {
   }
 
   /**
-   * The angle that a side covers around the center. From the apex of a branch that bends around it, it turns by less
-   * than half a turn to either side.
+   * Returns the angle that a side covers around the center. A branch around the center covers less than half a turn on
+   * each side of its apex.
    */
   #sweepOf(piece: CutPiece): number {
     const { bisector, from, to } = piece.part.curve
@@ -306,8 +310,8 @@ class LoopCutter {
   }
 
   /**
-   * A point of the cell: the center, but for the power diagram the nearest end of a side, since a cell need not contain
-   * its center.
+   * Returns a point of the cell: its center, or for the power diagram, whose cells need not contain their centers, the
+   * nearest end of a side.
    */
   #pointIn(sides: readonly CutPiece[]): Point {
     if (this.#cells.diagram.metric !== 'power') return this.#center
@@ -318,9 +322,9 @@ class LoopCutter {
   }
 
   /**
-   * Along the line, from left to right as seen from outside, exits and entries alternate: what is inside begins at an
-   * exit.
-   * So the k-th exit goes on to the k-th entry, whatever rounding does to the order of those at one place.
+   * Cuts all loops by the line of a half-plane. From left to right as seen from outside, exits and entries alternate
+   * along the line, and the first is an exit. So the k-th exit is joined to the k-th entry, even if rounding exchanges
+   * exits and entries at the same place.
    */
   #cut(h: number): void {
     const half = this.#halves[h] as HalfPlane
@@ -390,11 +394,11 @@ class LoopCutter {
       last.exit = first.exit
       for (const piece of first.pieces) last.pieces.push(piece)
     }
-    // Where a loop only touches the line from outside, a point is left.
+    // A loop that touches the line from outside leaves only a point, which is dropped.
     for (const chain of found) if (chain.pieces.length > 0) chains.push(chain)
   }
 
-  /** The parts of a piece in a half-plane, in the order of the loop. */
+  /** Returns the parts of a piece in a half-plane, in the order of the loop. */
   #cutPiece(h: number, piece: CutPiece): readonly CutPiece[] {
     const half = this.#halves[h] as HalfPlane
     if (piece.side !== NONE) {
@@ -440,7 +444,10 @@ class LoopCutter {
     return [partOf(hasStart ? start : entry, hasEnd ? end : exit)]
   }
 
-  /** Where a segment crosses the line: on that of a side beside it in the corner, to the bit. */
+  /**
+   * Returns the point where a segment crosses the line. If the segment lies on an adjacent side, this is the shared
+   * corner, bit for bit.
+   */
   #crossingOf(h: number, piece: CutPiece): Point {
     const half = this.#halves[h] as HalfPlane
     const count = this.#halves.length
@@ -459,7 +466,7 @@ class LoopCutter {
     return half.nearest({ x: start.x + share * whole.x, y: start.y + share * whole.y })
   }
 
-  /** Returns whether a loop lies along a line, or touches it, from outside but for rounding. */
+  /** Returns whether a loop touches a line or lies along it from outside, up to rounding. */
   #isSliver(loop: readonly SharedPiece[]): boolean {
     if (loop.length === 0) return true
     const { rounding, hasArea } = roundingOf(loop, this.#center)
@@ -470,7 +477,7 @@ class LoopCutter {
     )
   }
 
-  /** A loop as pieces of an outline. Empty if it is a sliver. */
+  /** Returns a loop as pieces of an outline; empty if the loop is a sliver. */
   #finished(loop: readonly CutPiece[]): SharedPiece[] {
     const moved = loop.map((piece) =>
       isSegment(piece) ? piece : { ...piece, part: movedOntoSides(piece.part, this.#halves) },

@@ -13,7 +13,7 @@ export type RingShape = readonly (readonly number[] | Point)[]
 /**
  * The sources of a region: GeoJSON (a `Polygon`, `MultiPolygon`, `GeometryCollection`, `Feature` or
  * `FeatureCollection`), or a list of rings of points `[x, y]` or `{ x, y }`. Rings run in either direction, and the
- * last point may repeat the first one. In a list of rings, a ring inside another one is a hole. A `MultiPolygon` with
+ * last point may repeat the first one. In a list of rings, a ring inside another ring is a hole. A `MultiPolygon` with
  * the member `dissolve` is the union of its polygons, as with the option of this name.
  *
  * @category Regions
@@ -73,9 +73,9 @@ export function isDissolved(shape: RegionShape): boolean {
 }
 
 /**
- * The same region as plain data of its own: a list of rings, or a MultiPolygon. `dissolve`: whether polygons that
- * overlap are
- * merged; those of a list of rings are one polygon then, in which a ring inside another one is a hole.
+ * Copies a region to plain data: a list of rings, or a MultiPolygon. With `dissolve`, overlapping polygons are merged,
+ * and the result is always a MultiPolygon. A list of rings is then one polygon, in which a ring inside another ring is
+ * a hole.
  *
  * @throws CircleVoronoiError `badOption`, if it is none. The shape of the rings is not checked.
  */
@@ -99,7 +99,7 @@ function isRingList(shape: RegionShape): shape is readonly RingShape[] {
   return Array.isArray(shape)
 }
 
-/** The largest number of GeoJSON objects inside one another: each level takes a part of the stack. */
+/** The largest nesting depth of GeoJSON objects, because each level uses the stack. */
 const MOST_NESTED = 100
 
 function polygonsOf(shape: Exclude<RegionShape, readonly RingShape[]>, depth = 0): (readonly RingShape[])[] {

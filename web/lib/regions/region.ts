@@ -2,7 +2,7 @@
 import { checkNumber, refuseOption, shown } from '../base/check.ts'
 import type { Box, DiagramData, Float64s, Int32s, Point, Vertex } from '../base/types.ts'
 
-/** A diagram in a region, as the WebAssembly module for regions clips it. Row i is that of circle i. */
+/** A diagram clipped to a region by the WebAssembly module for regions. Row i belongs to circle i. */
 export interface ClippedDiagram {
   readonly cells: ClippedCells
   readonly edges: ClippedEdges
@@ -16,7 +16,10 @@ export interface ClippedDiagram {
   largestEmptyDiscInside(): { readonly disc: Vertex; readonly circles: readonly number[] } | undefined
 }
 
-/** The loops of cells, row by row: `loopOffsets` by row, `pieceOffsets` by loop; a piece ends where the next one of its loop starts. */
+/**
+ * The loops of cells, row by row. `loopOffsets` has the first loop of each row, and `pieceOffsets` the first piece of
+ * each loop. A piece ends where the next piece of its loop starts.
+ */
 export interface ClippedCells {
   readonly loopOffsets: Int32s
   readonly isHole: Uint8Array
@@ -28,7 +31,7 @@ export interface ClippedCells {
   readonly r: Float64s
 }
 
-/** Parts of edges in increasing order of edges; `start` and `end` have x and y of each part. */
+/** Parts of edges, in increasing order of edges. `start` and `end` have x and y of each part. */
 export interface ClippedEdges {
   readonly edge: Int32s
   readonly from: Float64s
@@ -51,9 +54,12 @@ export interface ClippedPolygons {
 export interface RegionModule {
   contains(x: number, y: number): boolean
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
-  /** One cell that has sides, as the only row; `undefined` if it cannot be clipped without all others. */
+  /**
+   * Clips one cell that has sides; the result has one row. Returns `undefined` if the cell cannot be clipped without
+   * all others.
+   */
   clipCell(diagram: DiagramData, circle: number, maxDistance: number | undefined): ClippedCells | undefined
-  /** The part of a convex polygon inside, as row 0; `undefined` if the polygon, which runs counter-clockwise, has no area. */
+  /** Clips a counter-clockwise convex polygon; row 0 has the result. Returns `undefined` if the polygon has no area. */
   clipConvex(corners: readonly Point[]): ClippedPolygons | undefined
 }
 
@@ -71,12 +77,15 @@ export interface RegionModule {
 export class Region {
   /** The points of all rings, x and y of each, without repetitions. */
   readonly points: Float64s
-  /** Where each ring begins in the list of points, and the number of points. */
+  /** The index of the first point of each ring, and the number of points. */
   readonly ringOffsets: Int32s
-  /** Where each polygon begins in the list of rings, and the number of rings. Its first ring is its outer ring. */
+  /**
+   * The index of the first ring of each polygon, and the number of rings. The first ring of a polygon is its outer
+   * ring.
+   */
   readonly polygonOffsets: Int32s
   readonly area: number
-  /** The length of all rings. */
+  /** The total length of all rings. */
   readonly perimeter: number
   /** The bounding box. */
   readonly box: Box
@@ -119,9 +128,9 @@ export class Region {
 }
 
 /**
- * The region of the options, if they have one.
+ * Returns the region of the options; `undefined` if they have none.
  *
- * @throws CircleVoronoiError `badOption`, if it is none, or there are bounds, too
+ * @throws CircleVoronoiError `badOption`, if `region` is not a `Region`, or there are also `bounds`
  */
 export function regionOption(options: { readonly region?: unknown; readonly bounds?: unknown }, caller: string) {
   const { region, bounds } = options

@@ -38,7 +38,7 @@ export function answerRequests(): void {
   port.onmessage = async ({ data }) => {
     if ('module' in data) {
       library = circleVoronoiOf(data.module)
-      // Each request waits for it, and so tells of its failure.
+      // Each request awaits the library and reports its failure, so the failure is not unhandled.
       library.catch(() => {})
       return
     }
@@ -74,7 +74,7 @@ async function computed(
     : { periodic: computePeriodic(circles, lattice, all) }
 }
 
-/** Answers the fits of a thread, the first of which loads the module. */
+/** Returns a function that answers fits. The first fit loads the module. */
 function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
   const regionsIn = loadedOnce((wasm: CompiledWasm) => regionsOf(createRegionsModule, wasm))
   return async ({ fit, region: rings, wasm, tellsProgress }, tell) => {
@@ -88,7 +88,7 @@ function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
   }
 }
 
-/** Answers the calls of an editor, the first of which makes it. */
+/** Returns a function that answers the calls of an editor. The first call creates the editor. */
 function editing(): (calls: readonly EditorCall[], library: Promise<CircleVoronoi>) => Promise<CallResult[]> {
   let editor: DiagramEditor | undefined
   return (calls, library) =>
@@ -121,11 +121,11 @@ function buffersIn(reply: Reply): ArrayBuffer[] {
     const { periodic, ...fit } = reply.periodicFit
     return [...buffersOf(fit), ...buffersOf(periodic), ...buffersOf(periodic.diagram)]
   }
-  // The diagram of a fit has arrays of its own.
+  // The diagram of a fit has its own arrays.
   return 'fit' in reply ? [...buffersOf(reply.fit), ...buffersOf(reply.fit.diagram)] : []
 }
 
-/** The memory of all arrays of a result, to be handed over instead of copied. */
+/** Returns the memory of all arrays of a result, which is transferred instead of copied. */
 function buffersOf(result: object): ArrayBuffer[] {
   return Object.values(result).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []))
 }

@@ -14,7 +14,7 @@ import { startThread, type Thread } from './thread.ts'
 import type { AsyncEditorMethods } from './worker-editor.ts'
 import type { EditorCall, Reply } from './worker-messages.ts'
 
-/** The editor's side here. */
+/** The client of an editor in another thread. */
 export class EditorClient implements AsyncEditorMethods {
   onchange: ((change: Change) => void) | undefined
   readonly #thread: Thread
@@ -23,10 +23,10 @@ export class EditorClient implements AsyncEditorMethods {
   readonly #queue = new NewestQueue<EditorCall, unknown>()
   readonly #weights: boolean
   readonly #onEnd: () => void
-  /** Why nothing is answered any more. */
+  /** The reason why the editor has ended; `undefined` while it is running. */
   #end: unknown
 
-  /** `onEnd`: called when nothing is answered any more. */
+  /** `onEnd` is called when the editor ends. */
   constructor(module: CompiledWasm, weights: boolean, onEnd: () => void) {
     this.#weights = weights
     this.#onEnd = onEnd
@@ -37,7 +37,7 @@ export class EditorClient implements AsyncEditorMethods {
     this.#thread.post({ module })
   }
 
-  /** Before anything else. */
+  /** Creates the editor. Must be the first call. */
   async begin(circles: Float64s): Promise<void> {
     try {
       await this.#ask('edit', circles, { weights: this.#weights })
@@ -55,7 +55,7 @@ export class EditorClient implements AsyncEditorMethods {
   async remove(id: number): Promise<Change> {
     checkId(id, 'remove')
     const change = this.#add<Change>(id, 'remove', id)
-    // A circle that is gone is not replaced.
+    // A later replacement must not take the place of the removal.
     this.#queue.settle(id)
     return change
   }
@@ -120,7 +120,7 @@ export class EditorClient implements AsyncEditorMethods {
     return this.#add(undefined, method, ...args)
   }
 
-  /** `id`: of a circle of which only the newest replacement counts. */
+  /** Queues a call. If `id` is given, a later call for the same circle replaces this one. */
   #add<Value>(id: number | undefined, method: string, ...args: unknown[]): Promise<Value> {
     if (this.#end !== undefined) return Promise.reject(this.#end)
     const answer = this.#queue.add({ method, args }, id)
@@ -137,7 +137,7 @@ export class EditorClient implements AsyncEditorMethods {
   }
 
   #receive(reply: Reply): void {
-    // Calls that were pending at the end have been rejected.
+    // After the end, all pending calls have been rejected.
     if (this.#end !== undefined || !('results' in reply)) return
     const answered = this.#sent
     this.#sent = []

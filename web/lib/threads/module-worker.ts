@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * A worker that `make` makes of a module of a page; where that lies in another origin, from which a page takes no
- * workers,
- * one of the same name that imports `file`: a worker takes modules from anywhere. If `file` is a text, that worker runs
- * it.
+ * Starts the module worker that `make` creates. If the module has another origin, which pages refuse for workers,
+ * starts a worker of this name that imports `file` instead: workers may import from any origin. If `file` returns a
+ * text, the worker runs this text.
  */
 export function startModuleWorker(make: () => Worker, file: () => URL | string, name: string): Worker {
   try {
@@ -14,19 +13,19 @@ export function startModuleWorker(make: () => Worker, file: () => URL | string, 
     const source = file()
     const isModule = typeof source !== 'string'
     const script = isModule ? `import ${JSON.stringify(source.href)}` : source
-    // Chromium takes no modules from a blob in a frame without an origin.
+    // Chromium loads no modules from a blob in a frame without an origin.
     const url =
       isModule && globalThis.origin === 'null'
         ? `data:text/javascript,${encodeURIComponent(script)}`
         : URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
     const worker = withTrustedUrls(() => new Worker(url, { type: isModule ? 'module' : 'classic', name }))
-    // The worker has read the text once its module runs, before its first message.
+    // The worker has read the text when it sends its first message.
     worker.addEventListener('message', () => URL.revokeObjectURL(url), { once: true })
     return worker
   }
 }
 
-/** The part of Trusted Types that this needs; not all browsers have it, and TypeScript's DOM types do not. */
+/** The part of Trusted Types that this module needs. Some browsers and TypeScript's DOM types lack it. */
 interface TrustedTypes {
   createPolicy(
     name: string,
@@ -36,7 +35,7 @@ interface TrustedTypes {
   }
 }
 
-/** `undefined`: not made yet; `null`: the page does not want it. */
+/** The policy of the page: `undefined` if not created yet, `null` if the page does not allow it. */
 let policy: ReturnType<TrustedTypes['createPolicy']> | null | undefined
 
 function policyOfPage(): typeof policy {
@@ -52,8 +51,7 @@ function policyOfPage(): typeof policy {
 
 /**
  * Makes a worker, also in a page that requires Trusted Types and allows the policy `circle-voronoi`. Bundlers look for
- * the plain
- * expression `new Worker(new URL(...))`, so `Worker` itself is replaced while `make` runs.
+ * the plain expression `new Worker(new URL(...))`, so `Worker` itself is replaced while `make` runs.
  */
 function withTrustedUrls(make: () => Worker): Worker {
   const trusted = policyOfPage()

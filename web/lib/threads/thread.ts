@@ -6,22 +6,22 @@ import type { EditorCalls, Reply, Request, Start } from './worker-messages.ts'
 
 /** A running thread of `createWorker`, in a browser or in Node. */
 export interface Thread {
-  /** Sends a message; the memory of the arrays in `transfer` goes with it. */
+  /** Sends a message and transfers the memory of the arrays in `transfer`. */
   post(message: Start | Request | EditorCalls, transfer?: ArrayBuffer[]): void
-  /** Whether it keeps Node from ending; a browser's never does. */
+  /** Sets whether the thread keeps Node from exiting. It has no effect in browsers. */
   keepAlive(isNeeded: boolean): void
-  /** Ends it at once, in the middle of whatever it does. */
+  /** Ends the thread at once, even during a computation. */
   terminate(): void
 }
 
 /** The events of a thread. */
 export interface ThreadEvents {
   onReply(reply: Reply): void
-  /** It could not be loaded, or broke down. */
+  /** Called if the thread could not be loaded or has failed. */
   onFailure(cause: unknown): void
 }
 
-/** Starts a thread, with the means of where this runs. */
+/** Starts a thread, as a Web Worker or as a worker thread of Node. */
 export function startThread(events: ThreadEvents): Thread {
   return typeof Worker === 'function' ? startWebWorker(events) : startNodeThread(events)
 }
@@ -41,7 +41,7 @@ function startNodeThread({ onReply, onFailure }: ThreadEvents): Thread {
   const threads = globalThis.process?.getBuiltinModule?.('node:worker_threads')
   if (threads === undefined) throw new Error('there are none here')
   const file = threadFile()
-  // It needs none of the options of this process, and some (--input-type) would break it.
+  // The thread does not inherit the options of this process, some of which (--input-type) would break it.
   const options = { eval: typeof file === 'string', execArgv: [], workerData: THREAD_NAME }
   const worker: NodeWorker = new threads.Worker(file, options)
   worker.on('message', onReply)

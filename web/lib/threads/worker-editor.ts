@@ -16,8 +16,8 @@ export interface AsyncEditorMethods {
   remove(id: number): Promise<Change>
   /**
    * Moves or resizes a circle, as `replace` of `DiagramEditor` does. If a circle is replaced again or removed before a
-   * pending replacement has begun, only the last request is carried out, and all promises get its change. So a drag
-   * never falls behind by more than one edit.
+   * pending replacement has begun, only the last request is carried out, and all promises get its change. This keeps a
+   * drag at most one edit behind.
    */
   replace(id: number, circle: CircleLike): Promise<Change>
   /** Applies all edits or none, as `apply` of `DiagramEditor` does. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The messages between a worker's client and its thread: `Start` once, then one `Request` at a time, each followed by
-// any number of `progress` or `step` and one other reply; or, to a thread that edits, one `EditorCalls` at a time,
-// followed by `results`.
+// The messages between a worker's client and its thread. The client sends `Start` once, then one `Request` at a time.
+// The thread answers with any number of `progress` or `step` replies and one final reply. A thread that edits gets one
+// `EditorCalls` at a time and answers with `results`.
 
 import type { PostedError } from '../base/errors.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
@@ -36,7 +36,7 @@ export interface FitRequest {
   readonly tellsProgress: boolean
 }
 
-/** A call of an editor: `edit` makes it, the others are its methods. */
+/** A call of an editor: `edit` creates the editor, the other names are its methods. */
 export interface EditorCall {
   readonly method: string
   readonly args: readonly unknown[]

@@ -18,15 +18,15 @@ import { compileWasm, instantiate, unwrap } from './wasm.ts'
  */
 export interface Comparison {
   /**
-   * Computes the diagram of `circles` by another metric: with `centers` the ordinary Voronoi diagram of the centers,
-   * with `power` the power diagram, with `circles` the result of `compute`. The methods of the result, and functions of
-   * cells and curves, use this metric too.
+   * Computes the diagram of `circles` by another metric: the ordinary Voronoi diagram of the centers (`centers`), the
+   * power diagram (`power`), or the result of `compute` (`circles`). The methods of the result, and functions of cells
+   * and curves, use this metric too.
    *
    * With `centers`, the radius of a vertex is its distance from its three centers, and if several circles have the same
-   * center, the first one has the cell. With `power`, the radius of a vertex is that of the circle at right angles to
-   * its three circles, or, where they overlap, the negative root of minus their power. A circle without a cell is
-   * listed as hidden by `NONE`, because no circle need contain it; the center of a circle may lie outside its cell; and
-   * there is no certificate.
+   * center, the first one has the cell. With `power`, the radius of a vertex is the radius of the circle at right
+   * angles to its three circles. Where the three circles overlap, it is minus the square root of their negative power.
+   * A circle without a cell is listed as hidden by `NONE`, because no circle need contain it. The center of a circle
+   * may lie outside its cell. A power diagram has no certificate.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
@@ -52,7 +52,7 @@ export async function comparisonOf(
       if (metric === 'power') {
         return new Diagram({ metric, circles: coordinates, ...unwrap(module.powerDiagram(coordinates)) })
       }
-      // Without radii nobody would see what is wrong with them.
+      // The diagram of the centers ignores radii, so invalid radii are refused here.
       const isRefused = coordinates.some((value, k) => k % 3 === 2 && !(value >= 0 && value <= COORDINATE_LIMIT))
       if (metric === 'circles' || isRefused) return compute(coordinates)
       if (metric !== 'centers') {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The WebAssembly beside this module. Each function throws where modules have no address.
+// The WebAssembly files beside this module. Each function throws if modules have no address.
 import type { WasmSource } from './wasm.ts'
 
 /** The address of `circle-voronoi.wasm`. */

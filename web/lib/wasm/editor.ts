@@ -27,8 +27,8 @@ export type Edit =
  */
 export interface EditorOptions {
   /**
-   * Whether the radii are additive weights, which may be negative, as in `compute`. Default: false; for a diagram, what
-   * the diagram says.
+   * Whether the radii are additive weights, which may be negative, as in `compute`. Default: the value of the diagram,
+   * or false for circles.
    */
   readonly weights?: boolean | undefined
 }
@@ -40,9 +40,8 @@ export interface EditorOptions {
  */
 export interface EditorMethods {
   /**
-   * A callback for each change, called before the method that made the change returns. An error that it throws is
-   * reported as
-   * uncaught, and the change stands.
+   * A callback for each change, called before the method that made the change returns. If the callback throws, the
+   * error is reported as uncaught, and the change stays.
    */
   onchange: ((change: Change) => void) | undefined
   /**
@@ -53,7 +52,7 @@ export interface EditorMethods {
    */
   insert(circle: CircleLike, hint?: number): Change
   /**
-   * Removes the circle with this id. Circles that only it hid get cells, or wait in another circle that contains them.
+   * Removes the circle with this id. A circle that it hid gets a cell, unless another circle contains it.
    *
    * @throws CircleVoronoiError `unknownCircle`, `badInput`
    */
@@ -65,15 +64,15 @@ export interface EditorMethods {
    */
   replace(id: number, circle: CircleLike): Change
   /**
-   * Applies all edits in order, or none of them if one is invalid: `{ kind: 'insert', circle }`, `{ kind: 'remove', id
-   * }`, `{ kind: 'replace', id, circle }`. A circle that is both inserted and removed appears in no list of the change.
+   * Applies all edits in order, or no edit if one is invalid: `{ kind: 'insert', circle }`, `{ kind: 'remove', id }`,
+   * `{ kind: 'replace', id, circle }`. A circle that is both inserted and removed appears in no list of the change.
    *
    * @throws CircleVoronoiError as the methods above
    */
   apply(edits: Iterable<Edit>): Change
   /**
-   * Returns the circle with the smallest signed distance to (x, y). If several circles are equally near up to rounding,
-   * it returns one of them; if there are no circles or a coordinate is not finite, `NONE`.
+   * Returns the circle with the smallest signed distance to (x, y). Ties up to rounding may go to any of the nearest
+   * circles. Returns `NONE` if there are no circles or a coordinate is not finite.
    */
   nearest(x: number, y: number, hint?: number): number
   /** Returns the number of circles, including hidden ones. */
@@ -104,13 +103,12 @@ export interface EditorMethods {
  *
  * An edit changes only its surroundings and takes microseconds, regardless of the number of circles. Each edit is
  * certified by checking the parts that it changed. An edit that is refused changes nothing. Circles have ids, counted
- * from 0; an id stays with its circle and is never reused. A circle inside another one is hidden, and gets a cell again
- * when the outer circle goes. The diagram does not depend on the edits that led to it: it equals the result of
- * `compute`.
+ * from 0; an id stays with its circle and is never reused. A circle inside another circle is hidden. It gets a cell
+ * again when the outer circle is removed. The diagram does not depend on the edits that led to it: it equals the result
+ * of `compute`.
  *
  * Errors contain the id of the circle as `circle`, or `undefined` for a new circle. After `dispose`, every method
- * throws
- * `badInput`.
+ * throws `badInput`.
  *
  * The editor holds WebAssembly memory. `dispose` or `using` frees it; otherwise the garbage collector does so at some
  * point.
@@ -159,7 +157,7 @@ export interface CheckedEdit {
   readonly circle?: Circle
 }
 
-/** @throws CircleVoronoiError as `apply`, but for ids that the editor does not know */
+/** @throws CircleVoronoiError as `apply`, except for unknown ids */
 export function checkedEdits(edits: Iterable<Edit>, weights: boolean): CheckedEdit[] {
   if (typeof (edits as Partial<Iterable<Edit>> | null | undefined)?.[Symbol.iterator] !== 'function') {
     refuseInput(`apply takes a list of edits, not ${shown(edits)}.`)
@@ -175,7 +173,7 @@ export function checkedEdits(edits: Iterable<Edit>, weights: boolean): CheckedEd
   })
 }
 
-/** Embind converts values that are no ids to other numbers. */
+/** Checks an id, because embind would convert other values to numbers. */
 export function checkId(id: unknown, caller: string): asserts id is number {
   checkNumber(id, caller, 'the id of a circle')
   if (!Number.isInteger(id) || (id as number) < NONE || (id as number) >= 2 ** 31) {
@@ -184,8 +182,8 @@ export function checkId(id: unknown, caller: string): asserts id is number {
 }
 
 /**
- * @throws CircleVoronoiError `badInput`, and the codes of `compute`; by the id, where the core knows of places in a
- * list
+ * @throws CircleVoronoiError `badInput`, and the codes of `compute`. Messages name the id, where the core would name
+ *   the place in a list.
  */
 export function checkedCircle(circle: CircleLike, weights: boolean, id?: number): Circle {
   const [x, y, r]: readonly unknown[] = [circleX(circle), circleY(circle), circleRadius(circle)]

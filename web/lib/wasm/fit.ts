@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arguments and results of fits, here and in a worker.
+// The arguments and results of fits, in this thread and in a worker.
 import { checkOptionNames, refuseInput, refuseOption, shown } from '../base/check.ts'
 import { type Circles, circleRadius, coordinatesOf } from '../base/coordinates.ts'
 import type { Float64s } from '../base/types.ts'
@@ -36,30 +36,30 @@ export interface PeriodicFitOptions extends CommonFitOptions {
  * @category Regions
  */
 export interface CommonFitOptions {
-  /** Whether `areas` are shares of the area of the region or box: they are scaled so that they sum to it. Default: false. */
+  /** Whether `areas` are shares, which are scaled so that they sum to the area of the region or box. Default: false. */
   readonly shares?: boolean | undefined
   /**
-   * The largest relative error of each area, above 0 and below 1. Default: 1e-9. Larger errors remain only where the last
-   * bits of the weights make them, as for a cell that is a sliver behind a close neighbor.
+   * The largest relative error of each area, above 0 and below 1. Default: 1e-9. A larger error remains only if the
+   * last bits of the weights cause it, as for a sliver behind a close neighbor.
    */
   readonly tolerance?: number | undefined
   /** The largest number of steps. Default: 500. */
   readonly maxSteps?: number | undefined
   /**
    * The number of times that all sites move to the centroids of their cells, after which the areas are fitted again.
-   * Cells become rounder each time. The diagram of the result has the sites where they have come to. Default: 0.
+   * Cells become rounder each time. The diagram of the result has the moved sites. Default: 0.
    */
   readonly relax?: number | undefined
-  /** The weights to start from, for example those of an earlier fit. Default: the radii of the sites. */
+  /** The weights to start from, for example the result of an earlier fit. Default: the radii of the sites. */
   readonly weights?: Float64Array | readonly number[] | undefined
   /**
-   * Called before the first step, after each one, and after `relax` has moved the sites. If it throws, the fit stops and the
-   * error is passed on.
+   * Called before the first step, after each one, and after `relax` has moved the sites. If it throws, the fit stops
+   * and the error is passed on.
    */
   readonly onStep?: ((step: FitStep) => void) | undefined
   /**
-   * A signal that cancels the fit with the reason of the signal: at once in a worker, otherwise before the next step, if
-   * `onStep` aborts it.
+   * A signal that cancels the fit with the reason of the signal. A worker stops at once. Without a worker, `onStep` can
+   * abort the signal, and the fit stops before the next step.
    */
   readonly signal?: AbortSignal | undefined
 }
@@ -70,7 +70,7 @@ export interface CommonFitOptions {
  * @category Regions
  */
 export interface FitStep {
-  /** The number of steps so far. */
+  /** The number of completed steps. */
   readonly steps: number
   /** The largest relative error of an area. */
   readonly error: number
@@ -107,9 +107,9 @@ export type SiteLike =
   | readonly [x: number, y: number, r?: number]
   | { readonly x: number; readonly y: number; readonly r?: number }
 
-/** The input of a fit, checked as far as JavaScript has to. */
+/** The input of a fit, with checked types. The core checks the values. */
 export interface FitInput {
-  /** x, y and the weight to start from of each site. */
+  /** x, y and starting weight of each site. */
   readonly sites: Float64s
   readonly areas: Float64s
   readonly shares: boolean
@@ -158,7 +158,7 @@ export function checkSignal(signal: unknown): void {
 
 const NAMES = ['region', 'lattice', 'shares', 'tolerance', 'maxSteps', 'relax', 'weights', 'onStep', 'signal']
 
-/** Points get the radius 0; weights take the place of radii. */
+/** Returns x, y and starting weight of each site. Points have the weight 0; the option `weights` replaces radii. */
 function sitesWith(
   sites: Circles | Iterable<SiteLike>,
   weights: Float64Array | readonly number[] | undefined,

@@ -13,9 +13,9 @@ export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' 
 }
 
 /**
- * The arrays of a diagram as the core takes them: embind would convert whatever it is given.
+ * Returns the arrays of a diagram for the core. Types are checked here, because embind would convert any value.
  *
- * @throws CircleVoronoiError `badInput`, if one of them, or `weights`, has another type or length
+ * @throws CircleVoronoiError `badInput`, if an array or `weights` has the wrong type, or an array the wrong length
  */
 export function judgedArrays(diagram: Verifiable) {
   // A value that is not an object has no arrays.

@@ -16,7 +16,7 @@ import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
 /**
- * The known properties of circles that are not part of the input: their centers lie outside the box, whose sides may be
+ * Known facts about circles that are not part of the input. Their centers lie outside the box, whose coordinates may be
  * infinite, and their radii are at most `maxRadius`.
  *
  * @category Loading
@@ -33,9 +33,8 @@ export interface Known {
  */
 export interface FinalCells {
   /**
-   * For each circle, how far the box has to be widened on all sides, and the diagram computed again, until the cell of
-   * the circle (or the circle that hides it) is guaranteed to be final: 0 if it is final, `Infinity` for an unbounded
-   * cell.
+   * For each circle, the width by which the box must grow on all sides so that the cell of the circle (or of the circle
+   * that hides it) is certainly final in the new diagram. 0 if the cell is final, `Infinity` if it is unbounded.
    */
   readonly neededHalo: Float64Array
   /** For each vertex 1 if it is final, otherwise 0. */
@@ -45,7 +44,7 @@ export interface FinalCells {
 }
 
 /**
- * The loaded library.
+ * The functions of the loaded library.
  *
  * @category Loading
  */
@@ -54,7 +53,7 @@ export interface CircleVoronoi {
    * Computes the diagram of circles that the functions `x`, `y` and `r` find in data, like `Delaunay.from` of
    * d3-delaunay. Each function is called with a datum, its index and the data.
    *
-   * @throws CircleVoronoiError as below; what the functions throw
+   * @throws CircleVoronoiError as for plain circles. Errors of the functions are passed on.
    *
    * @example
    * const cities = [{ at: [0, 0], people: 4 }, { at: [6, 0], people: 1 }]
@@ -63,8 +62,8 @@ export interface CircleVoronoi {
   compute<Datum>(data: Iterable<Datum>, options: Options & Accessors<Datum>): ComputedDiagram
   /**
    * Computes the Voronoi diagram of any number of circles, given as x, y, r of each in one `Float64Array` or
-   * `Float32Array`, or as a list of objects `{ x, y, r }` or arrays `[x, y, r]`. They may be disjoint, intersecting,
-   * tangent, nested, equal or points, in any position. The input is copied.
+   * `Float32Array`, or as a list of objects `{ x, y, r }` or arrays `[x, y, r]`. The circles may be disjoint,
+   * intersecting, tangent, nested, equal or points, in any position. The input is copied.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
@@ -73,15 +72,13 @@ export interface CircleVoronoi {
   computePeriodic<Datum>(data: Iterable<Datum>, lattice: Lattice, options: Options & Accessors<Datum>): PeriodicDiagram
   /**
    * Computes the Voronoi diagram of circles in a plane that repeats with two periods: in a box whose opposite sides are
-   * glued together. The box is any parallelogram. The circles may lie anywhere, be larger than the box, and be their
-   * own
-   * neighbors.
+   * glued together. The box can be any parallelogram. The circles may lie anywhere, be larger than the box, and be
+   * their own neighbors.
    *
    * Centers and periods are rounded once, to multiples of 2^-50 of the largest coordinate. The result is checked:
-   * borders
-   * have twins across the sides of the box, Euler's formula holds, and the areas sum to that of the box.
+   * borders have twins across the sides of the box, Euler's formula holds, and the areas sum to that of the box.
    *
-   * @throws CircleVoronoiError as `compute`; `badInput` if the lattice is none; `badOption` if the periods are zero,
+   * @throws CircleVoronoiError as `compute`; `badInput` if the lattice is invalid; `badOption` if the periods are zero,
    *   parallel or not finite.
    *
    * @example
@@ -92,8 +89,8 @@ export interface CircleVoronoi {
    */
   computePeriodic(circles: Circles, lattice: Lattice, options?: Options): PeriodicDiagram
   /**
-   * Computes the diagram of `circles` and records each step on the way: of the touching disc method, of flips (`method:
-   * 'auto'` or `'flip'`), or, with the option `edits`, of edits to the diagram of `circles`.
+   * Computes the diagram of `circles` and records each step of the touching disc method or of flips (`method: 'auto'`
+   * or `'flip'`). With the option `edits`, records the steps of these edits to the diagram of `circles`.
    *
    * @throws CircleVoronoiError as `compute`, and `DiagramEditor.apply`
    */
@@ -101,27 +98,27 @@ export interface CircleVoronoi {
   /**
    * Creates an editor for the diagram of `circles`, or for the circles of a diagram. Circle i gets the id i.
    *
-   * @throws CircleVoronoiError as `compute`; `badInput`, if it is a diagram of another metric
+   * @throws CircleVoronoiError as `compute`; `badInput`, if the diagram has another metric
    */
   edit(circles: Circles | DiagramData, options?: EditorOptions): DiagramEditor
   /**
    * Checks in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, whatever made
    * it. Only its typed arrays are read. `compute` has already checked its results.
    *
-   * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
+   * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is invalid.
    */
   certify(diagram: Verifiable): Certificate
   /**
-   * Finds in linear time the parts of a certified diagram that stay the same in the diagram of all circles, whatever
-   * circles there are outside the box. A cell is final if it is bounded and the discs of its vertices, widened by
-   * `maxRadius`, lie inside the box.
+   * Finds in linear time the parts of a certified diagram that stay the same whatever circles are added outside the
+   * box. A cell is final if it is bounded and the discs of its vertices, widened by `maxRadius`, lie inside the box.
    *
-   * @throws CircleVoronoiError `badInput` if the box or the radius is none, or an array has the wrong type or length; `badOption` if the box is empty or the radius negative or not finite.
+   * @throws CircleVoronoiError `badInput` if the box or the radius is not made of numbers, or an array has the wrong
+   *   type or length; `badOption` if the box is empty or the radius negative or not finite.
    */
   finalCells(diagram: Verifiable, known: Known): FinalCells
 }
 
-/** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
+/** Creates a library from a compiled `circle-voronoi.wasm`, with its own memory. */
 export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
   const edit = editorsOf(module)
@@ -195,7 +192,10 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
   }
 }
 
-/** Ends the computation when a callback throws, and keeps the exception: no exception of JavaScript passes the core. */
+/**
+ * Ends the computation when a callback throws. The error is kept and thrown later, because no JavaScript exception may
+ * pass through the core.
+ */
 class Reporter {
   readonly progress: ((...told: Parameters<Progress>) => boolean) | undefined
   #thrown: { readonly error: unknown } | undefined

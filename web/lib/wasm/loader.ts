@@ -3,9 +3,9 @@ import { type CircleVoronoi, circleVoronoiOf } from './library.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
 
 /**
- * Loads the library in a page, in a worker or in Node. Each call creates an instance with memory of its own. To compile
+ * Loads the library in a page, in a worker or in Node. Each call creates an instance with its own memory. To compile
  * the WebAssembly only once, compile the module yourself and pass it as `wasm`. The memory stays as large as the
- * largest input required, until nothing refers to the library; diagrams do not use it.
+ * largest input required, until the library is garbage-collected. Diagrams do not use it.
  *
  * @throws CircleVoronoiError `notLoaded`, `badOption`
  *

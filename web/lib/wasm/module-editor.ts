@@ -38,13 +38,13 @@ type EditorModule = Pick<
 
 /** A function that makes editors in a module; circle i gets id i. */
 export function editorsOf(module: EditorModule): (start: EditorStart) => Editor {
-  // Frees what nobody has disposed of.
+  // Frees editors that were not disposed of.
   const registry = new FinalizationRegistry((address: number) => module.deleteEditor(address))
   return ({ circles, weights }) =>
     new Editor(module, registry, weights, unwrap(module.createEditor(circles, weights)).editor)
 }
 
-/** The values of `Edit.kind` at the numbers that the core uses. */
+/** The values of `Edit.kind`, by their numbers in the core. */
 const KINDS = ['insert', 'remove', 'replace']
 const INSERT = 0
 const REMOVE = 1
@@ -56,7 +56,7 @@ export class Editor implements EditorMethods {
   readonly #module: EditorModule
   readonly #registry: FinalizationRegistry<number>
   readonly #weights: boolean
-  /** 0 once it is disposed of. */
+  /** The address in the module; 0 after `dispose`. */
   #address: number
   #revision = 0
 

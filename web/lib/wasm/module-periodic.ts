@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 
-/** The periodic diagram of `count` circles from a module. */
+/** Converts the result of the module to a periodic diagram of `circleCount` given circles. */
 export function periodicOf({ circles, diagram, lattice, ...images }: WasmPeriodicDiagram, circleCount: number) {
   const [ax, ay, bx, by] = lattice as unknown as [number, number, number, number]
   return new PeriodicDiagram({

@@ -11,7 +11,7 @@ import type { Candidates, Method, Seconds } from '../base/types.ts'
  * - `flip`: flips edges of the triangulation
  * - `repair`: computes parts with flaws again
  * - `certify`: checks the result
- * - `assemble`: assembles the diagram from it
+ * - `assemble`: assembles the diagram
  *
  * @category Loading
  */
@@ -19,8 +19,7 @@ export type Stage = Exclude<keyof Seconds, 'total'>
 
 /**
  * A callback for progress. It is called with `done` = 0 when a stage begins, and in the stages of the touching disc
- * method (`sample`, `pair`, `touch`) also with the completed fraction. The method and the input determine which stages
- * there are.
+ * method (`sample`, `pair`, `touch`) also with the completed fraction. The stages depend on the method and the input.
  *
  * @category Loading
  */
@@ -45,7 +44,7 @@ export interface Options {
    */
   readonly method?: Method | undefined
   /**
-   * For the touching disc method: which pairs of circles get an antipodal disc. These are neighbors in the Delaunay
+   * For the touching disc method: the pairs of circles that get an antipodal disc. They are neighbors in the Delaunay
    * graph of dynamically chosen samples (`dynamic`, default) or of equally spaced samples (`uniform`), or all pairs
    * (`all-pairs`: quadratic, at most 10,000 circles).
    */
@@ -70,8 +69,8 @@ const NAMES = ['weights', 'method', 'candidates', 'samples', 'resample', 'progre
 export const ACCESSORS = ['x', 'y', 'r'] as const
 
 /**
- * Refuses options of another name or type than theirs: embind converts whatever it is given. The core judges the other
- * values. `more`: names of options that the caller takes besides.
+ * Checks the names and types of options, because embind would convert any value. The core checks the values. `more` has
+ * the names of further options of the caller.
  *
  * @throws CircleVoronoiError `badOption`
  */

@@ -3,7 +3,8 @@
 import { defaultComparisonWasm, defaultRegionsWasm } from './default-wasm.ts'
 
 /**
- * The address of `circle-voronoi-comparison.wasm`; `undefined` if this module has none, or the thread has the bytes.
+ * The address of `circle-voronoi-comparison.wasm`; `undefined` if this module has no address, or the thread contains
+ * the bytes.
  */
 export function comparisonAddress(): URL | undefined {
   return addressOf(defaultComparisonWasm)

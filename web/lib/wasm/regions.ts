@@ -28,8 +28,7 @@ import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from '
 export interface DissolveOptions {
   /**
    * Whether polygons that share borders or overlap, as administrative areas do, become their union. Points where sides
-   * cross
-   * are rounded. Default: false; such polygons are then an error.
+   * cross are rounded. Default: false; such polygons are then an error.
    */
   readonly dissolve?: boolean | undefined
 }
@@ -43,9 +42,8 @@ export interface Regions {
   /**
    * Makes a region from GeoJSON or a list of rings, and checks it.
    *
-   * @throws CircleVoronoiError `badOption`, if it is none, or rings cross themselves or one another and `dissolve` is
-   * not
-   *   set; the message names the rings, the sides and the point
+   * @throws CircleVoronoiError `badOption`, if the shape is not a region, or its rings cross and `dissolve` is not set.
+   *   The message then names the rings, the sides and the point.
    * @example
    * const counties = { type: 'MultiPolygon', coordinates: [[[[0, 0], [5, 0], [5, 9]]], [[[5, 0], [9, 9], [5, 9]]]] }
    * region(counties, { dissolve: true }).area // 40.5
@@ -56,10 +54,10 @@ export interface Regions {
    * smallest distance minus weight, so sites with larger weights get larger cells. Sites are circles, whose radii are
    * the weights to start from, or points `[x, y]` or `{ x, y }`.
    *
-   * @throws CircleVoronoiError `badInput`, if there are not as many areas as sites, an area is not positive and finite,
-   *   two sites are equal, or the areas do not sum to that of the region; `notConverged`, with
-   *   a message that says how many steps there were and what they reached, and with the weights after the last step as
-   *   `error.weights`; `badOption`, `badInput`, and the codes of `compute`
+   * @throws CircleVoronoiError `badInput`, if the numbers of areas and sites differ, an area is not positive and
+   *   finite, two sites are equal, or the areas do not sum to the area of the region; `notConverged`, with the number
+   *   of steps and their result in the message, and the last weights as `error.weights`; `badOption`, and the codes of
+   *   `compute`
    * @example
    * const { region, fitAreas } = await loadRegions()
    * const square = region([[[0, 0], [1, 0], [1, 1], [0, 1]]])
@@ -69,8 +67,7 @@ export interface Regions {
   fitAreas(sites: Circles | Iterable<SiteLike>, areas: Float64Array | readonly number[], options: FitOptions): AreaFit
   /**
    * Finds weights for which each site's cell has a given area in a box whose opposite sides are glued together. The
-   * areas
-   * sum to that of the box. Sites may lie in any box.
+   * areas must sum to the area of the box. Sites may lie outside the box.
    *
    * @throws CircleVoronoiError as with a region, and as `computePeriodic`; sites that differ by whole periods are equal
    * @example
@@ -87,21 +84,20 @@ export interface Regions {
 
 /** The functions of a module of regions. */
 export interface RegionsOfModule extends Regions {
-  /** Makes a region from its arrays. */
   regionOf(rings: RingArrays): Region
 }
 
-/** The script of the module, as Emscripten writes it. The types of the package do not have those of its functions. */
+/** The script of the module, as written by Emscripten. The types of the package omit the types of its functions. */
 export type RegionsScript = (options: EmscriptenOptions) => Promise<object>
 
-/** The WebAssembly that a region was made by, with which a worker makes it again. */
+/** Returns the WebAssembly that made a region, so that a worker can make the region again. */
 export function wasmOf(region: Region): CompiledWasm | undefined {
   return compiled.get(region)
 }
 
 const compiled = new WeakMap<Region, CompiledWasm>()
 
-/** The WebAssembly that this thread loaded last, with which a worker fits in a box. */
+/** Returns the WebAssembly that this thread loaded last, for a worker that fits in a box. */
 export function newestWasm(): CompiledWasm | undefined {
   return newest
 }
@@ -109,7 +105,7 @@ export function newestWasm(): CompiledWasm | undefined {
 let newest: CompiledWasm | undefined
 
 /**
- * The regions and fits of a module.
+ * Creates the functions for regions and fits from a module.
  *
  * @throws CircleVoronoiError `notLoaded`
  */
@@ -211,7 +207,7 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
 class Clipped implements ClippedDiagram {
   readonly #module: WasmRegionsModule
   readonly #address: number
-  /** The module's diagram refers to its region. */
+  /** Keeps the region alive, to which the module's diagram refers. */
   readonly region: Region
   #cells: ClippedDiagram['cells'] | undefined
   #edges: ClippedDiagram['edges'] | undefined

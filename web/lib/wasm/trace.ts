@@ -9,37 +9,38 @@ import type { Options } from './options.ts'
 /**
  * The kinds of events, in the order of their numbers in `Trace.kinds`.
  *
- * Of the touching disc method: candidates (paper, sections 4.1 and 5), then the event loop (Algorithms 2 and 3).
+ * The touching disc method first reports the candidates (paper, sections 4.1 and 5), then the event loop (Algorithms 2
+ * and 3):
  *
- * - `roundBegun`: all begins anew, as by the option `resample`, and is counted anew. The first event is one;
+ * - `roundBegun`: everything starts again, including the counts. The first event is of this kind; the option `resample`
+ *   may add further rounds;
  * - `centersJoined`: an edge of the Delaunay graph of the visible circles' centers;
- * - `sampleTaken`: `disc` is the point, of radius 0, on its circle less the smallest of all radii;
- * - `samplesJoined`: an edge of the Delaunay graph of the samples, of which `numbers` are two;
+ * - `sampleTaken`: `disc` is the point, with radius 0, on its circle, which is shrunk by the smallest of all radii;
+ * - `samplesJoined`: an edge of the Delaunay graph between the two samples `numbers`;
  * - `pairFound`: two circles get an antipodal disc;
- * - `antipodalDiscAccepted`: it is empty, and its two directed edges follow; `antipodalDiscUsed`: a footpoint lies on
- * an arc
- *   that the diagram has used already; `antipodalDiscNotEmpty`: it meets the third circle;
- * - `threeTouchDiscFormed`: put into the queue by the two directed edges `numbers`; `threeTouchDiscStale`: discarded,
- * as these
- *   are gone or no longer adjacent; `branchDisc`: it is empty, and makes a vertex;
+ * - `antipodalDiscAccepted`: the disc is empty, and its two directed edges follow; `antipodalDiscUsed`: rejected,
+ *   because a footpoint lies on an arc that the diagram already uses; `antipodalDiscNotEmpty`: rejected, because the
+ *   disc meets the third circle;
+ * - `threeTouchDiscFormed`: the two directed edges `numbers` put a disc into the queue; `threeTouchDiscStale`: the disc
+ *   is discarded, because these edges are gone or no longer adjacent; `branchDisc`: the disc is empty and makes a
+ *   vertex;
  * - `directedEdgePlaced`, `directedEdgeDeleted`: from the first circle to the second; `disc` is its disc of R_min;
  * - `segmentFinished`: the Voronoi segment of a directed edge, which ends at a vertex; `disc` is its disc of R_max.
  *
- * Of flips and edits, which change the triangulation that is dual to the diagram: its faces as they are, then of each
- * change
- * the reason, if one can be named, the faces that go and those that come. The faces that are left are those of the
- * diagram.
+ * Flips and edits change the triangulation that is dual to the diagram. They first report all faces. For each change
+ * they report its reason, if it can be named, then the removed faces and the new faces. The remaining faces belong to
+ * the diagram:
  *
- * - `faceMade`, `faceRemoved`: a face of three circles, with the disc that touches them if they have one, which is then
- * a
- *   vertex of the diagram; or of two, an unbounded end. `numbers` is its number, which may be that of another later;
- * - `discNotEmpty`: the disc of a face meets `circles[2]`, or ties with it: the edge between the first two goes;
- *   `discMissing`: three circles of a face have no disc, and the edge between the first two goes; `tangentNotClear`:
- * the
- *   tangent line of two neighbors on the hull meets the third circle; `hullNotConvex`: the first circle lies within the
- *   tangent line of the others, its neighbors on the hull, and leaves it;
- * - `circleInserted`, `circleRemoved`, `circleReplaced`: an edit of the first circle, by its id; `disc` is the circle;
- *   `circleShrunk`: so far, on its way out, where it touches a disc of its neighbors.
+ * - `faceMade`, `faceRemoved`: a face of three circles, which is a vertex of the diagram, with the disc that touches
+ *   them, if it exists; or a face of two circles, which is an unbounded end. `numbers` is its number, which a later
+ *   face may reuse;
+ * - `discNotEmpty`: the disc of a face meets or touches `circles[2]`, so the edge between the first two circles is
+ *   flipped; `discMissing`: no disc touches the three circles of a face, so the edge between the first two is flipped;
+ *   `tangentNotClear`: the tangent line of two neighbors on the hull meets the third circle; `hullNotConvex`: the first
+ *   circle lies within the tangent line of the others, its neighbors on the hull, and leaves the hull;
+ * - `circleInserted`, `circleRemoved`, `circleReplaced`: an edit of the first circle, given by its id; `disc` is the
+ *   circle; `circleShrunk`: during its removal, the circle has shrunk to `disc`, where it touches a disc of its
+ *   neighbors.
  *
  * @category Tracing
  * @example
@@ -80,7 +81,7 @@ export const TRACE_KINDS = [
 export type TraceKind = (typeof TRACE_KINDS)[number]
 
 /**
- * Options of `trace`: those of `compute`, with `touching-disc` as the default method, or a list of edits.
+ * Options of `trace`: the options of `compute`, with `touching-disc` as the default method, or a list of edits.
  *
  * @category Tracing
  */
@@ -107,7 +108,7 @@ export interface TraceArrays {
    * directed edges from the first to the second and from the second to the third.
    */
   readonly circles: Int32s
-  /** For each event the vertex that is made, or where a segment ends; otherwise `NONE`. */
+  /** For each event, the vertex that it makes or where its segment ends; otherwise `NONE`. */
   readonly vertices: Int32s
   /** Two numbers for each event, `NONE` if it has fewer: samples, directed edges, a face or a round, counted from 0. */
   readonly numbers: Int32s
@@ -150,11 +151,11 @@ export interface TraceState {
   readonly queue: Int32Array
   /** The events that made the current faces. */
   readonly faces: Int32Array
-  /** The edits of circles in all rounds before. */
+  /** The edits in all earlier rounds. */
   readonly edits: Int32Array
 }
 
-/** The state that changes back and forth, and the event before which it holds. */
+/** The state before `event`, with only the lists that may shrink. */
 interface Keyframe {
   readonly event: number
   readonly round: number
@@ -177,7 +178,7 @@ const WITHOUT_DISC = ['roundBegun', 'centersJoined', 'samplesJoined', 'pairFound
   kind(name as TraceKind),
 )
 
-/** More than there are directed edges in a trace that memory holds, and its square is a whole number. */
+/** More than the number of directed edges in any trace that fits into memory. Its square is an exact whole number. */
 const EDGES = 2 ** 26
 
 /**
@@ -210,7 +211,7 @@ export class Trace implements TraceArrays {
     this.circles = circles
     this.vertices = vertices
     this.numbers = numbers
-    // The number of keyframes about equals the number of events between two of them.
+    // The number of keyframes is about the number of events between two keyframes.
     this.#spacing = Math.max(1024, 16 * Math.ceil(Math.sqrt(kinds.length)))
   }
 
@@ -236,17 +237,17 @@ export class Trace implements TraceArrays {
     return {
       kind: TRACE_KINDS[number] as TraceKind,
       disc: hasDisc ? { x: at(this.discs, 3 * k), y: at(this.discs, 3 * k + 1), r } : undefined,
-      circles: known(this.circles, 3 * k, 3),
+      circles: presentValues(this.circles, 3 * k, 3),
       vertex: vertex === NONE ? undefined : vertex,
-      numbers: known(this.numbers, 2 * k, 2),
+      numbers: presentValues(this.numbers, 2 * k, 2),
     }
   }
 
   /**
-   * Returns the state after the first `k` events, with `k` from 0 to `length`. It takes the time to look once at the
-   * kind of each event so far, because snapshots of the state are kept now and then.
+   * Returns the state after the first `k` events, with `k` from 0 to `length`. The time is linear in `k`, because
+   * snapshots of the state are kept at intervals.
    *
-   * @throws CircleVoronoiError `badInput`, if there are not so many events
+   * @throws CircleVoronoiError `badInput`, if `k` is not from 0 to `length`
    */
   at(k: number): TraceState {
     checkNumber(k, 'at', 'the number of events')
@@ -291,7 +292,7 @@ export class Trace implements TraceArrays {
     return events
   }
 
-  /** Compares discs in the order in which the queue of the method serves them. */
+  /** Compares discs by their order in the queue of the method. */
   #compareDiscs(a: number, b: number): number {
     const { discs, numbers } = this
     return (
@@ -316,10 +317,10 @@ export class Trace implements TraceArrays {
 }
 
 /**
- * The values other than `NONE` in a range of a list. Players ask for many, and arrays made of parts take several times
- * as long.
+ * Returns the values in a range of a list except `NONE`. Players request many events, and a copy of the range would
+ * take several times as long.
  */
-function known(list: Int32s, first: number, count: number): number[] {
+function presentValues(list: Int32s, first: number, count: number): number[] {
   const numbers: number[] = []
   for (let k = first; k < first + count; k++) {
     const number = at(list, k)
@@ -328,14 +329,14 @@ function known(list: Int32s, first: number, count: number): number[] {
   return numbers
 }
 
-/** The directed edges and faces that are there and the discs that wait, while events happen. */
+/** Replays events and keeps the current directed edges, faces and queued discs. */
 class Replay {
   readonly #trace: TraceArrays
   #round: number
-  /** Events by directed edges, and by pairs of them. */
+  /** The event that placed each directed edge. */
   readonly #placed = new Map<number, number>()
   readonly #formed = new Map<number, number>()
-  /** Events by faces. */
+  /** The event that made each face. */
   readonly #made = new Map<number, number>()
 
   constructor(trace: TraceArrays, { round, directedEdges, queue, faces }: Keyframe) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The types of what cpp/wasm/bindings.cpp, comparison_bindings.cpp and files_bindings.cpp export.
+// The types of the exports of cpp/wasm/bindings.cpp, comparison_bindings.cpp and files_bindings.cpp.
 
 type WasmError = import('./wasm.ts').WasmError
 
@@ -59,7 +59,7 @@ interface WasmModule {
   traceEdits(editor: number, edits: Float64Array): WasmError | import('./trace.ts').TraceArrays
   nearestCircle(editor: number, x: number, y: number, hint: number): number
   editorSize(editor: number): number
-  /** x, y, r and whether it is hidden. */
+  /** Returns x, y, r and whether the circle is hidden. */
   circleOfEditor(editor: number, id: number): Float64Array | undefined
   idsOfEditor(editor: number): WasmError | import('../base/types.ts').Int32s
   snapshotOfEditor(editor: number):
@@ -94,7 +94,7 @@ interface WasmRegionsModule {
     maxDistance: number | undefined,
   ): WasmError | { readonly address: number }
   deleteClip(clip: number): void
-  /** One cell of the diagram of a few circles, and the sides of that diagram. */
+  /** Returns one cell of the diagram of a few circles, and the sides of that diagram. */
   clipCell(
     region: number,
     circles: Float64Array,
@@ -105,7 +105,7 @@ interface WasmRegionsModule {
     | WasmError
     | (import('../regions/few-circles.ts').Sides & { readonly cells: import('../regions/region.ts').ClippedCells })
   /**
-   * The cell of the first of some points, as circles of radius 0. Row i is that of point i, and only row 0 has
+   * Clips the cell of the first point. `points` are circles of radius 0. Row i belongs to point i, and only row 0 has
    * polygons.
    */
   clipFirstCell(region: number, points: Float64Array): WasmError | import('../regions/region.ts').ClippedPolygons
@@ -147,7 +147,7 @@ interface WasmFit {
   readonly steps: number
 }
 
-/** The options of writers; missing ones have their defaults. `bounds`: minX, minY, maxX, maxY. */
+/** The options of writers. Missing options have their defaults. `bounds`: minX, minY, maxX, maxY. */
 interface WasmWriteOptions {
   readonly bounds: Float64Array | undefined
   readonly region: import('../regions/region-shape.ts').RingArrays | undefined
@@ -157,7 +157,7 @@ interface WasmWriteOptions {
   readonly attributes: WasmAttributes | undefined
 }
 
-/** Selects the columns of circles; an empty name stands for the usual ones. */
+/** Selects the columns of circles. An empty name stands for the usual names. */
 interface WasmReadOptions {
   readonly weights: boolean
   readonly points: boolean
@@ -168,7 +168,7 @@ interface WasmReadOptions {
   readonly id: string
 }
 
-/** The data of a file about its circles, in JSON: a line for each circle, or nothing. Objects have no braces. */
+/** The attributes of circles as JSON: one line for each circle, or an empty text. Objects have no braces. */
 interface WasmAttributes {
   readonly properties: string
   readonly ids: string
@@ -226,7 +226,7 @@ declare module '*/generated/circle-voronoi-comparison.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmComparisonModule>
 }
 
-// In bundles alone: gzip as base64.
+// Exists only in bundles: gzip as base64.
 declare module '*/generated/circle-voronoi-comparison.wasm' {
   const compressed: string
   export default compressed
@@ -242,7 +242,7 @@ declare module '*/generated/circle-voronoi.wasm' {
   export default compressed
 }
 
-/** In the element's script alone: the text of its thread. */
+/** Exists only in the element's script: the text of its thread. */
 declare module '*/painter.thread' {
   const text: string
   export default text

@@ -20,7 +20,7 @@ export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView
 
 /** The error that a function of the core returns in place of its result. */
 export interface WasmError {
-  /** `circle`: -1 if there is none. `weights`: those of a fit that did not converge. */
+  /** `circle` is -1 if the error blames no circle. `weights` are the last weights of a fit that did not converge. */
   readonly error: {
     readonly code: string
     readonly circle: number
@@ -29,18 +29,18 @@ export interface WasmError {
   }
 }
 
-/** The callbacks by which Emscripten's modules find the WebAssembly. */
+/** The callbacks that tell Emscripten's modules where the WebAssembly is. */
 export interface EmscriptenOptions {
   instantiateWasm(imports: object, receive: (instance: object) => void): object
   /**
-   * Returns the address of a file. Without it they resolve its name against their own address, which some modules do
-   * not have.
+   * Returns the address of a file. Without this callback, modules resolve the name against their own address, which
+   * some modules lack.
    */
   locateFile(name: string): string
 }
 
 /**
- * The compiled module. `beside`: where it is by default; it may throw, in a module without an address.
+ * Compiles a module. `beside` returns its default source, or throws in a module without an address.
  *
  * @throws CircleVoronoiError `notLoaded`
  */
@@ -65,9 +65,9 @@ export async function compileWasm(
 }
 
 /**
- * An instance of a module of Emscripten, with a memory of its own.
+ * Creates an instance of an Emscripten module with its own memory.
  *
- * @throws CircleVoronoiError `notLoaded`: it is another module, or there is no memory for it.
+ * @throws CircleVoronoiError `notLoaded`, if it is another module or memory is exhausted
  */
 export function instantiate<Exports>(
   create: (options: EmscriptenOptions) => Promise<Exports>,
@@ -89,7 +89,7 @@ export function instantiate<Exports>(
   })
 }
 
-/** A result of a module, or its error thrown. */
+/** Returns the result of a module, or throws its error. */
 export function unwrap<Value extends object>(result: Value | WasmError): Value {
   if (!('error' in result)) return result
   const { code, circle, message, weights } = result.error
@@ -98,7 +98,7 @@ export function unwrap<Value extends object>(result: Value | WasmError): Value {
 
 async function compileFrom(url: URL): Promise<CompiledWasm> {
   if (url.protocol === 'file:') {
-    // Node's fetch does not read files. Not an import, so that no bundler looks for node:fs in a page.
+    // Node's fetch does not read files. An import would make bundlers look for node:fs in a page.
     const files = globalThis.process?.getBuiltinModule?.('node:fs/promises')
     if (files !== undefined) return WebAssembly.compile(await files.readFile(url))
   }
@@ -107,7 +107,7 @@ async function compileFrom(url: URL): Promise<CompiledWasm> {
 
 async function compileResponse(response: Response): Promise<CompiledWasm> {
   if (!response.ok) throw new Error(`the answer is ${response.status} ${response.statusText}`.trim())
-  // Servers that do not know .wasm send another type, which the streaming compiler refuses.
+  // Servers that do not know .wasm send a wrong type, which the streaming compiler refuses.
   const isTyped = response.headers.get('Content-Type')?.startsWith('application/wasm') ?? false
   return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer())
 }

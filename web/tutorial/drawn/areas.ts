@@ -86,7 +86,7 @@ export function heightOver(
   }
 }
 
-/** Draws the cells in a box with their sites, and the weights as discs where few of these overlap. */
+/** Draws the cells in a box with their sites. Draws the weights as discs if few discs overlap. */
 export function drawWeighted(
   pen: Pen,
   frame: Frame,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tile of a larger plane, with the cells that are final whatever lies outside the tile. The slider sets the largest
-// radius of the circles outside.
+// A tile of a larger plane, with the cells that stay the same whatever lies outside the tile. The slider sets the
+// largest radius of the circles outside.
 import { coordinatesOf, drawDiscs, type Kind, Pen } from './scene.ts'
 
 const LARGEST = 3

@@ -156,7 +156,7 @@ export function drawDiscs(pen: Pen, circles: readonly Circle[], colors: readonly
   }
 }
 
-/** A greedy coloring with six colors; neighbors differ unless the greedy choice runs out of colors. */
+/** Colors cells greedily with six colors. Neighbors differ unless all six colors are taken. */
 export function colorsOf(diagram: Diagram): readonly number[] {
   const count = diagram.circles.length / 3
   if (count <= 6) return Array.from({ length: count }, (_, i) => i)

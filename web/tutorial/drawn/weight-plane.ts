@@ -18,7 +18,7 @@ import { type Kind, list, Pen, type Scene } from './scene.ts'
 /** The prescribed shares of the area. */
 export const THREE_SHARES = [0.2, 0.3, 0.5] as const
 const MOST_LINES = 8
-/** Grid cells of the map in each direction. */
+/** The number of grid cells of the map in each direction. */
 const SQUARES = 28
 
 export const weightPlane: Kind = {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of ../../../view/painter-file.ts in the element's script. The text of its thread is a string, which no compiler and no
-// bundler changes, wherever the script becomes a part of something else.
+// Replaces ../../../view/painter-file.ts in the element's script. The text of the thread is a string, so no compiler or
+// bundler changes it.
 import text from './painter.thread'
 
 export const THREAD_NAME = 'circle-voronoi/painter'
 
-/** The text of a script that is the thread. */
+/** Returns the text of the thread's script. */
 export function threadFile(): string {
   return text
 }
 
-/** There is no file that a worker could be made of. */
+/** Throws, because there is no file for a worker. */
 export function newWorker(): Worker {
   throw new DOMException('The thread has no file.', 'SecurityError')
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of ../../wasm/default-wasm.ts in the library's bundle: the bytes of what computes are in the file, and few programs need
-// the other modules, which are fetched.
+// Replaces ../../wasm/default-wasm.ts in the library's bundle. The file contains the bytes of the core. The other
+// modules, which few programs need, are fetched.
 import compressed from '../../generated/circle-voronoi.wasm'
 import { unpacked } from './unpacked.ts'
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of ../../wasm/other-wasm.ts in the element's one-file builds, whose threads contain all modules.
+// Replaces ../../wasm/other-wasm.ts in the element's one-file builds, whose threads contain all modules.
 
 export function comparisonAddress(): undefined {}
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of ../../wasm/default-wasm.ts in the element's one-file builds: all modules are in the file, which may be copied alone or
-// opened from a disk, where nothing can be fetched.
+// Replaces ../../wasm/default-wasm.ts in the element's one-file builds. The file contains all modules, so it works
+// alone and from a disk, where nothing can be fetched.
 
 import core from '../../generated/circle-voronoi.wasm'
 import comparison from '../../generated/circle-voronoi-comparison.wasm'
