@@ -5,12 +5,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { mountFiles } from '../../web/app/panels/files.ts'
 import { mountNumbers } from '../../web/app/panels/numbers.ts'
 import { CircleGrid } from '../../web/app/table/circle-grid.ts'
-import { Editing } from '../../web/editing/editing.ts'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
-import type { View } from '../../web/view/view.ts'
-import { LibraryBackend } from './library-backend.ts'
+import { editingSession, sceneOf } from './editing-session.ts'
 
 /** The contents of the open panel. */
 let body: () => unknown = () => undefined
@@ -64,22 +59,10 @@ beforeEach(() => {
 })
 
 async function started() {
-  const store = createStore(INITIAL_STATE)
-  const editing: Editing = new Editing(
-    new LibraryBackend(async () => {}),
-    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
-    () => {},
-  )
+  const { store, editing, actions, view, fake } = editingSession()
   const answers: ((answer: unknown) => void)[] = []
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: { width: 100, height: 100 },
-    ask: () => new Promise((resolve) => answers.push(resolve)),
-    setCamera() {},
-  } as unknown as View
-  const actions = new EditorActions(store, editing, view, () => ({ top: 0, right: 0, bottom: 0, left: 0 }))
-  const circles = Float64Array.from({ length: 30 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))
-  await editing.open({ circles, dataSet: '', isEdited: false })
+  fake.ask = () => new Promise((resolve) => answers.push(resolve))
+  await editing.open(sceneOf(Float64Array.from({ length: 30 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))))
   draw()
   return { store, editing, actions, view, answers }
 }

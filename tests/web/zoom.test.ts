@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The viewport after "zoom to" and "show everything", without a browser.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { Editing } from '../../web/editing/editing.ts'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
-import { type Camera, toScreen } from '../../web/view/camera.ts'
-import type { View } from '../../web/view/view.ts'
-import { LibraryBackend } from './library-backend.ts'
+import { toScreen } from '../../web/view/camera.ts'
+import { editingSession, sceneOf } from './editing-session.ts'
 
 const SIZE = { width: 400, height: 300 }
 const PADDING = { top: 20, right: 40, bottom: 60, left: 80 }
@@ -18,21 +13,8 @@ beforeEach(() => {
 afterEach(() => vi.unstubAllGlobals())
 
 async function started(...circles: number[]) {
-  const store = createStore(INITIAL_STATE)
-  const editing: Editing = new Editing(
-    new LibraryBackend(async () => {}),
-    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
-    () => {},
-  )
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: SIZE,
-    setCamera(camera: Camera) {
-      view.camera = camera
-    },
-  }
-  const actions = new EditorActions(store, editing, view as unknown as View, () => PADDING)
-  await editing.open({ circles: Float64Array.from(circles), dataSet: '', isEdited: false })
+  const { store, editing, fake: view, actions } = editingSession({ size: SIZE, padding: PADDING })
+  await editing.open(sceneOf(Float64Array.from(circles)))
   const select = (...selection: number[]) => store.update((state) => ({ ...state, selection }))
   /** The positions of points in the part of the view that panels leave free, from 0 to 1. */
   const shares = (...points: [number, number][]) =>
