@@ -55,9 +55,24 @@ describe('what is opened', () => {
     const { actions, store, view, circles } = started()
     await actions.open(async () => SECOND)
     const before = view.camera
+    actions.select([1])
     expect(await actions.open(async () => REFUSED)).toBe('refused')
-    expect([circles(), view.camera]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], before])
+    expect([circles(), view.camera, store.get().selection]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], before, [1]])
     expect(store.get().problem).toMatch(/Circle 0 .*radius/)
+  })
+
+  it('forgets the layers that name places among the former circles', async () => {
+    const { actions, view } = started()
+    await actions.open(async () => SECOND)
+    const path = { from: { x: 1, y: 1 }, to: { x: 2, y: 2 } }
+    view.setLayers({ path, nearZero: 1, maxDistance: 2, hull: true })
+    await actions.open(async () => opened(50, 50, 1, 90, 50, 2))
+    const { hull, nearZero, maxDistance } = view.layers
+    expect([hull, nearZero, maxDistance]).toEqual([true, undefined, undefined])
+    expect(view.layers.path).toEqual(actions.pathAcross())
+    view.setLayers({ path: undefined })
+    await actions.open(async () => SECOND)
+    expect(view.layers.path).toBeUndefined()
   })
 
   it('that fails too late is not told of', async () => {
@@ -68,9 +83,11 @@ describe('what is opened', () => {
   })
 
   it('is superseded at once by what is opened after it, or canceled, though it is never loaded', async () => {
-    const { actions, view, circles } = started()
+    const { actions, store, view, circles } = started()
     const never = () => new Promise<OpenRequest>(() => {})
+    actions.complain('It could not be opened.')
     const first = actions.open(never)
+    expect(store.get().problem).toBe('')
     expect(await actions.open(async () => SECOND)).toBe('opened')
     expect(await first).toBe('superseded')
     const third = actions.open(never)

@@ -256,6 +256,15 @@ it('an answer about circles that have changed since is not shown', async () => {
   expect(player.steps).toBeLessThan(steps)
 })
 
+it('a player that is disposed of between two steps goes no farther', async () => {
+  await loaded()
+  press(WORDS.play)
+  seconds(1)
+  player.dispose()
+  seconds(100)
+  expect([step, view.hasDiagram]).toEqual([1, true])
+})
+
 it('a player that is disposed of while it plays or loads is silent, and the diagram is there again', async () => {
   await loaded()
   press(WORDS.play)

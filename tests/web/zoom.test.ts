@@ -51,6 +51,21 @@ it.each([
   for (const share of shares([3, 4])[0] as number[]) expect(share).toBeCloseTo(0.5, 6)
 })
 
+it('circles around one center are shown at their size, and points apart all together', async () => {
+  const { actions, select, shares } = await started(3, 4, 10, 3, 4, 5, 100, 0, 0, 900, 0, 0)
+  const top = () => shares([3, 14])[0]?.[1] as number
+  select(0, 1)
+  actions.zoomToSelection()
+  expect(0.5 - top()).toBeGreaterThan(0.1)
+  expect(0.5 - top()).toBeLessThan(0.25)
+  select(2, 3)
+  actions.zoomToSelection()
+  for (const share of shares([100, 0], [900, 0]).flat()) {
+    expect(share).toBeGreaterThan(0)
+    expect(share).toBeLessThan(1)
+  }
+})
+
 it('a point is shown at the size of a new circle, which depends on the scale', async () => {
   const { actions, view, select } = await started(3, 4, 0, 100, 0, 1)
   select(0)
