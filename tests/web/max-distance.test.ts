@@ -89,7 +89,7 @@ describe('a maximum distance', () => {
         const scale = scaleOf(circles)
         const box = boxAround(circles, 0.1)
         const maxDistance = scale * share ** 2
-        // The whole box, or a part of it.
+        // The whole box, or one part.
         const bounds = cut < 0.3 ? undefined : { ...box, maxX: box.minX + cut * (box.maxX - box.minX) }
         const whole = bounds ?? grown(box, maxDistance)
         const areas = diagram.cellAreas({ maxDistance, bounds })

@@ -189,7 +189,7 @@ it('asks before a step whose outcome is open, keeps the score, and explains the 
   const first = step as number
   expect(text()).toContain(WORDS.whatNext)
   expect(first).toBeLessThan(player.steps - 1)
-  // The answers follow the question. One of them is right.
+  // The answers follow the question. One answer is right.
   const parts = partsOf(page)
   const choices = parts.slice(parts.indexOf(WORDS.whatNext)).filter((part) => typeof part === 'function') as Press[]
   choices[0]?.()
