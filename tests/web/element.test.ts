@@ -12,7 +12,7 @@ import {
   parseStep,
   parseView,
 } from '../../web/element/attributes.ts'
-import { checkCircles, holds, idsOf, parseCheck } from '../../web/element/check.ts'
+import { checkCircles, holds, idsOf, parseCheck, withIds } from '../../web/element/check.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { readCircles } from '../../web/element/read-circles.ts'
@@ -245,6 +245,15 @@ describe('a check', () => {
     expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the ids 0 to 4.')
     expect(() => checkCircles(check, 3)).toThrow('there is no circle 3. ')
     expect(() => checkCircles(check, 0)).toThrow('there is no circle 3. There are no circles.')
+  })
+
+  test('names other ids for all its circles', () => {
+    const check = parseCheck(
+      '{ "all": [{ "cell": 1, "neighbor": 2 }, { "not": { "any": [{ "cell": 3, "x": 1 }, { "circles": 2 }] } }] }',
+    )
+    expect(withIds(check, (number) => number + 10)).toEqual({
+      all: [{ cell: 11, neighbor: 12 }, { not: { any: [{ cell: 13, x: 1 }, { circles: 2 }] } }],
+    })
   })
 
   test('knows which circles it is about', () => {
