@@ -5,6 +5,7 @@ import { describe, expect, test } from 'vitest'
 import { manifest } from '../../scripts/manifest.mjs'
 import { problemOf } from '../../web/editing/problem.ts'
 import {
+  checkedAreas,
   parseControls,
   parseLayers,
   parseMethod,
@@ -95,6 +96,13 @@ describe('attributes', () => {
     expect(parseSamples('3')).toBe(3)
     for (const text of ['', 'many', '-1', '1.5'])
       expect(() => parseSamples(text)).toThrow('The samples must be a whole')
+  })
+
+  test('areas of a program are copied', () => {
+    const given = [1, 2]
+    const areas = checkedAreas(given)
+    given[0] = 9
+    expect(areas).toEqual([1, 2])
   })
 
   test('a view is three numbers', () => {
