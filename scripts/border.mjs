@@ -20,7 +20,7 @@ export function borderOfCities() {
     .map(([outer]) => ({ outer, ring: joined(outer, arcs) }))
     .filter(({ ring }) => ring.every((point) => Math.max(...point.map(Math.abs)) < 1.5 * REACH))
     .filter(({ ring }) => cities.some((city) => contains(ring, city)))
-  // An arc between two of these countries belongs to both. An arc of one country is part of the outline.
+  // An arc between two countries belongs to both. An arc of one country is part of the outline.
   const uses = new Map()
   for (const { outer } of polygons) {
     for (const arc of outer) uses.set(arcOf(arc), (uses.get(arcOf(arc)) ?? 0) + 1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run coverage`: how much of the C++ the native tests run, lines and branches, and in build/coverage/report.txt the lines of
-// each file that none of them runs. Options are CTest's. `npm run coverage -- --web`: how much of web/ the Vitest tests run, with
-// the lines in build/coverage-web. Further options are Vitest's.
+// `npm run coverage`: the share of lines and branches in C++ that the native tests run. build/coverage/report.txt lists the other
+// lines of each file. Options are CTest's. `npm run coverage -- --web`: the share of web/ that the Vitest tests run, with the
+// lines in build/coverage-web. Further options are Vitest's.
 import { existsSync, readdirSync, rmSync } from 'node:fs'
 import { build, main, ROOT, run, statusOf } from './run.mjs'
 import { setup } from './setup.mjs'

@@ -3,8 +3,8 @@
 // with NAME, to a copy of the sources, one at a time, and says whether the native tests notice. Takes about an hour;
 // the sources may be edited meanwhile.
 //
-// A change: `name`, the `file` and the text in it (`old`, once) that `new` replaces, and `tests`, the GoogleTest filter
-// of those that are likely to notice: they are run first, and a program without any of them is built only if they do not.
+// A change has a `name`, the `file`, the text in it (`old`, once) that `new` replaces, and `tests`, a GoogleTest filter. The
+// filtered tests run first. The other programs are built only if the filtered tests do not notice the change.
 import { spawnSync } from 'node:child_process'
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs'
 import { dirname } from 'node:path'

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run mutate [-- --mutate web/lib/NAME.ts,... | --share 0.1 [--seed N]]`: StrykerJS changes web/lib, and what of the page
-// needs no browser, in one place at a time, and says which changes the tests in tests/web do not notice
-// (tests/mutants/stryker.config.mjs); all of it takes hours, a share drawn at random as much of them. It fails if fewer than
-// 85 % are noticed. The report is build/mutants/web.html. Other options are Stryker's.
+// `npm run mutate [-- --mutate web/lib/NAME.ts,... | --share 0.1 [--seed N]]`: StrykerJS changes web/lib, and the parts of the
+// page that need no browser, in one place at a time (tests/mutants/stryker.config.mjs). It says which changes the tests in
+// tests/web do not notice. A full run takes hours; `--share` draws some changes at random. The command fails if fewer than 85 %
+// are noticed. The report is build/mutants/web.html. Other options are Stryker's.
 import { parseArgs } from 'node:util'
 import { build, main, ROOT, run } from './run.mjs'
 

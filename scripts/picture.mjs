@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg, those of the examples,
-// docs/examples, and those of the recipes and of the first page, docs/cookbook and
-// docs/three-circles.svg.
+// `npm run picture`: pictures of the page for the README (docs/page-light.jpg, docs/page-dark.jpg), of the examples
+// (docs/examples), of the recipes (docs/cookbook) and of the first page (docs/three-circles.svg).
 import { withBuiltPage } from './built-page.mjs'
 import { pictureRecipes } from './picture-recipes.mjs'
 import { main, ROOT } from './run.mjs'

@@ -94,7 +94,7 @@ async function measure(plan, isQuick, pictures) {
   }
 }
 
-/** The output of each experiment by name. One of them runs on each core. */
+/** The output of each experiment by name. Each core runs one experiment at a time. */
 async function experiments(all) {
   const results = {}
   const waiting = Object.entries(all)

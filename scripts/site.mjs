@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// dist/site: the page, the tutorial and the documentation, static, for any folder of a server. A service worker knows all of its
-// files, and these are there compressed, too, for servers that send them as they are.
+// dist/site: the page, the tutorial and the documentation, static, for any folder of a server. A service worker knows all files.
+// Each file has a compressed copy for servers that do not compress.
 import { createHash } from 'node:crypto'
 import { copyFileSync, cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join, relative } from 'node:path'

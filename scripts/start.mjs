@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm start`: installs what is missing, builds what has changed, and serves the page until interrupted. It is served as soon
-// as diagrams can be computed. The other modules of WebAssembly, the tutorial and the documentation are built meanwhile;
-// who asks for one of these is answered when it is there.
+// `npm start`: installs missing dependencies, builds changed parts, and serves the page until interrupted. Serving starts as
+// soon as diagrams can be computed. The other modules of WebAssembly, the tutorial and the documentation are built meanwhile;
+// requests for them wait until they are built.
 import { build, main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 

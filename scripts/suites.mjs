@@ -17,8 +17,8 @@ export const ENV = {
 /**
  * The suites in their order: the program, its arguments and its environment, so that it writes a JUnit report to a path
  * and runs quick tests, or with `isLong` the others. `lengths` defaults to quick tests only. `hasPages` marks suites
- * that open pages in a browser. `script` names a script of package.json with the suite's inputs. It does nothing if these are
- * as they were when the suite last passed.
+ * that open pages in a browser. `script` names a script of package.json with the suite's inputs. The script skips the suite if
+ * it passed with the same inputs before.
  */
 export const SUITES = [
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm test`: installs what is missing, builds everything, runs every check and each test that is quick, and counts the tests.
-// `npm run test:long`: the others. The last line is `N passed, M failed`; the exit status is 0 only if something ran and
+// `npm test`: installs missing dependencies, builds everything, runs every check and each quick test, and counts the tests.
+// `npm run test:long`: the long tests. The last line is `N passed, M failed`; the exit status is 0 only if something ran and
 // nothing failed.
 import { mkdirSync, rmSync } from 'node:fs'
 import { countTests, NO_TESTS, summary } from './count-tests.mjs'

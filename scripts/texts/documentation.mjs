@@ -36,7 +36,7 @@ const MANUAL = 'cpp/cli/circle-voronoi.1'
 const PLAYGROUND = 'web/index.html'
 
 /**
- * Copies the pictures of these texts, and examples that are pages.
+ * Copies the pictures of the documents, and examples that are pages.
  * @param {string} site the folder of the built site
  * @returns {Promise<import('./page.mjs').Text[]>}
  */

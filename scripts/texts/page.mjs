@@ -35,9 +35,9 @@ function link({ href, title }, isCurrent) {
  * @property {'tutorial' | 'docs' | 'api'} folder of the site
  * @property {string} file its name there
  * @property {string} title
- * @property {string} html what is read
+ * @property {string} html the text
  * @property {boolean} [isListed] whether other pages of its folder name it: by default so
- * @property {boolean} [isChapter] whether it has a number among those of its folder
+ * @property {boolean} [isChapter] whether it is a numbered chapter
  * @property {boolean} [isOpen] whether it is as wide as the window, without a list of pages beside it
  * @property {boolean} [isBroad] whether its table of contents leaves the room beside it to long lines of code
  * @property {boolean} [isFound] whether the search finds it: by default so

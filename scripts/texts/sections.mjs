@@ -16,8 +16,8 @@ export function headingsOf(html) {
 
 /**
  * @param {string} page
- * @returns {{ id: string, heading: string, text: string }[]} the text before the first heading that can be linked to, with an
- *   empty id and heading, then the text below each of these headings
+ * @returns {{ id: string, heading: string, text: string }[]} the text before the first linkable heading, with an empty id
+ *   and heading, then the text below each linkable heading
  */
 export function sectionsOf(page) {
   // Complete sources and the buttons of examples are not text.

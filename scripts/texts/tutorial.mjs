@@ -30,7 +30,7 @@ const ASPECT = 8 / 5
 /**
  * @typedef {object} Made what there is of a figure
  * @property {number[][]} circles
- * @property {string} link what stands after the # of its link
+ * @property {string} link the fragment of its link, without the #
  * @property {string} [poster] the file of its picture
  * @property {{ poster: string, sentence: string }} [printed] what the rules as printed find
  * @property {object} [drawing] what the tutorial draws itself, with the file of its picture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random actions in the page. `npm run monkey` runs more of them.
+// Random actions in the page. `npm run monkey` runs more actions.
 import { writeFileSync } from 'node:fs'
 import type { CDPSession, JSHandle, Page } from '@playwright/test'
 import { Monkey } from './monkey.ts'

@@ -99,7 +99,7 @@ test.describe('kept by the browser', () => {
     // The tutorial and its search.
     await page.goto(`${url}tutorial/`)
     await page.getByRole('main').getByRole('link', { name: 'Which circle is nearest?' }).click()
-    // Its interactive figures: the tutorial's own, and those of the element.
+    // The interactive figures of the tutorial and of the element.
     await expect(page.locator('svg.drawn .handle').first()).toBeVisible()
     await page.locator('circle-voronoi').first().scrollIntoViewIfNeeded()
     await expect(page.locator('circle-voronoi').first().getByRole('application')).toHaveAccessibleDescription(

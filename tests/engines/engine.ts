@@ -32,7 +32,7 @@ export interface Engine {
 
 /** Interval between attempts, in milliseconds. */
 const PAUSE = 50
-/** Time limit in milliseconds, below that of a test, so that the error names what is missing. */
+/** Time limit in milliseconds, below the limit of a test, so that the error names the missing condition. */
 const PATIENCE = 100_000
 
 /** Waits until a value of the page is right, and returns it. */

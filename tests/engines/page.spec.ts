@@ -181,7 +181,7 @@ test('in WebKit a finger drags each circle of the first scene, also from beside 
     const ids = Array.from({ length: START.length / 3 }, (_, i) => i)
     const moved = async () => {
       const { edits = [], circles } = await decodeLink(new URL(await page.address()).hash)
-      // A link with as many edits as circles has the circles instead.
+      // A link with many edits has the circles instead.
       if (circles !== undefined) return ids.filter((i) => circles[3 * i] !== START[3 * i])
       return edits.map((edit) => (edit.kind === 'replace' ? edit.id : -1)).sort((one, other) => one - other)
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that people bring, as they are: in the program, in JavaScript, and in the reader of the element and the page.
+// Unmodified files of other programs: in the program, in JavaScript, and in the reader of the element and the page.
 import { spawnSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
@@ -18,7 +18,7 @@ const files = await loadFiles()
 const pathOf = (name: string) => new URL(`brought/${name}`, import.meta.url).pathname
 const textOf = (name: string) => readFileSync(pathOf(name), 'utf8')
 
-/** The points that the program makes of a file, and what it says. */
+/** The points to which the program converts a file, and its messages. */
 function converted(name: string, ...options: string[]) {
   const args = ['convert', pathOf(name), '--format', 'geojson', ...options]
   const { status, stdout, stderr } = spawnSync(PROGRAM, args, { encoding: 'utf8' })
@@ -46,7 +46,7 @@ function expectCircles(name: string, circles: readonly number[]): void {
   ])
 }
 
-/** Every reader refuses the file, and skips so many of its rows on request. */
+/** Every reader refuses the file, and skips `count` rows on request. */
 function expectSkipped(name: string, message: string, count: number, left: number): void {
   expect(converted(name)).toMatchObject({ status: 2, said: `circle-voronoi: ${message}\n` })
   expect(() => files.readCircles(textOf(name), { name })).toThrow(message)

@@ -94,7 +94,7 @@ it('the options of compute are those of the command line and of the core, with t
       expect(library.compute(CIRCLES, options).stats).toMatchObject({ [name]: value })
     }
   }
-  // The core accepts all of them.
+  // The core accepts all options.
   expect(library.compute(CIRCLES, OPTIONS as Options)).toMatchObject({
     weights: true,
     stats: { candidates: 'dynamic' },

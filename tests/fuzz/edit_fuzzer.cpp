@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A libFuzzer target over DiagramEditor. The first half of any bytes are circles (fuzz_input.h), the second half says
-// which of them come, go and take the place of others. For all inputs,
+// A libFuzzer target over DiagramEditor. The first half of the bytes are circles (fuzz_input.h), the second half is
+// a script of insertions, removals and replacements. For all inputs,
 // - the editor neither crashes nor hangs; it refuses an edit only for a fault of the circle;
 // - after every few edits the diagram is certified from outside, and that of `compute`;
 // - an edit that is refused changes nothing.

@@ -24,12 +24,12 @@ struct Input {
   std::vector<Edit> edits;
 };
 
-/// Reads any bytes as circles and edits. The first byte says how:
-///   bits 0-1  numbers: 0 small integers (3 bytes a circle), 1 the same scaled by a power of two and moved far away,
-///             2 doubles bit by bit (24 bytes), 3 small integers times powers of two, each its own (6 bytes)
-///   bits 2-4  how many edits, from the end of the data
-/// At most kMostCircles circles are read; of those that differ by hundreds of decades half as many, as exact arithmetic
-/// takes long on them.
+/// Reads any bytes as circles and edits. The first byte is the format:
+///   bits 0-1  numbers: 0 small integers (3 bytes a circle), 1 small integers scaled by a power of two and moved far
+///             away, 2 doubles bit by bit (24 bytes), 3 small integers times separate powers of two (6 bytes)
+///   bits 2-4  the number of edits, from the end of the data
+/// At most kMostCircles circles are read, and half of that if they differ by hundreds of decades, because exact
+/// arithmetic is slow then.
 Input decode(std::span<const std::uint8_t> bytes);
 
 inline constexpr std::size_t kMostCircles = 24;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A libFuzzer target over queries of a finished diagram. Any bytes are an input: six say which metric, at which
 // scale and in which box, the rest are circles (fuzz_input.h). For all inputs,
-// - every call ends, under libFuzzer within a time, and what it gives is finite;
+// - every call ends, under libFuzzer within a time, and its result is finite;
 // - an arc is no shorter than its chord and no longer than its control polygon;
 // - a nearest circle is found, and its cell contains the place, up to rounding;
 // - where the box is not too small for rounding of the circles and vertices: the parts of the cells fill the box, lie
-// in
-//   it, and their polygons do not cross themselves; the largest empty discs are empty and inside.
+//   in it, and their polygons do not cross themselves; the largest empty discs are empty and inside.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -11,7 +11,7 @@ namespace circle_voronoi::fuzz {
 /// - an error is one line that begins with the name and a line of the text;
 /// - circles that were read come back to the bit from every format they are written in;
 /// - a diagram that was read can be judged, whatever is in it, and comes back from JSON to the bit.
-/// Returns what does not hold, or none.
+/// Returns the violated statement, or none.
 std::optional<std::string> readAnything(std::string_view text);
 
 }  // namespace circle_voronoi::fuzz

@@ -5,7 +5,7 @@
 // For all inputs,
 // - a text is a region, or an error says so on one line;
 // - polygons with `dissolve` are a region, or have no area;
-// - a union is valid, is its own union, and contains the points that its polygons contain, but for those on a side.
+// - a union is valid, is its own union, and contains the points that its polygons contain, except points on a side.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -165,7 +165,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(await circlesOf(page)).toEqual([0, 0, 2, 10, 0, 1, 5, 8, 1.5, 4, 3, 0.5])
   expect(await told()).toEqual(['circleschange of circle-voronoi', 'diagramchange of circle-voronoi'])
   expect(await page.evaluate(() => (globalThis as unknown as { shift: () => number }).shift())).toBe(0)
-  // Each file is loaded once, except those that two threads share.
+  // Each file is loaded once, except files that two threads share.
   const [wasm, ...more] = asked.filter((url) => url.endsWith('.wasm'))
   expect(wasm).toMatch(/dist\/lib\/generated\/circle-voronoi\.wasm$/)
   expect(more).toEqual([])
@@ -238,7 +238,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(kept.svg.match(/<path/g)?.length).toBeGreaterThan(4)
   expect(kept.svg).toContain('rgb(46, 125, 50)')
 
-  // The colors follow those of the page.
+  // The colors follow the page's colors.
   const corner = () =>
     element.evaluate(async (element: Element) => {
       await element.updateComplete

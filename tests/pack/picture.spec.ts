@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures made without a browser equal those of a browser: of the element, of the playground, and of the program.
+// Pictures made without a browser equal pictures of a browser: of the element, of the playground, and of the program.
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -261,7 +261,7 @@ test('rsvg-convert draws as a browser does, in the same size', async ({ page }) 
     },
     ['rsvg', 'browser'].map((name) => readFileSync(join(folder, `${name}.png`)).toString('base64')),
   )
-  // Twice as many pixels as the size has. Lines are smoothed in different ways.
+  // The picture has two pixels per unit of its size. Lines are smoothed in different ways.
   expect(difference.sizes).toEqual([
     [600, 400],
     [600, 400],

@@ -60,7 +60,7 @@ export function onPage({ left, top }: ReturnType<typeof ownPlace>, zoom = 1): [n
   placed.element.shadowRoot?.querySelector('.figure')?.append(mark)
   const box = mark.getBoundingClientRect()
   mark.remove()
-  // WebKit, which lacks the property, counts the places of boxes before zoom, and those of pointers after it.
+  // WebKit, which lacks the property, gives the positions of boxes before zoom, and of pointers after zoom.
   const times = 'currentCSSZoom' in mark ? 1 : zoom
   return [times * box.left, times * box.top]
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { execFileSync, spawnSync } from 'node:child_process'
+import { spawnSync } from 'node:child_process'
 import { cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -10,13 +10,15 @@ export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 export const BIN = join(ROOT, 'node_modules/.bin')
 
 const PACKED = join(ROOT, 'build/tarball')
+/** The node_modules of a project in which the package is installed. The build has installed it. */
+export const INSTALLED = join(ROOT, 'build/installed')
 
 /** The package as `npm publish` would upload it. The build has packed it. */
 export function tarball() {
   return join(PACKED, readdirSync(PACKED)[0])
 }
 
-/** An empty project outside the repository into which the packed package is installed, without a network. */
+/** A project outside the repository in which the packed package is installed. */
 export class Project {
   #parent
 
@@ -27,8 +29,7 @@ export class Project {
     this.folder = join(this.#parent, 'project')
     mkdirSync(this.folder)
     writeFileSync(join(this.folder, 'package.json'), JSON.stringify({ private: true, type: 'module' }))
-    const install = ['install', '--silent', '--offline', '--no-audit', '--no-fund']
-    execFileSync('npm', [...install, tarball()], { cwd: this.folder })
+    cpSync(INSTALLED, join(this.folder, 'node_modules'), { recursive: true, verbatimSymlinks: true })
     cpSync(new URL('consumer', import.meta.url), this.folder, { recursive: true })
   }
 

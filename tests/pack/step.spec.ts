@@ -19,7 +19,7 @@ const CIRCLES = [
 const open = (page: Page, attributes: string) =>
   pages.open(page, `<circle-voronoi circles="${JSON.stringify(CIRCLES)}" ${attributes}></circle-voronoi>`)
 
-/** The step of the property, of the state and of the slider, once all that was asked is shown. */
+/** The step of the property, of the state and of the slider, once all changes are visible. */
 const steps = (page: Page) =>
   page.locator('circle-voronoi').evaluate(async (element: Element) => {
     await element.updateComplete

@@ -219,7 +219,7 @@ describe('an editor in a worker', () => {
     const drag = places.map((circle) => editor.replace(1, circle))
     const other = editor.replace(2, [0, 9, 1])
     const results = await Promise.all([...drag, other])
-    // The first edit has begun. Of the others, the last one of each circle remains.
+    // The first edit has begun. After it, the last edit of each circle remains.
     assert.equal(changes.length, 3)
     assert.deepEqual(results.slice(1, 500), Array(499).fill(changes[1]))
     assert.deepEqual(await editor.circle(1), { x: 6 + 499 / 500, y: 0, r: 1 })

@@ -233,12 +233,7 @@ describe('the outline of a cell', () => {
   })
 
   it('has an edge that bulges into the region from both ends outside', () => {
-    const diagram = library.compute([
-      [0, 0, 2],
-      [4, 0, 0],
-      [4, 6, 0],
-      [4, -6, 0],
-    ])
+    const diagram = library.compute(Float64Array.of(0, 0, 2, 4, 0, 0, 4, 6, 0, 4, -6, 0))
     const edge = [...Array(diagram.edges.length / 4).keys()].find((e) => {
       const { left, right } = edgeAt(diagram, e)
       return Math.max(left, right) === 1
@@ -257,11 +252,7 @@ describe('the outline of a cell', () => {
   })
 
   it('contains no place that is not a number, and none at infinity', () => {
-    const diagram = library.compute([
-      [0, 0, 1],
-      [4, 0, 1],
-      [0, 4, 1],
-    ])
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1, 0, 4, 1))
     for (const x of [Number.NaN, Number.POSITIVE_INFINITY]) {
       expect([0, 1, 2].filter((i) => diagram.contains(i, x, 0))).toEqual([])
     }

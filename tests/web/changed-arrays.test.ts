@@ -23,26 +23,16 @@ import {
   type SnapshotData,
 } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
+import { problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
+import { ring } from './shapes.ts'
 
 const bytesOf = (name: string) => readFileSync(new URL(`../../web/lib/generated/${name}.wasm`, import.meta.url))
 const { region } = await loadRegions({ wasm: bytesOf('circle-voronoi-regions') })
 const { computeComparison } = await loadComparison({ library, wasm: bytesOf('circle-voronoi-comparison') })
 const files = await loadFiles({ wasm: bytesOf('circle-voronoi-files') })
 
-const hall = region([
-  [
-    [10, 10],
-    [90, 20],
-    [80, 90],
-    [20, 80],
-  ],
-  [
-    [40, 40],
-    [60, 40],
-    [50, 60],
-  ],
-])
+const hall = region([ring(10, 10, 90, 20, 80, 90, 20, 80), ring(40, 40, 60, 40, 50, 60)])
 const ARRAYS = [
   'circles',
   'vertices',
@@ -162,13 +152,7 @@ it('an array that was changed in place is named', () => {
   const messageOf = (change: (diagram: Diagram) => void, call: (diagram: Diagram) => unknown) => {
     const diagram = library.compute(Array.from({ length: 20 }, (_, i) => [(i % 5) * 9, (i >> 2) * 7 + (i % 3), i % 4]))
     change(diagram)
-    try {
-      call(diagram)
-    } catch (error) {
-      const { code, message } = error as CircleVoronoiError
-      return `${code}: ${message}`
-    }
-    return 'no problem'
+    return problemOf(() => call(diagram))
   }
   const misfit = (thing: string) =>
     `badInput: The arrays of the diagram do not fit together at ${thing}. They must not be changed.`

@@ -180,6 +180,13 @@ it('leads around a single circle by way of infinity', () => {
   expect(path).toEqual({ clearance: 2, edges: new Int32Array(0), entry: undefined, exit: undefined })
 })
 
+it('starts at a center as beside it, and goes straight to the right there', () => {
+  const diagram = library.compute(Float64Array.of(0, 0, 1, 8, 0, 1, 0, 8, 1, -8, 0, 1, 0, -8, 1))
+  const to = { x: 30, y: 1 }
+  const [path, beside] = [clearestPath(diagram, { x: 0, y: 0 }, to), clearestPath(diagram, { x: 1e-9, y: 0 }, to)]
+  expect([path.entry, path.edges, path.clearance]).toEqual([{ x: 4, y: 0 }, beside.edges, -1])
+})
+
 it('ends among circles too small for squares', () => {
   const circles = Float64Array.of(0, 0, 0.1, 1, 0, 0.2, 0, 1, 0.3, 0.9, 0.9, 0.05).map((value) => 1e-300 * value)
   const diagram = library.compute(circles)

@@ -41,6 +41,12 @@ describe('the conditions of a question', () => {
     )
   })
 
+  it('between two numbers are the same in either order', () => {
+    const between = (value: number, most: number) =>
+      checkOf([{ ...newCondition(0), kind: 'cell.edges', comparison: 'between', value, most }], false)
+    expect([between(5, 2), between(2, 5)]).toEqual(Array(2).fill({ cell: 0, edges: { min: 2, max: 5 } }))
+  })
+
   it('are those of a cell with several properties, and of no check with parts in one another', () => {
     expect(conditionsOf({ cell: 4, edges: 3, bounded: true })?.conditions).toMatchObject([
       { kind: 'cell.edges', circle: 4, comparison: 'is', value: 3 },

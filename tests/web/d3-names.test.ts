@@ -9,11 +9,7 @@ const { Delaunay, Voronoi } = await import('d3-delaunay' as string)
 const COOKBOOK = readFileSync(new URL('../../docs/cookbook.md', import.meta.url), 'utf8')
 const [, same = '', table = ''] =
   /recognize\s+many names: ([^.]+)\.[^|]+\n\n(\| d3-delaunay [\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
-const diagram = library.compute([
-  [0, 0, 1],
-  [6, 0, 1],
-  [0, 8, 1],
-])
+const diagram = library.compute(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
 
 it('shows five tasks in at most fifteen lines each', () => {
   const [, list = ''] = /Five frequent tasks, each in at most fifteen lines: ([\s\S]+?)\n\n/.exec(COOKBOOK) ?? []

@@ -2,8 +2,9 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
-import { CircleVoronoiError, Diagram, type DiagramFile, fromJSON } from '../../web/lib/index.ts'
+import { Diagram, type DiagramFile, fromJSON } from '../../web/lib/index.ts'
 import { anyCircles } from './arbitrary-circles.ts'
+import { errorOf } from './errors.ts'
 import { library } from './library.ts'
 
 const THREE = [
@@ -20,16 +21,6 @@ function arraysOf(diagram: Diagram) {
     ...{ metric, circles: unsignedCircles, vertices: unsignedVertices, vertexCircles, edges, hidden, hull },
     ...{ nextSide, vertexSides, firstSide },
   }
-}
-
-function errorOf(json: unknown): CircleVoronoiError {
-  try {
-    fromJSON(json as object)
-  } catch (error) {
-    expect(error).toBeInstanceOf(CircleVoronoiError)
-    return error as CircleVoronoiError
-  }
-  throw new Error('Nothing was thrown.')
 }
 
 describe('a diagram as JSON', () => {
@@ -105,11 +96,12 @@ describe('a diagram as JSON', () => {
       [{ ...file, hull: [0.5] }, 'hull: 0.5 is no index from 0 to 3.'],
     ]
     for (const [json, message] of wrong) {
-      const error = errorOf(json)
+      const error = errorOf(() => fromJSON(json as object))
       expect(error.code).toBe('badInput')
       expect(error.message.startsWith(message), error.message).toBe(true)
     }
-    const ofCircle = (circle: object) => errorOf({ ...file, circles: [...file.circles.slice(0, 3), circle] })
+    const ofCircle = (circle: object) =>
+      errorOf(() => fromJSON({ ...file, circles: [...file.circles.slice(0, 3), circle] } as object))
     expect(ofCircle({ x: 0, y: 0, r: -1 })).toMatchObject({ code: 'negativeRadius', circle: 3 })
     expect(ofCircle({ x: 0, y: -1e151, r: 1 })).toMatchObject({ code: 'coordinateTooLarge', circle: 3 })
   })

@@ -5,17 +5,11 @@ import { describe, expect, it } from 'vitest'
 import { largestEmptyDiscInside } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
+import { ring } from './shapes.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const { region } = await loadRegions({ wasm })
-const ROOM: [number, number][] = [
-  [0, 0],
-  [6, 0],
-  [6, 2],
-  [2, 2],
-  [2, 6],
-  [0, 6],
-]
+const ROOM = ring(0, 0, 6, 0, 6, 2, 2, 2, 2, 6, 0, 6)
 const square = (half: number): [number, number][] => [
   [-half, -half],
   [half, -half],

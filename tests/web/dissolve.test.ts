@@ -1,45 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
-import type { CircleVoronoiError } from '../../web/lib/index.ts'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
+import { problemOf } from './errors.ts'
 import { library } from './library.ts'
+import { box } from './shapes.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const { region } = await loadRegions({ wasm })
 
-const box = (minX: number, minY: number, maxX: number, maxY: number) => [
-  [minX, minY],
-  [maxX, minY],
-  [maxX, maxY],
-  [minX, maxY],
-]
 const multi = (...rings: number[][][]): RegionShape => ({
   type: 'MultiPolygon',
   coordinates: rings.map((ring) => [ring]),
 })
 
-function errorOf(run: () => unknown): string {
-  try {
-    run()
-  } catch (error) {
-    return `${(error as CircleVoronoiError).code}: ${(error as CircleVoronoiError).message}`
-  }
-  return 'no problem'
-}
-
 it('polygons that share a border become their union', () => {
   const counties = multi(box(0, 0, 5, 10), box(5, 0, 10, 10))
-  expect(errorOf(() => region(counties))).toMatch(
+  expect(problemOf(() => region(counties))).toMatch(
     /^badOption: Side 1 .* overlap beside \(5, 0\)\. Set `dissolve` to merge them\.$/,
   )
   const land = region(counties, { dissolve: true })
   expect([land.area, land.perimeter, land.ringOffsets.length]).toEqual([100, 40, 2])
-  const diagram = library.compute([
-    [2, 2, 1],
-    [8, 7, 0],
-  ])
+  const diagram = library.compute(Float64Array.of(2, 2, 1, 8, 7, 0))
   expect(diagram.cellAreas({ region: land }).reduce((sum, area) => sum + area)).toBeCloseTo(100, 10)
 })
 
@@ -64,9 +47,11 @@ it('polygons that overlap, nest or repeat become their union', () => {
 })
 
 it('other options, and polygons without an area, are refused', () => {
-  expect(errorOf(() => region([box(0, 0, 1, 1)], { dissolve: 1 as never }))).toBe(
+  expect(problemOf(() => region([box(0, 0, 1, 1)], { dissolve: 1 as never }))).toBe(
     'badOption: The option dissolve is true or false.',
   )
-  expect(errorOf(() => region([box(0, 0, 1, 1)], { disolve: true } as never))).toMatch(/^badOption: There is no option/)
-  expect(errorOf(() => region(multi(box(0, 0, 0, 1)), { dissolve: true }))).toBe('badOption: The region has no area.')
+  expect(problemOf(() => region([box(0, 0, 1, 1)], { disolve: true } as never))).toMatch(
+    /^badOption: There is no option/,
+  )
+  expect(problemOf(() => region(multi(box(0, 0, 0, 1)), { dissolve: true }))).toBe('badOption: The region has no area.')
 })

@@ -24,43 +24,15 @@ import { isRegionText, readRegion } from '../../web/view/region-text.ts'
 import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
 import { RecordingSink } from './recording-sink.ts'
+import { box, ring } from './shapes.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const regions = { ...(await loadRegions({ wasm })), fitted, fittedEdits }
 
-const SQUARE: RegionShape = [
-  [
-    [0, 0],
-    [8, 0],
-    [8, 8],
-    [0, 8],
-  ],
-]
-const RINGS: RegionShape = [
-  ...SQUARE,
-  [
-    [3, 3],
-    [5, 3],
-    [5, 6],
-    [3, 5],
-  ],
-]
-const BOW: RegionShape = [
-  [
-    [0, 0],
-    [4, 4],
-    [4, 0],
-    [0, 4],
-  ],
-]
-const BOX: RegionShape = [
-  [
-    [1, 1],
-    [7, 1],
-    [7, 7],
-    [1, 7],
-  ],
-]
+const SQUARE: RegionShape = [box(0, 0, 8, 8)]
+const RINGS: RegionShape = [...SQUARE, ring(3, 3, 5, 3, 5, 6, 3, 5)]
+const BOW: RegionShape = [ring(0, 0, 4, 4, 4, 0, 0, 4)]
+const BOX: RegionShape = [box(1, 1, 7, 7)]
 /** A star with deep bays. */
 const STAR: RegionShape = [
   Array.from({ length: 40 }, (_, k) => {
@@ -79,21 +51,7 @@ const CIRCLES = circlesOf(20)
 describe('a region as text', () => {
   const polygon = {
     type: 'MultiPolygon',
-    coordinates: [
-      [
-        [
-          [0, 0],
-          [9, 0],
-          [9, 9],
-          [0, 0],
-        ],
-        [
-          [4, 1],
-          [5, 1],
-          [5, 2],
-        ],
-      ],
-    ],
+    coordinates: [[ring(0, 0, 9, 0, 9, 9, 0, 0), ring(4, 1, 5, 1, 5, 2)]],
   }
   const feature = (geometry: unknown) => ({ type: 'Feature', properties: { name: 'hall' }, geometry })
 

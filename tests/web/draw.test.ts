@@ -86,11 +86,7 @@ describe.each(SETS)('%s', (_, circles) => {
 
 it('draws nothing of an arc beyond a side between its ends', () => {
   // The edge of the first two circles bends around the first one, from x = -4 past its apex at x = 0.5 and back.
-  const diagram = library.compute([
-    [0, 0, 0],
-    [10, 0, 9],
-    [-8, 0, 0],
-  ])
+  const diagram = library.compute(Float64Array.of(0, 0, 0, 10, 0, 9, -8, 0, 0))
   const e = [0, 1, 2].find((e) => edgeAt(diagram, e).left + edgeAt(diagram, e).right === 1) as number
   const reachOf = (maxX: number) => {
     const sink = new RecordingSink()

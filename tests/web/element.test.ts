@@ -5,6 +5,7 @@ import { describe, expect, test } from 'vitest'
 import { manifest } from '../../scripts/manifest.mjs'
 import { problemOf } from '../../web/editing/problem.ts'
 import {
+  checkedAreas,
   parseControls,
   parseLayers,
   parseMethod,
@@ -12,7 +13,7 @@ import {
   parseStep,
   parseView,
 } from '../../web/element/attributes.ts'
-import { checkCircles, holds, idsOf, parseCheck } from '../../web/element/check.ts'
+import { checkCircles, holds, idsOf, parseCheck, withIds } from '../../web/element/check.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { readCircles } from '../../web/element/read-circles.ts'
@@ -95,6 +96,13 @@ describe('attributes', () => {
     expect(parseSamples('3')).toBe(3)
     for (const text of ['', 'many', '-1', '1.5'])
       expect(() => parseSamples(text)).toThrow('The samples must be a whole')
+  })
+
+  test('areas of a program are copied', () => {
+    const given = [1, 2]
+    const areas = checkedAreas(given)
+    given[0] = 9
+    expect(areas).toEqual([1, 2])
   })
 
   test('a view is three numbers', () => {
@@ -245,6 +253,15 @@ describe('a check', () => {
     expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the ids 0 to 4.')
     expect(() => checkCircles(check, 3)).toThrow('there is no circle 3. ')
     expect(() => checkCircles(check, 0)).toThrow('there is no circle 3. There are no circles.')
+  })
+
+  test('names other ids for all its circles', () => {
+    const check = parseCheck(
+      '{ "all": [{ "cell": 1, "neighbor": 2 }, { "not": { "any": [{ "cell": 3, "x": 1 }, { "circles": 2 }] } }] }',
+    )
+    expect(withIds(check, (number) => number + 10)).toEqual({
+      all: [{ cell: 11, neighbor: 12 }, { not: { any: [{ cell: 13, x: 1 }, { circles: 2 }] } }],
+    })
   })
 
   test('knows which circles it is about', () => {

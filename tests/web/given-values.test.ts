@@ -10,6 +10,7 @@ import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { shownValue } from '../../web/view/refusal.ts'
 import { readRegion } from '../../web/view/region-text.ts'
 import { library } from './library.ts'
+import { box } from './shapes.ts'
 
 describe('circles of data', () => {
   it('may have a key length', () => {
@@ -31,14 +32,7 @@ it('areas that are no numbers are named', async () => {
   const regions = await loadRegions({ wasm })
   const region = regions.region({
     type: 'Polygon',
-    coordinates: [
-      [
-        [0, 0],
-        [9, 0],
-        [9, 9],
-        [0, 9],
-      ],
-    ],
+    coordinates: [box(0, 0, 9, 9)],
   })
   const sites = [
     [1, 1],

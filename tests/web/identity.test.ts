@@ -3,10 +3,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { PageActions } from '../../web/app/page-actions.ts'
 import { columnsOf, namedAs } from '../../web/editing/attributes.ts'
-import { Editing } from '../../web/editing/editing.ts'
 import { isColor, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
-import { INITIAL_STATE } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
 import { decodeLink, encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { axesOf, gridSpacing } from '../../web/view/axes.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
@@ -15,9 +12,8 @@ import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { styleOf } from '../../web/view/style.ts'
-import type { View } from '../../web/view/view.ts'
+import { editingSession } from './editing-session.ts'
 import { library, seededRandom } from './library.ts'
-import { LibraryBackend } from './library-backend.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 5, 1.5)
 const FRAME = { x: 0, y: 0, scale: 20, width: 400, height: 300 }
@@ -26,24 +22,13 @@ beforeEach(() => vi.stubGlobal('requestAnimationFrame', (act: () => void) => que
 afterEach(() => vi.unstubAllGlobals())
 
 function edited() {
-  const backend = new LibraryBackend(async () => {})
-  const store = createStore(INITIAL_STATE)
-  const editing = new Editing(
-    backend,
-    () => {},
-    (error) => {
+  const { store, editing, view } = editingSession({
+    onproblem: (error) => {
       throw error
     },
-  )
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: { width: 100, height: 100 },
-    layers: DEFAULT_LAYERS,
-    setCamera() {},
-    setLayers() {},
-  }
+  })
   const reader = { call: async () => THREE.slice(), cancel: () => {} }
-  const actions = new PageActions(store, editing, view as unknown as View, () => NO_PADDING, reader as never)
+  const actions = new PageActions(store, editing, view, () => NO_PADDING, reader as never)
   const names = () => namesOf(editing).map(({ id, text }) => `${id} ${text}`)
   return { editing, actions, names }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clipped cells are checked: a changed array causes an error instead of a wrong result.
 import { describe, expect, it } from 'vitest'
-import { CircleVoronoiError, Diagram } from '../../web/lib/index.ts'
+import { Diagram } from '../../web/lib/index.ts'
+import { problemOf } from './errors.ts'
 import { library } from './library.ts'
 
 const bounds = [0.5, 0.5, 3.5, 3.25] as const
@@ -11,15 +12,6 @@ const MIDDLE = 12
 function grid(): Diagram {
   const circles = Array.from({ length: 25 }, (_, k) => [Math.floor(k / 5), k % 5, 0.1 * ((Math.floor(k / 5) + k) % 3)])
   return new Diagram(structuredClone(library.compute(circles as [number, number, number][])))
-}
-
-function problemOf(act: () => unknown): string | undefined {
-  try {
-    act()
-  } catch (error) {
-    return error instanceof CircleVoronoiError ? `${error.code}: ${error.message}` : String(error)
-  }
-  return undefined
 }
 
 /** Moves the vertex at the start of the middle circle's first side. The arrays stay consistent. */

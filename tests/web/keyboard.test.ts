@@ -108,6 +108,11 @@ it('Space pans until it is released, or the focus goes', () => {
   ])
 })
 
+it('Escape is used where a tool or a selection ends, and else left to the page', () => {
+  const isUsed = (state: Partial<State>) => listening(state).press('Escape')
+  expect([{}, { tool: 'add' as const }, { selection: [1] }].map(isUsed)).toEqual([false, true, true])
+})
+
 describe('a key that is heard around the figure', () => {
   it.each(['input', 'textarea', 'select', 'dialog'])('is left to what is in it: %s', (inside) => {
     const { done, press } = listening()

@@ -264,14 +264,7 @@ describe('what cells are measured by', () => {
 
   it('is the share of a bounded cell that the circle fills', async () => {
     const picture = new Picture(
-      library.edit([
-        [0, 0, 1],
-        [2, 0, 1],
-        [-2, 0, 1],
-        [0, 2, 0.5],
-        [0, -2, 1],
-        [0.2, 0, 0.1],
-      ]),
+      library.edit(Float64Array.of(0, 0, 1, 2, 0, 1, -2, 0, 1, 0, 2, 0.5, 0, -2, 1, 0.2, 0, 0.1)),
     )
     picture.layers = { ...DEFAULT_LAYERS, cells: 'filled' }
     const { diagram } = picture

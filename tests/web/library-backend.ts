@@ -2,6 +2,7 @@
 import type { DiagramBackend } from '../../web/editing/editing.ts'
 import type { Change, DiagramEditor } from '../../web/lib/index.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import type { DomainChange } from '../../web/view/protocol.ts'
 import { library } from './library.ts'
 
 /** A backend for `Editing`: an editor of the library. Each request waits for `before`. */
@@ -14,11 +15,11 @@ export class LibraryBackend implements DiagramBackend {
     this.#before = before
   }
 
-  async setCircles(circles: Float64Array) {
+  async setCircles(circles: Float64Array, { colors }: DomainChange = {}) {
     await this.#before()
     this.editor = library.edit(circles)
     this.circles = new CircleTable(Float64Array.from(circles))
-    return this.#edited()
+    return { ...this.#edited(), colors }
   }
 
   async apply(edits: Parameters<DiagramBackend['apply']>[0]) {

@@ -2,7 +2,6 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it, vi } from 'vitest'
 import {
-  CircleVoronoiError,
   ERROR_CODES,
   edgeAt,
   type LoadOptions,
@@ -12,19 +11,10 @@ import {
 } from '../../web/lib/index.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { instantiate } from '../../web/lib/wasm/wasm.ts'
+import { errorOf } from './errors.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
-
-function errorOf(action: () => unknown): CircleVoronoiError {
-  try {
-    action()
-  } catch (error) {
-    expect(error).toBeInstanceOf(CircleVoronoiError)
-    return error as CircleVoronoiError
-  }
-  throw new Error('Nothing was thrown.')
-}
 
 describe('compute', () => {
   it('gives the diagram of three circles', () => {

@@ -65,10 +65,7 @@ describe('a maximum distance', () => {
   })
 
   it('cuts two discs along a line', () => {
-    const diagram = library.compute([
-      [0, 0, 1],
-      [4, 0, 1],
-    ])
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1))
     const segment = 9 * Math.acos(2 / 3) - 2 * Math.sqrt(5)
     for (const i of [0, 1]) {
       expect(diagram.cellArea(i, { maxDistance: 0.5 })).toBeCloseTo(2.25 * Math.PI, 12)
@@ -89,7 +86,7 @@ describe('a maximum distance', () => {
         const scale = scaleOf(circles)
         const box = boxAround(circles, 0.1)
         const maxDistance = scale * share ** 2
-        // The whole box, or a part of it.
+        // The whole box, or one part.
         const bounds = cut < 0.3 ? undefined : { ...box, maxX: box.minX + cut * (box.maxX - box.minX) }
         const whole = bounds ?? grown(box, maxDistance)
         const areas = diagram.cellAreas({ maxDistance, bounds })

@@ -2,48 +2,22 @@
 // Openings that follow each other before the first is done.
 import { beforeEach, describe, expect, it, vi } from 'vitest'
 import { PageActions } from '../../web/app/page-actions.ts'
-import { Editing } from '../../web/editing/editing.ts'
-import { EditorActions, type OpenRequest } from '../../web/editing/editor-actions.ts'
-import { INITIAL_STATE } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
+import type { OpenRequest } from '../../web/editing/editor-actions.ts'
 import { encodeLink } from '../../web/lib/link.ts'
-import type { Camera } from '../../web/view/camera.ts'
-import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import type { View } from '../../web/view/view.ts'
-import { LibraryBackend } from './library-backend.ts'
+import { NO_PADDING } from '../../web/view/camera.ts'
+import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 
 const FIRST = { ...opened(0, 0, 1, 5, 5, 2), edits: [{ kind: 'remove' as const, id: 0 }], layers: { hull: true } }
 const SECOND = opened(1, 1, 1, 2, 2, 2, 3, 3, 3)
 const REFUSED = opened(0, 0, -1)
 
 function opened(...circles: number[]): OpenRequest {
-  return { circles: Float64Array.from(circles), dataSet: '', isEdited: false }
+  return sceneOf(Float64Array.from(circles))
 }
 
 /** Actions on a view that computes a turn later. */
 function started() {
-  const later = () => new Promise((resolve) => setTimeout(resolve))
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 } as Camera,
-    size: { width: 100, height: 100 },
-    layers: DEFAULT_LAYERS,
-    setCamera(camera: Camera) {
-      view.camera = camera
-    },
-    setLayers(layers: object) {
-      view.layers = { ...view.layers, ...layers }
-    },
-  }
-  const store = createStore(INITIAL_STATE)
-  const editing = new Editing(
-    new LibraryBackend(later),
-    () => {},
-    ({ message }) => store.update((state) => ({ ...state, problem: message })),
-  )
-  const actions = new EditorActions(store, editing, view as unknown as View, () => ({
-    ...{ top: 0, right: 0, bottom: 0, left: 0 },
-  }))
-  return { actions, editing, store, view, circles: () => [...editing.circles.circles()] }
+  return editingSession({ before: aTurn })
 }
 
 beforeEach(() => {
@@ -81,9 +55,24 @@ describe('what is opened', () => {
     const { actions, store, view, circles } = started()
     await actions.open(async () => SECOND)
     const before = view.camera
+    actions.select([1])
     expect(await actions.open(async () => REFUSED)).toBe('refused')
-    expect([circles(), view.camera]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], before])
+    expect([circles(), view.camera, store.get().selection]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], before, [1]])
     expect(store.get().problem).toMatch(/Circle 0 .*radius/)
+  })
+
+  it('forgets the layers that name places among the former circles', async () => {
+    const { actions, view } = started()
+    await actions.open(async () => SECOND)
+    const path = { from: { x: 1, y: 1 }, to: { x: 2, y: 2 } }
+    view.setLayers({ path, nearZero: 1, maxDistance: 2, hull: true })
+    await actions.open(async () => opened(50, 50, 1, 90, 50, 2))
+    const { hull, nearZero, maxDistance } = view.layers
+    expect([hull, nearZero, maxDistance]).toEqual([true, undefined, undefined])
+    expect(view.layers.path).toEqual(actions.pathAcross())
+    view.setLayers({ path: undefined })
+    await actions.open(async () => SECOND)
+    expect(view.layers.path).toBeUndefined()
   })
 
   it('that fails too late is not told of', async () => {
@@ -94,9 +83,11 @@ describe('what is opened', () => {
   })
 
   it('is superseded at once by what is opened after it, or canceled, though it is never loaded', async () => {
-    const { actions, view, circles } = started()
+    const { actions, store, view, circles } = started()
     const never = () => new Promise<OpenRequest>(() => {})
+    actions.complain('It could not be opened.')
     const first = actions.open(never)
+    expect(store.get().problem).toBe('')
     expect(await actions.open(async () => SECOND)).toBe('opened')
     expect(await first).toBe('superseded')
     const third = actions.open(never)
@@ -126,8 +117,7 @@ describe('what the page opens', () => {
   it('by a link that has circles is not edited, and by one that names a data set has its name', async () => {
     const { editing, store, view } = started()
     const made: unknown[] = []
-    const padding = () => ({ top: 0, right: 0, bottom: 0, left: 0 })
-    const page = new PageActions(store, editing, view as unknown as View, padding, {
+    const page = new PageActions(store, editing, view, () => NO_PADDING, {
       call: async (_, ...args) => {
         made.push(args[0])
         return Float64Array.of(1, 2, 3) as never

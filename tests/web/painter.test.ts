@@ -338,9 +338,15 @@ describe('the painter', () => {
         .of('edit')
         .map(({ opening }) => opening),
     ).toEqual([1, 2])
-    // The new thread has the same circles under the same opening number.
+    scene.mark(0, undefined)
+    worker().answer({ kind: 'marked', scene: 1, marks: NO_MARKS })
+    const third = scene.open(Float64Array.of(7, 0, 1))
+    worker().answer(opened(5))
+    await third
+    // The new thread has the same circles under the same opening number, and highlights none of former ones.
     worker().onerror?.({ message: 'it broke' })
-    expect([worker().of('open'), worker().of('edit')].flat().map((message) => message.opening)).toEqual([2, 2])
+    expect([worker().of('open'), worker().of('edit')].flat().map((message) => message.opening)).toEqual([5, 5])
+    expect(worker().of('mark')).toEqual([])
   })
 
   it('answers what was asked about other circles with nothing', async () => {

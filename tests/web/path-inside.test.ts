@@ -5,6 +5,7 @@ import { describe, expect, it } from 'vitest'
 import { type Circles, clearestPath, type Diagram, type Point, pointAt } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
+import { box, ring } from './shapes.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const { region } = await loadRegions({ wasm })
@@ -19,14 +20,7 @@ const ROBOTS: Circles = [
   [2.6, 1.9, 0.09],
 ]
 const FIELD = [-4, -2, 4, 2] as const
-const ROOM: [number, number][] = [
-  [0, 0],
-  [6, 0],
-  [6, 2],
-  [2, 2],
-  [2, 6],
-  [0, 6],
-]
+const ROOM = ring(0, 0, 6, 0, 6, 2, 2, 2, 2, 6, 0, 6)
 
 function leastDistance({ circles }: Diagram, { x, y }: Point): number {
   let least = Infinity
@@ -200,10 +194,7 @@ describe('a clearest path in bounds', () => {
 describe('a clearest path in a region', () => {
   it('goes around the corner of a room', () => {
     const room = region([ROOM])
-    const diagram = library.compute([
-      [5, 5, 1],
-      [1, 3, 0.1],
-    ])
+    const diagram = library.compute(Float64Array.of(5, 5, 1, 1, 3, 0.1))
     const [p, q] = [
       { x: 0.5, y: 5.5 },
       { x: 5.5, y: 0.5 },
@@ -216,18 +207,7 @@ describe('a clearest path in a region', () => {
 
   it('leaps past a corner that hides the boundary', () => {
     // A wall from below ends near the circle. Behind it the ray past its corner is the clearest path.
-    const room = region([
-      [
-        [-5, 0],
-        [-0.1, 0],
-        [-0.1, 1],
-        [0.1, 1],
-        [0.1, 0],
-        [5, 0],
-        [5, 6],
-        [-5, 6],
-      ],
-    ])
+    const room = region([ring(-5, 0, -0.1, 0, -0.1, 1, 0.1, 1, 0.1, 0, 5, 0, 5, 6, -5, 6)])
     const diagram = library.compute([[0, -1, 0.5]])
     const [p, q] = [
       { x: -4, y: 0.5 },
@@ -239,20 +219,7 @@ describe('a clearest path in a region', () => {
   })
 
   it('is none from one part to another', () => {
-    const islands = region([
-      [
-        [0, 0],
-        [1, 0],
-        [1, 1],
-        [0, 1],
-      ],
-      [
-        [2, 0],
-        [3, 0],
-        [3, 1],
-        [2, 1],
-      ],
-    ])
+    const islands = region([box(0, 0, 1, 1), box(2, 0, 3, 1)])
     const diagram = library.compute([[0.2, 0.2, 0.1]])
     expect(clearestPath(diagram, { x: 0.5, y: 0.5 }, { x: 2.5, y: 0.5 }, { region: islands })).toBeUndefined()
     expect(clearestPath(diagram, { x: 2.5, y: 0.5 }, { x: 2.6, y: 0.4 }, { region: islands })).toBeDefined()

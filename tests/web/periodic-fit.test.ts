@@ -2,9 +2,11 @@
 // Fits of areas in a box whose opposite sides are glued together, judged by computePeriodic.
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { type CircleVoronoiError, type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
+import { type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
 import { loadRegions, type PeriodicFitOptions } from '../../web/lib/regions.ts'
+import { problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
+import { box } from './shapes.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const { region, fitAreas } = await loadRegions({ wasm })
@@ -55,24 +57,11 @@ describe('areas in a box', () => {
       ],
       areas = [6, 6],
     ) => {
-      try {
-        fitAreas(sites, areas, options as PeriodicFitOptions)
-      } catch (error) {
-        const { code, message } = error as CircleVoronoiError
-        return `${code}: ${message}`
-      }
-      return 'no problem'
+      return problemOf(() => fitAreas(sites, areas, options as PeriodicFitOptions))
     }
     expect(problem({ lattice: BOX })).toBe('no problem')
     expect(problem({})).toMatch(/^badOption: fitAreas needs a region.*or periods as its option lattice\.$/)
-    const square = region([
-      [
-        [0, 0],
-        [1, 0],
-        [1, 1],
-        [0, 1],
-      ],
-    ])
+    const square = region([box(0, 0, 1, 1)])
     expect(problem({ lattice: BOX, region: square })).toBe('badOption: fitAreas takes a region or a lattice, not both.')
     expect(problem({ lattice: { a: [1, 0] } })).toMatch(/^badInput: fitAreas takes a lattice as/)
     expect(problem({ lattice: { a: [1, 0], b: [2, 0] } })).toMatch(/^badOption: The periods must not be zero or par/)

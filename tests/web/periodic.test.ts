@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { type CircleVoronoiError, type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
+import { type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
+import { problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
 
 const BOX: Lattice = { a: [4, 0], b: [1, 3] }
@@ -11,16 +12,6 @@ function circles(count: number, seed: number, largest = 0.2): [number, number, n
     const [u, v] = [random(), random()]
     return [4 * u + v, 3 * v, largest * random()]
   })
-}
-
-function problemOf(run: () => unknown): string {
-  try {
-    run()
-  } catch (error) {
-    const { code, message } = error as CircleVoronoiError
-    return `${code}: ${message}`
-  }
-  return 'no problem'
 }
 
 /** The nearest image of a circle to a point, by exhaustive search. */

@@ -189,7 +189,7 @@ it('asks before a step whose outcome is open, keeps the score, and explains the 
   const first = step as number
   expect(text()).toContain(WORDS.whatNext)
   expect(first).toBeLessThan(player.steps - 1)
-  // The answers follow the question. One of them is right.
+  // The answers follow the question. One answer is right.
   const parts = partsOf(page)
   const choices = parts.slice(parts.indexOf(WORDS.whatNext)).filter((part) => typeof part === 'function') as Press[]
   choices[0]?.()
@@ -254,6 +254,15 @@ it('an answer about circles that have changed since is not shown', async () => {
   listeners.get('changed')?.(undefined)
   await loaded()
   expect(player.steps).toBeLessThan(steps)
+})
+
+it('a player that is disposed of between two steps goes no farther', async () => {
+  await loaded()
+  press(WORDS.play)
+  seconds(1)
+  player.dispose()
+  seconds(100)
+  expect([step, view.hasDiagram]).toEqual([1, true])
 })
 
 it('a player that is disposed of while it plays or loads is silent, and the diagram is there again', async () => {

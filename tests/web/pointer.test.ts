@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gestures by mouse and fingers without a browser: their effects and the order of these.
+// Gestures by mouse and fingers without a browser: their effects, in order.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Box, Circle, Point } from '../../web/lib/index.ts'
 import { type Camera, toPlane } from '../../web/view/camera.ts'
@@ -178,7 +178,7 @@ class Stage {
   }
 }
 
-/** The callbacks of the next frame, including those of earlier tests' long presses. */
+/** The callbacks of the next frame, including long presses of earlier tests. */
 let waiting: (() => void)[] = []
 /** Shows the next frame. Browsers report moves before it. */
 const showFrame = () => {

@@ -3,18 +3,11 @@
 import { expect, it, vi } from 'vitest'
 import { FileActions } from '../../web/app/files/file-actions.ts'
 import { regionOfFile, regionOfText } from '../../web/app/files/region-file.ts'
+import { ring } from './shapes.ts'
 
 const SQUARE = {
   type: 'Polygon',
-  coordinates: [
-    [
-      [0, 0],
-      [9, 0],
-      [9, 9],
-      [0, 9],
-      [0, 0],
-    ],
-  ],
+  coordinates: [ring(0, 0, 9, 0, 9, 9, 0, 9, 0, 0)],
 }
 const REGION = JSON.stringify({ type: 'Feature', properties: null, geometry: SQUARE })
 

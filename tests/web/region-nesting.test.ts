@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import type { CircleVoronoiError } from '../../web/lib/index.ts'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { readRegion } from '../../web/view/region-text.ts'
+import { errorOf } from './errors.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const { region } = await loadRegions({ wasm })
@@ -18,15 +18,6 @@ const LEVELS = [
 
 function nested([begin, end]: readonly [string, string], depth: number): string {
   return begin.repeat(depth) + POLYGON + end.repeat(depth)
-}
-
-function errorOf(run: () => unknown): CircleVoronoiError | undefined {
-  try {
-    run()
-  } catch (error) {
-    return error as CircleVoronoiError
-  }
-  return undefined
 }
 
 describe('geometries inside geometries', () => {

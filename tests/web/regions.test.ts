@@ -21,41 +21,20 @@ import {
 } from '../../web/lib/index.ts'
 import type { RegionModule } from '../../web/lib/regions/region.ts'
 import { type FitStep, loadRegions, Region, type RegionShape } from '../../web/lib/regions.ts'
+import { problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
+import { box, ring } from './shapes.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const comparison = readFileSync(new URL('../../web/lib/generated/circle-voronoi-comparison.wasm', import.meta.url))
 const { region, fitAreas } = await loadRegions({ wasm })
 
-const HALL = [
-  [
-    [0, 0],
-    [9, 0],
-    [9, 9],
-    [0, 9],
-  ],
-  [
-    [3, 3],
-    [6, 3],
-    [6, 6],
-    [3, 6],
-  ],
-] as const
+const HALL = [box(0, 0, 9, 9), box(3, 3, 6, 6)] as const
 const hall = region(HALL)
 
 function circles(count: number, seed: number, size = 9): [number, number, number][] {
   const random = seededRandom(seed)
   return Array.from({ length: count }, () => [size * random(), size * random(), (size / 20) * random()])
-}
-
-function problemOf(run: () => unknown): string {
-  try {
-    run()
-  } catch (error) {
-    const { code, message } = error as CircleVoronoiError
-    return `${code}: ${message}`
-  }
-  return 'no problem'
 }
 
 const sum = (values: Iterable<number>) => Array.from(values).reduce((total, value) => total + value, 0)
@@ -98,14 +77,7 @@ describe('a region', () => {
   })
 
   it('refuses what is none, and says where', () => {
-    const bow = [
-      [
-        [0, 0],
-        [2, 2],
-        [2, 0],
-        [0, 2],
-      ],
-    ] as const
+    const bow = [ring(0, 0, 2, 2, 2, 0, 0, 2)] as const
     expect(problemOf(() => region(bow))).toMatch(/^badOption: Side 0 .* and side 2 .* cross at \(1, 1\)\.$/)
     const misuses: [unknown, RegExp][] = [
       [[], /^badOption: /],
@@ -174,14 +146,7 @@ describe('a diagram in a region', () => {
 
   it('has the areas of bounds where the region is their box', () => {
     const diagram = library.compute(circles(80, 2))
-    const square = region([
-      [
-        [1, 1],
-        [7, 1],
-        [7, 8],
-        [1, 8],
-      ],
-    ])
+    const square = region([box(1, 1, 7, 8)])
     const inBounds = diagram.cellAreas({ bounds: [1, 1, 7, 8] })
     diagram.cellAreas({ region: square }).forEach((area, i) => {
       expect(area).toBeCloseTo(inBounds[i] as number, 11)
@@ -217,51 +182,28 @@ describe('a diagram in a region', () => {
   })
 
   it('has neighbors inside bounds, too', () => {
-    const diagram = library.compute([
-      [0, 0, 1],
-      [10, 0, 1],
-      [5, 9, 1],
-    ])
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 10, 0, 1, 5, 9, 1))
     expect([...diagram.neighbors(0)].sort()).toEqual([1, 2])
     expect([...diagram.neighbors(0, { bounds: [-1, -9, 11, 0] })]).toEqual([1])
     expect([...diagram.neighbors(0, { maxDistance: 1 })]).toEqual([])
   })
 
   it('is drawn with edges that end at the border of the region', () => {
-    const diagram = library.compute([
-      [2, 2, 1],
-      [7, 7, 1],
-    ])
-    const square = region([
-      [
-        [0, 0],
-        [9, 0],
-        [9, 8],
-        [0, 8],
-      ],
-    ])
+    const diagram = library.compute(Float64Array.of(2, 2, 1, 7, 7, 1))
+    const square = region([box(0, 0, 9, 8)])
     expect(diagram.render({ region: square, digits: 3 })).toMatch(/^(M1,8L9,0|M9,0L1,8)$/)
     expect(diagram.edgePath(0, { region: square, digits: 3 })).toBe(diagram.render({ region: square, digits: 3 }))
     expect(diagram.renderBounds({ region: square, digits: 0 })).toBe('M0,0L9,0L9,8L0,8Z')
     expect(diagram.cellPath(0, { region: square, digits: 0 })).toMatch(/^M[\dL,]+Z$/)
     expect(
       diagram.cellPath(1, {
-        region: region([
-          [
-            [0, 0],
-            [1, 0],
-            [0, 1],
-          ],
-        ]),
+        region: region([ring(0, 0, 1, 0, 0, 1)]),
       }),
     ).toBe('')
   })
 
   it('is that of the circles as they are now', () => {
-    const editor = library.edit([
-      [2, 2, 1],
-      [7, 7, 1],
-    ])
+    const editor = library.edit(Float64Array.of(2, 2, 1, 7, 7, 1))
     const diagram = editor.snapshot()
     const before = diagram.cellArea(0, { region: hall })
     diagram.apply(editor.replace(0, { x: 2, y: 2, r: 2 }))
@@ -326,15 +268,8 @@ describe('a diagram in a region', () => {
   })
 
   it('may have weights, or be the ordinary or the power diagram', async () => {
-    const box = [1, 1, 8, 7] as const
-    const square = region([
-      [
-        [1, 1],
-        [8, 1],
-        [8, 7],
-        [1, 7],
-      ],
-    ])
+    const bounds = [1, 1, 8, 7] as const
+    const square = region([box(...bounds)])
     const { computeComparison } = await loadComparison({ library, wasm: comparison })
     const data = circles(120, 12)
     const shifted = data.map(([x, y, r]) => [x, y, r - 0.2] as const)
@@ -344,7 +279,7 @@ describe('a diagram in a region', () => {
       computeComparison(data, 'centers'),
       computeComparison(data, 'power'),
     ]
-    const inBox = { bounds: box, tolerance: 1e-5 }
+    const inBox = { bounds, tolerance: 1e-5 }
     const inSquare = { region: square, tolerance: 1e-5 }
     for (const diagram of diagrams) {
       const close = (one: ArrayLike<number>, other: ArrayLike<number>) => {
@@ -357,18 +292,16 @@ describe('a diagram in a region', () => {
           )
         })
       }
-      close(diagram.cellAreas({ region: square }), diagram.cellAreas({ bounds: box }))
-      close(diagram.cellCentroids({ region: square }), diagram.cellCentroids({ bounds: box }))
-      close(diagram.cellPerimeters({ region: square }), diagram.cellPerimeters({ bounds: box }))
+      close(diagram.cellAreas({ region: square }), diagram.cellAreas({ bounds }))
+      close(diagram.cellCentroids({ region: square }), diagram.cellCentroids({ bounds }))
+      close(diagram.cellPerimeters({ region: square }), diagram.cellPerimeters({ bounds }))
       expect(diagram.render(inSquare).match(/M/g)).toHaveLength(diagram.render(inBox).match(/M/g)?.length as number)
       for (let i = 0; i < data.length; i += 7) {
-        expect(diagram.cellArea(i, { region: square })).toBeCloseTo(diagram.cellArea(i, { bounds: box }), 9)
-        expect(new Set(diagram.neighbors(i, { region: square }))).toEqual(
-          new Set(diagram.neighbors(i, { bounds: box })),
-        )
+        expect(diagram.cellArea(i, { region: square })).toBeCloseTo(diagram.cellArea(i, { bounds }), 9)
+        expect(new Set(diagram.neighbors(i, { region: square }))).toEqual(new Set(diagram.neighbors(i, { bounds })))
         expect(diagram.cellPath(i, inSquare) === '').toBe(diagram.cellPath(i, inBox) === '')
         const polygon = diagram.cellPolygon(i, inSquare)?.flat() ?? []
-        expect(sum(polygon.map(twice)) / 2).toBeCloseTo(diagram.cellArea(i, { bounds: box }), 3)
+        expect(sum(polygon.map(twice)) / 2).toBeCloseTo(diagram.cellArea(i, { bounds }), 3)
       }
       for (let e = 0; e < diagram.edges.length / 4; e += 5) {
         expect(diagram.edgePath(e, inSquare) === '').toBe(diagram.edgePath(e, inBox) === '')
@@ -380,14 +313,7 @@ describe('a diagram in a region', () => {
   })
 
   it('has the largest empty disc with its center inside', () => {
-    const square = region([
-      [
-        [1, 1],
-        [7, 1],
-        [7, 8],
-        [1, 8],
-      ],
-    ])
+    const square = region([box(1, 1, 7, 8)])
     const random = seededRandom(13)
     for (const data of [circles(2, 14), circles(30, 15), circles(300, 16)]) {
       const diagram = library.compute(data)
@@ -414,14 +340,7 @@ describe('a diagram in a region', () => {
     const diagram = library.compute(data)
     const tolerance = 1e-6
     // A region around the hull leaves it whole.
-    const around = region([
-      [
-        [-20, -20],
-        [30, -20],
-        [30, 30],
-        [-20, 30],
-      ],
-    ])
+    const around = region([box(-20, -20, 30, 30)])
     const whole = diagram.hullPolygon({ tolerance }) as [number, number][]
     const [[kept = []] = [], ...others] = diagram.hullPolygon({ region: around, tolerance }) ?? []
     expect(others).toEqual([])
@@ -505,14 +424,7 @@ describe('a diagram in a region', () => {
 })
 
 describe('fitted areas', () => {
-  const square = region([
-    [
-      [0, 0],
-      [1, 0],
-      [1, 1],
-      [0, 1],
-    ],
-  ])
+  const square = region([box(0, 0, 1, 1)])
 
   it('are proportional to the shares that were asked for, in a certified diagram, and found at once from its weights', () => {
     const random = seededRandom(5)

@@ -5,22 +5,17 @@ import { driftAtStart } from '../../web/app/motion/drift.ts'
 import { Motion } from '../../web/app/motion/motion.ts'
 import { Radii } from '../../web/app/motion/radii.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
-import { Editing, type Outcome } from '../../web/editing/editing.ts'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
+import type { Outcome } from '../../web/editing/editing.ts'
 import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
-import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import type { View } from '../../web/view/view.ts'
+import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 import { library } from './library.ts'
-import { LibraryBackend } from './library-backend.ts'
 
 const FORMER = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))
 const OPENED = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 2 : 7 * k))
-
-const scene = (circles: Float64Array<ArrayBuffer>, dataSet = '') => ({ circles, dataSet, isEdited: false })
 
 /** The frames of a test. */
 let frames: ((now: number) => void)[] = []
@@ -44,31 +39,9 @@ afterEach(() => vi.unstubAllGlobals())
 
 /** Editing with a backend whose answers arrive a turn later. */
 async function started() {
-  const computer = new LibraryBackend(() => new Promise((resolve) => setTimeout(resolve)))
-  const store = createStore(INITIAL_STATE)
-  const problems: string[] = []
-  const editing = new Editing(
-    computer,
-    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
-    ({ message }) => problems.push(message),
-  )
-  await editing.open(scene(FORMER, 'former'))
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: { width: 100, height: 100 },
-    layers: DEFAULT_LAYERS,
-    setCamera() {},
-    setLayers() {},
-    ask: async () => undefined,
-    get circles() {
-      return editing.circles
-    },
-    apply: (edits: Parameters<typeof computer.apply>[0]) => computer.apply(edits),
-  }
-  const actions = new EditorActions(store, editing, view as unknown as View, () => ({
-    ...{ top: 0, right: 0, bottom: 0, left: 0 },
-  }))
-  return { computer, editing, store, problems, actions, view, circles: () => [...editing.circles.circles()] }
+  const session = editingSession({ before: aTurn })
+  await session.editing.open(sceneOf(FORMER, 'former'))
+  return session
 }
 
 describe('circles that are opened are not changed by', () => {
@@ -77,7 +50,7 @@ describe('circles that are opened are not changed by', () => {
     const gesture = editing.beginGesture()
     const move = (x: number) => editing.edit([{ kind: 'replace', id: 7, circle: { x, y: 0, r: 1 } }], gesture)
     await move(1)
-    const opened = editing.open(scene(OPENED))
+    const opened = editing.open(sceneOf(OPENED))
     const [waiting, , late] = [move(2), await opened, move(3)]
     expect([await waiting, await late]).toEqual([undefined, undefined])
     expect([circles(), problems]).toEqual([[...OPENED], []])
@@ -91,7 +64,7 @@ describe('circles that are opened are not changed by', () => {
 
   it('an edit without a gesture that waits behind them', async () => {
     const { editing, circles } = await started()
-    const opened = editing.open(scene(OPENED))
+    const opened = editing.open(sceneOf(OPENED))
     const edited = editing.edit([{ kind: 'remove', id: 3 }])
     expect([(await opened) !== undefined, await edited, circles()]).toEqual([true, undefined, [...OPENED]])
   })
@@ -99,7 +72,7 @@ describe('circles that are opened are not changed by', () => {
   it('an undo that was asked before they were there; two of them go on', async () => {
     const { editing, circles } = await started()
     await editing.edit([{ kind: 'remove', id: 3 }])
-    const opened = editing.open(scene(OPENED))
+    const opened = editing.open(sceneOf(OPENED))
     const undone = editing.undo()
     expect([(await opened) !== undefined, await undone, circles()]).toEqual([true, undefined, [...OPENED]])
     await Promise.all([editing.undo(), editing.undo()])
@@ -107,14 +80,14 @@ describe('circles that are opened are not changed by', () => {
   })
 
   it('a circle that is added once it is known where it fits', async () => {
-    const { editing, actions, view, circles } = await started()
+    const { editing, actions, fake, circles } = await started()
     let answer = () => {}
-    view.ask = () =>
+    fake.ask = () =>
       new Promise((resolve) => {
         answer = () => resolve(undefined)
       })
     const added = actions.addFitting({ x: 50, y: 50 })
-    await editing.open(scene(OPENED))
+    await editing.open(sceneOf(OPENED))
     answer()
     await added
     expect(circles()).toEqual([...OPENED])
@@ -123,12 +96,12 @@ describe('circles that are opened are not changed by', () => {
   it('circles that move, which then stop', async () => {
     const { editing, problems, actions, view, circles } = await started()
     const page = Object.assign(actions, { complain: (text: string) => problems.push(text) }) as unknown as PageActions
-    const motion = new Motion(view as unknown as View, editing, page)
+    const motion = new Motion(view, editing, page)
     motion.start('grow')
     draw(0)
     await settle()
     // An edit is requested and waits behind an opening.
-    const opened = editing.open(scene(OPENED))
+    const opened = editing.open(sceneOf(OPENED))
     draw(40)
     draw(80)
     await opened
@@ -140,7 +113,7 @@ describe('circles that are opened are not changed by', () => {
 
   it('an answer about a movement that another one has followed: that one goes on', async () => {
     const { editing, actions, view } = await started()
-    const motion = new Motion(view as unknown as View, editing, actions as unknown as PageActions)
+    const motion = new Motion(view, editing, actions as unknown as PageActions)
     motion.start('grow')
     draw(0)
     // The edit is refused a turn later.
@@ -156,7 +129,7 @@ describe('circles that are opened are not changed by', () => {
 
   it('a movement whose edit is refused: it stops', async () => {
     const { editing, computer, problems, actions, view } = await started()
-    const motion = new Motion(view as unknown as View, editing, actions as unknown as PageActions)
+    const motion = new Motion(view, editing, actions as unknown as PageActions)
     computer.apply = async () => {
       throw new Error('It is refused.')
     }
@@ -170,7 +143,7 @@ describe('circles that are opened are not changed by', () => {
     const { editing, store, circles } = await started()
     const radii = new Radii(store, editing)
     await radii.scale(0.5)
-    const opened = editing.open(scene(OPENED))
+    const opened = editing.open(sceneOf(OPENED))
     const scaled = radii.scale(0.25)
     await opened
     await scaled
@@ -204,7 +177,7 @@ describe('the circle that moves at the start', () => {
   it('leaves nothing in the circles that undo goes back to', async () => {
     const { computer, editing, circles } = await started()
     await computer.apply([{ kind: 'replace', id: 7, circle: { x: 1, y: 2, r: 3 } }])
-    await editing.open(scene(OPENED))
+    await editing.open(sceneOf(OPENED))
     await editing.undo()
     expect([circles(), editing.scene?.isEdited]).toEqual([[...FORMER], false])
   })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The half-edges of diagrams, and those of their duals.
+// The half-edges of diagrams and of their duals.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { linkSides } from '../../web/lib/diagram/link-sides.ts'

@@ -95,6 +95,25 @@ describe('circles that repeat', () => {
     expect([...(cells.get(0)?.neighbors ?? [])].sort()).toEqual(neighbors.sort())
   })
 
+  it('touch discs one period away as they do in the box', () => {
+    const scene = sceneOf(circles(9, 5))
+    const touched = (x: number, y: number) => answers.touch(scene, x, y, 1e-9)
+    for (const [x, y] of [
+      [4, 3],
+      [5, 1],
+    ] as const) {
+      const [here, there] = [touched(x, y), touched(x + 10, y + 6)]
+      expect(there?.points).toHaveLength(here?.points.length ?? 0)
+      for (const disc of [here?.disc, there?.disc]) expect(disc?.r).toBeCloseTo(here?.disc.r ?? 0, 9)
+      expect(there?.disc.x).toBeCloseTo((here?.disc.x ?? 0) + 10, 9)
+      expect(there?.disc.y).toBeCloseTo((here?.disc.y ?? 0) + 6, 9)
+      for (const point of there?.points ?? []) {
+        const { x: cx, y: cy, r } = there?.disc ?? { x: 0, y: 0, r: 0 }
+        expect(Math.hypot(point.x - cx, point.y - cy)).toBeCloseTo(Math.abs(r), 9)
+      }
+    }
+  })
+
   it('are drawn with their images, the border of the box, and a veil around it', () => {
     const drawn = (x: number, y: number, scale = 40) => {
       const drawing = new SvgDrawing()

@@ -5,12 +5,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { mountFiles } from '../../web/app/panels/files.ts'
 import { mountNumbers } from '../../web/app/panels/numbers.ts'
 import { CircleGrid } from '../../web/app/table/circle-grid.ts'
-import { Editing } from '../../web/editing/editing.ts'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
-import type { View } from '../../web/view/view.ts'
-import { LibraryBackend } from './library-backend.ts'
+import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 
 /** The contents of the open panel. */
 let body: () => unknown = () => undefined
@@ -30,11 +25,15 @@ vi.mock('../../web/app/panels/panel.ts', () => ({
   },
 }))
 vi.mock('../../web/app/panels/histogram.ts', () => ({ Histogram: class {} }))
+/** The rows to which the grid has scrolled. */
+let rows: number[] = []
 vi.mock('../../web/app/table/grid.ts', () => ({
   Grid: class {
     isEditing = false
     render() {}
-    goTo() {}
+    goTo(row: number) {
+      rows.push(row)
+    }
     cancelEdit() {}
     scrollToTop() {}
     dispose() {}
@@ -64,22 +63,10 @@ beforeEach(() => {
 })
 
 async function started() {
-  const store = createStore(INITIAL_STATE)
-  const editing: Editing = new Editing(
-    new LibraryBackend(async () => {}),
-    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
-    () => {},
-  )
+  const { store, editing, actions, view, fake } = editingSession()
   const answers: ((answer: unknown) => void)[] = []
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: { width: 100, height: 100 },
-    ask: () => new Promise((resolve) => answers.push(resolve)),
-    setCamera() {},
-  } as unknown as View
-  const actions = new EditorActions(store, editing, view, () => ({ top: 0, right: 0, bottom: 0, left: 0 }))
-  const circles = Float64Array.from({ length: 30 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))
-  await editing.open({ circles, dataSet: '', isEdited: false })
+  fake.ask = () => new Promise((resolve) => answers.push(resolve))
+  await editing.open(sceneOf(Float64Array.from({ length: 30 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))))
   draw()
   return { store, editing, actions, view, answers }
 }
@@ -114,6 +101,10 @@ describe('numbers', () => {
     answers[1]?.(distribution(5678))
     await vi.advanceTimersByTimeAsync(0)
     expect(shown()).toContain('5680')
+    await editing.edit([{ kind: 'remove', id: 4 }])
+    draw()
+    expect(shown()).toContain('Counting')
+    expect(shown()).not.toContain('5680')
   })
 
   it('of a method are forgotten where the circles have changed since', async () => {
@@ -126,12 +117,15 @@ describe('numbers', () => {
     await editing.edit([{ kind: 'remove', id: 3 }])
     draw()
     answers.at(-1)?.({ problem: 'It is refused.' })
-    await new Promise((resolve) => setTimeout(resolve))
+    await aTurn()
     expect(valuesIn(body()).join(' ')).not.toContain('It is refused.')
     compute()
     answers.at(-1)?.({ problem: 'It is refused.' })
-    await new Promise((resolve) => setTimeout(resolve))
+    await aTurn()
     expect(valuesIn(body()).join(' ')).toContain('It is refused.')
+    await editing.edit([{ kind: 'remove', id: 4 }])
+    draw()
+    expect(valuesIn(body()).join(' ')).not.toContain('It is refused.')
   })
 })
 
@@ -146,22 +140,70 @@ it('the same file can be chosen twice: the field forgets it', async () => {
   expect([opened, target.value]).toEqual([['a file'], ''])
 })
 
-it('Shift in the table selects from the circle that was selected last, in the picture, too', async () => {
-  const { store, editing, actions, view } = await started()
-  const element = { style: { setProperty() {} }, classList: { toggle() {} } } as unknown as HTMLElement
-  const grid = new CircleGrid(element, store, editing, actions as never, view)
-  store.subscribe((state) => grid.update(state))
-  grid.choose(1, 'only')
-  draw()
-  actions.select([6])
-  draw()
-  grid.choose(8, 'through')
-  expect(store.get().selection).toEqual([6, 7, 8])
+describe('the table', () => {
+  async function tableOf() {
+    const session = await started()
+    const { store, editing, actions, view } = session
+    const element = { style: { setProperty() {} }, classList: { toggle() {} } } as unknown as HTMLElement
+    const grid = new CircleGrid(element, store, editing, actions as never, view)
+    store.subscribe((state) => grid.update(state))
+    rows = []
+    return { ...session, grid }
+  }
+
+  it('selects with Shift from the circle that was selected last, also in the picture', async () => {
+    const { store, actions, grid } = await tableOf()
+    grid.choose(1, 'only')
+    draw()
+    actions.select([6])
+    draw()
+    grid.choose(8, 'through')
+    expect(store.get().selection).toEqual([6, 7, 8])
+    grid.choose(2, 'toggle')
+    draw()
+    grid.choose(1, 'through')
+    expect(store.get().selection).toEqual([1, 2])
+  })
+
+  it('scrolls to circles that are selected in the picture, not to its own', async () => {
+    const { actions, grid } = await tableOf()
+    grid.choose(1, 'only')
+    draw()
+    expect(rows).toEqual([])
+    actions.select([6])
+    draw()
+    expect(rows).toEqual([6])
+  })
+
+  it('shows no measures of circles that others have replaced', async () => {
+    const { editing, answers, grid } = await tableOf()
+    const area = grid.headings.findIndex(({ name }) => name === 'area')
+    grid.seen(0, 1)
+    answers.shift()?.({ ids: Int32Array.of(0, 1), columns: [[5], [6], [7]].map((column) => [...column, 1]) })
+    await aTurn()
+    expect(grid.cell(0, area).text).toBe('5')
+    await editing.open(sceneOf(Float64Array.of(0, 0, 1, 9, 9, 1)))
+    draw()
+    expect(grid.cell(0, area).text).toBe('')
+  })
+
+  it('is sorted by the column that was chosen last, whichever is measured first', async () => {
+    const { answers, grid } = await tableOf()
+    const columnOf = (name: string) => grid.headings.findIndex((heading) => heading.name === name)
+    const ids = Int32Array.from({ length: 10 }, (_, id) => id)
+    const sorted = ['area', 'nbrs'].map((name) => grid.sort(columnOf(name)))
+    const [byArea, byDegree] = answers.splice(-2)
+    byDegree?.({ ids, columns: [Array.from(ids, (id) => 10 - id)] })
+    byArea?.({ ids, columns: [Array.from(ids)] })
+    await Promise.all(sorted)
+    expect([grid.idOf(0), grid.sortOf(columnOf('nbrs'))]).toEqual([9, 'ascending'])
+  })
 })
 
-it('an old problem is gone once something else is selected', async () => {
+it('an old problem and an old description are gone once something else is selected', async () => {
   const { store, actions } = await started()
+  store.update((state) => ({ ...state, described: { id: 1 } as never }))
   actions.complain('The radius must not be negative.')
   actions.select([2])
-  expect(store.get().problem).toBe('')
+  expect([store.get().problem, store.get().described]).toEqual(['', undefined])
 })

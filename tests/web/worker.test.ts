@@ -11,6 +11,7 @@ import type { ComputeRequest, FitRequest, Reply, Request, Start } from '../../we
 import { type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
 import { useThreads } from './fake-threads.ts'
 import { library } from './library.ts'
+import { box } from './shapes.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 const WASM = readFileSync(new URL('../../web/lib/generated/circle-voronoi.wasm', import.meta.url))
@@ -231,14 +232,7 @@ describe('a worker', () => {
 describe('a fit in a worker', async () => {
   const bytes = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
   const { region, fitAreas } = await loadRegions({ wasm: bytes })
-  const square = region([
-    [
-      [0, 0],
-      [4, 0],
-      [4, 4],
-      [0, 4],
-    ],
-  ])
+  const square = region([box(0, 0, 4, 4)])
   const SITES = [
     [1, 1],
     [3, 2],

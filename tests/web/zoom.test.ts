@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The viewport after "zoom to" and "show everything", without a browser.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { Editing } from '../../web/editing/editing.ts'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
-import { type Camera, toScreen } from '../../web/view/camera.ts'
-import type { View } from '../../web/view/view.ts'
-import { LibraryBackend } from './library-backend.ts'
+import { toScreen } from '../../web/view/camera.ts'
+import { editingSession, sceneOf } from './editing-session.ts'
 
 const SIZE = { width: 400, height: 300 }
 const PADDING = { top: 20, right: 40, bottom: 60, left: 80 }
@@ -18,21 +13,8 @@ beforeEach(() => {
 afterEach(() => vi.unstubAllGlobals())
 
 async function started(...circles: number[]) {
-  const store = createStore(INITIAL_STATE)
-  const editing: Editing = new Editing(
-    new LibraryBackend(async () => {}),
-    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
-    () => {},
-  )
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: SIZE,
-    setCamera(camera: Camera) {
-      view.camera = camera
-    },
-  }
-  const actions = new EditorActions(store, editing, view as unknown as View, () => PADDING)
-  await editing.open({ circles: Float64Array.from(circles), dataSet: '', isEdited: false })
+  const { store, editing, fake: view, actions } = editingSession({ size: SIZE, padding: PADDING })
+  await editing.open(sceneOf(Float64Array.from(circles)))
   const select = (...selection: number[]) => store.update((state) => ({ ...state, selection }))
   /** The positions of points in the part of the view that panels leave free, from 0 to 1. */
   const shares = (...points: [number, number][]) =>
@@ -67,6 +49,21 @@ it.each([
   expect(Number.isFinite(view.camera.scale)).toBe(true)
   expect(view.camera.scale).toBeGreaterThan(0)
   for (const share of shares([3, 4])[0] as number[]) expect(share).toBeCloseTo(0.5, 6)
+})
+
+it('circles around one center are shown at their size, and points apart all together', async () => {
+  const { actions, select, shares } = await started(3, 4, 10, 3, 4, 5, 100, 0, 0, 900, 0, 0)
+  const top = () => shares([3, 14])[0]?.[1] as number
+  select(0, 1)
+  actions.zoomToSelection()
+  expect(0.5 - top()).toBeGreaterThan(0.1)
+  expect(0.5 - top()).toBeLessThan(0.25)
+  select(2, 3)
+  actions.zoomToSelection()
+  for (const share of shares([100, 0], [900, 0]).flat()) {
+    expect(share).toBeGreaterThan(0)
+    expect(share).toBeLessThan(1)
+  }
 })
 
 it('a point is shown at the size of a new circle, which depends on the scale', async () => {

@@ -91,9 +91,9 @@ library.compute([], { method: 'magic' })
 library.compute([{ x: 0, y: 0 }])
 // @ts-expect-error: there is no such option
 createWorker({ url: '' })
-// @ts-expect-error: of all that is drawn on something, that is an option
+// @ts-expect-error: a context is an option
 diagram.render(context)
-// @ts-expect-error: what is drawn is not written as text
+// @ts-expect-error: digits are for text, not for a context
 diagram.render({ context, digits: 3 })
 // @ts-expect-error: a datum without x, y and r needs functions that find them
 library.compute([{ city: 'a' }], { x: () => 1, y: () => 2 })

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Editing } from '../../web/editing/editing.ts'
+import { EditorActions } from '../../web/editing/editor-actions.ts'
+import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+import { type Camera, NO_PADDING, type Padding, type Size } from '../../web/view/camera.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import type { View } from '../../web/view/view.ts'
+import { LibraryBackend } from './library-backend.ts'
+
+/** A scene to open that has no edits. */
+export function sceneOf(circles: Float64Array, dataSet = '') {
+  return { circles: circles as Float64Array<ArrayBuffer>, dataSet, isEdited: false }
+}
+
+/** Waits for the next turn of the event loop. */
+export const aTurn = () => new Promise<unknown>((resolve) => setTimeout(resolve))
+
+/** Edits circles in a view without a picture. Each request of the backend waits for `before`. */
+export function editingSession({
+  before = async () => {},
+  size = { width: 100, height: 100 },
+  padding = NO_PADDING,
+  onproblem = () => {},
+}: {
+  readonly before?: () => Promise<unknown>
+  readonly size?: Size
+  readonly padding?: Padding
+  readonly onproblem?: (error: Error) => void
+} = {}) {
+  const computer = new LibraryBackend(before)
+  const store = createStore(INITIAL_STATE)
+  const problems: string[] = []
+  const editing: Editing = new Editing(
+    computer,
+    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
+    (error) => {
+      const { message: problem } = error
+      problems.push(problem)
+      store.update((state) => ({ ...state, problem }))
+      onproblem(error)
+    },
+  )
+  const fake = {
+    camera: { x: 0, y: 0, scale: 1 } as Camera,
+    size,
+    layers: DEFAULT_LAYERS,
+    get circles() {
+      return editing.circles
+    },
+    setCamera(camera: Camera) {
+      fake.camera = camera
+    },
+    setLayers(layers: object) {
+      fake.layers = { ...fake.layers, ...layers }
+    },
+    apply: (edits: Parameters<typeof computer.apply>[0]) => computer.apply(edits),
+    ask: async (): Promise<unknown> => undefined,
+  }
+  const view = fake as unknown as View
+  const actions = new EditorActions(store, editing, view, () => padding)
+  return { computer, store, problems, editing, fake, view, actions, circles: () => [...editing.circles.circles()] }
+}
