@@ -48,7 +48,7 @@ const nextRequest = () => ++lastRequest
 /** Waits until everything sent has been answered. */
 const heard = async (scene: number) => {
   const request = nextRequest()
-  send({ kind: 'ask', scene, request, name: 'hit', args: [0, 0, 1] })
+  send({ kind: 'ask', scene, request, name: 'touch', args: [0, 0, 1] })
   await vi.waitFor(() => expect(saidOf('answer').some((hit) => hit.request === request)).toBe(true), SOON)
 }
 

@@ -4,9 +4,9 @@ import type { Circle, Edit, Float64s } from '../lib/index.ts'
 import type { LinkAttributes } from '../lib/link.ts'
 import type { CircleTable, UndoEdit } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
-import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
+import type { Edited } from '../view/scene-client.ts'
 import { type Attributes, attributesOf, type DataColumn, NO_ATTRIBUTES, numberIn, withValues } from './attributes.ts'
 import {
   EMPTY_HISTORY,

@@ -7,8 +7,8 @@ import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoome
 import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { GestureTarget, IdentifiedCircle } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
-import type { Edited } from '../view/painter.ts'
 import { roundStep } from '../view/round-step.ts'
+import type { Edited } from '../view/scene-client.ts'
 import { short } from '../view/short.ts'
 import type { View } from '../view/view.ts'
 import { middleOf, nextInDirection, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
@@ -254,7 +254,11 @@ export class EditorActions implements GestureTarget {
   }
 
   /** Adds circles and selects them. Returns their ids, or none if they were refused. */
-  async add(circles: readonly Circle[], gesture = this.beginGesture()): Promise<readonly number[]> {
+  add(circles: readonly Circle[], gesture = this.beginGesture()): Promise<readonly number[]> {
+    return this.#selecting(() => this.#add(circles, gesture))
+  }
+
+  async #add(circles: readonly Circle[], gesture: number): Promise<readonly number[]> {
     if (this.isReadonly) return []
     const edited = await this.#editing.edit(
       circles.map((circle) => ({ kind: 'insert', circle })),
@@ -268,9 +272,8 @@ export class EditorActions implements GestureTarget {
   }
 
   async addFitting(center: Point): Promise<void> {
-    const gesture = this.beginGesture()
-    const circle = await this.fitted(center)
-    if (circle !== undefined) await this.add([circle], gesture)
+    const circle = this.fitted(center)
+    if (circle !== undefined) await this.add([circle])
   }
 
   /** Adds a circle where there is room for it, as near as possible to the middle of the view. */
@@ -286,10 +289,10 @@ export class EditorActions implements GestureTarget {
   }
 
   /** A new circle at a point, with some room to the nearest circle; `undefined` where none fits. */
-  async fitted({ x, y }: Point): Promise<Circle | undefined> {
+  fitted({ x, y }: Point): Circle | undefined {
     if (this.isReadonly) return undefined
     const usual = USUAL_RADIUS / this.#view.camera.scale
-    const nearest = await this.#view.ask('hit', x, y, 0)
+    const nearest = this.#view.hitAt({ x, y }, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
     return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
@@ -423,12 +426,9 @@ export class EditorActions implements GestureTarget {
   }
 
   /** Selects the circle nearest to the middle of the view. */
-  selectNearMiddle(): Promise<void> {
-    return this.#waitFor(async () => {
-      const { x, y } = this.#view.camera
-      const hit = await this.#view.ask('hit', x, y, 0)
-      if (hit !== undefined) this.select([hit.id])
-    })
+  selectNearMiddle(): void {
+    const hit = this.#view.hitAt(this.#view.camera, 0)
+    if (hit !== undefined) this.select([hit.id])
   }
 
   /** Selects the next or previous circle by number. Returns whether there is one. */
@@ -493,24 +493,25 @@ export class EditorActions implements GestureTarget {
   }
 
   undo(): Promise<void> {
-    return this.#waitFor(() => this.#go(() => this.#editing.undo()))
+    return this.#selecting(() => this.#go(() => this.#editing.undo()))
   }
 
   redo(): Promise<void> {
-    return this.#waitFor(() => this.#go(() => this.#editing.redo()))
+    return this.#selecting(() => this.#go(() => this.#editing.redo()))
   }
 
-  /** Settles once pending undo, redo and hit tests are known; `undefined` if none are pending. */
+  /** Settles once all edits that select circles are done; `undefined` if none are pending. */
   get pending(): Promise<unknown> | undefined {
     return this.#pending
   }
 
-  #waitFor(act: () => Promise<void>): Promise<void> {
-    const all = Promise.all([this.#pending, act()]).then(() => {
+  #selecting<Result>(edit: () => Promise<Result>): Promise<Result> {
+    const edited = edit()
+    const all = Promise.allSettled([this.#pending, edited]).then(() => {
       if (this.#pending === all) this.#pending = undefined
     })
     this.#pending = all
-    return all
+    return edited
   }
 
   async #go(go: () => Promise<Edited | undefined>): Promise<void> {

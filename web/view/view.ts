@@ -2,7 +2,7 @@
 import type { Box, Circle, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, NO_PADDING, type Padding, type Size, toScreen } from './camera.ts'
-import type { CircleTable, UndoEdit } from './circle-table.ts'
+import type { CircleTable, Hit, UndoEdit } from './circle-table.ts'
 import type { Name, Names } from './labels.ts'
 import {
   checkLayers,
@@ -25,10 +25,11 @@ import {
 } from './overlay.ts'
 import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
-import type { Answer, Edited, Lost, Painter, SceneClient } from './painter.ts'
+import type { Painter } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, GlobalResults, Highlights, Questions, Touching, Trial } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
+import type { Answer, Edited, Lost, SceneClient } from './scene-client.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 import { svgPicture } from './svg-picture.ts'
 
@@ -245,6 +246,11 @@ export class View {
    */
   ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
     return this.#scene.ask(name, ...args)
+  }
+
+  /** The circle at a point of the plane (`CircleTable.hitAt`). */
+  hitAt(point: Point, slack: number, reach?: number): Hit | undefined {
+    return this.#scene.hitAt(point, slack, reach)
   }
 
   /** The layers. They are not drawn if only circles are shown (`hasDiagram`). */

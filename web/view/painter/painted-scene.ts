@@ -22,7 +22,6 @@ import type {
   Fitted,
   GlobalResults,
   Highlights,
-  Hit,
   PaintRequest,
   Patch,
   PixelBox,
@@ -384,52 +383,6 @@ export class PaintedScene {
     this.#waiting = this.#waiting.filter((tile) => !isSeen(tile))
     for (const tile of tiles) this.#painted.add(keyOf(tile))
     return tiles.map((tile) => this.#paint(tile, look))
-  }
-
-  /**
-   * The circle at a point. For a pointer (`reach` 0), rims take precedence over discs; the nearest rim and the smallest
-   * disc win. A finger has the circles with smaller radii than its `reach` first, if their centers are within it; the
-   * nearest one wins.
-   */
-  hit(x: number, y: number, slack: number, reach = 0): Hit | undefined {
-    const { index, diagram } = this.picture
-    const { circles } = diagram
-    const { x: homeX, y: homeY } = this.picture.home(x, y)
-    let rim: number | undefined
-    let rimDistance = slack
-    let disc: number | undefined
-    let discSize = Number.POSITIVE_INFINITY
-    let small: number | undefined
-    let smallDistance = Number.POSITIVE_INFINITY
-    let inReach = 0
-    const width = Math.max(slack, reach)
-    const around = { minX: homeX - width, minY: homeY - width, maxX: homeX + width, maxY: homeY + width }
-    for (const id of index.search(around)) {
-      const i = diagram.indexOf(id)
-      const r = this.picture.areSites ? 0 : at(circles, 3 * i + 2)
-      const toCenter = Math.hypot(at(circles, 3 * i) - homeX, at(circles, 3 * i + 1) - homeY)
-      const distance = toCenter - r
-      if (r < reach && toCenter <= reach) {
-        inReach += 1
-        if (distance < smallDistance) [small, smallDistance] = [id, distance]
-      }
-      // A small circle has no separate rim; it can be resized at a larger scale. An image has none either, because
-      // sizes are measured from the circle itself.
-      const hasRim = r > 3 * slack && homeX === x && homeY === y
-      if (hasRim && Math.abs(distance) < rimDistance) {
-        rim = id
-        rimDistance = Math.abs(distance)
-      }
-      if (distance <= (hasRim ? 0 : slack) && r < discSize) {
-        disc = id
-        discSize = r
-      }
-    }
-    if (small !== undefined) return { id: small, part: 'disc', inReach }
-    if (rim !== undefined) return { id: rim, part: 'rim' }
-    if (disc !== undefined) return { id: disc, part: 'disc' }
-    const id = this.nearest(x, y)
-    return id < 0 ? undefined : { id, part: 'cell' }
   }
 
   /** The id of the circle whose cell contains a point; -1 if there is none. */
