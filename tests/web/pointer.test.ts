@@ -5,8 +5,9 @@ import type { Box, Circle, Point } from '../../web/lib/index.ts'
 import { type Camera, toPlane } from '../../web/view/camera.ts'
 import type { Hit } from '../../web/view/circle-table.ts'
 import type { GestureTarget, IdentifiedCircle, SketchPhase } from '../../web/view/gestures.ts'
+import type { SelectionRectangle } from '../../web/view/overlay.ts'
 import { listenToPointer, type PointerOptions } from '../../web/view/pointer.ts'
-import type { SelectionRectangle, View } from '../../web/view/view.ts'
+import type { View } from '../../web/view/view.ts'
 
 const SIZE = { width: 800, height: 600 }
 /** Ten pixels per unit, with the origin in the middle. */

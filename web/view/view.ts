@@ -15,6 +15,7 @@ import {
 } from './layers.ts'
 import { scaleOnScreen } from './on-screen.ts'
 import {
+  type Chosen,
   drawOverlay,
   HANDLE_RADIUS,
   handleOf,
@@ -22,6 +23,7 @@ import {
   NOTHING_STANDS_OUT,
   type OverlayContent,
   type OverlayHighlights,
+  type SelectionRectangle,
 } from './overlay.ts'
 import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
@@ -65,22 +67,10 @@ export interface ViewEvents {
   readonly failed: { readonly error: Error; readonly marks: boolean }
 }
 
-/** The selected circles, x, y and r each, and their bounding box. */
-export interface Chosen {
-  readonly circles: Float64Array
-  readonly box: Box
-}
-
 /** A part of the plane, and the size in which to export it. */
 export interface ExportView {
   readonly camera: Camera
   readonly size: Size
-}
-
-/** The corners of a rubber band, in pixels. */
-export interface SelectionRectangle {
-  readonly from: Point
-  readonly to: Point
 }
 
 /** Shows circles and their diagram in an element of a page, seen by a camera. */
