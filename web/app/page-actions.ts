@@ -109,14 +109,14 @@ export class PageActions extends EditorActions {
     })
   }
 
-  /** Has the circles repeat in a box around them, which has a corner at the origin: where it must, they move there. */
+  /** Makes the circles periodic in a box around them with a corner at the origin. Moves them there if necessary. */
   async repeat(): Promise<void> {
     const { circles } = this.editing
     const { lattice, move } = boxAround(circles.box(), circles.count)
     await this.setLattice(lattice, move)
   }
 
-  /** Has the circles repeat with two periods, or no longer. They move first. Cells in a box are whole, so a region goes. */
+  /** Sets or removes the periods after moving the circles. Periodic cells are whole, so a region is removed. */
   async setLattice(lattice: Lattice | undefined, move: Point = { x: 0, y: 0 }): Promise<void> {
     const { areas } = this.editing.domain
     const isMoved = move.x !== 0 || move.y !== 0
@@ -189,7 +189,7 @@ export class PageActions extends EditorActions {
   }
 
   /**
-   * Prescribes areas by a column. Circles without a number get the mean. Resolves to the number of these circles, or to
+   * Prescribes areas by a column. Circles without a number get the mean. Resolves to how many got the mean, or to
    * `undefined` if refused.
    */
   async setAreasBy(column: string): Promise<number | undefined> {

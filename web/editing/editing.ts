@@ -135,7 +135,7 @@ export class Editing {
     return this.#queue.works.length
   }
 
-  /** The circles as they were opened. */
+  /** The opened circles without later edits. */
   get scene(): Scene | undefined {
     return this.#scene
   }
@@ -372,7 +372,7 @@ export class Editing {
     return edited
   }
 
-  /** `areAll`: no edits follow, so that the scene's colors are those of its circles. */
+  /** `areAll`: no edits follow, so the scene's colors apply to its circles. */
   async #replaceScene(scene: Scene, areAll = true): Promise<Edited> {
     const { circles, domain = NO_DOMAIN } = scene
     const list = listIn(domain.areas)

@@ -29,7 +29,7 @@ export function regionOfLink({ dataSet, isEdited, domain }: Scene, { region }: D
   return region === own ? {} : { region: region ?? null }
 }
 
-/** The edits that turn the given circles, with ids from 0 on, into those of a table. */
+/** The edits that turn circles with ids from 0 on into the circles of a table. */
 export function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
   const edits: Edit[] = []
   const count = circles.length / 3

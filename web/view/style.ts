@@ -133,7 +133,7 @@ export function isDark({ paper }: Style): boolean {
   return red + green + blue < 1.5 * 255
 }
 
-/** The opacity of a computed color, which names it only if it is not 1. */
+/** The opacity of a computed CSS color; the default is 1. */
 function opacityOf(color: string): number {
   return Number(/^rgba\(.*, ([\d.e-]+)\)$/.exec(color)?.[1] ?? 1)
 }

@@ -376,7 +376,7 @@ export class View {
     return canvas.convertToBlob({ type: 'image/png' })
   }
 
-  /** Returns a video stream of what is seen, until its track is stopped. */
+  /** Returns a video stream of the canvas. Stopping its track ends it. */
   stream(): MediaStream {
     const { width, height } = this.#base
     const canvas = Object.assign(document.createElement('canvas'), { width, height })

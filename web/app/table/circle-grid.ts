@@ -54,7 +54,7 @@ function isOfFile(column: DataColumn, { attributes }: Editing): boolean {
 /** Letters of a number that a column has room for. */
 const ROOM = 9
 
-/** A number with as many digits as a column has room for. */
+/** Shortens a number to the width of a column. */
 function narrow(value: number): string {
   for (let digits = 6; digits > 2; digits--) {
     const text = short(value, digits)

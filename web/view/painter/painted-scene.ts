@@ -295,7 +295,7 @@ export class PaintedScene {
     }
   }
 
-  /** Edits that leave all circles in a box; those that are there lie in the box before. */
+  /** Edits that move all circles into the box. */
   #wrapped(edits: readonly Edit[], torus: Torus | undefined): readonly Edit[] {
     if (torus === undefined) return edits
     const own = edits.map((edit) => torus.wrappedEdit(edit))
