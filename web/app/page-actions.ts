@@ -3,7 +3,7 @@
 import { type Attributes, attributesOfLink, isNumeric, textIn } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
 import { EditorActions, type HowOpened, type OpenRequest } from '../editing/editor-actions.ts'
-import type { Scene } from '../editing/history.ts'
+import type { CircleSet } from '../editing/history.ts'
 import { COLOR, colorColumn, isColor, NAME, nameColumn } from '../editing/identity.ts'
 import type { Remedy, State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
@@ -295,7 +295,7 @@ export class PageActions extends EditorActions {
     return { ...scene, domain, edits, view, layers, step, method, colors }
   }
 
-  async #loadNamed(name: string, load = loadDataSet): Promise<Scene> {
+  async #loadNamed(name: string, load = loadDataSet): Promise<CircleSet> {
     return { ...(await load(name, this.#make)), dataSet: name, isEdited: false }
   }
 }

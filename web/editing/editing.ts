@@ -18,7 +18,7 @@ import {
   type Opening,
   record,
   renamed,
-  type Scene,
+  type CircleSet,
 } from './history.ts'
 import { namesBy } from './identity.ts'
 import { PackedSteps } from './packed-steps.ts'
@@ -61,10 +61,10 @@ interface Job {
  * time; a pending step of a drag is replaced by the next one, so that fast drags never queue up.
  */
 export class Editing {
-  readonly #computer: DiagramBackend
+  readonly #backend: DiagramBackend
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (error: Error) => void
-  #scene: Scene | undefined
+  #scene: CircleSet | undefined
   #domain = NO_DOMAIN
   #attributes = NO_ATTRIBUTES
   /** Maps circle numbers to ids and back, for circles whose number is not `#shift` more than their id. */
@@ -85,19 +85,19 @@ export class Editing {
 
   /** `mostBytes` limits the memory of the history. */
   constructor(
-    computer: DiagramBackend,
+    backend: DiagramBackend,
     onOutcome: (outcome: Outcome) => void,
     onProblem: (error: Error) => void,
     mostBytes = MOST_BYTES,
   ) {
-    this.#computer = computer
+    this.#backend = backend
     this.#onOutcome = onOutcome
     this.#onProblem = onProblem
     this.#mostBytes = mostBytes
   }
 
   get circles(): CircleTable {
-    return this.#computer.circles
+    return this.#backend.circles
   }
 
   /**
@@ -136,7 +136,7 @@ export class Editing {
   }
 
   /** The opened circles without later edits. */
-  get scene(): Scene | undefined {
+  get scene(): CircleSet | undefined {
     return this.#scene
   }
 
@@ -258,7 +258,7 @@ export class Editing {
    * Replaces the circles, then applies edits, before any pending request. Undo restores the former circles. Resolves to
    * `undefined` if the circles were refused.
    */
-  async open(scene: Scene, edits: readonly Edit[] = []): Promise<Edited | undefined> {
+  async open(scene: CircleSet, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     let isOpened = false
     const opened = this.#ask(async () => {
       const before = this.#before()
@@ -296,7 +296,7 @@ export class Editing {
   ): Promise<Edited> {
     const before = this.#domain
     const domain = change === undefined ? before : { ...before, ...change, ...this.#byNumber(change.areas) }
-    const edited = await this.#computer.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits), colors))
+    const edited = await this.#backend.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits), colors))
     const former = { domain: change && before, attributes: attributes && this.#attributes }
     this.#history = record(this.#history, edited.back, gesture, former)
     this.#domain = domain
@@ -337,7 +337,7 @@ export class Editing {
     const { domain = before } = entry
     const steps = entry.steps.unpacked()
     const change = this.#changeTo(domain, this.#sharesOf(domain, steps))
-    const edited = await this.#computer.apply(steps, change)
+    const edited = await this.#backend.apply(steps, change)
     this.#domain = domain
     const attributes = this.#attributes
     this.#attributes = entry.attributes ?? attributes
@@ -373,12 +373,12 @@ export class Editing {
   }
 
   /** `areAll`: no edits follow, so the scene's colors apply to its circles. */
-  async #replaceScene(scene: Scene, areAll = true): Promise<Edited> {
+  async #replaceScene(scene: CircleSet, areAll = true): Promise<Edited> {
     const { circles, domain = NO_DOMAIN } = scene
     const list = listIn(domain.areas)
     if (list !== undefined) checkCount(list, circles.length / 3)
     const shares = { known: list && new Map(list.entries()), inserted: [] }
-    const edited = await this.#computer.setCircles(
+    const edited = await this.#backend.setCircles(
       circles,
       this.#changeTo(domain, shares, areAll ? scene.colors : undefined),
     )

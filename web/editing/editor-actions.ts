@@ -13,7 +13,7 @@ import { short } from '../view/short.ts'
 import { middleOf, nextInDirection, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import { NO_ATTRIBUTES } from './attributes.ts'
 import { CameraActions, isSameCamera, USUAL_RADIUS } from './camera-actions.ts'
-import type { Scene } from './history.ts'
+import type { CircleSet } from './history.ts'
 import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
 import { type Tool, withSelection } from './state.ts'
 import { ENGLISH_EDITING } from './words.ts'
@@ -24,7 +24,7 @@ const PATH_SHARE = 0.6
 const ASIDE = 16
 
 /** Circles to open, with the viewport, layers and step of a link. */
-export interface OpenRequest extends Scene {
+export interface OpenRequest extends CircleSet {
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
   readonly layers?: LinkState['layers']

@@ -6,7 +6,7 @@ import { type Attributes, bytesOfAttributes, NO_ATTRIBUTES } from './attributes.
 import { PackedSteps } from './packed-steps.ts'
 
 /** A set of circles that are opened together. */
-export interface Scene {
+export interface CircleSet {
   readonly circles: Float64s
   /** The name of a data set, or an empty text. */
   readonly dataSet: string
@@ -34,7 +34,7 @@ interface Edits {
 /** The entry that restores circles replaced by an opening. */
 export interface Opening {
   readonly kind: 'opening'
-  readonly scene: Scene
+  readonly scene: CircleSet
   /** The former ids of the circles, in ascending order. */
   readonly ids: Int32Array
   /** The numbers of circles by their ids. Attributes, areas and older entries refer to these numbers. */

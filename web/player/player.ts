@@ -13,7 +13,7 @@ import { Playback } from './playback.ts'
 import css from './player.css?inline'
 import { type Question, questionAfter } from './prediction.ts'
 import { PROGRAMS, type Program } from './program.ts'
-import { type Colors, circlesAt, PLAYER_COLORS, sceneOf } from './scene.ts'
+import { type Colors, circlesAt, PLAYER_COLORS, overlayOf } from './step-overlay.ts'
 import { numberOf, sentenceOf } from './sentences.ts'
 import { concerns, kindOf, nextStep, programOf, type Step, stepsOf } from './steps.ts'
 import { drawTimeline } from './timeline.ts'
@@ -415,7 +415,7 @@ class MethodPlayer implements Player {
     this.#reveal()
     // Of circles that are no longer so, nothing is drawn.
     const isNothing = step === steps.length - 1 || this.#isLoading
-    this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, this.#colorsNow())
+    this.#view.above = isNothing ? [] : overlayOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
   /** Scrolls the current line into the visible part of the player. */

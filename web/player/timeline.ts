@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Colors } from './scene.ts'
+import type { Colors } from './step-overlay.ts'
 import { kindOf, type Step } from './steps.ts'
 import type { StepKind } from './words.ts'
 
