@@ -2,9 +2,10 @@
 
 import { type Attributes, attributesOfLink, isNumeric, textIn } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
-import { EditorActions, type HowOpened, type OpenRequest } from '../editing/editor-actions.ts'
+import { EditorActions } from '../editing/editor-actions.ts'
 import type { CircleSet } from '../editing/history.ts'
 import { COLOR, colorColumn, isColor, NAME, nameColumn } from '../editing/identity.ts'
+import type { HowOpened, OpenRequest } from '../editing/opening-actions.ts'
 import type { Remedy, State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'

@@ -9,6 +9,7 @@ import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { type Attributes, attributesOf, type DataColumn, NO_ATTRIBUTES, numberIn, withValues } from './attributes.ts'
 import {
+  type CircleSet,
   EMPTY_HISTORY,
   type History,
   idsOnceOpened,
@@ -18,7 +19,6 @@ import {
   type Opening,
   record,
   renamed,
-  type CircleSet,
 } from './history.ts'
 import { namesBy } from './identity.ts'
 import { PackedSteps } from './packed-steps.ts'

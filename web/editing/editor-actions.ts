@@ -1,73 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Box, Circle, Edit, Point } from '../lib/index.ts'
-import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
+import type { Circle, Edit, Point } from '../lib/index.ts'
 import { plainRegion } from '../lib/regions/region-shape.ts'
 import { gridSpacing } from '../view/axes.ts'
-import { boundingBox } from '../view/camera.ts'
-import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
+import type { Domain } from '../view/domain.ts'
 import type { GestureTarget, IdentifiedCircle } from '../view/gestures.ts'
-import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { roundStep } from '../view/round-step.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { short } from '../view/short.ts'
-import { middleOf, nextInDirection, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
-import { NO_ATTRIBUTES } from './attributes.ts'
-import { CameraActions, isSameCamera, USUAL_RADIUS } from './camera-actions.ts'
-import type { CircleSet } from './history.ts'
-import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
-import { type Tool, withSelection } from './state.ts'
-import { ENGLISH_EDITING } from './words.ts'
+import { middleOf, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
+import { USUAL_RADIUS } from './camera-actions.ts'
+import { OpeningActions } from './opening-actions.ts'
 
-/** Initial length of a path, relative to the view's width. */
-const PATH_SHARE = 0.6
 /** Offset of a copy from its original, in pixels. */
 const ASIDE = 16
-
-/** Circles to open, with the viewport, layers and step of a link. */
-export interface OpenRequest extends CircleSet {
-  readonly edits?: readonly Edit[] | undefined
-  readonly view?: LinkView | undefined
-  readonly layers?: LinkState['layers']
-  /** The step of playback. If `step` is missing, a running player restarts. */
-  readonly step?: number | undefined
-  /** The method to play. Default: the usual one. */
-  readonly method?: string | undefined
-}
-
-/** The loading stage of circles. */
-export type Stage = 'loading' | 'computing' | 'clipping' | 'fitting' | 'repeating' | 'opened' | 'refused'
-
-/** The result of an opening. `superseded` means that a later request replaced it. */
-export type HowOpened = 'opened' | 'refused' | 'superseded'
 
 /**
  * Everything that a user can do with circles. Input handlers and panels call these methods; apart from results of the
  * backend, nothing else changes the state.
  */
-export class EditorActions extends CameraActions implements GestureTarget {
+export class EditorActions extends OpeningActions implements GestureTarget {
   /** Whether the circles can be selected but not edited. */
   isReadonly = false
-  /** Links to named data sets with more circles than this store only the name. */
-  protected readonly mostNamed: number = 0
-  /** The texts for screen readers. */
-  words = ENGLISH_EDITING
-  /** A circle within a sentence: its name, or its number. */
-  readonly called = (id: number): string => this.words.called(id, this.editing.nameOf(id))
-  /** Called at each stage with the number of circles, 0 if unknown. */
-  onstage: (stage: Stage, circles: number) => void = () => {}
-  #lastLoad = 0
-  /** Stops waiting for a download that may never finish. */
-  #stopLoading: () => void = () => {}
-  #isPanning = false
   #pending: Promise<unknown> | undefined
-
-  get tool(): Tool {
-    return this.#isPanning ? 'pan' : this.store.get().tool
-  }
-
-  get snaps(): boolean {
-    return this.store.get().isSnapping
-  }
 
   circle(id: number): Circle | undefined {
     return this.isReadonly ? undefined : this.editing.circles.get(id)
@@ -75,113 +29,6 @@ export class EditorActions extends CameraActions implements GestureTarget {
 
   beginGesture(): number {
     return this.editing.beginGesture()
-  }
-
-  /** The current state in the form of a link; `undefined` before the first opening. */
-  linkState(): LinkInput | undefined {
-    const { scene, circles, domain, areas, colors } = this.editing
-    if (scene === undefined) return undefined
-    const { camera, size } = this.view
-    const layers = keptLayers(this.view.layers)
-    const { step, method } = this.store.get()
-    // A data set has its own attributes, and areas are stored in the order of the circles.
-    const hasOther = this.editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
-    const isWritten = Array.isArray(areas) || hasOther
-    const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
-    const attributes = said.circles && this.editing.fileAttributes
-    const hasCircles = said.circles !== undefined || said.edits !== undefined
-    return {
-      ...said,
-      ...(hasCircles && colors !== undefined && { colors }),
-      ...(attributes && { attributes }),
-      ...regionOfLink(scene, domain),
-      ...(domain.lattice && { lattice: domain.lattice }),
-      ...(areas !== undefined && { areas }),
-      ...(!this.isWhole && { view: viewOfLink(camera, size) }),
-      ...(Object.keys(layers).length > 0 && { layers }),
-      ...(step !== undefined && { step, method }),
-    }
-  }
-
-  /** Whether circles have been opened or are being opened. */
-  get hasOpened(): boolean {
-    return this.#lastLoad > 0
-  }
-
-  /** Opens circles once they are loaded, unless a later request replaces them. A refusal changes nothing. */
-  async open(load: () => Promise<OpenRequest>): Promise<HowOpened> {
-    this.#lastLoad += 1
-    this.#stopLoading()
-    const stopped = new Promise<undefined>((resolve) => {
-      this.#stopLoading = () => resolve(undefined)
-    })
-    const turn = this.#lastLoad
-    const isSuperseded = () => turn !== this.#lastLoad
-    let end: Stage = 'refused'
-    try {
-      this.onstage('loading', 0)
-      // Opening new circles clears the previous problem.
-      this.complain('')
-      const opened = await Promise.race([load(), stopped])
-      if (opened === undefined || isSuperseded()) return 'superseded'
-      const { edits, view, layers, step, method, ...scene } = opened
-      const before = { camera: this.view.camera, selection: this.store.get().selection }
-      this.select([])
-      const cameraNow = () => this.looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
-      const camera = cameraNow()
-      this.view.setCamera(camera)
-      this.onstage('computing', scene.circles.length / 3)
-      const edited = await this.editing.open(scene, edits)
-      if (isSuperseded()) return 'superseded'
-      if (edited === undefined) {
-        this.view.setCamera(before.camera)
-        const { problem } = this.store.get()
-        this.select(before.selection)
-        this.complain(problem)
-        return 'refused'
-      }
-      end = 'opened'
-      // A panel may have opened beside the picture since, which changes the padding.
-      if (this.view.camera === camera && !isSameCamera(camera, cameraNow())) this.view.setCamera(cameraNow())
-      if (layers !== undefined) this.view.setLayers(layersFrom(layers))
-      else this.#forgetPlaces()
-      this.useTool('select')
-      this.select([])
-      const isPlayed = this.store.get().step !== undefined
-      if ('step' in opened) this.store.update((state) => ({ ...state, step, method, stage: undefined }))
-      else this.showStep(isPlayed ? 0 : undefined)
-      return 'opened'
-    } catch (error) {
-      if (isSuperseded()) return 'superseded'
-      this.complain((error as Error).message)
-      return 'refused'
-    } finally {
-      if (!isSuperseded()) this.onstage(end, this.editing.circles.count)
-    }
-  }
-
-  /** Cancels the current opening; the circles stay. */
-  cancelOpening(): void {
-    // Drops circles that are still loading.
-    if (!this.view.cancel()) {
-      this.#lastLoad += 1
-      this.#stopLoading()
-      this.onstage('refused', 0)
-    }
-  }
-
-  /** Removes layers that refer to positions among the former circles. */
-  #forgetPlaces(): void {
-    const { path, nearZero, maxDistance } = this.view.layers
-    if (path === undefined && nearZero === undefined && maxDistance === undefined) return
-    this.view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
-  }
-
-  /** A path across the visible part of the plane. */
-  pathAcross(): NonNullable<Layers['path']> {
-    const { camera, size } = this.view
-    const half = (PATH_SHARE * size.width) / camera.scale / 2
-    return { from: { x: camera.x - half, y: camera.y }, to: { x: camera.x + half, y: camera.y } }
   }
 
   /** The selected circles, with pending edits applied. */
@@ -219,11 +66,6 @@ export class EditorActions extends CameraActions implements GestureTarget {
     return this.editing.edit(edits)
   }
 
-  /** Shows a problem in one sentence. An empty text clears it. */
-  complain(problem: string): void {
-    this.store.update((state) => ({ ...state, problem }))
-  }
-
   /** Adds circles and selects them. Returns their ids, or none if they were refused. */
   add(circles: readonly Circle[], gesture = this.beginGesture()): Promise<readonly number[]> {
     return this.#selecting(() => this.#add(circles, gesture))
@@ -238,7 +80,7 @@ export class EditorActions extends CameraActions implements GestureTarget {
     if (edited === undefined) return []
     const ids = [...edited.inserted]
     this.select(ids)
-    this.#say(ids.length === 1 ? this.words.added(this.called(ids[0] as number)) : this.words.addedMany(ids.length))
+    this.say(ids.length === 1 ? this.words.added(this.called(ids[0] as number)) : this.words.addedMany(ids.length))
     return ids
   }
 
@@ -278,7 +120,7 @@ export class EditorActions extends CameraActions implements GestureTarget {
       r,
     }))
     const { length } = circles.length > 0 ? await this.add(circles) : []
-    if (length > 0) this.#say(this.words.duplicated(length))
+    if (length > 0) this.say(this.words.duplicated(length))
   }
 
   /** Adds copies of circles: at an offset, or in the middle of the view if they are outside. */
@@ -294,41 +136,13 @@ export class EditorActions extends CameraActions implements GestureTarget {
     this.editing.cancel(gesture)
   }
 
-  /** Shows a step of a method; `undefined` ends playback. `stage` is that of the state. */
-  showStep(step: number | undefined, method = this.store.get().method, stage?: string): void {
-    this.store.update((state) => {
-      const isSame = state.step === step && state.method === method && state.stage === stage
-      return isSame ? state : { ...state, step, method, stage }
-    })
-  }
-
-  useTool(tool: Tool): void {
-    this.store.update((state) => (state.tool === tool ? state : { ...state, tool }))
-  }
-
-  /** Switches the tool for adding circles on or off. */
-  toggleAdding(): void {
-    this.useTool(this.store.get().tool === 'add' ? 'select' : 'add')
-  }
-
-  /** Lets drags pan while a key is held. */
-  holdPanning(isHeld: boolean): void {
-    this.#isPanning = isHeld
-  }
-
-  toggleSnapping(): void {
-    const isSnapping = !this.snaps
-    this.store.update((state) => ({ ...state, isSnapping }))
-    this.#say(isSnapping ? this.words.snaps : this.words.snapsNot)
-  }
-
   async removeSelected(): Promise<void> {
     const ids = this.selectedCircles().map(({ id }) => id)
     if (ids.length === 0) return
     this.select([])
     const edited = await this.editing.edit(ids.map((id) => ({ kind: 'remove', id })))
     if (edited === undefined) return
-    this.#say(ids.length === 1 ? this.words.deleted(this.called(ids[0] as number)) : this.words.deletedMany(ids.length))
+    this.say(ids.length === 1 ? this.words.deleted(this.called(ids[0] as number)) : this.words.deletedMany(ids.length))
   }
 
   /** Moves the selected circles in steps that keep their coordinates short. */
@@ -358,63 +172,7 @@ export class EditorActions extends CameraActions implements GestureTarget {
     if (only === undefined) return
     const { x, y, r } = only.circle
     const numbers = () => this.words.numbers(this.called(only.id), short(x), short(y), short(r))
-    this.#say(others.length === 0 ? numbers() : this.words.moved(changed.length))
-  }
-
-  select(ids: readonly number[]): void {
-    this.store.update((state) => {
-      if (ids.length === state.selection.length && ids.every((id, k) => id === state.selection[k])) return state
-      return { ...withSelection(state, ids, this.editing.circles), described: undefined, problem: '' }
-    })
-  }
-
-  isSelected(id: number): boolean {
-    return this.store.get().selection.includes(id)
-  }
-
-  /** Adds a circle to the selection, or removes it. */
-  toggle(id: number): void {
-    const { selection } = this.store.get()
-    this.select(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id])
-  }
-
-  /** Adds the circles with centers in a box to the selection. */
-  selectWithin(box: Box): void {
-    const { selection } = this.store.get()
-    this.select([...new Set([...selection, ...this.editing.circles.within(box)])])
-    this.#saySelected()
-  }
-
-  selectAll(): void {
-    this.select([...this.editing.circles.ids()])
-    this.#saySelected()
-  }
-
-  /** Selects a circle and brings it into view. */
-  goTo(id: number): void {
-    this.select([id])
-    this.revealCircle(id)
-  }
-
-  /** Selects the circle nearest to the middle of the view. */
-  selectNearMiddle(): void {
-    const hit = this.view.hitAt(this.view.camera, 0)
-    if (hit !== undefined) this.select([hit.id])
-  }
-
-  /** Selects the next or previous circle by number. Returns whether there is one. */
-  selectNext(step: 1 | -1): boolean {
-    const last = this.store.get().selection.at(-1)
-    const next = last === undefined ? undefined : this.editing.circles.next(last + step, step)
-    if (next !== undefined) this.goTo(next)
-    return next !== undefined
-  }
-
-  /** Selects the neighbor in a direction of length 1. */
-  selectNeighbor(direction: readonly [number, number]): void {
-    const { circle } = this.store.get()
-    const next = circle === undefined ? undefined : nextInDirection(circle, this.#neighbors(), direction)
-    if (next !== undefined) this.goTo(next.id)
+    this.say(others.length === 0 ? numbers() : this.words.moved(changed.length))
   }
 
   /**
@@ -426,41 +184,8 @@ export class EditorActions extends CameraActions implements GestureTarget {
     // Circles on a visible grid always have its coordinates, and do not touch their neighbors instead.
     const snapping = this.view.layers.grid
       ? { others: [], grid, within: grid }
-      : { others: this.#neighbors(), grid, within }
+      : { others: this.neighbors(), grid, within }
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
-  }
-
-  /** The neighbors of the selected circles that are not selected. */
-  #neighbors(): (Circle & { id: number })[] {
-    const ids = this.store.get().described?.neighbors ?? []
-    return [...ids].flatMap((id) => {
-      const circle = this.editing.circles.get(id)
-      return circle === undefined ? [] : [{ ...circle, id }]
-    })
-  }
-
-  #say(text: string): void {
-    this.store.update((state) => ({ ...state, said: { text } }))
-  }
-
-  #saySelected(): void {
-    const count = this.store.get().selection.length
-    if (count !== 1) this.#say(this.words.selected(count))
-  }
-
-  hover(id: number | undefined): void {
-    this.store.update((state) => (state.hovered === id ? state : { ...state, hovered: id }))
-  }
-
-  /** Ends the current tool; without one, clears the selection. */
-  release(): void {
-    if (this.store.get().tool !== 'select') this.useTool('select')
-    else this.select([])
-  }
-
-  /** Changes some of the layers. */
-  setLayers(change: Partial<Layers>): void {
-    this.view.setLayers(change)
   }
 
   undo(): Promise<void> {

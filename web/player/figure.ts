@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { editView } from '../editing/edited-view.ts'
 import type { Editing, Outcome, Past } from '../editing/editing.ts'
-import type { EditorActions, OpenRequest } from '../editing/editor-actions.ts'
+import type { EditorActions } from '../editing/editor-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
 import { mountLiveRegion } from '../editing/live-region.ts'
+import type { OpenRequest } from '../editing/opening-actions.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Editing } from '../../editing/editing.ts'
-import type { HowOpened } from '../../editing/editor-actions.ts'
+import type { HowOpened } from '../../editing/opening-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { withIds } from '../../element/check.ts'
