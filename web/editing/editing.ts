@@ -8,6 +8,7 @@ import type { DomainChange, Shares } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { type Attributes, attributesOf, type DataColumn, NO_ATTRIBUTES, numberIn, withValues } from './attributes.ts'
+import { CircleNumbers } from './circle-numbers.ts'
 import {
   type CircleSet,
   EMPTY_HISTORY,
@@ -15,7 +16,6 @@ import {
   idsOnceOpened,
   limited,
   MOST_BYTES,
-  type Numbering,
   type Opening,
   record,
   renamed,
@@ -67,10 +67,7 @@ export class Editing {
   #scene: CircleSet | undefined
   #domain = NO_DOMAIN
   #attributes = NO_ATTRIBUTES
-  /** Maps circle numbers to ids and back, for circles whose number is not `#shift` more than their id. */
-  readonly #ids = new Map<number, number>()
-  readonly #numbers = new Map<number, number>()
-  #shift = 0
+  readonly #numbers = new CircleNumbers()
   #lastAbsent = 0
   #colors: string | undefined
   #history = EMPTY_HISTORY
@@ -159,11 +156,11 @@ export class Editing {
    * The id of a circle by its number. A circle's number is its first id; undo restores a removed circle under a new id.
    */
   idOf(number: number): number {
-    return this.#ids.get(number) ?? number - this.#shift
+    return this.#numbers.idOf(number)
   }
 
   /** The number of a circle. Undo restores a removed circle under its old number. */
-  readonly numberOf = (id: number): number => this.#numbers.get(id) ?? id + this.#shift
+  readonly numberOf = (id: number): number => this.#numbers.numberOf(id)
 
   /** The attributes of circles, by their numbers. */
   get attributes(): Attributes {
@@ -216,31 +213,14 @@ export class Editing {
     })
   }
 
-  #rename(formerId: number, id: number): void {
-    this.#giveNumber(id, this.numberOf(formerId))
-  }
-
-  #giveNumber(id: number, number: number): void {
-    this.#ids.set(number, id)
-    this.#numbers.set(id, number)
-  }
-
-  get #numbering(): Numbering {
-    return { numbers: new Map(this.#numbers), shift: this.#shift, end: this.circles.size + this.#shift }
-  }
-
   /** Reopened circles get their former numbers, and so do removed circles that undo may restore. */
-  #restoreNumbers({ ids, numbering: { numbers, shift, end } }: Opening): (id: number) => number {
-    const numberOf = (id: number) => numbers.get(id) ?? id + shift
-    // New circles get numbers that no circle has had.
-    this.#shift = end - ids.length
-    ids.forEach((id, k) => {
-      if (numberOf(id) !== k + this.#shift) this.#giveNumber(k, numberOf(id))
-    })
+  #restoreNumbers({ ids, numbering }: Opening): (id: number) => number {
+    const former = new CircleNumbers(numbering)
+    this.#numbers.restore(ids, former, numbering.end)
     const idOf = idsOnceOpened(ids, () => --this.#lastAbsent)
     return (id) => {
       const next = idOf(id)
-      if (next < 0) this.#numbers.set(next, numberOf(id))
+      if (next < 0) this.#numbers.give(next, former.numberOf(id))
       return next
     }
   }
@@ -343,7 +323,7 @@ export class Editing {
     this.#attributes = entry.attributes ?? attributes
     const former = steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
-    for (const [formerId, id] of ids) this.#rename(formerId, id)
+    for (const [formerId, id] of ids) this.#numbers.give(id, this.numberOf(formerId))
     const back = {
       ...entry,
       steps: PackedSteps.of(edited.back),
@@ -387,9 +367,7 @@ export class Editing {
     this.#domain = domain
     this.#attributes = scene.attributes ?? NO_ATTRIBUTES
     this.#lastFormer = this.#lastGesture
-    this.#ids.clear()
     this.#numbers.clear()
-    this.#shift = 0
     return edited
   }
 
@@ -435,7 +413,7 @@ export class Editing {
     const ids = this.circles.ids()
     const isRecorded = this.#isRecorded
     // Animated changes are not recorded.
-    const numbering = this.#numbering
+    const numbering = this.#numbers.numbering(this.circles.size)
     if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids, numbering }]
     const circles = this.circles.circles()
     const attributes = this.#attributes === NO_ATTRIBUTES ? undefined : this.#attributes

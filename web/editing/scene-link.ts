@@ -30,7 +30,7 @@ export function regionOfLink({ dataSet, isEdited, domain }: CircleSet, { region 
 }
 
 /** The edits that turn circles with ids from 0 on into the circles of a table. */
-export function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
+function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
   const edits: Edit[] = []
   const count = circles.length / 3
   for (let id = 0; id < count; id++) {

@@ -17,7 +17,7 @@ export type CellColors = (typeof CELL_COLORS)[number]
 export const MOST_MAPPED = 2000
 
 /** The layers of the touching disc method, limited by the number of circles. */
-export const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
+const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
 export type MethodLayer = (typeof METHOD_LAYERS)[number]
 export const MOST_TRACED = 5000
 /** Limit for `all-pairs`, whose number of candidates is quadratic. */

@@ -3,7 +3,7 @@
 /** Circles with a smaller radius are drawn as dots of this radius, in pixels. */
 export const DOT_RADIUS = 1.5
 /** Number of colors of the ramp for measures that a page can set. */
-export const TINTS = 6
+const TINTS = 6
 /** Number of shades of the ramp, interpolated between those colors. */
 export const SHADES = 61
 /** Number of colors that greedy coloring in smallest-last order needs for any map. */

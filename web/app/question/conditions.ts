@@ -49,7 +49,7 @@ export const KINDS: readonly Kind[] = [
 ]
 
 /** The comparison operators. */
-export const COMPARISONS = ['is', 'min', 'max', 'between'] as const
+const COMPARISONS = ['is', 'min', 'max', 'between'] as const
 export type Comparison = (typeof COMPARISONS)[number]
 
 export interface Condition {
