@@ -3,7 +3,7 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { FileActions } from '../../web/app/files/file-actions.ts'
 import { attributesOfLink, namedAs } from '../../web/editing/attributes.ts'
-import type { Scene } from '../../web/editing/history.ts'
+import type { CircleSet } from '../../web/editing/history.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { editingSession, sceneOf } from './editing-session.ts'
 
@@ -31,7 +31,7 @@ beforeEach(() => {
 })
 afterEach(() => vi.unstubAllGlobals())
 
-async function started(more: Partial<Scene> = {}) {
+async function started(more: Partial<CircleSet> = {}) {
   const session = editingSession()
   const { store, editing, view, actions } = session
   await editing.open({ ...sceneOf(CIRCLES, 'grid:5:2'), ...more })

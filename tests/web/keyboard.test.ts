@@ -5,7 +5,6 @@ import type { EditorActions } from '../../web/editing/editor-actions.ts'
 import { listenToKeyboard } from '../../web/editing/keyboard.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
-import type { Listening } from '../../web/view/pointer.ts'
 import type { View } from '../../web/view/view.ts'
 
 /** A stub of an element that knows its ancestors. */
@@ -44,7 +43,6 @@ function listening(state: Partial<State> = {}) {
   listenToKeyboard(
     figure as unknown as HTMLElement,
     { camera: { x: 0, y: 0, scale: 4 } } as View,
-    { pending: undefined } as Listening,
     store,
     actions as unknown as EditorActions,
     { showHelp: () => done.push(['help']) },

@@ -33,8 +33,8 @@ import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
 import { cellArea, Measures, placeAmong } from '../../web/view/painter/measures.ts'
 import { methodResult } from '../../web/view/painter/method-layers.ts'
 import { methodOutcome } from '../../web/view/painter/method-outcome.ts'
+import { type Layer, PaintContext } from '../../web/view/painter/paint-context.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
-import { type Layer, Painting } from '../../web/view/painter/painting.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
@@ -399,7 +399,7 @@ describe('the power diagram', () => {
 function dashesIn(picture: Picture, layer: Layer, frame: Frame): number[][] {
   const drawing = new SvgDrawing()
   const style = { ordinary: 'gray', power: 'teal' } as Style
-  layer.draw(new Painting(drawing, frame, 1, picture, style))
+  layer.draw(new PaintContext(drawing, frame, 1, picture, style))
   const numbers = [...String(drawing).matchAll(/M([-\d.]+),([-\d.]+)L([-\d.]+),([-\d.]+)/g)]
   return numbers.map(([, ...ends]) =>
     ends.map(Number).map((value, k) => {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The animations of the page's circles.
 import { expect, it } from 'vitest'
-import { type Movement, type Moving, movementOf } from '../../web/app/motion/movements.ts'
+import { type Movement, movementOf } from '../../web/app/motion/movements.ts'
 import type { Circle } from '../../web/lib/index.ts'
+import type { IdentifiedCircle } from '../../web/view/gestures.ts'
 import { seededRandom } from './library.ts'
 
 const random = seededRandom(6)
 const BOX = { minX: 0, minY: 0, maxX: 20, maxY: 12 }
-const CIRCLES: readonly Moving[] = Array.from({ length: 12 }, (_, id) => ({
+const CIRCLES: readonly IdentifiedCircle[] = Array.from({ length: 12 }, (_, id) => ({
   id,
   circle: { x: 2 + 3 * (id % 6), y: 3 + 5 * Math.floor(id / 6), r: 0.3 + random() / 2 },
 }))
@@ -24,7 +25,7 @@ it('bouncing circles stay in their box and keep their sizes', () => {
     expect(circle.y).toBeGreaterThan(BOX.minY + circle.r - 0.2)
     expect(circle.y).toBeLessThan(BOX.maxY - circle.r + 0.2)
   }
-  expect(last.some(({ circle }, k) => Math.abs(circle.x - (CIRCLES[k] as Moving).circle.x) > 1)).toBe(true)
+  expect(last.some(({ circle }, k) => Math.abs(circle.x - (CIRCLES[k] as IdentifiedCircle).circle.x) > 1)).toBe(true)
 })
 
 /** Two circles that fly toward each other, at angles 0 and half a turn. */
@@ -37,7 +38,7 @@ function headOn(one: Circle, other: Circle): Movement {
 it('two equal circles that meet exchange their speeds', () => {
   const next = headOn({ x: 5, y: 6, r: 1 }, { x: 9, y: 6, r: 1 })
   const distances = Array.from({ length: 200 }, () => {
-    const [one, other] = next(1 / 60) as [Moving, Moving]
+    const [one, other] = next(1 / 60) as [IdentifiedCircle, IdentifiedCircle]
     return other.circle.x - one.circle.x
   })
   expect(Math.min(...distances)).toBeGreaterThan(1.8)

@@ -2,7 +2,7 @@
 // Openings that follow each other before the first is done.
 import { beforeEach, describe, expect, it, vi } from 'vitest'
 import { PageActions } from '../../web/app/page-actions.ts'
-import type { OpenRequest } from '../../web/editing/editor-actions.ts'
+import type { OpenRequest } from '../../web/editing/opening-actions.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'

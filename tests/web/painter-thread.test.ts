@@ -48,7 +48,7 @@ const nextRequest = () => ++lastRequest
 /** Waits until everything sent has been answered. */
 const heard = async (scene: number) => {
   const request = nextRequest()
-  send({ kind: 'ask', scene, request, name: 'hit', args: [0, 0, 1] })
+  send({ kind: 'ask', scene, request, name: 'touch', args: [0, 0, 1] })
   await vi.waitFor(() => expect(saidOf('answer').some((hit) => hit.request === request)).toBe(true), SOON)
 }
 
@@ -162,7 +162,7 @@ it('edits for other circles than those of the scene change nothing, and those th
 
 it('says what it was doing when it failed, and for which scene', async () => {
   await openScene(8)
-  const broken = (name: 'mark' | 'paintNext' | 'setLayers') =>
+  const broken = (name: 'mark' | 'draw' | 'setLayers') =>
     vi.spyOn(PaintedScene.prototype, name).mockImplementation(() => {
       throw new RangeError('It broke.')
     })
@@ -179,7 +179,7 @@ it('says what it was doing when it failed, and for which scene', async () => {
   const mark = { kind: 'mark', scene: 8, selected: 0, hovered: undefined } as const
   expect(await during('mark', mark)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'mark' } })
   const look = { kind: 'look', scene: 8, style, ...requestOf(1, 1, 10, 1) } as const
-  expect(await during('paintNext', look)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'paint' } })
+  expect(await during('draw', look)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'paint' } })
   const layers = { kind: 'layers', scene: 8, layers: DEFAULT_LAYERS, isPainted: true } as const
   expect(await during('setLayers', layers)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'layers' } })
   send({ kind: 'close', scene: 8 })

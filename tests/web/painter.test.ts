@@ -4,9 +4,10 @@ import { type Circle, CircleVoronoiError, type Edit } from '../../web/lib/index.
 import { BasePicture } from '../../web/view/base-picture.ts'
 import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { Painter, type SceneClient } from '../../web/view/painter.ts'
+import { Painter } from '../../web/view/painter.ts'
 import type { FromPainter, Highlights, InProgress, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
+import type { SceneClient } from '../../web/view/scene-client.ts'
 import { library, seededRandom } from './library.ts'
 
 const COUNTS = { circles: 0, hidden: 0, vertices: 0, edges: 0 }
@@ -82,26 +83,26 @@ describe('the painter', () => {
   })
   afterEach(() => vi.unstubAllGlobals())
 
-  it('rejects what was asked of a thread that fails, and answers what was hit with nothing', async () => {
+  it('rejects what was asked of a thread that fails, and answers questions with nothing', async () => {
     const open = scene.open(Float64Array.of(0, 0, 1))
-    const hit = scene.ask('hit', 0, 0, 1)
+    const touching = scene.ask('touch', 0, 0, 1)
     worker().answer({ kind: 'failed', message: 'out of memory' })
     await expect(open).rejects.toThrow(/out of memory/)
     await expect(open).rejects.not.toBeInstanceOf(CircleVoronoiError)
-    expect(await hit).toBeUndefined()
-    expect(await scene.ask('hit', 0, 0, 1)).toBeUndefined()
+    expect(await touching).toBeUndefined()
+    expect(await scene.ask('touch', 0, 0, 1)).toBeUndefined()
     expect(worker().isTerminated).toBe(true)
   })
 
   it('keeps nothing of what was answered', async () => {
     const kept = vi.spyOn(Map.prototype, 'set')
-    const hit = scene.ask('hit', 0, 0, 1)
+    const touching = scene.ask('touch', 0, 0, 1)
     const asked = kept.mock.contexts.at(-1) as Map<unknown, unknown>
     kept.mockRestore()
     const request = worker().of('ask')[0]?.request as number
     expect([...asked.keys()]).toEqual([request])
     worker().answer({ kind: 'answer', request, value: { id: 1, part: 'disc' } })
-    expect(await hit).toEqual({ id: 1, part: 'disc' })
+    expect(await touching).toEqual({ id: 1, part: 'disc' })
     expect(asked.size).toBe(0)
   })
 
@@ -142,7 +143,7 @@ describe('the painter', () => {
     worker().postMessage = (message) => postMessage.call(worker(), structuredClone(message))
     const data = [{ id: 'a', color: 'red', points: [() => {}] } as never]
     expect(() => scene.setLayers({ ...DEFAULT_LAYERS, data })).toThrow(/could not be cloned/)
-    scene.ask('hit', 0, 0, 1)
+    scene.ask('touch', 0, 0, 1)
     worker().answer({ kind: 'answer', request: 1, value: undefined })
     worker().onerror?.({ message: 'it broke' })
     expect(FakeWorker.all.length).toBe(2)
@@ -183,10 +184,10 @@ describe('the painter', () => {
     ).toEqual([1])
     // A late message of the first thread.
     worker(0).answer({ kind: 'failed', message: 'again' })
-    const hit = scene.ask('hit', 0, 0, 1)
+    const touching = scene.ask('touch', 0, 0, 1)
     const [asked] = worker().of('ask')
     worker().answer({ kind: 'answer', request: asked?.request as number, value: { id: 1, part: 'disc' } })
-    expect(await hit).toEqual({ id: 1, part: 'disc' })
+    expect(await touching).toEqual({ id: 1, part: 'disc' })
   })
 
   it('has another thread cut what the last one cut, and fit nothing again', async () => {
@@ -283,9 +284,9 @@ describe('the painter', () => {
   })
 
   it('replaces a thread that has answered anything', async () => {
-    const hit = scene.ask('hit', 0, 0, 1)
+    const touching = scene.ask('touch', 0, 0, 1)
     worker().answer({ kind: 'answer', request: 1, value: undefined })
-    expect(await hit).toBeUndefined()
+    expect(await touching).toBeUndefined()
     worker().onerror?.({ message: 'it broke' })
     expect(FakeWorker.all.length).toBe(2)
     expect(
@@ -305,16 +306,16 @@ describe('the painter', () => {
   it('leaves nothing open of a scene that is closed, and hears nothing more of it', async () => {
     const other = painter.add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
     const open = scene.open(new Float64Array())
-    const hit = scene.ask('hit', 0, 0, 1)
+    const touching = scene.ask('touch', 0, 0, 1)
     const otherOpen = other.open(new Float64Array())
     scene.close()
     await expect(open).rejects.toThrow('The diagram could not be computed: it was disposed of.')
-    expect(await hit).toBeUndefined()
+    expect(await touching).toBeUndefined()
     const { length } = worker().got
     scene.mark(1, undefined)
     scene.look(request, {} as never)
     scene.close()
-    expect(await scene.ask('hit', 0, 0, 1)).toBeUndefined()
+    expect(await scene.ask('touch', 0, 0, 1)).toBeUndefined()
     await expect(scene.edit([])).rejects.toThrow(/disposed/)
     expect(worker().got).toHaveLength(length)
     worker().answer(opened(1))
@@ -350,7 +351,7 @@ describe('the painter', () => {
   })
 
   it('answers what was asked about other circles with nothing', async () => {
-    const hit = scene.ask('hit', 0, 0, 1)
+    const touching = scene.ask('touch', 0, 0, 1)
     const legend = scene.ask('legend')
     const open = scene.open(Float64Array.of(0, 0, 1))
     worker().answer(opened(1))
@@ -358,7 +359,7 @@ describe('the painter', () => {
     const [first, second] = worker().of('ask')
     worker().answer({ kind: 'answer', request: first?.request as number, value: { id: 0, part: 'disc' } })
     worker().answer({ kind: 'answer', request: second?.request as number, value: { measure: 'area' } })
-    expect([await hit, await legend]).toEqual([undefined, { measure: 'area' }])
+    expect([await touching, await legend]).toEqual([undefined, { measure: 'area' }])
   })
 
   it('is refused an edit without any harm', async () => {

@@ -5,7 +5,7 @@ import { ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from '../..
 import { arcOf } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS } from '../../web/player/program.ts'
-import { type Colors, circlesAt, sceneOf } from '../../web/player/scene.ts'
+import { type Colors, circlesAt, overlayOf } from '../../web/player/step-overlay.ts'
 import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
 import { concerns, kindAt, kindOf, nextStep, programOf, type Step, stepsOf } from '../../web/player/steps.ts'
 import { columnsOf, drawTimeline } from '../../web/player/timeline.ts'
@@ -60,7 +60,7 @@ describe('the steps of a trace', () => {
         expect(sentence).toMatch(/^[A-Z0-9].*[.?]$/)
         expect(sentence).not.toMatch(/undefined|NaN|Infinity|null/)
         const state = trace.at(step.end)
-        for (const layer of sceneOf(trace, step, state, [], circlesAt(trace, circles, state), COLORS)) {
+        for (const layer of overlayOf(trace, step, state, [], circlesAt(trace, circles, state), COLORS)) {
           for (const list of [layer.points, layer.segments, layer.discs]) {
             expect(list?.every(Number.isFinite) ?? true, `${step.line} ${layer.id}`).toBe(true)
           }
@@ -274,7 +274,7 @@ describe('what is shown beside a step', () => {
     const last = steps.findLast(({ line }) => line === 'placeThird' || line === 'finish') as Step
     const state = trace.at(last.end)
     expect(state.segments.length).toBeGreaterThan(100)
-    const layers = sceneOf(trace, last, state, [], circlesAt(trace, circles, state), COLORS)
+    const layers = overlayOf(trace, last, state, [], circlesAt(trace, circles, state), COLORS)
     const drawn = layers.flatMap(({ id, segments }) => (/^(segments|finished)$/.test(id) ? [...(segments ?? [])] : []))
     // The end of a piece where no piece begins is a vertex, and each vertex ends at least one segment.
     const ends = new Set<string>()
@@ -294,7 +294,7 @@ describe('what is shown beside a step', () => {
     const step = steps.find(({ line }) => line === 'angles') as Step
     const state = trace.at(step.end)
     const known = circlesAt(trace, circles, state)
-    const { segments = [] } = sceneOf(trace, step, state, [], known, COLORS).find(({ id }) => id === 'rays') ?? {}
+    const { segments = [] } = overlayOf(trace, step, state, [], known, COLORS).find(({ id }) => id === 'rays') ?? {}
     const { samples } = trace.at(trace.length)
     const expected = Array.from(samples).flatMap((event) => {
       const { disc, circles: of } = trace.event(event)

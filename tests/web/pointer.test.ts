@@ -3,10 +3,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Box, Circle, Point } from '../../web/lib/index.ts'
 import { type Camera, toPlane } from '../../web/view/camera.ts'
+import type { Hit } from '../../web/view/circle-table.ts'
 import type { GestureTarget, IdentifiedCircle, SketchPhase } from '../../web/view/gestures.ts'
+import type { SelectionRectangle } from '../../web/view/overlay.ts'
 import { listenToPointer, type PointerOptions } from '../../web/view/pointer.ts'
-import type { Hit } from '../../web/view/protocol.ts'
-import type { SelectionRectangle, View } from '../../web/view/view.ts'
+import type { View } from '../../web/view/view.ts'
 
 const SIZE = { width: 800, height: 600 }
 /** Ten pixels per unit, with the origin in the middle. */
@@ -41,9 +42,7 @@ class Stage {
   readonly listeners = new Map<string, () => void>()
   slack = 0
   reach = 0
-  /** Whether hit tests are answered at once, or else when `know` is called. */
-  isKnown = true
-  know = () => {}
+  isReadonly = false
   pathEnd: 'from' | 'to' | undefined
   handle: Point | undefined
   handleSlack = 0
@@ -64,15 +63,11 @@ class Stage {
   setCamera(camera: Camera): void {
     this.camera = camera
   }
-  ask(_: 'hit', x: number, y: number, slack: number, reach: number): Promise<Hit | undefined> {
+  hitAt({ x, y }: Point, slack: number, reach: number): Hit | undefined {
     this.slack = slack
     this.reach = reach
     this.done.push(['hit', x, y])
-    const { under } = this
-    if (this.isKnown) return Promise.resolve(under)
-    return new Promise((resolve) => {
-      this.know = () => resolve(under)
-    })
+    return this.under
   }
   on(name: string, listener: () => void): () => void {
     this.listeners.set(name, listener)
@@ -97,7 +92,7 @@ class Stage {
 
   // The stubs of the gestures' effects.
   circle(id: number): Circle | undefined {
-    return CIRCLES[id]
+    return this.isReadonly ? undefined : CIRCLES[id]
   }
   selectedCircles(): IdentifiedCircle[] {
     return this.selection.map((id) => ({ id, circle: CIRCLES[id] as Circle }))
@@ -136,7 +131,7 @@ class Stage {
   async addFitting(center: Point): Promise<void> {
     this.done.push(['addFitting', center])
   }
-  async fitted({ x, y }: Point): Promise<Circle> {
+  fitted({ x, y }: Point): Circle {
     return { x, y, r: 1 }
   }
   draw(how: SketchPhase, point: Point, within: number): void {
@@ -344,79 +339,68 @@ describe('a press', () => {
   })
 })
 
-describe('what is under the pointer and not known yet', () => {
-  it('keeps the last move until it is', async () => {
+describe('a press is answered at once', () => {
+  /** Sends an event without waiting for anything. */
+  const sendNow = (stage: Stage, type: string, point: Point, more: object = {}) => {
+    stage.send(type, point, more)
+  }
+
+  it('by a drag of the circle under it', () => {
     const stage = new Stage()
-    stage.isKnown = false
     stage.under = disc(0)
-    expect(stage.listening.pending).toBeUndefined()
-    await stage.press([pixel(0, 0), pixel(1, 0), pixel(2, 0)])
-    expect(stage.of(...DOING)).toEqual([])
-    expect(stage.listening.pending).toBeInstanceOf(Promise)
-    stage.know()
-    await settled()
+    sendNow(stage, 'pointerdown', pixel(0, 0))
+    expect(stage.of(...DOING)).toEqual([['select', 0]])
+    sendNow(stage, 'pointermove', pixel(1, 0))
+    sendNow(stage, 'pointermove', pixel(2, 0))
     expect(stage.of(...DOING)).toMatchObject([
       ['select', 0],
+      ['set', 1, { circle: { x: 1 } }],
       ['set', 1, { circle: { x: 2 } }],
     ])
-    expect(stage.listening.pending).toBeUndefined()
-    await stage.send('pointermove', pixel(3, 0))
-    expect(stage.of('set')).toHaveLength(2)
   })
 
-  it('is clicked, or ended, once it is', async () => {
+  it('by a click on its cell, and by a band', () => {
     const stage = new Stage()
-    stage.isKnown = false
     stage.under = { id: 1, part: 'cell' }
-    await stage.send('pointerdown', pixel(0, 0))
-    const { know } = stage
-    await stage.send('pointerup', pixel(0, 0))
+    sendNow(stage, 'pointerdown', pixel(0, 0))
     expect(stage.of(...DOING)).toEqual([])
-    know()
-    await settled()
+    sendNow(stage, 'pointerup', pixel(0, 0))
     expect(stage.of(...DOING)).toEqual([['select', 1]])
-    expect(stage.listening.pending).toBeUndefined()
 
-    await stage.press([pixel(1, 2)], { shiftKey: true })
-    const { know: knowBand } = stage
-    await stage.send('pointermove', pixel(4, 6))
-    await stage.send('pointerup', pixel(4, 6))
-    knowBand()
-    await settled()
+    sendNow(stage, 'pointerdown', pixel(1, 2), { shiftKey: true })
+    sendNow(stage, 'pointermove', pixel(4, 6))
+    sendNow(stage, 'pointerup', pixel(4, 6))
     expect(stage.of('selectWithin')).toEqual([['selectWithin', { minX: 1, minY: 2, maxX: 4, maxY: 6 }]])
   })
 
-  it('and what is pressed before a pan is seen is where the pan brings it', async () => {
+  it('where the pan before it has brought the picture', () => {
     const stage = new Stage()
     const touch = { pointerType: 'touch' }
     for (const press of [
-      () => stage.send('pointerdown', pixel(10, 0)),
-      () => stage.send('dblclick', pixel(10, 0)),
-      () => stage.drag([pixel(10, 0)], touch),
+      () => sendNow(stage, 'pointerdown', pixel(10, 0)),
+      () => sendNow(stage, 'dblclick', pixel(10, 0)),
+      () => sendNow(stage, 'pointerdown', pixel(10, 0), touch),
     ]) {
       stage.camera = CAMERA
-      stage.isKnown = false
-      await stage.press([pixel(0, 0), pixel(2, 1)])
-      const { know } = stage
-      await stage.send('pointerup', pixel(2, 1))
-      await press()
+      for (const [type, x, y] of [
+        ['pointerdown', 0, 0],
+        ['pointermove', 2, 1],
+        ['pointerup', 2, 1],
+      ] as const)
+        sendNow(stage, type, pixel(x, y))
       stage.done.length = 0
-      stage.isKnown = true
-      know()
-      await settled()
+      press()
       expect(stage.of('hit')).toEqual([['hit', 8, -1]])
-      await stage.send('pointercancel', pixel(10, 0))
+      sendNow(stage, 'pointercancel', pixel(10, 0))
     }
   })
 
-  it('is not moved after Escape', async () => {
+  it('and by Escape, after which nothing moves', () => {
     const stage = new Stage()
-    stage.isKnown = false
     stage.under = disc(0)
-    await stage.press([pixel(0, 0), pixel(1, 0)])
-    await stage.send('keydown', pixel(0, 0), { key: 'Escape' })
-    stage.know()
-    await settled()
+    sendNow(stage, 'pointerdown', pixel(0, 0))
+    sendNow(stage, 'keydown', pixel(0, 0), { key: 'Escape' })
+    sendNow(stage, 'pointermove', pixel(1, 0))
     expect(stage.of('set')).toEqual([])
   })
 })
@@ -718,38 +702,32 @@ describe('a press that rests where nothing is', () => {
     const stage = new Stage()
     const asked: Point[] = []
     let know = () => {}
-    stage.fitted = (point) => {
-      asked.push(point)
+    stage.tryCircle = (circle) => {
+      if (circle === undefined) return Promise.resolve()
+      asked.push(circle)
       return new Promise((resolve) => {
-        know = () => resolve({ ...point, r: 1 })
+        know = resolve
       })
     }
     await send(stage, 'pointerdown', pixel(1, 2))
     await vi.advanceTimersByTimeAsync(400)
     showFrame()
-    // Repeats with and without room for a circle.
-    for (let k = 0; k < 2; k++) {
-      await vi.advanceTimersByTimeAsync(0)
-      if (k === 0) know()
-    }
+    await vi.advanceTimersByTimeAsync(0)
     for (const x of [3, 4, 5]) await send(stage, 'pointermove', pixel(x, 2))
-    expect(asked.map(({ x }) => x)).toEqual([1, 1])
+    expect(asked.map(({ x }) => x)).toEqual([1])
     know()
     await vi.advanceTimersByTimeAsync(0)
-    expect(asked.map(({ x }) => x)).toEqual([1, 1, 5])
+    expect(asked.map(({ x }) => x)).toEqual([1, 5])
     know()
     await vi.advanceTimersByTimeAsync(0)
     await send(stage, 'pointermove', pixel(6, 2))
-    expect(asked.map(({ x }) => x)).toEqual([1, 1, 5, 6])
-    expect(stage.of('tryCircle')).toMatchObject([
-      ['tryCircle', { x: 1 }],
-      ['tryCircle', { x: 5 }],
-    ])
+    expect(asked.map(({ x }) => x)).toEqual([1, 5, 6])
     // An answer after the release has no effect.
-    await send(stage, 'pointerup', pixel(6, 2))
+    await send(stage, 'pointermove', pixel(7, 2))
+    await send(stage, 'pointerup', pixel(7, 2))
     know()
     await vi.advanceTimersByTimeAsync(0)
-    expect(stage.of('tryCircle').slice(2)).toEqual([['tryCircle', undefined]])
+    expect(asked.map(({ x }) => x)).toEqual([1, 5, 6])
   })
 
   it('tries none with another tool, another button, Shift, or on a handle', async () => {
@@ -793,39 +771,38 @@ describe('in a page that scrolls', () => {
   const touch = { pointerType: 'touch' }
 
   it('a finger where nothing can be dragged leaves scrolling to the page, and selects what it taps', async () => {
-    const stage = new Stage({ isGrabbed: () => false })
+    const stage = new Stage({ letsPageScroll: true })
+    stage.isReadonly = true
     stage.under = disc(0)
     await stage.drag([pixel(1, 0), pixel(5, 0)], touch)
     expect(stage.of(...DOING)).toEqual([])
     expect(stage.camera).toBe(CAMERA)
-    await stage.drag([pixel(1, 0)], touch)
-    expect([stage.slack, stage.of(...DOING)]).toEqual([1.2, [['select', 0]]])
-    expect(stage.listening.pending).toBeUndefined()
+    await stage.press([pixel(1, 0)], touch)
+    expect([stage.slack, stage.reach]).toEqual([1.2, 2.2])
+    await stage.send('pointerup', pixel(1, 0), touch)
+    expect(stage.of(...DOING)).toEqual([['select', 0]])
     stage.under = undefined
     await stage.drag([pixel(9, 9)], touch)
     expect(stage.of('select').at(-1)).toEqual(['select'])
     // A mouse does not scroll the page.
+    stage.isReadonly = false
     stage.under = disc(0)
     await stage.drag([pixel(0, 0), pixel(1, 0)])
     expect(stage.of('set')).toHaveLength(1)
   })
 
   it('a finger drags a circle at once, however small, and keeps the page still', async () => {
-    const asked: unknown[] = []
-    const stage = new Stage({
-      isGrabbed(point, within) {
-        asked.push([point, within])
-        return true
-      },
-    })
+    const stage = new Stage({ letsPageScroll: true })
     stage.under = disc(2)
     await stage.drag([pixel(0, 10), pixel(1, 10)], touch)
     expect(stage.of('set')).toHaveLength(1)
-    expect(asked).toEqual([[{ x: 0, y: 10 }, 1.2]])
+    expect(stage.of('hit')[0]).toEqual(['hit', 0, 10])
+    expect([stage.slack, stage.reach]).toEqual([0.5, 0])
   })
 
   it('only a finger that drags, or a second one, keeps the page from scrolling', async () => {
-    const stage = new Stage({ isGrabbed: ({ x }) => x === 0 })
+    const stage = new Stage({ letsPageScroll: true })
+    stage.hitAt = ({ x }) => (x === 0 ? disc(0) : { id: 0, part: 'cell' })
     // Pointer events precede touch events.
     const keeps = async (...places: number[]) => {
       const fingers = places.map((x, pointerId) => [pixel(x, 0), { ...touch, pointerId }] as const)
@@ -846,7 +823,7 @@ describe('in a page that scrolls', () => {
 
   it('the wheel scrolls the page until the view is pressed, and again once the pointer has left; with Ctrl it zooms', async () => {
     vi.stubGlobal('WheelEvent', { DOM_DELTA_LINE: 1 })
-    const stage = new Stage({ isGrabbed: () => false })
+    const stage = new Stage({ letsPageScroll: true })
     const zooms = async (more: object = {}) => {
       const before = stage.of('zoom').length
       const { defaultPrevented } = await stage.send('wheel', pixel(1, 2), { deltaY: 100, deltaMode: 0, ...more })
@@ -875,16 +852,6 @@ describe('a pointer that is not pressed', () => {
       await settled()
       expect(stage.of('hover').at(-1)).toEqual(['hover', id])
     }
-    // Changes meanwhile are answered by one more question.
-    stage.isKnown = false
-    const before = stage.of('hit').length
-    for (let k = 0; k < 9; k++) stage.listeners.get('camera')?.()
-    stage.isKnown = true
-    stage.under = disc(2)
-    stage.know()
-    await settled()
-    expect(stage.of('hit')).toHaveLength(before + 2)
-    expect(stage.of('hover').at(-1)).toEqual(['hover', 2])
     await stage.send('pointerleave', pixel(0, 0))
     stage.done.length = 0
     stage.listeners.get('camera')?.()
@@ -923,12 +890,9 @@ describe('a pointer that is not pressed', () => {
     const stage = new Stage()
     await stage.send('pointermove', pixel(1, 2), { pointerType: 'touch' })
     expect(stage.done).toEqual([])
-    stage.isKnown = false
-    await stage.send('pointermove', pixel(1, 2))
-    const { know } = stage
     await stage.send('pointerdown', pixel(1, 2))
-    know()
-    await settled()
+    stage.listeners.get('camera')?.()
+    await stage.send('pointermove', pixel(5, 2))
     expect(stage.of('hover')).toEqual([])
   })
 
@@ -956,16 +920,15 @@ describe('a pointer that is not pressed', () => {
     ])
   })
 
-  it('has left before what was under it is known: nothing is hovered', async () => {
+  it('has left: the circle that it hovered over is not hovered any more', async () => {
     const stage = new Stage()
     stage.under = disc(0)
-    stage.isKnown = false
     await stage.send('pointermove', pixel(1, 2))
-    const { know } = stage
     await stage.send('pointerleave', pixel(0, 0))
-    know()
-    await settled()
-    expect(stage.of('hover')).toEqual([['hover', undefined]])
+    expect(stage.of('hover')).toEqual([
+      ['hover', 0],
+      ['hover', undefined],
+    ])
   })
 
   it('shows that it pans while it does', async () => {

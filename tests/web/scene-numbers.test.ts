@@ -79,14 +79,14 @@ describe('circles that are opened are not changed by', () => {
     expect(circles().length).toBe(FORMER.length)
   })
 
-  it('a circle that is added once it is known where it fits', async () => {
+  it('a circle that is added once it is known where there is room', async () => {
     const { editing, actions, fake, circles } = await started()
     let answer = () => {}
     fake.ask = () =>
       new Promise((resolve) => {
         answer = () => resolve(undefined)
       })
-    const added = actions.addFitting({ x: 50, y: 50 })
+    const added = actions.addInRoom()
     await editing.open(sceneOf(OPENED))
     answer()
     await added

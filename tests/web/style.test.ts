@@ -18,7 +18,7 @@ it('views have the colors of the style sheet of all pages', () => {
   for (const name of ['paper', 'edge', 'accent']) expect(theme.get(name), name).toBe(tokens.get(name))
   for (let k = 0; k < 6; k++) expect(theme.get(`map-${k}`)).toBe(tokens.get(`c${k}`))
   expect(theme.get('cell-opacity')).toBe(`rgb(0 0 0 / ${tokens.get('cell')})`)
-  const width = readFileSync(new URL('../../web/view/painter/painting.ts', import.meta.url), 'utf8')
+  const width = readFileSync(new URL('../../web/view/painter/paint-context.ts', import.meta.url), 'utf8')
   expect(`${/THICKEST_LINE = ([\d.]+)/.exec(width)?.[1]}px`).toBe(tokens.get('edge-width'))
 })
 

@@ -2,6 +2,7 @@
 // Repeating circles in the painting thread.
 import { describe, expect, it } from 'vitest'
 import type { CircleVoronoiError, Lattice } from '../../web/lib/index.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import { boxOf } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS, repeatingLayers } from '../../web/view/layers.ts'
 import { answers } from '../../web/view/painter/answers.ts'
@@ -67,12 +68,13 @@ describe('circles that repeat', () => {
       { kind: 'insert', circle: { x: 1, y: 1, r: 0.1 } },
     ])
     expect(scene.counts().circles).toBe(12)
-    expect(scene.hit(1, 1, 0.01)?.id).toBe(12)
+    expect(scene.nearest(1, 1)).toBe(12)
   })
 
   it('are found by any image, and name their neighbors by their own ids', () => {
     const coordinates = circles(9, 5).map((value, k) => (k % 3 === 2 ? 0.05 : value))
     const scene = sceneOf(coordinates)
+    const table = new CircleTable(coordinates)
     for (let i = 0; i < 9; i++) {
       const [x, y] = [coordinates[3 * i] as number, coordinates[3 * i + 1] as number]
       for (const [k, l] of [
@@ -81,7 +83,11 @@ describe('circles that repeat', () => {
         [-2, 1],
         [0, -3],
       ] as const) {
-        expect(scene.hit(x + 8 * k + 2 * l, y + 6 * l, 0.01)?.id).toBe(i)
+        const place = { x: x + 0.05 + 8 * k + 2 * l, y: y + 6 * l }
+        expect(table.hitAt(place, 0.01, 0, { lattice: LATTICE })).toEqual({
+          id: i,
+          part: k === 0 && l === 0 ? 'rim' : 'disc',
+        })
         expect(scene.nearest(x + 8 * k + 2 * l, y + 6 * l)).toBe(i)
       }
     }

@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { roundLength } from '../../web/app/panels/scale.ts'
 import type { Box, Edit } from '../../web/lib/index.ts'
 import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../web/view/camera.ts'
+import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS, type Layers, MOST_MAPPED } from '../../web/view/layers.ts'
 import { BoxIndex } from '../../web/view/painter/box-index.ts'
 import { addAround } from '../../web/view/painter/boxes.ts'
@@ -102,8 +103,7 @@ describe('the frame of a picture', () => {
 })
 
 describe('what is hit', () => {
-  const scene = new PaintedScene(library)
-  scene.open(Float64Array.of(0, 0, 10, 3, 0, 2, 40, 0, 0.1))
+  const circles = new CircleTable(Float64Array.of(0, 0, 10, 3, 0, 2, 40, 0, 0.1))
 
   it.each([
     [
@@ -131,40 +131,72 @@ describe('what is hit', () => {
       { id: 2, part: 'cell' },
     ],
   ])('at %j is %j', (point, hit) => {
-    expect(scene.hit(point.x, point.y, 0.5)).toEqual(hit)
+    expect(circles.hitAt(point, 0.5)).toEqual(hit)
   })
 
   it('is the nearest of two rims that overlap', () => {
-    const two = new PaintedScene(library)
-    two.open(Float64Array.of(0, 0, 10, 1, 0, 10))
-    expect(two.hit(10.2, 0, 1)).toEqual({ id: 0, part: 'rim' })
-    expect(two.hit(10.8, 0, 1)).toEqual({ id: 1, part: 'rim' })
+    const two = new CircleTable(Float64Array.of(0, 0, 10, 1, 0, 10))
+    expect(two.hitAt({ x: 10.2, y: 0 }, 1)).toEqual({ id: 0, part: 'rim' })
+    expect(two.hitAt({ x: 10.8, y: 0 }, 1)).toEqual({ id: 1, part: 'rim' })
   })
 
   it('of a finger is the nearest small circle in its reach, also above a large one and beside others', () => {
-    const scene = new PaintedScene(library)
-    scene.open(Float64Array.of(0, 0, 10, 2, 0, 0.2, 4, 0, 0.2, 30, 0, 5))
-    expect(scene.hit(2.9, 0, 0.5, 2)).toEqual({ id: 1, part: 'disc', inReach: 2 })
-    expect(scene.hit(3.1, 0, 0.5, 2)).toEqual({ id: 2, part: 'disc', inReach: 2 })
-    expect(scene.hit(-5, 0, 0.5, 2)).toEqual({ id: 0, part: 'disc' })
-    expect(scene.hit(25.2, 0, 0.5, 2)).toEqual({ id: 3, part: 'rim' })
-    expect(scene.hit(20, 0, 0.5, 2)).toEqual({ id: 3, part: 'cell' })
+    const scene = new CircleTable(Float64Array.of(0, 0, 10, 2, 0, 0.2, 4, 0, 0.2, 30, 0, 5))
+    expect(scene.hitAt({ x: 2.9, y: 0 }, 0.5, 2)).toEqual({ id: 1, part: 'disc', inReach: 2 })
+    expect(scene.hitAt({ x: 3.1, y: 0 }, 0.5, 2)).toEqual({ id: 2, part: 'disc', inReach: 2 })
+    expect(scene.hitAt({ x: -5, y: 0 }, 0.5, 2)).toEqual({ id: 0, part: 'disc' })
+    expect(scene.hitAt({ x: 25.2, y: 0 }, 0.5, 2)).toEqual({ id: 3, part: 'rim' })
+    expect(scene.hitAt({ x: 20, y: 0 }, 0.5, 2)).toEqual({ id: 3, part: 'cell' })
     // A mouse needs less room.
-    expect(scene.hit(3.1, 0, 0.5)).toEqual({ id: 0, part: 'disc' })
+    expect(scene.hitAt({ x: 3.1, y: 0 }, 0.5)).toEqual({ id: 0, part: 'disc' })
   })
 
   it('is where circles are after edits', () => {
-    const edited = new PaintedScene(library)
-    edited.open(Float64Array.of(0, 0, 1, 10, 0, 1))
-    edited.edit([{ kind: 'replace', id: 0, circle: { x: 5, y: 5, r: 1 } }])
-    expect(edited.hit(5, 5, 0.1)).toEqual({ id: 0, part: 'disc' })
-    expect(edited.hit(0, 0, 0.1)).toEqual({ id: 0, part: 'cell' })
-    edited.edit([{ kind: 'remove', id: 0 }])
-    expect(edited.hit(5, 5, 0.1)).toEqual({ id: 1, part: 'cell' })
+    const edited = new CircleTable(Float64Array.of(0, 0, 1, 10, 0, 1))
+    edited.follow({ ...NO_CHANGE, replaced: Int32Array.of(0), circles: Float64Array.of(5, 5, 1) })
+    expect(edited.hitAt({ x: 5, y: 5 }, 0.1)).toEqual({ id: 0, part: 'disc' })
+    expect(edited.hitAt({ x: 0, y: 0 }, 0.1)).toEqual({ id: 0, part: 'cell' })
+    edited.follow({ ...NO_CHANGE, removed: Int32Array.of(0) })
+    expect(edited.hitAt({ x: 5, y: 5 }, 0.1)).toEqual({ id: 1, part: 'cell' })
   })
 
   it('is nothing where there is nothing', () => {
-    expect(new PaintedScene(library).hit(0, 0, 1)).toBeUndefined()
+    expect(new CircleTable(new Float64Array()).hitAt({ x: 0, y: 0 }, 1)).toBeUndefined()
+  })
+})
+
+describe('the cell that is hit', () => {
+  it('is that of the diagram, also where circles hide others', () => {
+    const random = seededRandom(11)
+    for (const most of [0, 0.05, 0.6]) {
+      const circles = Float64Array.from({ length: 300 }, (_, k) => (k % 3 === 2 ? most * random() : random()))
+      const scene = new PaintedScene(library)
+      scene.open(circles)
+      const table = new CircleTable(circles)
+      for (let k = 0; k < 200; k++) {
+        const [x, y] = [2 * random() - 0.5, 2 * random() - 0.5]
+        const hit = table.hitAt({ x, y }, 0)
+        const excess = (id: number) =>
+          Math.hypot((circles[3 * id] as number) - x, (circles[3 * id + 1] as number) - y) -
+          (circles[3 * id + 2] as number)
+        if (hit?.part === 'cell') expect(hit.id).toBe(scene.nearest(x, y))
+        else expect(excess(hit?.id as number)).toBeLessThanOrEqual(0)
+      }
+    }
+  })
+
+  it('is that of the nearest image of a circle that repeats', () => {
+    const lattice = { a: [3, 0], b: [7, 0.5] } as const
+    const random = seededRandom(12)
+    const circles = Float64Array.from({ length: 30 }, (_, k) => (k % 3 === 2 ? 0.05 * random() : random()))
+    const scene = new PaintedScene(library)
+    const { circles: wrapped = circles } = scene.open(circles, { lattice })
+    const table = new CircleTable(wrapped as Float64Array<ArrayBuffer>)
+    for (let k = 0; k < 300; k++) {
+      const [x, y] = [20 * random() - 10, 20 * random() - 10]
+      const hit = table.hitAt({ x, y }, 0, 0, { lattice })
+      if (hit?.part === 'cell') expect(hit.id).toBe(scene.nearest(x, y))
+    }
   })
 })
 

@@ -5,12 +5,12 @@ import type { Diagram } from '../lib/index.ts'
 import { boundingBox } from '../view/camera.ts'
 import { Coloring } from '../view/painter/coloring.ts'
 
-/** Cells and edges go so many times as far as the circles: no window is that much wider than high. */
+/** Extent of cells and edges, relative to that of the circles. It exceeds the aspect ratio of every window. */
 const REACH = 12
 /** Digits after the decimal point, of circles that are a few units large. */
 const DIGITS = 3
 
-/** An SVG with the circles of a diagram in its box; what lies outside overflows. Colors are those of the style sheet. */
+/** Returns an SVG whose box is that of the circles; cells overflow it. The style sheet sets the colors. */
 export function firstPicture(diagram: Diagram): string {
   const { circles } = diagram
   const box = boundingBox(circles)

@@ -46,7 +46,7 @@ import { styleSheetsLoaded } from './style-sheets.ts'
 //              ▼           ▼      confirmed        │
 //            store ◄───────┴───────────────────────┘
 //              │
-//              └──► panels, and what stands out in the view
+//              └──► panels, and highlights in the view
 
 const firstPicture = document.getElementById('first-picture')
 if (location.hash === '') askAhead((DATA_SETS[0] as DataSet).id)

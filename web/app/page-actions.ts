@@ -2,9 +2,10 @@
 
 import { type Attributes, attributesOfLink, isNumeric, textIn } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
-import { EditorActions, type HowOpened, type OpenRequest } from '../editing/editor-actions.ts'
-import type { Scene } from '../editing/history.ts'
+import { EditorActions } from '../editing/editor-actions.ts'
+import type { CircleSet } from '../editing/history.ts'
 import { COLOR, colorColumn, isColor, NAME, nameColumn } from '../editing/identity.ts'
+import type { HowOpened, OpenRequest } from '../editing/opening-actions.ts'
 import type { Remedy, State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'
@@ -13,8 +14,7 @@ import { frameOf } from '../lib/link-frame.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
 import type { SketchPhase } from '../view/gestures.ts'
-import type { Layers } from '../view/layers.ts'
-import type { Edited } from '../view/painter.ts'
+import type { Edited } from '../view/scene-client.ts'
 import type { View } from '../view/view.ts'
 import { boxAround } from './box-around.ts'
 import { cellValues } from './cell-values.ts'
@@ -38,13 +38,9 @@ import type { RegionPen } from './region-pen.ts'
 export class PageActions extends EditorActions {
   /** Names in links are limited like circles in links. */
   protected override readonly mostNamed = LINK_LIMITS.circles
-  readonly #editing: Editing
   /** Reads and generates circles. */
   readonly #reader: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
-  readonly #shown: () => string
-  readonly #layers: () => Layers
-  readonly #remedy: (remedy: Remedy) => void
   /** The attributes of the current colors. */
   #attributes: Attributes | undefined
 
@@ -56,12 +52,8 @@ export class PageActions extends EditorActions {
     reader: Pick<FilesClient, 'call' | 'cancel'>,
   ) {
     super(store, editing, view, padding)
-    this.#editing = editing
     this.#reader = reader
     this.#make = (recipe) => reader.call('make', recipe)
-    this.#shown = () => store.get().dataSet
-    this.#layers = () => view.layers
-    this.#remedy = (remedy) => store.update((state) => ({ ...state, remedy }))
   }
 
   /** Draws with the tool `draw`. */
@@ -85,10 +77,10 @@ export class PageActions extends EditorActions {
     gesture?: number,
     edits: readonly Edit[] = [],
   ): Promise<Edited | undefined> {
-    const { count } = this.#editing.circles
+    const { count } = this.editing.circles
     // Cells are cut to a region, or they repeat in a box.
-    const isOther = change.region !== undefined && this.#editing.domain.lattice !== undefined
-    const { areas, region } = { ...this.#editing.domain, ...change }
+    const isOther = change.region !== undefined && this.editing.domain.lattice !== undefined
+    const { areas, region } = { ...this.editing.domain, ...change }
     this.onstage(areas !== undefined ? 'fitting' : region !== undefined ? 'clipping' : 'repeating', count)
     try {
       return await super.setDomain(isOther ? { lattice: undefined, ...change } : change, gesture, edits)
@@ -99,18 +91,18 @@ export class PageActions extends EditorActions {
 
   /** Prescribes areas; `undefined` restores the former radii. */
   async setAreas(areas: Areas | undefined, gesture?: number): Promise<Edited | undefined> {
-    const { circles, domain } = this.#editing
+    const { circles, domain } = this.editing
     const all = Array.from(circles.ids(), (id) => ({ id, circle: circles.get(id) as Circle }))
     if (areas !== undefined && domain.areas === undefined) {
       this.#radii.clear()
-      for (const { id, circle } of all) this.#radii.set(this.#editing.numberOf(id), circle.r)
+      for (const { id, circle } of all) this.#radii.set(this.editing.numberOf(id), circle.r)
     }
     return this.setDomain({ areas }, gesture, areas === undefined ? this.#withRadii() : [])
   }
 
   /** Edits that give circles the radii again that they had before areas. */
   #withRadii(move: Point = { x: 0, y: 0 }): Edit[] {
-    const { circles } = this.#editing
+    const { circles } = this.editing
     const radii = this.radii()
     return Array.from(circles.ids(), (id, k): Edit => {
       const { x, y } = circles.get(id) as Circle
@@ -118,16 +110,16 @@ export class PageActions extends EditorActions {
     })
   }
 
-  /** Has the circles repeat in a box around them, which has a corner at the origin: where it must, they move there. */
+  /** Makes the circles periodic in a box around them with a corner at the origin. Moves them there if necessary. */
   async repeat(): Promise<void> {
-    const { circles } = this.#editing
+    const { circles } = this.editing
     const { lattice, move } = boxAround(circles.box(), circles.count)
     await this.setLattice(lattice, move)
   }
 
-  /** Has the circles repeat with two periods, or no longer. They move first. Cells in a box are whole, so a region goes. */
+  /** Sets or removes the periods after moving the circles. Periodic cells are whole, so a region is removed. */
   async setLattice(lattice: Lattice | undefined, move: Point = { x: 0, y: 0 }): Promise<void> {
-    const { areas } = this.#editing.domain
+    const { areas } = this.editing.domain
     const isMoved = move.x !== 0 || move.y !== 0
     const edits = lattice !== undefined && (isMoved || areas !== undefined) ? this.#withRadii(move) : []
     const change = lattice === undefined ? { lattice } : { lattice, region: undefined, areas: undefined }
@@ -137,7 +129,7 @@ export class PageActions extends EditorActions {
 
   /** Offers a remedy for the current problem. */
   offer(remedy: Remedy): void {
-    this.#remedy(remedy)
+    this.store.update((state) => ({ ...state, remedy }))
   }
 
   /** Opens circles, and colors them by a column if they come with one. */
@@ -154,39 +146,39 @@ export class PageActions extends EditorActions {
 
   /** The name of a circle, or an empty text. */
   nameOf(id: number): string {
-    return this.#editing.nameOf(id)
+    return this.editing.nameOf(id)
   }
 
   /** Names a circle; an empty text removes its name. */
   async setName(id: number, name: string): Promise<void> {
-    const column = nameColumn(this.#editing.attributes.columns)?.name ?? NAME
-    await this.#editing.setValues(column, new Map([[id, name === '' ? '' : JSON.stringify(name)]]))
+    const column = nameColumn(this.editing.attributes.columns)?.name ?? NAME
+    await this.editing.setValues(column, new Map([[id, name === '' ? '' : JSON.stringify(name)]]))
   }
 
   /** Gives circles a CSS color of their own; `undefined` removes it. */
   async setColor(ids: readonly number[], color: string | undefined, gesture?: number): Promise<void> {
-    const column = colorColumn(this.#editing.attributes.columns)?.name ?? COLOR
+    const column = colorColumn(this.editing.attributes.columns)?.name ?? COLOR
     const value = color === undefined ? '' : JSON.stringify(color)
-    await this.#editing.setValues(column, new Map(ids.map((id) => [id, value])), gesture)
+    await this.editing.setValues(column, new Map(ids.map((id) => [id, value])), gesture)
   }
 
   /** The CSS color of its own that a circle has. */
   ownColorOf(id: number): string | undefined {
-    const color = textIn(this.#editing.valueOf(id, colorColumn(this.#editing.attributes.columns)?.name ?? COLOR))
+    const color = textIn(this.editing.valueOf(id, colorColumn(this.editing.attributes.columns)?.name ?? COLOR))
     return isColor(color) ? color : undefined
   }
 
   /** Colors cells by a column; an unknown name ends coloring by column. */
   colorBy(name: string): void {
-    const { circles, attributes } = this.#editing
+    const { circles, attributes } = this.editing
     const column = attributes.columns.find((column) => column.name === name)
-    const valueAt = (id: number) => column?.values[this.#editing.numberOf(id)]
+    const valueAt = (id: number) => column?.values[this.editing.numberOf(id)]
     this.setLayers({ column: column && cellValues(column, circles, valueAt) })
   }
 
   /** Updates the colors after an edit or a change of values. Call with each outcome. */
   followColumn({ edited, attributes, isOpened }: Outcome): void {
-    const { column } = this.#layers()
+    const { column } = this.view.layers
     const isOther = isOpened || attributes !== this.#attributes || edited.inserted.length > 0
     this.#attributes = attributes
     if (column !== undefined && isOther) this.colorBy(column.name)
@@ -194,16 +186,16 @@ export class PageActions extends EditorActions {
 
   /** The names of numeric columns. */
   get columns(): readonly string[] {
-    return this.#editing.attributes.columns.filter(isNumeric).map(({ name }) => name)
+    return this.editing.attributes.columns.filter(isNumeric).map(({ name }) => name)
   }
 
   /**
-   * Prescribes areas by a column. Circles without a number get the mean. Resolves to the number of these circles, or to
+   * Prescribes areas by a column. Circles without a number get the mean. Resolves to how many got the mean, or to
    * `undefined` if refused.
    */
   async setAreasBy(column: string): Promise<number | undefined> {
-    const { circles } = this.#editing
-    const values = this.#editing.valuesOf(column)
+    const { circles } = this.editing
+    const values = this.editing.valuesOf(column)
     const wrong = values.findIndex((value) => value <= 0)
     if (wrong >= 0) {
       this.complain(`${column}: circle ${circles.ids()[wrong]} has ${values[wrong]}. Areas need numbers above 0.`)
@@ -217,9 +209,9 @@ export class PageActions extends EditorActions {
 
   /** The radii of the circles, or their radii before areas were prescribed. */
   radii(): number[] {
-    const { circles, domain } = this.#editing
+    const { circles, domain } = this.editing
     return Array.from(circles.ids(), (id) => {
-      const known = domain.areas === undefined ? undefined : this.#radii.get(this.#editing.numberOf(id))
+      const known = domain.areas === undefined ? undefined : this.#radii.get(this.editing.numberOf(id))
       return known ?? (circles.get(id) as Circle).r
     })
   }
@@ -227,13 +219,13 @@ export class PageActions extends EditorActions {
   /** Removes the region and restores the radii. */
   async removeRegion(): Promise<void> {
     const gesture = this.beginGesture()
-    if (this.#editing.domain.areas !== undefined) await this.setAreas(undefined, gesture)
+    if (this.editing.domain.areas !== undefined) await this.setAreas(undefined, gesture)
     await this.setDomain({ region: undefined }, gesture)
   }
 
   /** Sets a cell's share of the region, between 0 and 1. The other cells keep their proportions. */
   async setShare(id: number, share: number, gesture?: number): Promise<void> {
-    const { circles, areas } = this.#editing
+    const { circles, areas } = this.editing
     const list = Array.isArray(areas) ? [...areas] : Array<number>(circles.count).fill(1)
     const k = circles.countBelow(id)
     const others = list.reduce((sum, area, i) => (i === k ? sum : sum + area), 0)
@@ -243,7 +235,7 @@ export class PageActions extends EditorActions {
 
   /** The prescribed share of a circle's cell. */
   shareOf(id: number): number | undefined {
-    const { circles, areas } = this.#editing
+    const { circles, areas } = this.editing
     if (areas === undefined) return undefined
     if (areas === 'equal') return 1 / circles.count
     return (areas[circles.countBelow(id)] as number) / areas.reduce((sum, area) => sum + area, 0)
@@ -271,7 +263,7 @@ export class PageActions extends EditorActions {
 
   /** Generates other random circles of the current family. */
   async generateAgain(): Promise<void> {
-    const source = sourceOf(this.#shown())
+    const source = sourceOf(this.store.get().dataSet)
     if (source?.kind === 'family') await this.generate({ ...source, seed: randomSeed() })
   }
 
@@ -304,7 +296,7 @@ export class PageActions extends EditorActions {
     return { ...scene, domain, edits, view, layers, step, method, colors }
   }
 
-  async #loadNamed(name: string, load = loadDataSet): Promise<Scene> {
+  async #loadNamed(name: string, load = loadDataSet): Promise<CircleSet> {
     return { ...(await load(name, this.#make)), dataSet: name, isEdited: false }
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { EditorActions } from '../editing/editor-actions.ts'
 import { ARROWS } from '../editing/keyboard.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
@@ -7,7 +8,6 @@ import { isDissolved, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ringsOf } from '../view/domain.ts'
 import type { SketchPhase } from '../view/gestures.ts'
 import type { View } from '../view/view.ts'
-import type { PageActions } from './page-actions.ts'
 
 /**
  * Draws a polygon, corner by corner, with the tool `draw`. The closed polygon becomes part of the region: a hole if it
@@ -16,13 +16,13 @@ import type { PageActions } from './page-actions.ts'
  */
 export class RegionPen {
   readonly #store: Store<State>
-  readonly #actions: PageActions
+  readonly #actions: EditorActions
   readonly #view: View
   #corners: Point[] = []
   /** The place of the next corner. */
   #next: Point | undefined
 
-  constructor(store: Store<State>, actions: PageActions, view: View) {
+  constructor(store: Store<State>, actions: EditorActions, view: View) {
     this.#store = store
     this.#actions = actions
     this.#view = view

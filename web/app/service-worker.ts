@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the site work offline after the first visit. Each version of the site has a cache with all of its files, checked
-// by their hashes. A page is that of the newest whole version, and names its parts by what is in them, so that no page has
-// parts of two. The version before is kept as well, for pages that are still open: a library that lets the newest version take
-// over either deletes what these have yet to load or has it wait until all of them are closed.
+// by their hashes. A page comes from the newest complete version, and its file names contain hashes, so that no page mixes two
+// versions. The cache of the previous version stays for pages that are still open. Libraries for service workers either delete
+// files that open pages have yet to load, or wait until all pages are closed.
 //
 // `FILES` is written by scripts/site.mjs: the addresses of all files in the site, and their hashes.
 

@@ -4,21 +4,21 @@ import type { Circle, Edit, Float64s } from '../lib/index.ts'
 import type { LinkAttributes } from '../lib/link.ts'
 import type { CircleTable, UndoEdit } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
-import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
+import type { Edited } from '../view/scene-client.ts'
 import { type Attributes, attributesOf, type DataColumn, NO_ATTRIBUTES, numberIn, withValues } from './attributes.ts'
+import { CircleNumbers } from './circle-numbers.ts'
 import {
+  type CircleSet,
   EMPTY_HISTORY,
   type History,
   idsOnceOpened,
   limited,
   MOST_BYTES,
-  type Numbering,
   type Opening,
   record,
   renamed,
-  type Scene,
 } from './history.ts'
 import { namesBy } from './identity.ts'
 import { PackedSteps } from './packed-steps.ts'
@@ -61,16 +61,13 @@ interface Job {
  * time; a pending step of a drag is replaced by the next one, so that fast drags never queue up.
  */
 export class Editing {
-  readonly #computer: DiagramBackend
+  readonly #backend: DiagramBackend
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (error: Error) => void
-  #scene: Scene | undefined
+  #scene: CircleSet | undefined
   #domain = NO_DOMAIN
   #attributes = NO_ATTRIBUTES
-  /** Maps circle numbers to ids and back, for circles whose number is not `#shift` more than their id. */
-  readonly #ids = new Map<number, number>()
-  readonly #numbers = new Map<number, number>()
-  #shift = 0
+  readonly #numbers = new CircleNumbers()
   #lastAbsent = 0
   #colors: string | undefined
   #history = EMPTY_HISTORY
@@ -85,19 +82,19 @@ export class Editing {
 
   /** `mostBytes` limits the memory of the history. */
   constructor(
-    computer: DiagramBackend,
+    backend: DiagramBackend,
     onOutcome: (outcome: Outcome) => void,
     onProblem: (error: Error) => void,
     mostBytes = MOST_BYTES,
   ) {
-    this.#computer = computer
+    this.#backend = backend
     this.#onOutcome = onOutcome
     this.#onProblem = onProblem
     this.#mostBytes = mostBytes
   }
 
   get circles(): CircleTable {
-    return this.#computer.circles
+    return this.#backend.circles
   }
 
   /**
@@ -135,8 +132,8 @@ export class Editing {
     return this.#queue.works.length
   }
 
-  /** The circles as they were opened. */
-  get scene(): Scene | undefined {
+  /** The opened circles without later edits. */
+  get scene(): CircleSet | undefined {
     return this.#scene
   }
 
@@ -159,11 +156,11 @@ export class Editing {
    * The id of a circle by its number. A circle's number is its first id; undo restores a removed circle under a new id.
    */
   idOf(number: number): number {
-    return this.#ids.get(number) ?? number - this.#shift
+    return this.#numbers.idOf(number)
   }
 
   /** The number of a circle. Undo restores a removed circle under its old number. */
-  readonly numberOf = (id: number): number => this.#numbers.get(id) ?? id + this.#shift
+  readonly numberOf = (id: number): number => this.#numbers.numberOf(id)
 
   /** The attributes of circles, by their numbers. */
   get attributes(): Attributes {
@@ -216,31 +213,14 @@ export class Editing {
     })
   }
 
-  #rename(formerId: number, id: number): void {
-    this.#giveNumber(id, this.numberOf(formerId))
-  }
-
-  #giveNumber(id: number, number: number): void {
-    this.#ids.set(number, id)
-    this.#numbers.set(id, number)
-  }
-
-  get #numbering(): Numbering {
-    return { numbers: new Map(this.#numbers), shift: this.#shift, end: this.circles.size + this.#shift }
-  }
-
   /** Reopened circles get their former numbers, and so do removed circles that undo may restore. */
-  #restoreNumbers({ ids, numbering: { numbers, shift, end } }: Opening): (id: number) => number {
-    const numberOf = (id: number) => numbers.get(id) ?? id + shift
-    // New circles get numbers that no circle has had.
-    this.#shift = end - ids.length
-    ids.forEach((id, k) => {
-      if (numberOf(id) !== k + this.#shift) this.#giveNumber(k, numberOf(id))
-    })
+  #restoreNumbers({ ids, numbering }: Opening): (id: number) => number {
+    const former = new CircleNumbers(numbering)
+    this.#numbers.restore(ids, former, numbering.end)
     const idOf = idsOnceOpened(ids, () => --this.#lastAbsent)
     return (id) => {
       const next = idOf(id)
-      if (next < 0) this.#numbers.set(next, numberOf(id))
+      if (next < 0) this.#numbers.give(next, former.numberOf(id))
       return next
     }
   }
@@ -258,7 +238,7 @@ export class Editing {
    * Replaces the circles, then applies edits, before any pending request. Undo restores the former circles. Resolves to
    * `undefined` if the circles were refused.
    */
-  async open(scene: Scene, edits: readonly Edit[] = []): Promise<Edited | undefined> {
+  async open(scene: CircleSet, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     let isOpened = false
     const opened = this.#ask(async () => {
       const before = this.#before()
@@ -296,7 +276,7 @@ export class Editing {
   ): Promise<Edited> {
     const before = this.#domain
     const domain = change === undefined ? before : { ...before, ...change, ...this.#byNumber(change.areas) }
-    const edited = await this.#computer.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits), colors))
+    const edited = await this.#backend.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits), colors))
     const former = { domain: change && before, attributes: attributes && this.#attributes }
     this.#history = record(this.#history, edited.back, gesture, former)
     this.#domain = domain
@@ -337,13 +317,13 @@ export class Editing {
     const { domain = before } = entry
     const steps = entry.steps.unpacked()
     const change = this.#changeTo(domain, this.#sharesOf(domain, steps))
-    const edited = await this.#computer.apply(steps, change)
+    const edited = await this.#backend.apply(steps, change)
     this.#domain = domain
     const attributes = this.#attributes
     this.#attributes = entry.attributes ?? attributes
     const former = steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
-    for (const [formerId, id] of ids) this.#rename(formerId, id)
+    for (const [formerId, id] of ids) this.#numbers.give(id, this.numberOf(formerId))
     const back = {
       ...entry,
       steps: PackedSteps.of(edited.back),
@@ -372,13 +352,13 @@ export class Editing {
     return edited
   }
 
-  /** `areAll`: no edits follow, so that the scene's colors are those of its circles. */
-  async #replaceScene(scene: Scene, areAll = true): Promise<Edited> {
+  /** `areAll`: no edits follow, so the scene's colors apply to its circles. */
+  async #replaceScene(scene: CircleSet, areAll = true): Promise<Edited> {
     const { circles, domain = NO_DOMAIN } = scene
     const list = listIn(domain.areas)
     if (list !== undefined) checkCount(list, circles.length / 3)
     const shares = { known: list && new Map(list.entries()), inserted: [] }
-    const edited = await this.#computer.setCircles(
+    const edited = await this.#backend.setCircles(
       circles,
       this.#changeTo(domain, shares, areAll ? scene.colors : undefined),
     )
@@ -387,9 +367,7 @@ export class Editing {
     this.#domain = domain
     this.#attributes = scene.attributes ?? NO_ATTRIBUTES
     this.#lastFormer = this.#lastGesture
-    this.#ids.clear()
     this.#numbers.clear()
-    this.#shift = 0
     return edited
   }
 
@@ -435,7 +413,7 @@ export class Editing {
     const ids = this.circles.ids()
     const isRecorded = this.#isRecorded
     // Animated changes are not recorded.
-    const numbering = this.#numbering
+    const numbering = this.#numbers.numbering(this.circles.size)
     if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids, numbering }]
     const circles = this.circles.circles()
     const attributes = this.#attributes === NO_ATTRIBUTES ? undefined : this.#attributes

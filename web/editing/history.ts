@@ -3,10 +3,11 @@ import type { Float64s } from '../lib/index.ts'
 import type { UndoEdit } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
 import { type Attributes, bytesOfAttributes, NO_ATTRIBUTES } from './attributes.ts'
+import type { Numbering } from './circle-numbers.ts'
 import { PackedSteps } from './packed-steps.ts'
 
 /** A set of circles that are opened together. */
-export interface Scene {
+export interface CircleSet {
   readonly circles: Float64s
   /** The name of a data set, or an empty text. */
   readonly dataSet: string
@@ -34,20 +35,11 @@ interface Edits {
 /** The entry that restores circles replaced by an opening. */
 export interface Opening {
   readonly kind: 'opening'
-  readonly scene: Scene
+  readonly scene: CircleSet
   /** The former ids of the circles, in ascending order. */
   readonly ids: Int32Array
   /** The numbers of circles by their ids. Attributes, areas and older entries refer to these numbers. */
   readonly numbering: Numbering
-}
-
-/** Assigns numbers to circles. A circle that undo restores keeps its number but gets a new id. */
-export interface Numbering {
-  /** Exceptions, where the number is not `shift` more than the id. */
-  readonly numbers: ReadonlyMap<number, number>
-  readonly shift: number
-  /** All numbers are below this one. */
-  readonly end: number
 }
 
 /** The entries that undo and redo apply, newest last. */

@@ -38,7 +38,7 @@ interface Numbered {
   numberOf(id: number): number
 }
 
-/** The names of circles, those of the largest circles first. */
+/** The names of circles, by decreasing radius. */
 export function namesOf({ circles, attributes, numberOf }: Numbered): Name[] {
   if (attributes.columns.length === 0) return []
   const nameOf = namesBy(attributes.columns)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { Listening } from '../view/pointer.ts'
 import { roundStep } from '../view/round-step.ts'
 import type { View } from '../view/view.ts'
 import type { EditorActions } from './editor-actions.ts'
@@ -47,7 +46,6 @@ export interface KeyboardOptions {
 export function listenToKeyboard(
   figure: HTMLElement,
   view: View,
-  pointer: Listening,
   store: Store<State>,
   actions: EditorActions,
   { editNumbers, showHelp, drawKey, drawRegion }: KeyActions,
@@ -155,11 +153,11 @@ export function listenToKeyboard(
   }
 
   /**
-   * Defers a shortcut until pending hit tests and undos are done. As its effect is not known yet, the browser's default
-   * action is suppressed.
+   * Defers a shortcut until the edits that select circles are done. As its effect is not known yet, the browser's
+   * default action is suppressed.
    */
   const afterwards = (event: KeyboardEvent, act: () => boolean) => {
-    const pending = pointer.pending ?? actions.pending
+    const { pending } = actions
     if (pending !== undefined) pending.finally(act)
     if (pending !== undefined || act()) event.preventDefault()
   }

@@ -5,14 +5,14 @@ import type { LinkState, LinkView } from '../lib/link.ts'
 import { type Camera, fitted, type Padding, type Size } from '../view/camera.ts'
 import type { CircleTable } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
-import type { Scene } from './history.ts'
+import type { CircleSet } from './history.ts'
 
 /**
  * The circles of a link: either edits of the scene that was opened, or the table's current circles, whichever is
  * shorter. Data sets with more than `mostNamed` circles are stored by name.
  */
 export function circlesOfLink(
-  scene: Scene,
+  scene: CircleSet,
   table: CircleTable,
   mostNamed: number,
 ): Pick<LinkState, 'circles' | 'dataSet' | 'edits'> {
@@ -24,13 +24,13 @@ export function circlesOfLink(
 }
 
 /** The region of a link; left out if it is the data set's. */
-export function regionOfLink({ dataSet, isEdited, domain }: Scene, { region }: Domain): Pick<LinkState, 'region'> {
+export function regionOfLink({ dataSet, isEdited, domain }: CircleSet, { region }: Domain): Pick<LinkState, 'region'> {
   const own = dataSet === '' || isEdited ? undefined : domain?.region
   return region === own ? {} : { region: region ?? null }
 }
 
-/** The edits that turn the given circles, with ids from 0 on, into those of a table. */
-export function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
+/** The edits that turn circles with ids from 0 on into the circles of a table. */
+function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
   const edits: Edit[] = []
   const count = circles.length / 3
   for (let id = 0; id < count; id++) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Past } from '../editing/editing.ts'
-import { EditorActions, type OpenRequest } from '../editing/editor-actions.ts'
+import { EditorActions } from '../editing/editor-actions.ts'
+import type { OpenRequest } from '../editing/opening-actions.ts'
 import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'

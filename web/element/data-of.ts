@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { attributesOfLink, NO_ATTRIBUTES } from '../editing/attributes.ts'
-import type { OpenRequest } from '../editing/editor-actions.ts'
+import type { OpenRequest } from '../editing/opening-actions.ts'
 import type { Float64s } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'

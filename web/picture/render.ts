@@ -13,7 +13,7 @@ import { circleVoronoiOf } from '../lib/wasm/library.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
 import { Trace } from '../lib/wasm/trace.ts'
 import { testedAt } from '../player/discs.ts'
-import { circlesAt, sceneOf } from '../player/scene.ts'
+import { circlesAt, overlayOf } from '../player/step-overlay.ts'
 import { type Step, stepsOf } from '../player/steps.ts'
 import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
@@ -143,5 +143,5 @@ function playedAt(
   const state = trace.at(current.end)
   const circles = circlesAt(trace, given, state, ids)
   const tested = testedAt(trace, current, state, (id) => circles.get(id))
-  return sceneOf(trace, current, state, tested, circles, playerColors(scheme))
+  return overlayOf(trace, current, state, tested, circles, playerColors(scheme))
 }

@@ -4,8 +4,8 @@ import { loadRegions } from '../lib/regions.ts'
 import type { CircleVoronoi } from '../lib/wasm/library.ts'
 import { CircleTable, NO_CHANGE, type UndoEdit } from '../view/circle-table.ts'
 import { PaintedScene } from '../view/painter/painted-scene.ts'
-import type { Edited } from '../view/painter.ts'
 import type { DomainChange, Fitted } from '../view/protocol.ts'
+import type { Edited } from '../view/scene-client.ts'
 
 /** A backend that computes the diagram of a view in the calling thread, in place of a page's worker. */
 export class SceneBackend implements DiagramBackend {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Evaluates the style sheets without a browser, as `getComputedStyle` would, in a light or a dark scheme.
 import playerSheet from '../player/player.css?inline'
-import { type Colors, PLAYER_COLORS } from '../player/scene.ts'
+import { type Colors, PLAYER_COLORS } from '../player/step-overlay.ts'
 import { STYLE_PROPERTIES, type Style, styleOf } from '../view/style.ts'
 import themeSheet from '../view/theme.css?inline'
 import type { Scheme } from './scheme.ts'

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { editView } from '../editing/edited-view.ts'
 import type { Editing, Outcome, Past } from '../editing/editing.ts'
-import type { EditorActions, OpenRequest } from '../editing/editor-actions.ts'
+import type { EditorActions } from '../editing/editor-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
 import { mountLiveRegion } from '../editing/live-region.ts'
+import type { OpenRequest } from '../editing/opening-actions.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
-import type { Point } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { Domain } from '../view/domain.ts'
@@ -94,11 +94,9 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     })
 
     mountLiveRegion(store, said, actions)
-    const isGrabbed = (point: Point, within: number, reach: number) =>
-      !actions.isReadonly && editing.circles.hasAt(point, within, reach)
-    this.#listening = listenToPointer(figure, view, actions, scrolls ? { isGrabbed } : {})
+    this.#listening = listenToPointer(figure, view, actions, { letsPageScroll: scrolls })
     const { signal } = this.#keys
-    listenToKeyboard(figure, view, this.#listening, store, actions, keys, { around, signal })
+    listenToKeyboard(figure, view, store, actions, keys, { around, signal })
   }
 
   /**

@@ -12,12 +12,12 @@ import { icon } from './icon.ts'
 import { Playback } from './playback.ts'
 import css from './player.css?inline'
 import { type Question, questionAfter } from './prediction.ts'
-import { type Line, PROGRAMS, type Program } from './program.ts'
-import { type Colors, circlesAt, PLAYER_COLORS, sceneOf } from './scene.ts'
+import { PROGRAMS, type Program } from './program.ts'
+import { type Colors, circlesAt, PLAYER_COLORS, overlayOf } from './step-overlay.ts'
 import { numberOf, sentenceOf } from './sentences.ts'
 import { concerns, kindOf, nextStep, programOf, type Step, stepsOf } from './steps.ts'
 import { drawTimeline } from './timeline.ts'
-import { ENGLISH_PLAYER, type Goal, type PlayerWords } from './words.ts'
+import { ENGLISH_PLAYER, type Goal, type PlayerWords, type PseudocodeLine } from './words.ts'
 
 /** The step to show. */
 export interface PlayerPlace {
@@ -35,7 +35,7 @@ export interface PlayerOptions {
   /** Returns the current step. The player keeps none of its own. */
   place(): PlayerPlace
   /** Changes the current step. `stage` is the stage of `PlayerPlace`. */
-  go(step: number, stage?: Line): void
+  go(step: number, stage?: PseudocodeLine): void
   /** Called with each step shown and the number of steps. */
   onstep(step: number, steps: number): void
   /** Returns the player's texts, at each redraw. Default: English. */
@@ -81,7 +81,7 @@ class MethodPlayer implements Player {
   readonly #view: View
   readonly #options: TraceOptions
   readonly #placeNow: () => PlayerPlace
-  readonly #setPlace: (step: number, stage?: Line) => void
+  readonly #setPlace: (step: number, stage?: PseudocodeLine) => void
   readonly #onstep: (step: number, steps: number) => void
   readonly #wordsNow: () => PlayerWords | undefined
   readonly #watching = new AbortController()
@@ -415,7 +415,7 @@ class MethodPlayer implements Player {
     this.#reveal()
     // The overlay is empty at the last step, and while the trace of changed circles is loading.
     const isNothing = step === steps.length - 1 || this.#isLoading
-    this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, this.#colorsNow())
+    this.#view.above = isNothing ? [] : overlayOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
   /** Scrolls the current line into the visible part of the player. */

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The algorithms as lines of pseudocode, highlighted during playback.
 
-import type { Line, PlayerWords } from './words.ts'
-
-export type { Line } from './words.ts'
+import type { PlayerWords, PseudocodeLine } from './words.ts'
 
 /** Lines of pseudocode with a title. The numbers are indentation levels. */
 export interface Algorithm {
   readonly title: keyof PlayerWords['titles']
-  readonly lines: readonly (readonly [line: Line, depth: number])[]
+  readonly lines: readonly (readonly [line: PseudocodeLine, depth: number])[]
 }
 
 /** The paper's Algorithms 1 to 4, as corrected (cpp/src/README.md). */

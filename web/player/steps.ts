@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { TRACE_KINDS, type Trace, type TraceKind } from '../lib/wasm/trace.ts'
-import type { Line, Program } from './program.ts'
+import type { Program } from './program.ts'
+import type { PseudocodeLine, StepKind } from './words.ts'
 
 /** One step of playback; it may cover several events. */
 export interface Step {
@@ -8,14 +9,10 @@ export interface Step {
   readonly end: number
   /** The first event that the step is about. It lies ahead if the step announces it. */
   readonly event: number
-  readonly line: Line
+  readonly line: PseudocodeLine
 }
 
-/** The kinds of steps that a reader can search for. */
-export const STEP_KINDS = ['stage', 'disc', 'edge', 'vertex', 'rejected', 'circle'] as const
-export type StepKind = (typeof STEP_KINDS)[number]
-
-const SORT_OF: Readonly<Record<Line, StepKind | undefined>> = {
+const KIND_OF: Readonly<Record<PseudocodeLine, StepKind | undefined>> = {
   begin: 'stage',
   centers: 'stage',
   angles: 'stage',
@@ -48,7 +45,7 @@ const SORT_OF: Readonly<Record<Line, StepKind | undefined>> = {
 }
 
 export function kindOf(step: Step): StepKind | undefined {
-  return SORT_OF[step.line]
+  return KIND_OF[step.line]
 }
 
 /** Event kinds that merge into one step when they follow each other. */
@@ -63,7 +60,7 @@ const RUNS: Readonly<Partial<Record<TraceKind, readonly TraceKind[]>>> = {
   faceMade: ['faceMade'],
 }
 
-const VERDICTS: Readonly<Partial<Record<TraceKind, Line>>> = {
+const VERDICTS: Readonly<Partial<Record<TraceKind, PseudocodeLine>>> = {
   antipodalDiscUsed: 'used',
   antipodalDiscNotEmpty: 'notEmpty',
   antipodalDiscAccepted: 'place',
@@ -90,7 +87,7 @@ export function programOf(trace: Trace): Program {
 export function stepsOf(trace: Trace): readonly Step[] {
   const program = programOf(trace)
   const steps: Step[] = []
-  const add = (line: Line, event: number, end: number) => steps.push({ end, event, line })
+  const add = (line: PseudocodeLine, event: number, end: number) => steps.push({ end, event, line })
   const runFrom = (k: number, kinds: readonly TraceKind[]) => {
     let end = k
     while (end < trace.length && kinds.includes(kindAt(trace, end) as TraceKind)) end++
@@ -109,7 +106,7 @@ export function stepsOf(trace: Trace): readonly Step[] {
       add('take', k, k)
       afterBranch = kind === 'branchDisc'
       if (kind === 'antipodalDiscAccepted') end = runFrom(end, ['directedEdgePlaced'])
-      add(VERDICTS[kind] as Line, k, end)
+      add(VERDICTS[kind] as PseudocodeLine, k, end)
     } else if (TESTS.includes(kind)) {
       add(program === 'edits' ? 'editTest' : 'flipTest', k, end)
       isBeginning = false
@@ -134,7 +131,7 @@ export function stepsOf(trace: Trace): readonly Step[] {
   return steps
 }
 
-function lineOfRun(kind: TraceKind, program: Program, afterBranch: boolean): Line {
+function lineOfRun(kind: TraceKind, program: Program, afterBranch: boolean): PseudocodeLine {
   switch (kind) {
     case 'centersJoined':
       return program === 'flips' ? 'flipCenters' : 'centers'

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Colors } from './scene.ts'
-import { kindOf, type Step, type StepKind } from './steps.ts'
+import type { Colors } from './step-overlay.ts'
+import { kindOf, type Step } from './steps.ts'
+import type { StepKind } from './words.ts'
 
 /** The rows of marks from top to bottom: the color of each kind, and its vertical range. */
 const ROWS: readonly (readonly [sort: StepKind, color: keyof Colors, top: number, bottom: number])[] = [

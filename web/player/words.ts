@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { StepKind } from './steps.ts'
+/** The kinds of steps that a reader can search for. */
+export type StepKind = 'stage' | 'disc' | 'edge' | 'vertex' | 'rejected' | 'circle'
 
 /** The targets of "go to next": a kind of step, the selected circle, or a breakpoint. */
 export type Goal = StepKind | 'selected' | 'breakpoint'
@@ -40,7 +41,7 @@ export interface PlayerWords {
 
   /** The titles and lines of the algorithms. */
   readonly titles: Readonly<Record<'prepare' | 'loop' | 'antipodal' | 'threeTouch' | 'end' | 'flips' | 'edit', string>>
-  readonly lines: Readonly<Record<Line, string>>
+  readonly lines: Readonly<Record<PseudocodeLine, string>>
 
   given(circles: number, hidden: number): string
   centers(edges: number): string
@@ -133,7 +134,7 @@ const LINES = {
 } as const
 
 /** The name of a line of pseudocode. */
-export type Line = keyof typeof LINES
+export type PseudocodeLine = keyof typeof LINES
 
 export const ENGLISH_PLAYER: PlayerWords = {
   lang: 'en',

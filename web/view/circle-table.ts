@@ -2,6 +2,8 @@
 import { at } from '../lib/base/diagram-data.ts'
 import type { Box, Change, Circle, Edit, Float64s, Point } from '../lib/index.ts'
 import { boundingBox } from './camera.ts'
+import { shortestWith } from './domain.ts'
+import type { DomainChange } from './protocol.ts'
 
 /** The part of an editor's change that a table applies. */
 export type CircleChange = Pick<Change, 'inserted' | 'removed' | 'replaced' | 'circles'>
@@ -15,6 +17,14 @@ export const NO_CHANGE: CircleChange = {
 
 /** An edit that may restore a removed circle, with the circle's former id. */
 export type UndoEdit = Edit & { readonly formerId?: number }
+
+/** The circle at a point, and the part that was hit: its rim, its disc, or only its cell. */
+export interface Hit {
+  readonly id: number
+  readonly part: 'rim' | 'disc' | 'cell'
+  /** The number of small circles within a finger's reach, if the finger hit one of them. */
+  readonly inReach?: number
+}
 
 /** Number of circles from which the core is estimated. */
 const CORE_SAMPLE = 1000
@@ -130,14 +140,73 @@ export class CircleTable {
     return ids
   }
 
-  /** Whether a point is inside a circle or within a distance of one, or a center is in its reach. */
-  hasAt({ x, y }: Point, within: number, reach = 0): boolean {
+  /**
+   * The circle at a point of the plane. For a pointer (`reach` 0), rims take precedence over discs; the nearest rim and
+   * the smallest disc win. A finger has the circles with smaller radii than its `reach` first, if their centers are
+   * within it; the nearest one wins. Elsewhere it is the circle whose cell contains the point.
+   */
+  hitAt(
+    { x, y }: Point,
+    slack: number,
+    reach = 0,
+    { lattice, areSites = false }: Pick<DomainChange, 'lattice' | 'areSites'> = {},
+  ): Hit | undefined {
+    const nearestImage = lattice ? shortestWith(lattice) : undefined
+    const width = Math.max(slack, reach)
+    let cell = -1
+    let cellDistance = Number.POSITIVE_INFINITY
+    let rim = -1
+    let rimDistance = slack
+    let disc = -1
+    let discSize = Number.POSITIVE_INFINITY
+    let small = -1
+    let smallDistance = Number.POSITIVE_INFINITY
+    let inReach = 0
+    const numbers = this.#numbers
     for (let id = 0; id < this.#size; id++) {
-      const [dx, dy] = [at(this.#numbers, 3 * id) - x, at(this.#numbers, 3 * id + 1) - y]
-      if (this.#isThere[id] === 1 && Math.hypot(dx, dy) <= Math.max(at(this.#numbers, 3 * id + 2) + within, reach))
-        return true
+      let dx = at(numbers, 3 * id) - x
+      let dy = at(numbers, 3 * id + 1) - y
+      const weight = at(numbers, 3 * id + 2)
+      let isImage = false
+      if (nearestImage !== undefined) {
+        const image = nearestImage(dx, dy)
+        isImage = image.x !== dx || image.y !== dy
+        dx = image.x
+        dy = image.y
+      }
+      // One coordinate is enough to rule most circles out.
+      const far = Math.max(cellDistance, width) + Math.max(weight, 0)
+      if (Math.abs(dx) > far || Math.abs(dy) > far || this.#isThere[id] !== 1) continue
+      const toCenter = Math.hypot(dx, dy)
+      if (toCenter - weight < cellDistance) {
+        cell = id
+        cellDistance = toCenter - weight
+      }
+      const r = areSites ? 0 : weight
+      const distance = toCenter - r
+      if (r < reach && toCenter <= reach) {
+        inReach += 1
+        if (distance < smallDistance) {
+          small = id
+          smallDistance = distance
+        }
+      }
+      // A small circle has no separate rim; it can be resized at a larger scale. An image has none either, because
+      // sizes are measured from the circle itself.
+      const hasRim = r > 3 * slack && !isImage
+      if (hasRim && Math.abs(distance) < rimDistance) {
+        rim = id
+        rimDistance = Math.abs(distance)
+      }
+      if (distance <= (hasRim ? 0 : slack) && r < discSize) {
+        disc = id
+        discSize = r
+      }
     }
-    return false
+    if (small >= 0) return { id: small, part: 'disc', inReach }
+    if (rim >= 0) return { id: rim, part: 'rim' }
+    if (disc >= 0) return { id: disc, part: 'disc' }
+    return cell < 0 ? undefined : { id: cell, part: 'cell' }
   }
 
   /** The bounding box of all circles, cached until the next edit. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
-import type { Box, Lattice } from '../lib/index.ts'
+import { cross, dot } from '../lib/base/point.ts'
+import type { Box, Lattice, Point } from '../lib/index.ts'
 import { type RegionShape, ringArraysOf } from '../lib/regions/region-shape.ts'
 
 /**
@@ -56,6 +57,34 @@ function boxOfPeriods({ a, b }: Lattice): Box {
   const margin = 0.1 * Math.max(maxX - minX, maxY - minY)
   return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
 }
+
+/** Returns a function that makes vectors as short as possible by adding periods. */
+export function shortestWith({ a, b }: Lattice): (x: number, y: number) => Point {
+  let [u, v] = [a, b].map(([x, y]) => ({ x, y })) as [Point, Point]
+  // Lagrange's reduction: a shortest vector then ends at a corner of its parallelogram.
+  for (let k = 1; k !== 0; ) {
+    if (dot(u, u) > dot(v, v)) [u, v] = [v, u]
+    k = Math.round(dot(u, v) / dot(u, u))
+    v = { x: v.x - k * u.x, y: v.y - k * u.y }
+  }
+  const area = cross(u, v)
+  return (x, y) => {
+    const [k, l] = [Math.floor(cross({ x, y }, v) / area), Math.floor(cross(u, { x, y }) / area)]
+    let shortest = { x, y }
+    for (const [i, j] of CORNERS) {
+      const image = { x: x - (k + i) * u.x - (l + j) * v.x, y: y - (k + i) * u.y - (l + j) * v.y }
+      if (dot(image, image) < dot(shortest, shortest)) shortest = image
+    }
+    return shortest
+  }
+}
+
+const CORNERS = [
+  [0, 0],
+  [0, 1],
+  [1, 0],
+  [1, 1],
+] as const
 
 const boxes = new WeakMap<RegionShape, Box>()
 

@@ -45,7 +45,7 @@ export interface GestureTarget {
   /** Adds circles and returns their ids; none if they were refused. */
   add(circles: readonly Circle[], gesture: number): Promise<readonly number[]>
   /** A circle at a point that leaves some room to its nearest neighbor; `undefined` if none fits. */
-  fitted(center: Point): Promise<Circle | undefined>
+  fitted(center: Point): Circle | undefined
   /** Adds the circle that `fitted` returns. */
   addFitting(center: Point): Promise<void>
   /** Reverts the edits of a gesture. */
@@ -60,7 +60,7 @@ export interface Gesture {
   /** Called on release if the pointer did not move. */
   click?(): void
   /** Called on release after a move. */
-  end?(): unknown
+  end?(): void
   cancel?(): void
 }
 
@@ -222,8 +222,7 @@ export function gesturesOf(view: View, target: GestureTarget) {
       isFollowing = true
       for (let shown: Point | undefined; shown !== last && !isOver; ) {
         shown = last
-        const circle = await target.fitted(shown)
-        if (!isOver) await view.tryCircle(circle)
+        await view.tryCircle(target.fitted(shown))
       }
       isFollowing = false
     }
@@ -239,7 +238,7 @@ export function gesturesOf(view: View, target: GestureTarget) {
       },
       end() {
         stop()
-        return target.addFitting(last)
+        target.addFitting(last)
       },
       cancel: stop,
     }

@@ -17,7 +17,7 @@ export type CellColors = (typeof CELL_COLORS)[number]
 export const MOST_MAPPED = 2000
 
 /** The layers of the touching disc method, limited by the number of circles. */
-export const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
+const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
 export type MethodLayer = (typeof METHOD_LAYERS)[number]
 export const MOST_TRACED = 5000
 /** Limit for `all-pairs`, whose number of candidates is quadratic. */
@@ -41,7 +41,7 @@ export interface CellValues {
   readonly categories?: readonly string[] | undefined
 }
 
-/** Colors of single circles, in place of those by which they differ from their neighbors. */
+/** Colors of single circles, which replace the automatic colors. */
 export interface OwnColors {
   /** The index of each circle's color by its id, NaN for circles without one. */
   readonly values: Float64Array
@@ -131,7 +131,7 @@ export interface Layers {
   readonly data: readonly DataLayer[]
 }
 
-/** Layers as they are painted, with what the circles bring. */
+/** The painted layers: the visible layers and the circles' own colors. */
 export interface PaintedLayers extends Layers {
   /** They are seen unless somebody chose a quantity for colors to show. */
   readonly ownColors?: OwnColors | undefined

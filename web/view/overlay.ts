@@ -15,7 +15,18 @@ import { addSegment } from './painter/segment-path.ts'
 import type { Described, GlobalResults, Highlights, Touching, Trial } from './protocol.ts'
 import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
-import type { Chosen, SelectionRectangle } from './view.ts'
+
+/** The selected circles, x, y and r each, and their bounding box. */
+export interface Chosen {
+  readonly circles: Float64Array
+  readonly box: Box
+}
+
+/** The corners of a rubber band, in pixels. */
+export interface SelectionRectangle {
+  readonly from: Point
+  readonly to: Point
+}
 
 /** Widths of highlight outlines and of the light border beside them, which separates them from any color, in pixels. */
 const OUTLINE = 2.5

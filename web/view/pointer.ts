@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Point } from '../lib/index.ts'
 import { toPlane } from './camera.ts'
+import type { Hit } from './circle-table.ts'
 import { type Gesture, type GestureTarget, gesturesOf } from './gestures.ts'
 import { pointOf } from './on-screen.ts'
-import type { Hit } from './protocol.ts'
 import type { View } from './view.ts'
 
 /** Distance that counts as on a rim or a dot, in pixels. */
@@ -28,8 +28,6 @@ const MIDDLE = 1
 
 /** The pointer listeners of a view. */
 export interface Listening {
-  /** Settles once all gestures so far are done; `undefined` if none is waiting for a hit test. */
-  readonly pending: Promise<unknown> | undefined
   /** Whether a button or a finger is down. */
   readonly isPressed: boolean
   stop(): void
@@ -38,11 +36,10 @@ export interface Listening {
 /** The interplay of a view with the scrolling page around it. */
 export interface PointerOptions {
   /**
-   * Lets the page scroll: by the wheel, unless the view was pressed before or Ctrl is held, and by one finger, unless
-   * something draggable lies `within` a distance in units of the point, or the center of a small circle in its `reach`. The element's `touch-action` must allow
-   * scrolling.
+   * Lets the page scroll: by the wheel, unless the view was pressed before or Ctrl is held, and by one finger, unless it
+   * is on something draggable. The element's `touch-action` must allow scrolling.
    */
-  isGrabbed?(point: Point, within: number, reach: number): boolean
+  readonly letsPageScroll?: boolean
 }
 
 /** Listens to pointer, wheel and double click on a view's element. */
@@ -50,14 +47,13 @@ export function listenToPointer(
   element: HTMLElement,
   view: View,
   target: GestureTarget,
-  { isGrabbed }: PointerOptions = {},
+  { letsPageScroll = false }: PointerOptions = {},
 ): Listening {
   const pressed = new Map<number, Point>()
   let gesture: Gesture | undefined
   let hasMoved = false
   let start: Point = { x: 0, y: 0 }
   let holding: ReturnType<typeof setTimeout> | undefined
-  const letsPageScroll = isGrabbed !== undefined
   /** Whether the view uses the wheel. */
   let isActive = !letsPageScroll
   /** The position of the pointer above the element without a press. */
@@ -68,57 +64,16 @@ export function listenToPointer(
   let isTouchKept = false
   /** The event that ended the last press. */
   let released: Event | undefined
-  /** The hit test that the current press waits for. */
-  let pending: Promise<unknown> | undefined
 
   const gestures = gesturesOf(view, target)
   const planeAt = (point: Point) => toPlane(view.camera, view.size, point)
-  const hitAt = (point: Point, pointerType: string): Promise<Hit | undefined> => {
-    const { x, y } = planeAt(point)
+  const hitAt = (point: Point, pointerType: string): Hit | undefined => {
     const [slack, reach] = pointerType === 'touch' ? [TOUCH_SLACK, FINGER] : [MOUSE_SLACK, 0]
-    return view.ask('hit', x, y, slack / view.camera.scale, reach / view.camera.scale)
+    return view.hitAt(planeAt(point), slack / view.camera.scale, reach / view.camera.scale)
   }
 
-  const wait = (known: Promise<unknown>) => {
-    const all = Promise.all([pending, known]).finally(() => {
-      if (pending === all) pending = undefined
-    })
-    pending = all
-  }
-
-  /** Runs an action after all earlier gestures, such as a pan that still waits for its hit test. */
-  const afterPending = async <Result>(act: () => Promise<Result>): Promise<Result> => {
-    await pending
-    return act()
-  }
-
-  /** The hit test takes a moment. Events are buffered until its result is known. */
-  const whenKnown = (begun: Promise<Gesture>): Gesture => {
-    let known: Gesture | undefined
-    let last: Parameters<Gesture['move']> | undefined
-    let isCanceled = false
-    const then = begun.then((gesture) => {
-      known = gesture
-      if (last !== undefined && !isCanceled) gesture.move(...last)
-      return gesture
-    })
-    wait(then)
-    return {
-      move(...how) {
-        if (known === undefined) last = how
-        else known.move(...how)
-      },
-      click: () => wait(then.then((gesture) => gesture.click?.())),
-      end: () => wait(then.then((gesture) => gesture.end?.())),
-      cancel() {
-        isCanceled = true
-        known?.cancel?.()
-      },
-    }
-  }
-
-  const gestureAt = async (point: Point, { pointerType, shiftKey }: PointerEvent): Promise<Gesture> => {
-    const hit = await hitAt(point, pointerType)
+  const gestureAt = (point: Point, { pointerType, shiftKey }: PointerEvent): Gesture => {
+    const hit = hitAt(point, pointerType)
     const circle = hit === undefined ? undefined : target.circle(hit.id)
     if (shiftKey) return gestures.band(point, () => hit !== undefined && target.toggle(hit.id))
     if (hit === undefined) return gestures.pan(point, () => target.select([]))
@@ -143,22 +98,24 @@ export function listenToPointer(
   const isSeveral = () => target.selectedCircles().length > 1
 
   /** Whether a finger drags something instead of scrolling the page. */
-  const isHeld = (point: Point): boolean =>
-    isGrabbed === undefined ||
-    target.tool === 'add' ||
-    view.pathEndAt(point, TOUCH_SLACK) !== undefined ||
-    view.handleAt(point, TOUCH_SLACK) !== undefined ||
-    isGrabbed(planeAt(point), TOUCH_SLACK / view.camera.scale, FINGER / view.camera.scale)
+  const isHeld = (point: Point): boolean => {
+    if (!letsPageScroll || target.tool === 'add' || isOnHandle(point, TOUCH_SLACK)) return true
+    const hit = hitAt(point, 'touch')
+    return hit !== undefined && hit.part !== 'cell' && target.circle(hit.id) !== undefined
+  }
 
-  const select = async (point: Point) => {
-    const hit = await hitAt(point, 'touch')
+  const isOnHandle = (point: Point, slack: number): boolean =>
+    view.pathEndAt(point, slack) !== undefined || view.handleAt(point, slack) !== undefined
+
+  const select = (point: Point) => {
+    const hit = hitAt(point, 'touch')
     if (hit !== undefined && hit.part !== 'cell' && isSeveral()) target.toggle(hit.id)
     else target.select(hit === undefined ? [] : [hit.id])
   }
 
   const begin = (point: Point, event: PointerEvent): Gesture => {
     const isTouch = event.pointerType === 'touch'
-    if (isTouch && !isFingerHeld) return { move() {}, click: () => wait(afterPending(() => select(point))) }
+    if (isTouch && !isFingerHeld) return { move() {}, click: () => select(point) }
     const pathEnd = view.pathEndAt(point, isTouch ? TOUCH_SLACK : 0)
     const scaling = view.handleAt(point, isTouch ? TOUCH_SLACK : 0)
     if (event.button === MIDDLE || target.tool === 'pan') return gestures.pan(point, () => {})
@@ -166,25 +123,22 @@ export function listenToPointer(
     if (target.tool === 'draw') return gestures.drawCorner(point)
     if (pathEnd !== undefined) return gestures.movePathEnd(pathEnd)
     if (scaling !== undefined) return gestures.scaleCircles(point, scaling)
-    return whenKnown(afterPending(() => gestureAt(point, event)))
+    return gestureAt(point, event)
   }
 
   /** Whether a long press is on empty space, without a circle or handle. */
-  const isEmpty = async (point: Point, { pointerType }: PointerEvent): Promise<boolean> => {
+  const isEmpty = (point: Point, { pointerType }: PointerEvent): boolean => {
     if (target.tool === 'add') return true
-    const slack = pointerType === 'touch' ? TOUCH_SLACK : 0
-    if (target.tool !== 'select' || view.pathEndAt(point, slack) !== undefined) return false
-    if (view.handleAt(point, slack) !== undefined) return false
-    const hit = await hitAt(point, pointerType)
-    if (hit !== undefined && hit.part !== 'cell') return false
-    return (await target.fitted(planeAt(point))) !== undefined
+    if (target.tool !== 'select' || isOnHandle(point, pointerType === 'touch' ? TOUCH_SLACK : 0)) return false
+    const hit = hitAt(point, pointerType)
+    return (hit === undefined || hit.part === 'cell') && target.fitted(planeAt(point)) !== undefined
   }
 
   /** A long press by a finger adds a circle to the selection. Returns whether the finger is on a circle. */
-  const holdSelects = async (point: Point, event: PointerEvent, isOver: () => boolean): Promise<boolean> => {
+  const holdSelects = (point: Point, event: PointerEvent): boolean => {
     if (event.pointerType !== 'touch' || target.tool !== 'select') return false
-    const hit = await hitAt(point, event.pointerType)
-    if (hit === undefined || hit.part === 'cell' || isOver()) return false
+    const hit = hitAt(point, event.pointerType)
+    if (hit === undefined || hit.part === 'cell') return false
     if (target.isSelected(hit.id)) return true
     target.toggle(hit.id)
     navigator.vibrate?.(VIBRATION)
@@ -193,11 +147,10 @@ export function listenToPointer(
     return true
   }
 
-  const hold = async (point: Point, event: PointerEvent, begun: Gesture) => {
+  const hold = (point: Point, event: PointerEvent, begun: Gesture) => {
     // The press may have ended or become another gesture.
-    const isOver = () => hasMoved || gesture !== begun
-    if (isOver() || event.button !== MAIN || event.shiftKey) return
-    if ((await holdSelects(point, event, isOver)) || !(await isEmpty(point, event)) || isOver()) return
+    if (hasMoved || gesture !== begun || event.button !== MAIN || event.shiftKey) return
+    if (holdSelects(point, event) || !isEmpty(point, event)) return
     begun.cancel?.()
     const showsDisc = event.pointerType === 'touch' && view.layers.disc && target.tool === 'select'
     gesture = showsDisc ? showDisc(point) : gestures.holdCircle(point)
@@ -218,7 +171,7 @@ export function listenToPointer(
   const end = (point: Point | undefined) => {
     clearTimeout(holding)
     gesture = undefined
-    if (point !== undefined) hitAt(point, 'mouse').then(showCursor)
+    if (point !== undefined) showCursor(hitAt(point, 'mouse'))
   }
 
   const cancel = () => {
@@ -269,27 +222,16 @@ export function listenToPointer(
     if (['cell', 'pan'].includes(element.dataset.cursor ?? '')) element.dataset.cursor = 'panning'
   })
 
-  const hover = async (point: Point) => {
+  const hover = (point: Point) => {
     view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
-    const hit = await hitAt(point, 'mouse')
-    // The result may arrive after the pointer has left.
-    if (pressed.size > 0 || hovering === undefined) return
+    const hit = hitAt(point, 'mouse')
     target.hover(hit?.id)
     if (target.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
     else showCursor(hit)
   }
-  /** Asks what is under a pointer that rests while the picture changes. */
-  let isAsking = false
-  let isOutdated = false
-  const hoverAgain = async () => {
-    isOutdated = true
-    if (isAsking) return
-    isAsking = true
-    while (isOutdated && hovering !== undefined && pressed.size === 0 && target.tool !== 'draw') {
-      isOutdated = false
-      await hover(hovering)
-    }
-    isAsking = false
+  /** Updates the hovered circle when the picture changes under a resting pointer. */
+  const hoverAgain = () => {
+    if (hovering !== undefined && pressed.size === 0 && target.tool !== 'draw') hover(hovering)
   }
   const unwatch = [view.on('camera', hoverAgain), view.on('changed', hoverAgain)]
 
@@ -315,7 +257,7 @@ export function listenToPointer(
   on('pointerup', (event) => {
     if (!pressed.delete(event.pointerId)) return
     released = event
-    if (hasMoved) wait(Promise.resolve(gesture?.end?.()))
+    if (hasMoved) gesture?.end?.()
     else gesture?.click?.()
     end(pointOf(event))
   })
@@ -344,15 +286,15 @@ export function listenToPointer(
     }
   })
 
-  const addAt = async (point: Point) => {
+  on('dblclick', (event) => {
+    const point = pointOf(event)
     if (target.tool === 'draw') {
       target.draw?.('close', planeAt(point), 0)
       return
     }
-    const hit = await hitAt(point, 'mouse')
-    if (hit === undefined || hit.part === 'cell') await target.addFitting(planeAt(point))
-  }
-  on('dblclick', (event) => wait(afterPending(() => addAt(pointOf(event)))))
+    const hit = hitAt(point, 'mouse')
+    if (hit === undefined || hit.part === 'cell') target.addFitting(planeAt(point))
+  })
 
   // Scrolling must be prevented at touchstart, which follows the pointer event.
   const keepTouch = (event: TouchEvent) => {
@@ -384,9 +326,6 @@ export function listenToPointer(
     { passive: false },
   )
   return {
-    get pending() {
-      return pending
-    },
     get isPressed() {
       return pressed.size > 0
     },

@@ -87,11 +87,6 @@ export interface Shares {
  * The questions about a view's circles. `undefined` means that there is no answer, or that a drawing was impossible.
  */
 export interface Questions {
-  /**
-   * The circle at a point of the plane. `slack` is the tolerance and `reach` that of a finger for small circles, in
-   * units.
-   */
-  hit(x: number, y: number, slack: number, reach?: number): Hit | undefined
   /** A circle in the nearest free room between circles; `undefined` if there is none. */
   room(x: number, y: number): Circle | undefined
   /** The disc at the nearest vertex or point of an edge, within `slack`. */
@@ -247,14 +242,6 @@ export interface CellFacts extends Circle {
 export interface Facts extends DiagramCounts {
   /** The requested cells. Missing circles have no entry. */
   readonly cells: ReadonlyMap<number, CellFacts>
-}
-
-/** The circle under the pointer, and the part that was hit: its rim, its disc, or only its cell. */
-export interface Hit {
-  readonly id: number
-  readonly part: 'rim' | 'disc' | 'cell'
-  /** The number of small circles in the reach of a finger, if it hit one of them. */
-  readonly inReach?: number
 }
 
 export interface Described {

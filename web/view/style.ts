@@ -3,7 +3,7 @@
 /** Circles with a smaller radius are drawn as dots of this radius, in pixels. */
 export const DOT_RADIUS = 1.5
 /** Number of colors of the ramp for measures that a page can set. */
-export const TINTS = 6
+const TINTS = 6
 /** Number of shades of the ramp, interpolated between those colors. */
 export const SHADES = 61
 /** Number of colors that greedy coloring in smallest-last order needs for any map. */
@@ -133,7 +133,7 @@ export function isDark({ paper }: Style): boolean {
   return red + green + blue < 1.5 * 255
 }
 
-/** The opacity of a computed color, which names it only if it is not 1. */
+/** The opacity of a computed CSS color; the default is 1. */
 function opacityOf(color: string): number {
   return Number(/^rgba\(.*, ([\d.e-]+)\)$/.exec(color)?.[1] ?? 1)
 }

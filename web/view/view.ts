@@ -2,7 +2,7 @@
 import type { Box, Circle, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, NO_PADDING, type Padding, type Size, toScreen } from './camera.ts'
-import type { CircleTable, UndoEdit } from './circle-table.ts'
+import type { CircleTable, Hit, UndoEdit } from './circle-table.ts'
 import type { Name, Names } from './labels.ts'
 import {
   checkLayers,
@@ -15,6 +15,7 @@ import {
 } from './layers.ts'
 import { scaleOnScreen } from './on-screen.ts'
 import {
+  type Chosen,
   drawOverlay,
   HANDLE_RADIUS,
   handleOf,
@@ -22,13 +23,15 @@ import {
   NOTHING_STANDS_OUT,
   type OverlayContent,
   type OverlayHighlights,
+  type SelectionRectangle,
 } from './overlay.ts'
 import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
-import type { Answer, Edited, Lost, Painter, SceneClient } from './painter.ts'
+import type { Painter } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, GlobalResults, Highlights, Questions, Touching, Trial } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
+import type { Answer, Edited, Lost, SceneClient } from './scene-client.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 import { svgPicture } from './svg-picture.ts'
 
@@ -64,22 +67,10 @@ export interface ViewEvents {
   readonly failed: { readonly error: Error; readonly marks: boolean }
 }
 
-/** The selected circles, x, y and r each, and their bounding box. */
-export interface Chosen {
-  readonly circles: Float64Array
-  readonly box: Box
-}
-
 /** A part of the plane, and the size in which to export it. */
 export interface ExportView {
   readonly camera: Camera
   readonly size: Size
-}
-
-/** The corners of a rubber band, in pixels. */
-export interface SelectionRectangle {
-  readonly from: Point
-  readonly to: Point
 }
 
 /** Shows circles and their diagram in an element of a page, seen by a camera. */
@@ -247,6 +238,11 @@ export class View {
     return this.#scene.ask(name, ...args)
   }
 
+  /** The circle at a point of the plane (`CircleTable.hitAt`). */
+  hitAt(point: Point, slack: number, reach?: number): Hit | undefined {
+    return this.#scene.hitAt(point, slack, reach)
+  }
+
   /** The layers. They are not drawn if only circles are shown (`hasDiagram`). */
   get layers(): Layers {
     return this.#layers
@@ -380,7 +376,7 @@ export class View {
     return canvas.convertToBlob({ type: 'image/png' })
   }
 
-  /** Returns a video stream of what is seen, until its track is stopped. */
+  /** Returns a video stream of the canvas. Stopping its track ends it. */
   stream(): MediaStream {
     const { width, height } = this.#base
     const canvas = Object.assign(document.createElement('canvas'), { width, height })

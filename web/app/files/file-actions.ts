@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Editing } from '../../editing/editing.ts'
-import type { HowOpened } from '../../editing/editor-actions.ts'
+import type { HowOpened } from '../../editing/opening-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { withIds } from '../../element/check.ts'
@@ -226,8 +226,8 @@ export class FileActions {
   }
 
   /**
-   * Saves the drawing, with a link in it to open it again; if the circles are too many for a link, with a table of
-   * them.
+   * Saves the drawing with a link that opens it again, or with a table of the circles if they are too many for a
+   * link.
    */
   async saveDrawing(part: Part): Promise<void> {
     await this.#try(async () => {
@@ -366,7 +366,7 @@ export class FileActions {
     let length: number | undefined
     await this.#try(async () => {
       const text = this.#shortLink(state).then(textOf)
-      // Safari allows copying only what was requested during the click, so the text is passed as a promise.
+      // Safari copies only items created during the click, so the text is passed as a promise.
       const item = new ClipboardItem({ 'text/plain': text.then((text) => new Blob([text], { type: 'text/plain' })) })
       await Promise.all([text, navigator.clipboard.write([item])])
       length = (await text).length

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads drawings back: the page's own by the link or the table in their metadata, those of the program by their
-// circles.
+// Reads SVG drawings. Drawings of the page have a link or a table in their metadata; drawings of the program have circles.
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Read } from './files-protocol.ts'
 

@@ -9,7 +9,7 @@ const FAR = 8
 /** Fewer circles have no outliers. */
 const FEW = 20
 
-/** The bounding box of circles, or of most of them if outliers would make them too small to see. */
+/** The bounding box of circles, without outliers that would make most circles too small to see. */
 export function interestingBox(circles: Float64s): Box {
   const [whole, core] = [boundingBox(circles), new CircleTable(circles).core()]
   return circles.length > 3 * FEW && sizeOf(whole) > FAR * sizeOf(core) ? core : whole

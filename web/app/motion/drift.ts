@@ -11,8 +11,8 @@ const REACH = { x: 0.9, y: 0.7 }
 const BACK = 350
 
 /**
- * Moves one circle of the first scene gently until the user touches anything. The circle then returns, so that the
- * circles are those of the data set. The motion is neither saved nor undone, and is off if the user prefers reduced
+ * Moves one circle of the first scene gently until the user touches anything. The circle then returns to its place
+ * in the data set. The motion is neither saved nor undone, and is off if the user prefers reduced
  * motion. `onend` is called when the circle is back, when other circles are opened, or if the circle cannot be moved.
  */
 export function driftAtStart(view: View, figure: HTMLElement, onend: () => void): void {

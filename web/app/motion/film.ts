@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Video formats by decreasing support in other programs. A browser can write one of them. */
+/** Video formats by decreasing support in other programs. Browsers write at least one. */
 const TYPES = ['video/mp4', 'video/webm;codecs=vp9', 'video/webm'] as const
 /** Bits per second, enough for sharp edges. */
 const QUALITY = 8_000_000

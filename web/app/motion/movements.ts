@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The animations. Each computes the circles of the next frame.
-import type { Box, Circle } from '../../lib/index.ts'
-
-/** A circle with its id. */
-export interface Moving {
-  readonly id: number
-  readonly circle: Circle
-}
+import type { Box } from '../../lib/index.ts'
+import type { IdentifiedCircle } from '../../view/gestures.ts'
 
 /** Returns the circles `seconds` after the last frame. `neighbors` are pairs of ids whose cells share an edge. */
-export type Movement = (seconds: number) => readonly Moving[]
+export type Movement = (seconds: number) => readonly IdentifiedCircle[]
 
 export const MOVEMENTS = {
   bounce: 'Bounce',
@@ -27,7 +22,12 @@ export const BREATH = 4
 const BREADTH = 0.35
 
 /** The animation with a name, for circles that bounce inside a box. */
-export function movementOf(name: MovementName, circles: readonly Moving[], box: Box, random = Math.random): Movement {
+export function movementOf(
+  name: MovementName,
+  circles: readonly IdentifiedCircle[],
+  box: Box,
+  random = Math.random,
+): Movement {
   if (name === 'bounce') return bouncing(circles, box, random)
   let time = 0
   const scaledBy = (factorOf: (k: number) => number) =>
@@ -59,7 +59,7 @@ interface Ball {
 }
 
 /** Balls that bounce off each other and the walls of a box. Their masses are their areas. */
-function bouncing(circles: readonly Moving[], box: Box, random: () => number): Movement {
+function bouncing(circles: readonly IdentifiedCircle[], box: Box, random: () => number): Movement {
   const speed = Math.max(box.maxX - box.minX, box.maxY - box.minY) / CROSSING
   const balls: Ball[] = circles.map(({ id, circle: { x, y, r } }) => {
     const angle = 2 * Math.PI * random()

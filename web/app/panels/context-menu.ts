@@ -19,19 +19,19 @@ export function contextMenu(
   actions: PageActions,
   view: View,
   name: () => void,
-): (at: Point) => Promise<void> {
+): (at: Point) => void {
   const menu = byId('menu', HTMLElement)
   const figure = byId('figure', HTMLElement)
 
-  const itemsAt = async (point: Point): Promise<readonly Item[]> => {
-    const { x, y } = toPlane(view.camera, view.size, point)
-    const hit = await view.ask('hit', x, y, SLACK / view.camera.scale)
+  const itemsAt = (point: Point): readonly Item[] => {
+    const place = toPlane(view.camera, view.size, point)
+    const hit = view.hitAt(place, SLACK / view.camera.scale)
     const isOnCircle = hit !== undefined && hit.part !== 'cell'
     if (isOnCircle && !actions.isSelected(hit.id)) actions.select([hit.id])
     const count = store.get().selection.length
     if (!isOnCircle) {
       return [
-        ['Add a circle here', 'double-click', () => actions.addFitting({ x, y })],
+        ['Add a circle here', 'double-click', () => actions.addFitting(place)],
         ['Select all', 'Ctrl+A', () => actions.selectAll()],
         ['Show everything', '0', () => actions.fit()],
       ]
@@ -79,5 +79,5 @@ export function contextMenu(
     const hasFocus = [document.body, null].includes(document.activeElement as HTMLElement | null)
     if (newState === 'closed' && (hasFocus || menu.contains(document.activeElement))) figure.focus()
   })
-  return async (at) => open(await itemsAt(at), at)
+  return (at) => open(itemsAt(at), at)
 }

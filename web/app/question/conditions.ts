@@ -49,7 +49,7 @@ export const KINDS: readonly Kind[] = [
 ]
 
 /** The comparison operators. */
-export const COMPARISONS = ['is', 'min', 'max', 'between'] as const
+const COMPARISONS = ['is', 'min', 'max', 'between'] as const
 export type Comparison = (typeof COMPARISONS)[number]
 
 export interface Condition {
@@ -103,12 +103,12 @@ function numberOf({ comparison, value, most }: Condition): NumberCondition {
   }
 }
 
-/** The conditions that make a check, and whether one of them is enough; `undefined` if no list of conditions does. */
+/** Converts a check to conditions, and whether a single one suffices; `undefined` if the form cannot express the check. */
 export function conditionsOf(check: Check): { conditions: Condition[]; isAny: boolean } | undefined {
   const isAny = 'any' in check
   const parts = 'any' in check ? check.any : 'all' in check ? check.all : [check]
   const conditions = parts.map(conditionsOfPart)
-  // A part with several conditions needs all of them.
+  // Conditions within a part are always joined by `all`.
   if (conditions.includes(undefined) || (isAny && conditions.some((list) => list?.length !== 1))) return undefined
   return { conditions: conditions.flatMap((list) => list as Condition[]), isAny }
 }

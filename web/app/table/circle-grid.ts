@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type DataColumn, isNumeric, numberIn, textIn, valueFrom } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
-import type { Scene } from '../../editing/history.ts'
+import type { CircleSet } from '../../editing/history.ts'
 import { NAME, nameColumn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
@@ -54,7 +54,7 @@ function isOfFile(column: DataColumn, { attributes }: Editing): boolean {
 /** Letters of a number that a column has room for. */
 const ROOM = 9
 
-/** A number with as many digits as a column has room for. */
+/** Shortens a number to the width of a column. */
 function narrow(value: number): string {
   for (let digits = 6; digits > 2; digits--) {
     const text = short(value, digits)
@@ -76,7 +76,7 @@ export class CircleGrid implements GridContent {
   #places = new Int32Array()
   #sorting = BY_ID
   #edited: State['edited']
-  #scene: Scene | undefined
+  #scene: CircleSet | undefined
   #selection: readonly number[] = []
   #selected = new Set<number>()
   /** The last selection made in this grid. */

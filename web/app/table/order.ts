@@ -42,7 +42,7 @@ export function ranksOf(texts: readonly string[]): number[] {
 
 /**
  * The ids in the order of rows. `measured` holds the column's values if the painting thread computes them, `given`
- * those of a file's column by ascending id.
+ * the values of a file's column by ascending id.
  */
 export function ordered(
   circles: CircleTable,

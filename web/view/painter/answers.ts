@@ -29,7 +29,6 @@ export const answers = {
     const home = picture.home(x, y)
     return roomNear(picture.diagram, home.x, home.y)
   },
-  hit: (scene, x, y, slack, reach) => scene.hit(x, y, slack, reach),
   legend: (scene) => scene.picture.legend,
   touch(scene, x, y, slack) {
     const { diagram } = scene.picture

@@ -3,10 +3,10 @@ import { at } from '../../lib/base/diagram-data.ts'
 import type { Change, Diagram, Edit } from '../../lib/index.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import { idOf } from './cell-boxes.ts'
-import { type Difference, Picture } from './picture.ts'
+import { type Difference, type FollowingPicture, Picture } from './picture.ts'
 
 /** The Voronoi diagram of the circles' centers, kept up to date by an editor of points. */
-export class Centers {
+export class Centers implements FollowingPicture {
   readonly picture: Picture
   /** Maps each circle's id to the id of its center. */
   readonly #ids = new Map<number, number>()

@@ -30,7 +30,7 @@ export class Clip {
     this.#ofEach(diagram, circles, (few, k) => few.cellPath(k, { context, region, tolerance }))
   }
 
-  /** Calls `use` for each existing cell, with a small diagram in which the cell is the same. */
+  /** Calls `use` for each existing cell, with a small diagram that contains the same cell. */
   #ofEach<Value>(diagram: Diagram, circles: readonly number[], use: (few: Diagram, k: number) => Value): Value[] {
     const { circles: some, chosen } = fewCircles(
       diagram,

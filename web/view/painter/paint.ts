@@ -8,7 +8,7 @@ import { edges, missedEdges, ordinary, power } from './layers/edges.ts'
 import { delaunay, dual } from './layers/graphs.ts'
 import { hiders } from './layers/hiders.ts'
 import { vertices } from './layers/vertices.ts'
-import { type Layer, Painting } from './painting.ts'
+import { type Layer, PaintContext } from './paint-context.ts'
 import { addBorder, addInside, addOutside, partShown } from './region-path.ts'
 import type { Border } from './torus.ts'
 
@@ -35,7 +35,7 @@ const LAYERS: readonly Layer[] = [
 ]
 
 /** Paints a whole frame, including the paper. */
-export function paint(painting: Painting): void {
+export function paint(painting: PaintContext): void {
   const { drawing, frame, style, picture, pixelRatio } = painting
   drawing.cover(style.paper)
   const border: Border | undefined = picture.clip?.region ?? picture.torus?.border
@@ -63,12 +63,12 @@ export function paint(painting: Painting): void {
 }
 
 /** The painting itself, or one for each copy of repeating circles. */
-function copiesOf(painting: Painting): readonly Painting[] {
+function copiesOf(painting: PaintContext): readonly PaintContext[] {
   const { drawing, frame, pixelRatio, picture, style, limits } = painting
   if (picture.torus === undefined) return [painting]
   return picture.copiesIn(limits.bounds.box).map(({ x, y }) => {
     const moved = { ...frame, x: frame.x - x, y: frame.y - y }
-    return new Painting(drawing, moved, pixelRatio, picture, style)
+    return new PaintContext(drawing, moved, pixelRatio, picture, style)
   })
 }
 

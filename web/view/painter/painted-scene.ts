@@ -15,44 +15,26 @@ import {
   type PaintedLayers,
   repeatingLayers,
 } from '../layers.ts'
-import type {
-  Described,
-  DomainChange,
-  DrawnSvg,
-  Fitted,
-  GlobalResults,
-  Highlights,
-  Hit,
-  PaintRequest,
-  Patch,
-  PixelBox,
-} from '../protocol.ts'
+import type { Described, DomainChange, DrawnSvg, Fitted, GlobalResults, Highlights, Patch } from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 import { Centers } from './centers.ts'
 import { Clip } from './clip.ts'
 import { commandsOf } from './commands.ts'
-import { CanvasDrawing, type Drawing } from './drawing.ts'
+import type { Drawing } from './drawing.ts'
 import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
 import { found } from './found.ts'
 import { boundsOf, type Frame, toleranceOf } from './frame.ts'
-import { frameOf, intersection, mergeOverlapping, pixelsOf, tilesOf } from './grid.ts'
+import { frameOf } from './grid.ts'
 import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
-import { Painting } from './painting.ts'
+import { PaintContext } from './paint-context.ts'
 import { type Difference, Picture } from './picture.ts'
 import { leastFirst } from './ring.ts'
 import { SvgDrawing } from './svg-drawing.ts'
+import { Tiles, type ViewportRequest } from './tiles.ts'
 import { RepeatedDiagram, Torus } from './torus.ts'
-
-/** The viewport and style of a paint request. */
-interface ViewportRequest extends PaintRequest {
-  readonly style: Style
-}
-
-/** Strokes extend this far beyond an edited box, in CSS pixels. */
-const STROKE = 4
 
 /** Queries faster than this (seconds) run with each edit; slower ones wait for a pause. */
 const QUICK = 0.005
@@ -84,10 +66,7 @@ export class PaintedScene {
   /** The comparison module once loaded, and the duration of the last power diagram. */
   #comparison: Comparison | undefined
   #powerSeconds = 0
-  #look: ViewportRequest | undefined
-  /** The tiles that the view has, and the tiles to paint, the next one last. */
-  readonly #painted = new Set<string>()
-  #waiting: PixelBox[] = []
+  readonly tiles = new Tiles((...frame) => this.draw(...frame))
   #hint = -1
   #selected: number | undefined
   #hovered: number | undefined
@@ -171,7 +150,7 @@ export class PaintedScene {
     if (!layers.power) picture.power = undefined
     const isSame = candidates === layers.candidates && sampleCount === layers.sampleCount
     if (!isMethodShown(layers) || !isSame) picture.method = undefined
-    if (isPainted) this.#restart()
+    if (isPainted) this.tiles.restart()
   }
 
   /** Whether the power diagram is visible but not computed. */
@@ -184,7 +163,7 @@ export class PaintedScene {
     this.#comparison = comparison
     this.#isFound = false
     this.#computePower(comparison)
-    this.#restart()
+    this.tiles.restart()
   }
 
   #computePower({ computeComparison }: Comparison): void {
@@ -210,7 +189,7 @@ export class PaintedScene {
   addMethod(): void {
     this.#isFound = false
     this.picture.setMethod(methodResult(this.library, this.picture.diagram, this.picture.layers))
-    this.#restart()
+    this.tiles.restart()
   }
 
   /** Whether visible layers need global results that are missing. */
@@ -231,7 +210,7 @@ export class PaintedScene {
   /** Computes the global results. */
   find(): GlobalResults {
     const start = performance.now()
-    const scale = this.#look?.grid.scale
+    const scale = this.tiles.viewport?.grid.scale
     const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
     const result = found(this.picture, tolerance)
     this.#isFound = true
@@ -241,7 +220,7 @@ export class PaintedScene {
 
   /** Draws a frame. */
   draw(drawing: Drawing, frame: Frame, pixelRatio: number, style: Style): void {
-    paint(new Painting(drawing, frame, pixelRatio, this.picture, style))
+    paint(new PaintContext(drawing, frame, pixelRatio, this.picture, style))
   }
 
   /** Draws a frame as SVG, with global results at the frame's precision. */
@@ -302,8 +281,8 @@ export class PaintedScene {
     if (colors !== undefined) this.picture.recolor(colors)
     // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
-    const patches = isElsewhere ? [] : [...this.#repaint(isAtOnce ? undefined : boxes), ...this.#paintSeen()]
-    if ((isEverywhere && !isAtOnce) || isElsewhere) this.#restart()
+    const patches = isElsewhere ? [] : [...this.tiles.repaint(isAtOnce ? undefined : boxes), ...this.tiles.paintSeen()]
+    if ((isEverywhere && !isAtOnce) || isElsewhere) this.tiles.restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
     return {
@@ -316,7 +295,7 @@ export class PaintedScene {
     }
   }
 
-  /** Edits that leave all circles in a box; those that are there lie in the box before. */
+  /** Edits that move all circles into the box. */
   #wrapped(edits: readonly Edit[], torus: Torus | undefined): readonly Edit[] {
     if (torus === undefined) return edits
     const own = edits.map((edit) => torus.wrappedEdit(edit))
@@ -343,93 +322,10 @@ export class PaintedScene {
   }
 
   /** Sets the viewport. Returns whether it covers another box or has another scale. */
-  look({ paintId, grid, seen, wanted }: PaintRequest, style: Style): { isElsewhere: boolean; isOtherScale: boolean } {
-    const before = this.#look
-    this.#look = { paintId, grid, seen, wanted, style }
-    const isOtherScale = before?.grid.scale !== grid.scale
-    if (isOtherScale) this.#isFound = false
-    const isOtherGrid = before?.grid.id !== grid.id
-    if (isOtherGrid) this.#painted.clear()
-    this.#queue(seen, wanted)
-    const isElsewhere = isOtherGrid || !isSameBox(before.wanted, wanted)
-    return { isElsewhere, isOtherScale }
-  }
-
-  get isWaiting(): boolean {
-    return this.#waiting.length > 0
-  }
-
-  get grid(): number {
-    return this.#look?.grid.id ?? -1
-  }
-
-  get paintId(): number {
-    return this.#look?.paintId ?? -1
-  }
-
-  /** Paints the next missing tile, if any. */
-  paintNext(): Patch | undefined {
-    const tile = this.#waiting.pop()
-    if (tile === undefined || this.#look === undefined) return undefined
-    this.#painted.add(keyOf(tile))
-    return this.#paint(tile, this.#look)
-  }
-
-  /** Paints the visible tiles that are missing, so that a view shows a moment as a whole or not at all. */
-  #paintSeen(): Patch[] {
-    const look = this.#look
-    if (look === undefined) return []
-    const isSeen = (tile: PixelBox) => intersection(tile, look.seen) !== undefined
-    const tiles = this.#waiting.filter(isSeen)
-    this.#waiting = this.#waiting.filter((tile) => !isSeen(tile))
-    for (const tile of tiles) this.#painted.add(keyOf(tile))
-    return tiles.map((tile) => this.#paint(tile, look))
-  }
-
-  /**
-   * The circle at a point. For a pointer (`reach` 0), rims take precedence over discs; the nearest rim and the smallest
-   * disc win. A finger has the circles with smaller radii than its `reach` first, if their centers are within it; the
-   * nearest one wins.
-   */
-  hit(x: number, y: number, slack: number, reach = 0): Hit | undefined {
-    const { index, diagram } = this.picture
-    const { circles } = diagram
-    const { x: homeX, y: homeY } = this.picture.home(x, y)
-    let rim: number | undefined
-    let rimDistance = slack
-    let disc: number | undefined
-    let discSize = Number.POSITIVE_INFINITY
-    let small: number | undefined
-    let smallDistance = Number.POSITIVE_INFINITY
-    let inReach = 0
-    const width = Math.max(slack, reach)
-    const around = { minX: homeX - width, minY: homeY - width, maxX: homeX + width, maxY: homeY + width }
-    for (const id of index.search(around)) {
-      const i = diagram.indexOf(id)
-      const r = this.picture.areSites ? 0 : at(circles, 3 * i + 2)
-      const toCenter = Math.hypot(at(circles, 3 * i) - homeX, at(circles, 3 * i + 1) - homeY)
-      const distance = toCenter - r
-      if (r < reach && toCenter <= reach) {
-        inReach += 1
-        if (distance < smallDistance) [small, smallDistance] = [id, distance]
-      }
-      // A small circle has no separate rim; it can be resized at a larger scale. An image has none either, because
-      // sizes are measured from the circle itself.
-      const hasRim = r > 3 * slack && homeX === x && homeY === y
-      if (hasRim && Math.abs(distance) < rimDistance) {
-        rim = id
-        rimDistance = Math.abs(distance)
-      }
-      if (distance <= (hasRim ? 0 : slack) && r < discSize) {
-        disc = id
-        discSize = r
-      }
-    }
-    if (small !== undefined) return { id: small, part: 'disc', inReach }
-    if (rim !== undefined) return { id: rim, part: 'rim' }
-    if (disc !== undefined) return { id: disc, part: 'disc' }
-    const id = this.nearest(x, y)
-    return id < 0 ? undefined : { id, part: 'cell' }
+  look(request: ViewportRequest): { isElsewhere: boolean; isOtherScale: boolean } {
+    const turned = this.tiles.turnTo(request)
+    if (turned.isOtherScale) this.#isFound = false
+    return turned
   }
 
   /** The id of the circle whose cell contains a point; -1 if there is none. */
@@ -473,7 +369,7 @@ export class PaintedScene {
     return {
       id,
       circle: { ...circleAt(circles, i), ...(this.picture.areSites && { r: 0 }) },
-      color: this.#look && this.picture.palette(this.#look.style)[this.picture.colorOf(i)],
+      color: this.tiles.viewport && this.picture.palette(this.tiles.viewport.style)[this.picture.colorOf(i)],
       hiddenBy,
       isBounded: cells.isBounded(i),
       neighbors: Int32Array.from(leastFirst([...new Set(neighbors.map(idOf))])),
@@ -484,8 +380,8 @@ export class PaintedScene {
 
   /** The outlines of cells at the precision of the viewport (`replay`). */
   readonly outlineOf = (circles: readonly number[], diagram: Diagram = this.picture.diagram): Float64Array => {
-    if (this.#look === undefined) return new Float64Array()
-    const { grid, wanted } = this.#look
+    if (this.tiles.viewport === undefined) return new Float64Array()
+    const { grid, wanted } = this.tiles.viewport
     const tolerance = toleranceOf(grid)
     const { clip } = this.picture
     if (clip !== undefined) return commandsOf((context) => clip.drawCells(context, diagram, circles, tolerance))
@@ -494,49 +390,4 @@ export class PaintedScene {
       for (const i of circles) diagram.cellPath(i, { context, ...options })
     })
   }
-
-  /** `undefined` repaints everything. */
-  #repaint(boxes: readonly Box[] | undefined): Patch[] {
-    const look = this.#look
-    if (look === undefined) return []
-    const margin = STROKE * look.grid.pixelRatio
-    const tiles = tilesOf(look.wanted).filter((tile) => this.#painted.has(keyOf(tile)))
-    return tiles.flatMap((tile) => {
-      if (boxes === undefined) return [this.#paint(tile, look)]
-      const parts = boxes.flatMap((box) => intersection(tile, pixelsOf(look.grid, box, margin)) ?? [])
-      return mergeOverlapping(parts).map((part) => this.#paint(part, look))
-    })
-  }
-
-  #restart(): void {
-    this.#painted.clear()
-    if (this.#look !== undefined) this.#queue(this.#look.seen, this.#look.wanted)
-  }
-
-  #queue(seen: PixelBox, wanted: PixelBox): void {
-    const middleX = seen.left + seen.width / 2
-    const middleY = seen.top + seen.height / 2
-    const distanceOf = ({ left, top, width, height }: PixelBox) =>
-      Math.max(Math.abs(left + width / 2 - middleX), Math.abs(top + height / 2 - middleY))
-    this.#waiting = tilesOf(wanted)
-      .filter((tile) => !this.#painted.has(keyOf(tile)))
-      .sort((a, b) => distanceOf(b) - distanceOf(a))
-    const kept = new Set(tilesOf(wanted).map(keyOf))
-    for (const key of this.#painted) if (!kept.has(key)) this.#painted.delete(key)
-  }
-
-  #paint(box: PixelBox, { grid, style }: ViewportRequest): Patch {
-    const canvas = new OffscreenCanvas(box.width, box.height)
-    const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-    this.draw(new CanvasDrawing(context), frameOf(grid, box), grid.pixelRatio, style)
-    return { box, image: canvas.transferToImageBitmap() }
-  }
-}
-
-function isSameBox(one: PixelBox, other: PixelBox): boolean {
-  return keyOf(one) === keyOf(other) && one.width === other.width && one.height === other.height
-}
-
-function keyOf({ left, top }: PixelBox): string {
-  return `${left},${top}`
 }

@@ -98,7 +98,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
             scene: message.scene,
             revision: message.revision,
             counts: scene.counts(),
-            grid: scene.grid,
+            grid: scene.tiles.viewport?.grid.id ?? -1,
             patches,
             boxes,
             change,
@@ -110,14 +110,14 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
           },
           patches.map(({ image }) => image),
         )
-        if (scene.isWaiting) schedule()
+        if (scene.tiles.isWaiting) schedule()
         if (found === undefined || scene.isPowerMissing || scene.isMethodMissing) findAtRest()
       } catch (error) {
         refuse(message.scene, message.revision, error)
       }
       return
     case 'look': {
-      const { isElsewhere, isOtherScale } = scene.look(message, message.style)
+      const { isElsewhere, isOtherScale } = scene.look(message)
       schedule()
       // Outlines are clipped to the viewport and have its precision.
       if (isElsewhere && scene.isAnythingMarked) {
@@ -201,8 +201,8 @@ function paintSlice(): void {
   for (const [number, scene] of scenes) {
     const patches: Patch[] = []
     try {
-      while (scene.isWaiting && performance.now() < end) {
-        const patch = scene.paintNext()
+      while (scene.tiles.isWaiting && performance.now() < end) {
+        const patch = scene.tiles.paintNext()
         if (patch !== undefined) patches.push(patch)
       }
     } catch (error) {
@@ -214,16 +214,16 @@ function paintSlice(): void {
       {
         kind: 'painted',
         scene: number,
-        grid: scene.grid,
+        grid: scene.tiles.viewport?.grid.id ?? -1,
         patches,
-        paintId: scene.paintId,
-        isWhole: !scene.isWaiting,
+        paintId: scene.tiles.viewport?.paintId ?? -1,
+        isWhole: !scene.tiles.isWaiting,
       },
       patches.map(({ image }) => image),
     )
   }
   // Another scene may be waiting after one has used the time slice.
-  if ([...scenes.values()].some(({ isWaiting }) => isWaiting)) schedule()
+  if ([...scenes.values()].some(({ tiles }) => tiles.isWaiting)) schedule()
   measure(end)
 }
 

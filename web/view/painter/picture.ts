@@ -17,7 +17,6 @@ import { MAP_COLORS, SHADES, type Style } from '../style.ts'
 import { BoxIndex } from './box-index.ts'
 import { addAround, boxAt, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
-import type { Centers } from './centers.ts'
 import type { Clip } from './clip.ts'
 import { Coloring, type FormerIds } from './coloring.ts'
 import { Measures } from './measures.ts'
@@ -40,6 +39,13 @@ export interface Difference {
   readonly boxes: readonly Box[]
   /** Whether the picture may differ outside of the boxes. */
   readonly isEverywhere: boolean
+}
+
+/** The picture of another editor, which the changes of a picture's circles edit as well. */
+export interface FollowingPicture {
+  readonly picture: Picture
+  apply(change: Change): Difference
+  dispose(): void
 }
 
 /** A client's layer with the index of its parts. */
@@ -70,7 +76,7 @@ export class Picture {
   /** Length at which unbounded edges are cut. */
   readonly reach: number
   /** The diagram of the centers, if a visible layer needs it. */
-  centers: Centers | undefined
+  centers: FollowingPicture | undefined
   /** The power diagram of the current circles, if a visible layer needs it. */
   power: StaticDiagram | undefined
   data: readonly IndexedData[] = []

@@ -39,7 +39,7 @@ export function roomNear(diagram: Diagram, x: number, y: number): Circle | undef
   return found ?? outside(diagram, seen)
 }
 
-/** The circle nearest to a point and its distance, which is below zero inside of it. A circle with a cell is one of these. */
+/** The circle nearest to a point and its distance, negative inside the circle. A circle with a cell is one of these. */
 function nearestTo(circles: Float64Array, x: number, y: number): [i: number, distance: number] {
   let [nearest, least] = [NONE, Number.POSITIVE_INFINITY]
   for (let i = 0; i < circles.length / 3; i++) {

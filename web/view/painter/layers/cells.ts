@@ -3,7 +3,7 @@
 import { NONE } from '../../../lib/base/diagram-data.ts'
 import { drawCell } from '../../../lib/drawing/draw.ts'
 import type { FrameSink } from '../frame-sink.ts'
-import { type Layer, type Painting, shareOf } from '../painting.ts'
+import { type Layer, type PaintContext, shareOf } from '../paint-context.ts'
 
 /** Long paths take more than linear time in browsers. */
 const CELLS_PER_PATH = 64
@@ -25,7 +25,7 @@ export const cells: Layer = {
   },
 }
 
-function fillCells(painting: Painting, opacity: number): void {
+function fillCells(painting: PaintContext, opacity: number): void {
   const { picture, limits, tolerance, palette } = painting
   const paths = new Map<number, { readonly sink: FrameSink; count: number }>()
   const flush = (k: number) => {

@@ -4,7 +4,7 @@ import { at, NONE } from '../../../lib/base/diagram-data.ts'
 import type { PathSink } from '../../../lib/index.ts'
 import { DOT_RADIUS, isSeen } from '../../style.ts'
 import { addDisc } from '../disc-path.ts'
-import { type Layer, type Painting, shareOf } from '../painting.ts'
+import { type Layer, type PaintContext, shareOf } from '../paint-context.ts'
 import { addRectangle } from '../polygon-path.ts'
 
 /** Cell widths in pixels from which circles too small to see are drawn as dots; in narrower cells they are specks. */
@@ -64,15 +64,15 @@ interface Paths {
 }
 
 /** Caches the paths of a painting, because they are drawn both below and above the edges. */
-const known = new WeakMap<Painting, Paths>()
+const known = new WeakMap<PaintContext, Paths>()
 
-function pathsOf(painting: Painting): Paths {
+function pathsOf(painting: PaintContext): Paths {
   const paths = known.get(painting) ?? madePaths(painting)
   known.set(painting, paths)
   return paths
 }
 
-function madePaths(painting: Painting): Paths {
+function madePaths(painting: PaintContext): Paths {
   const { picture, frame, circles, pixelRatio, width } = painting
   const { diagram } = picture
   const discs = new Map<number, PathSink>()

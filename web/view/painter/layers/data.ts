@@ -2,7 +2,7 @@
 import { at } from '../../../lib/base/diagram-data.ts'
 import { isMethodShown } from '../../layers.ts'
 import { addDisc } from '../disc-path.ts'
-import type { Layer, Painting } from '../painting.ts'
+import type { Layer, PaintContext } from '../paint-context.ts'
 import type { IndexedData } from '../picture.ts'
 import { addSegment } from '../segment-path.ts'
 
@@ -29,7 +29,7 @@ export const method: Layer = {
   },
 }
 
-function drawData(painting: Painting, { layer, points, segments, discs }: IndexedData, color: string): void {
+function drawData(painting: PaintContext, { layer, points, segments, discs }: IndexedData, color: string): void {
   const { frame, pixelRatio, limits } = painting
   const sink = painting.sink()
   const lines = painting.drawing.path()

@@ -6,7 +6,7 @@ import { drawEdge } from '../../../lib/drawing/draw.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
 import { keptParts } from '../../../lib/regions/cell-limits.ts'
 import type { FrameSink } from '../frame-sink.ts'
-import { type Layer, type Painting, shareOf } from '../painting.ts'
+import { type Layer, type PaintContext, shareOf } from '../paint-context.ts'
 
 /** Long paths take more than linear time in browsers. */
 const EDGES_PER_PATH = 1000
@@ -72,7 +72,7 @@ export const missedEdges: Layer = {
 }
 
 function strokeArcs(
-  painting: Painting,
+  painting: PaintContext,
   stroke: (path: PathSink) => void,
   isDrawn: (edge: number) => boolean = () => true,
 ): void {
@@ -92,7 +92,7 @@ const FAR = 1e9
  * Strokes the dashed edges of a diagram of segments and rays. The phase of the dashes depends on the two circles only,
  * so that it is the same in all tiles and stays when a vertex of the edge moves.
  */
-function strokeDashed(painting: Painting, diagram: Diagram, circles: readonly number[], color: string): void {
+function strokeDashed(painting: PaintContext, diagram: Diagram, circles: readonly number[], color: string): void {
   const { lineWidth, pixelRatio, limits } = painting
   const [dash, period] = [DASH * pixelRatio, (DASH + GAP) * pixelRatio]
   const add = (sink: FrameSink, e: number) => {
@@ -132,7 +132,7 @@ function isLeft(side: number): boolean {
 
 /** Adds the edges around circles, each once, and strokes them. By default an edge is added with its left circle. */
 function strokeEdges(
-  painting: Painting,
+  painting: PaintContext,
   { cells }: Diagram,
   circles: readonly number[],
   add: (sink: FrameSink, e: number) => void,

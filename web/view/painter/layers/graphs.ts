@@ -3,7 +3,7 @@
 import { at } from '../../../lib/base/diagram-data.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
 import type { FrameSink } from '../frame-sink.ts'
-import type { Layer, Painting } from '../painting.ts'
+import type { Layer, PaintContext } from '../paint-context.ts'
 import type { Picture } from '../picture.ts'
 import { addSegment } from '../segment-path.ts'
 
@@ -26,7 +26,7 @@ export const delaunay: Layer = {
   },
 }
 
-function strokeDual(painting: Painting, picture: Picture, color: string): void {
+function strokeDual(painting: PaintContext, picture: Picture, color: string): void {
   const { limits, lineWidth } = painting
   const { diagram } = picture
   const sink = painting.sink()
@@ -50,7 +50,7 @@ function strokeDual(painting: Painting, picture: Picture, color: string): void {
 
 function addDualEdge(
   path: PathSink,
-  { frame }: Painting,
+  { frame }: PaintContext,
   sink: FrameSink,
   { circles }: Diagram,
   i: number,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../../lib/base/diagram-data.ts'
 import { addDisc } from '../disc-path.ts'
-import type { Layer } from '../painting.ts'
+import type { Layer } from '../paint-context.ts'
 import { addSegment } from '../segment-path.ts'
 
 const LINE = 1.25

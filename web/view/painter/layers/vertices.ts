@@ -4,7 +4,7 @@ import { at, NONE } from '../../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../../lib/base/scale.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
 import { addDisc } from '../disc-path.ts'
-import { type Layer, shareOf } from '../painting.ts'
+import { type Layer, shareOf } from '../paint-context.ts'
 
 /** Range of cell widths in pixels over which vertices fade in. */
 const CELL_WITH_VERTICES = [50, 80] as const

@@ -14,7 +14,7 @@ const CELL_WIDTH_PER_LINE_WIDTH = 16
 const THICKEST_LINE = 1.5
 
 /** A frame being painted on a drawing with the same pixels. */
-export class Painting {
+export class PaintContext {
   readonly drawing: Drawing
   readonly frame: Frame
   /** Device pixels per CSS pixel. */
@@ -74,7 +74,7 @@ export class Painting {
 export interface Layer {
   readonly id: string
   isOn(layers: Layers): boolean
-  draw(painting: Painting): void
+  draw(painting: PaintContext): void
   /** Whether the layer is clipped to the region. */
   readonly isClipped?: boolean
 }

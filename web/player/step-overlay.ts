@@ -55,7 +55,7 @@ export function circlesAt(trace: Trace, given: Float64Array, state: TraceState, 
 }
 
 /** `tested` are the circles that the current disc is tested against. */
-export function sceneOf(
+export function overlayOf(
   trace: Trace,
   step: Step,
   state: TraceState,

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Box, Circle, Point } from '../lib/index.ts'
+import type { LinkView } from '../lib/link.ts'
+import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
+import { boxOf } from '../view/domain.ts'
+import type { View } from '../view/view.ts'
+import type { Editing } from './editing.ts'
+import { cameraLooking, LARGEST_ZOOM, SMALLEST_ZOOM } from './scene-link.ts'
+import type { State } from './state.ts'
+import type { Store } from './store.ts'
+
+/** Zoom factor of a button or key. */
+const ZOOM_STEP = 1.5
+/** Zooming to a selection shows this many times its size. */
+const SHOWN_AROUND = 3
+/** Radius of a circle added to empty space, in pixels. */
+export const USUAL_RADIUS = 24
+
+/** The camera moves of a user. */
+export class CameraActions {
+  protected readonly store: Store<State>
+  protected readonly editing: Editing
+  protected readonly view: View
+  protected readonly padding: () => Padding
+
+  constructor(store: Store<State>, editing: Editing, view: View, padding: () => Padding) {
+    this.store = store
+    this.editing = editing
+    this.view = view
+    this.padding = padding
+  }
+
+  /** The parts of the picture that panels cover. */
+  get paddingNow(): Padding {
+    return this.padding()
+  }
+
+  /** Whether the viewport shows all circles as large as possible. */
+  get isWhole(): boolean {
+    return isSameCamera(this.view.camera, this.fittedTo(this.#box))
+  }
+
+  pan(dx: number, dy: number): void {
+    this.view.setCamera(panned(this.view.camera, dx, dy))
+  }
+
+  zoom(factor: number, anchor: Point): void {
+    const { camera, size } = this.view
+    const { circles } = this.editing
+    const [least, most] = this.#zoomLimits(this.#box, circles.core())
+    const scale = Math.min(Math.max(camera.scale * factor, least), most)
+    this.view.setCamera(zoomed(camera, size, anchor, scale / camera.scale))
+  }
+
+  /** Zooms in (1) or out (-1) by one step. */
+  zoomAtMiddle(steps: 1 | -1): void {
+    const { width, height } = this.view.size
+    this.zoom(ZOOM_STEP ** steps, { x: width / 2, y: height / 2 })
+  }
+
+  /** Applies a link's viewport if it shows any of the circles. Otherwise shows all circles. */
+  look(view: LinkView | undefined): void {
+    this.view.setCamera(this.looking(view, this.#box))
+  }
+
+  /** Zooms to the selected circles, with a margin. */
+  zoomToSelection(): void {
+    const circles = this.store.get().selection.flatMap((id) => this.editing.circles.get(id) ?? [])
+    if (circles.length === 0) return
+    const box = boundingBox(Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r])))
+    const { camera } = this.view
+    const [{ x: firstX, y: firstY }] = circles as [Circle]
+    const isOnePoint = circles.every(({ x, y, r }) => r === 0 && x === firstX && y === firstY)
+    // A point is shown at the size of a new circle.
+    const radius = isOnePoint ? USUAL_RADIUS / camera.scale : Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2
+    const half = SHOWN_AROUND * radius
+    const [x, y] = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2]
+    this.view.setCamera(this.fittedTo({ minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }))
+  }
+
+  /** Shows everything. If everything is already visible, leaves out distant outliers. */
+  fit(): void {
+    const { circles, domain } = this.editing
+    const [whole, core] = [this.fittedTo(this.#box), this.fittedTo(circles.core())]
+    // A region is always shown in full.
+    this.view.setCamera(domain.region === undefined && isSameCamera(this.view.camera, whole) ? core : whole)
+  }
+
+  /** The bounding box of the circles and the region. */
+  get #box(): Box {
+    return boxOf(this.editing.circles.box(), this.editing.domain)
+  }
+
+  #zoomLimits(box: Box, core: Box): [least: number, most: number] {
+    const whole = this.fittedTo(box).scale
+    return [whole * SMALLEST_ZOOM, Math.max(whole, this.fittedTo(core).scale) * LARGEST_ZOOM]
+  }
+
+  /** The camera of a link's viewport if it shows any of the circles, else of all circles. */
+  protected looking(view: LinkView | undefined, box: Box): Camera {
+    return cameraLooking(view, box, this.view.size, this.padding())
+  }
+
+  protected fittedTo(box: Box): Camera {
+    return fitted(box, this.view.size, this.padding())
+  }
+
+  /** Brings the center of a circle into view. */
+  protected revealCircle(id: number): void {
+    const circle = this.editing.circles.get(id)
+    if (circle !== undefined && !this.shows(circle)) {
+      this.view.setCamera({ ...this.view.camera, x: circle.x, y: circle.y })
+    }
+  }
+
+  /** Brings all given circles into view. */
+  reveal(circles: readonly Circle[]): void {
+    if (!circles.every((circle) => this.shows(circle))) this.look(undefined)
+  }
+
+  /** Whether a point is visible and not covered by a panel. */
+  protected shows(point: Point): boolean {
+    const { camera, size } = this.view
+    const { top, right, bottom, left } = this.padding()
+    const { x, y } = toScreen(camera, size, point)
+    return x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
+  }
+}
+
+export function isSameCamera(camera: Camera, other: Camera): boolean {
+  return camera.x === other.x && camera.y === other.y && camera.scale === other.scale
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Edit } from '../lib/index.ts'
+import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
+import { boundingBox } from '../view/camera.ts'
+import { boxOf, NO_DOMAIN } from '../view/domain.ts'
+import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
+import { NO_ATTRIBUTES } from './attributes.ts'
+import { isSameCamera } from './camera-actions.ts'
+import type { CircleSet } from './history.ts'
+import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
+import { SelectionActions } from './selection-actions.ts'
+
+/** Initial length of a path, relative to the view's width. */
+const PATH_SHARE = 0.6
+
+/** Circles to open, with the viewport, layers and step of a link. */
+export interface OpenRequest extends CircleSet {
+  readonly edits?: readonly Edit[] | undefined
+  readonly view?: LinkView | undefined
+  readonly layers?: LinkState['layers']
+  /** The step of playback. If `step` is missing, a running player restarts. */
+  readonly step?: number | undefined
+  /** The method to play. Default: the usual one. */
+  readonly method?: string | undefined
+}
+
+/** The loading stage of circles. */
+export type Stage = 'loading' | 'computing' | 'clipping' | 'fitting' | 'repeating' | 'opened' | 'refused'
+
+/** The result of an opening. `superseded` means that a later request replaced it. */
+export type HowOpened = 'opened' | 'refused' | 'superseded'
+
+/** Opening circles, and the link that opens the current ones. */
+export class OpeningActions extends SelectionActions {
+  /** Links to named data sets with more circles than this store only the name. */
+  protected readonly mostNamed: number = 0
+  /** Called at each stage with the number of circles, 0 if unknown. */
+  onstage: (stage: Stage, circles: number) => void = () => {}
+  #lastLoad = 0
+  /** Stops waiting for a download that may never finish. */
+  #stopLoading: () => void = () => {}
+
+  /** The current state in the form of a link; `undefined` before the first opening. */
+  linkState(): LinkInput | undefined {
+    const { scene, circles, domain, areas, colors } = this.editing
+    if (scene === undefined) return undefined
+    const { camera, size } = this.view
+    const layers = keptLayers(this.view.layers)
+    const { step, method } = this.store.get()
+    // A data set has its own attributes, and areas are stored in the order of the circles.
+    const hasOther = this.editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
+    const isWritten = Array.isArray(areas) || hasOther
+    const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
+    const attributes = said.circles && this.editing.fileAttributes
+    const hasCircles = said.circles !== undefined || said.edits !== undefined
+    return {
+      ...said,
+      ...(hasCircles && colors !== undefined && { colors }),
+      ...(attributes && { attributes }),
+      ...regionOfLink(scene, domain),
+      ...(domain.lattice && { lattice: domain.lattice }),
+      ...(areas !== undefined && { areas }),
+      ...(!this.isWhole && { view: viewOfLink(camera, size) }),
+      ...(Object.keys(layers).length > 0 && { layers }),
+      ...(step !== undefined && { step, method }),
+    }
+  }
+
+  /** Whether circles have been opened or are being opened. */
+  get hasOpened(): boolean {
+    return this.#lastLoad > 0
+  }
+
+  /** Opens circles once they are loaded, unless a later request replaces them. A refusal changes nothing. */
+  async open(load: () => Promise<OpenRequest>): Promise<HowOpened> {
+    this.#lastLoad += 1
+    this.#stopLoading()
+    const stopped = new Promise<undefined>((resolve) => {
+      this.#stopLoading = () => resolve(undefined)
+    })
+    const turn = this.#lastLoad
+    const isSuperseded = () => turn !== this.#lastLoad
+    let end: Stage = 'refused'
+    try {
+      this.onstage('loading', 0)
+      // Opening new circles clears the previous problem.
+      this.complain('')
+      const opened = await Promise.race([load(), stopped])
+      if (opened === undefined || isSuperseded()) return 'superseded'
+      const { edits, view, layers, step, method, ...scene } = opened
+      const before = { camera: this.view.camera, selection: this.store.get().selection }
+      this.select([])
+      const cameraNow = () => this.looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
+      const camera = cameraNow()
+      this.view.setCamera(camera)
+      this.onstage('computing', scene.circles.length / 3)
+      const edited = await this.editing.open(scene, edits)
+      if (isSuperseded()) return 'superseded'
+      if (edited === undefined) {
+        this.view.setCamera(before.camera)
+        const { problem } = this.store.get()
+        this.select(before.selection)
+        this.complain(problem)
+        return 'refused'
+      }
+      end = 'opened'
+      // A panel may have opened beside the picture since, which changes the padding.
+      if (this.view.camera === camera && !isSameCamera(camera, cameraNow())) this.view.setCamera(cameraNow())
+      if (layers !== undefined) this.view.setLayers(layersFrom(layers))
+      else this.#forgetPlaces()
+      this.useTool('select')
+      this.select([])
+      const isPlayed = this.store.get().step !== undefined
+      if ('step' in opened) this.store.update((state) => ({ ...state, step, method, stage: undefined }))
+      else this.showStep(isPlayed ? 0 : undefined)
+      return 'opened'
+    } catch (error) {
+      if (isSuperseded()) return 'superseded'
+      this.complain((error as Error).message)
+      return 'refused'
+    } finally {
+      if (!isSuperseded()) this.onstage(end, this.editing.circles.count)
+    }
+  }
+
+  /** Cancels the current opening; the circles stay. */
+  cancelOpening(): void {
+    // Drops circles that are still loading.
+    if (!this.view.cancel()) {
+      this.#lastLoad += 1
+      this.#stopLoading()
+      this.onstage('refused', 0)
+    }
+  }
+
+  /** Removes layers that refer to positions among the former circles. */
+  #forgetPlaces(): void {
+    const { path, nearZero, maxDistance } = this.view.layers
+    if (path === undefined && nearZero === undefined && maxDistance === undefined) return
+    this.view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
+  }
+
+  /** A path across the visible part of the plane. */
+  pathAcross(): NonNullable<Layers['path']> {
+    const { camera, size } = this.view
+    const half = (PATH_SHARE * size.width) / camera.scale / 2
+    return { from: { x: camera.x - half, y: camera.y }, to: { x: camera.x + half, y: camera.y } }
+  }
+}
