@@ -16,7 +16,7 @@ const diagram = library.compute([
 ])
 
 it('shows five tasks in at most fifteen lines each', () => {
-  const [, list = ''] = /Five frequent tasks, each in at most fifteen lines: ([\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
+  const [, list = ''] = /Five frequent tasks take at most fifteen lines each: ([\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
   const titles = Array.from(list.matchAll(/\]\(#([\w-]+)\)/g), ([, slug]) => slug as string)
   expect(titles).toHaveLength(5)
   for (const slug of titles) {
