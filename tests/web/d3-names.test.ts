@@ -12,7 +12,7 @@ const [, same = '', table = ''] =
 const diagram = library.compute(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
 
 it('shows five tasks in at most fifteen lines each', () => {
-  const [, list = ''] = /Five frequent tasks, each in at most fifteen lines: ([\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
+  const [, list = ''] = /Five frequent tasks take at most fifteen lines each: ([\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
   const titles = Array.from(list.matchAll(/\]\(#([\w-]+)\)/g), ([, slug]) => slug as string)
   expect(titles).toHaveLength(5)
   for (const slug of titles) {

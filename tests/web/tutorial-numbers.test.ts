@@ -65,8 +65,8 @@ test('chapter 2: a shorter piece of a hyperbola has a weight nearer to 1, and no
 })
 
 describe('chapter 4', () => {
-  test('of a thousand random circles some three thousand pairs of half a million have a border', () => {
-    expectSaid(4, 'a thousand circles have half a million pairs, and only some three thousand borders')
+  test('of a thousand random circles about three thousand pairs of half a million have a border', () => {
+    expectSaid(4, 'a thousand circles have half a million pairs, but only about three thousand borders')
     const borders = library.compute(circlesOf({ name: '', dataSet: 'uniform:1:1000' })).edges.length / 4
     expect(borders).toBeGreaterThan(2900)
     expect(borders).toBeLessThan(3000)
@@ -100,7 +100,7 @@ describe('chapter 6', () => {
   test('how many samples miss', () => {
     expectSaid(
       6,
-      'more than half come out wrong with $N_s = 0$, about one in a hundred with $N_s = 1$, and a few in a thousand with $N_s = 3$',
+      'more than half of the results are wrong with $N_s = 0$. With $N_s = 1$ it is about one in a hundred, and with $N_s = 3$ a few in a thousand',
     )
     const table = RESULTS.slice(RESULTS.indexOf('| family | as printed'))
     const [, none, one, three] = row('one-huge', table).map(Number.parseFloat) as [number, number, number, number]
@@ -117,7 +117,7 @@ describe('chapter 6', () => {
   })
 
   test('the printed rules were tried on thousands of inputs, and a ring does not prove', () => {
-    expectSaid(6, 'were tried on thousands of random inputs')
+    expectSaid(6, 'We tried them on thousands of random inputs')
     const [inputs = 0, families = 0] = [
       ...measured(/, (\d+) for the printed rules/),
       ...measured(/in \d+ of (\d+) families; in/),
@@ -131,7 +131,7 @@ describe('chapter 6', () => {
   })
 
   test('three circles are enough', () => {
-    expectSaid(6, 'taking the wrong one goes wrong with three circles already')
+    expectSaid(6, 'Three circles are enough for the rule to take the wrong one')
     expect(measured(/smallest counterexample of this run[^:]*: (\d+) circles/)).toEqual([3])
     expect(figure('third-edge').circles).toHaveLength(3)
   })
@@ -140,7 +140,7 @@ describe('chapter 6', () => {
 describe('chapter 7', () => {
   test('how many edges there must be', () => {
     const { vertices, edges, hull } = library.compute(figure('corrupt').circles as number[][])
-    expectSaid(7, 'these are $2n - 2 - h$ and $3n - 3 - h$')
+    expectSaid(7, 'Then there must be $2n - 2 - h$ vertices and $3n - 3 - h$ edges')
     expect([5, hull.length, vertices.length / 3, edges.length / 4]).toEqual([5, 4, 2 * 5 - 2 - 4, 3 * 5 - 3 - 4])
     expectSaid(7, 'Five circles with cells and four edges that go on forever, as above, have 3 · 5 − 3 − 4 = 8 edges')
   })
@@ -155,7 +155,7 @@ describe('chapter 8', () => {
   const exponent = (cells: readonly string[]) => Number(/^n\^([\d.]+)/.exec(cells.at(-1) as string)?.[1])
 
   test('how the times grow', () => {
-    expectSaid(8, 'The time grows with the number of circles, and hardly faster. Only trying all pairs is different.')
+    expectSaid(8, 'Twice as many circles take about twice the time, unless you try all pairs.')
     expect(exponent(ways.auto)).toBeLessThan(1.12)
     expectSaid(8, 'twice as many circles take more than four times the time')
     expect(2 ** exponent(ways.pairs)).toBeGreaterThan(4)

@@ -167,9 +167,13 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
 
 /**
  * Returns the centers of discs that touch the two circles of an edge and a side. Let n be the normal of the side, D the
- * depth of the curve's origin, and r the radius of its circle. Distance and depth are equal where (P - Q) s^2 - 2 K s +
- * (P + Q) = 0, P = c + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and K^2 - P^2 + Q^2 = (D + r) (D
- * + r + 2 (c n . along + |a|)).
+ * depth of the curve's origin, and r the radius of its circle. Distance and depth are equal where
+ *
+ *     (P - Q) s^2 - 2 K s + (P + Q) = 0
+ *
+ * with P = c + |a| n . along, Q = b n . across, and K = D + r + c n . along + |a|. The discriminant is
+ *
+ *     K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).
  */
 function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
   const { left, right } = edgeOf(diagram, e)

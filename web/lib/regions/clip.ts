@@ -212,9 +212,11 @@ export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
 /**
  * The point where a branch crosses the line through `p` along a direction.
  *
- * With n the normal to the right of the line, multiplying n . (point(s) - p) > 0 by 2 s gives (A+B) s^2 - 2 (A+k) s +
- * (A-B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex along). Only the ratios of A, B and
- * k matter.
+ * Let n be the normal to the right of the line. Multiplying n . (point(s) - p) > 0 by 2 s gives
+ *
+ *     (A + B) s^2 - 2 (A + k) s + (A - B) > 0
+ *
+ * with A = -|a| n . along, B = b n . across, and k = n . (p - origin - apex along). Only the ratios of A, B, k matter.
  */
 export class LineCrossing {
   /** The parameters in increasing order: none, one or two. */
