@@ -70,6 +70,16 @@ describe('the steps of a trace', () => {
     }
   })
 
+  it('place both directed edges of an empty disc at once', () => {
+    const trace = library.trace(SMALL)
+    const placing = stepsOf(trace).filter(({ line }) => line === 'place')
+    expect(placing.length).toBeGreaterThan(2)
+    for (const { event, end } of placing) {
+      const kinds = Array.from({ length: end - event }, (_, k) => kindAt(trace, event + k))
+      expect(kinds).toEqual(['antipodalDiscAccepted', 'directedEdgePlaced', 'directedEdgePlaced'])
+    }
+  })
+
   it('are told in plain sentences with numbers', () => {
     const trace = library.trace([
       [0, 0, 1],
