@@ -40,17 +40,6 @@ test.use({ link: await encodeLink({ circles: THREE as [number, number, number][]
 /** The panel Region. */
 const panel = (app: App): Locator => app.page.getByRole('region', { name: 'Region', exact: true })
 
-async function drop(app: App, name: string, text: string): Promise<void> {
-  await app.page.evaluate(
-    ([name, text]) => {
-      const dataTransfer = new DataTransfer()
-      dataTransfer.items.add(new File([text as string], name as string))
-      document.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }))
-    },
-    [name, text],
-  )
-}
-
 const linkOf = async (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() => ({}) as never)
 
 /** The camera that shows the square beside the open panel. */
@@ -107,9 +96,9 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
   const cells = JSON.parse(await saved(app, 'Cells'))
   expect(cells.features.map(({ properties }: { properties: { area: number } }) => properties.area)).toEqual([...areas])
   expect(cells.features[0].geometry.type).toMatch(/Polygon$/)
-  await drop(app, 'none.csv', '0,0,1\n9,9,1\n')
+  await app.drop('none.csv', '0,0,1\n9,9,1\n')
   await expect(app.status).toContainText('2 circles')
-  await drop(app, 'kept.svg', svg)
+  await app.drop('kept.svg', svg)
   await expect(app.status).toContainText('3 circles')
   await app.openPanel('Region')
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
@@ -127,14 +116,14 @@ test('polygons are dropped and pasted; points are circles; what crosses itself i
   app,
 }) => {
   await app.openPanel('Region')
-  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline with 4 sides')
-  await drop(app, 'closed.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 -3))')
+  await app.drop('closed.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 -3))')
   await expect(panel(app)).toContainText('One outline with 3 sides')
-  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline with 4 sides')
   const points = { type: 'Feature', properties: { r: 1 }, geometry: { type: 'Point', coordinates: [1, 2] } }
-  await drop(app, 'bow.geojson', geojson([HOLE[0], HOLE[2], HOLE[1], HOLE[3]] as number[][]))
+  await app.drop('bow.geojson', geojson([HOLE[0], HOLE[2], HOLE[1], HOLE[3]] as number[][]))
   await expect(app.page.getByRole('alert')).toContainText(
     'Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (3.5, 2.5).',
   )
@@ -149,7 +138,7 @@ test('polygons are dropped and pasted; points are circles; what crosses itself i
   )
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
   await expect(app.page.getByRole('alert')).toBeHidden()
-  await drop(app, 'points.geojson', JSON.stringify({ type: 'FeatureCollection', features: [points] }))
+  await app.drop('points.geojson', JSON.stringify({ type: 'FeatureCollection', features: [points] }))
   await expect(app.status).toContainText('1 circle')
   await expect(panel(app)).not.toContainText('outlines')
 })
@@ -218,7 +207,7 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   const { page } = app
   await app.openPanel('Region')
   await expect(panel(app).getByLabel('Areas')).toBeDisabled()
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   const choose = panel(app).getByLabel('Areas')
   await expect(choose).toBeEnabled()
   await choose.selectOption('equal')
@@ -287,11 +276,11 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
 }) => {
   const { page } = app
   await app.openPanel('Region')
-  await drop(app, 'towns.csv', 'x,y,r,name,people,rain\n0,0,1,A,10,3\n6,0,1,B,20,0\n2,5,1,C,,5\n')
+  await app.drop('towns.csv', 'x,y,r,name,people,rain\n0,0,1,A,10,3\n6,0,1,B,20,0\n2,5,1,C,,5\n')
   const choose = panel(app).getByLabel('Areas')
   const byPeople = choose.locator('option', { hasText: 'by people' })
   await expect(byPeople).toHaveCount(1)
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   await expect(choose).toBeEnabled()
   await choose.selectOption('by people')
   await expect(app.status).toContainText(/areas within/)
@@ -318,9 +307,9 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await expect(byPeople).toHaveCount(1)
 
   // Undoing an opening restores the columns, too.
-  await drop(app, 'towns.csv', 'x,y,r,people\n0,0,1,1\n6,0,1,2\n2,5,1,3\n')
+  await app.drop('towns.csv', 'x,y,r,people\n0,0,1,1\n6,0,1,2\n2,5,1,3\n')
   await expect(byPeople).toHaveCount(1)
-  await drop(app, 'none.csv', '0,0,1\n9,9,1\n')
+  await app.drop('none.csv', '0,0,1\n9,9,1\n')
   await expect(app.status).toContainText('2 circles')
   await expect(byPeople).toHaveCount(0)
   await app.canvas.focus()
@@ -334,7 +323,7 @@ test('a region is in the table, in the storage of the browser, and in a link tha
 }) => {
   const { page } = app
   await app.openPanel('Region')
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
   const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
   const ring = [SQUARE, HOLE] as [number, number][][]
@@ -394,7 +383,7 @@ test('a tiny circle in a region can be selected while nothing but it is visible'
 
 test('circles have their radii again where areas are no longer given', async ({ app }) => {
   await app.openPanel('Region')
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   const choose = panel(app).getByLabel('Areas')
   await choose.selectOption('disc')
   await expect(app.status).toContainText(/areas within/)
@@ -431,7 +420,7 @@ test('is clear to everyone: empty, while drawing, refused, with areas', async ({
   await expect(page.getByRole('alert')).toHaveText('A polygon needs three corners or more.')
   await expectNone()
   await page.keyboard.press('Escape')
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   await panel(app).getByLabel('Areas').selectOption('equal')
   await expect(app.status).toContainText(/areas within/)
   const { x, y } = place(app, [0, 0])
@@ -461,7 +450,7 @@ test.describe('by fingers', () => {
 // Tests of drawing rely on this camera.
 test('the camera of these tests is that of the page', async ({ app }) => {
   await app.openPanel('Region')
-  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline')
   const size = app.page.viewportSize() as { width: number; height: number }
   const corner = place(app, [-3, -3])
