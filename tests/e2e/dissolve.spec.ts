@@ -9,11 +9,7 @@ const COUNTIES = 'MULTIPOLYGON (((-3 -3, 3 -3, 3 8, -3 8)), ((3 -3, 9 -3, 9 8, 3
 
 test.use({
   link: await encodeLink({
-    circles: [
-      [0, 0, 1],
-      [6, 0, 1],
-      [2, 5, 1],
-    ],
+    circles: Float64Array.of(0, 0, 1, 6, 0, 1, 2, 5, 1),
   }),
 })
 

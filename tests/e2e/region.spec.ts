@@ -8,34 +8,21 @@ import { loadRegions } from '../../web/lib/regions.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
 import { soon } from '../soon.ts'
+import { box } from '../web/shapes.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 import { App, expect, test } from './page.ts'
 
-const THREE = [
-  [0, 0, 1],
-  [6, 0, 1],
-  [2, 5, 1],
-]
-const SQUARE = [
-  [-3, -3],
-  [9, -3],
-  [9, 8],
-  [-3, 8],
-]
-const HOLE = [
-  [3, 2],
-  [4, 2],
-  [4, 3],
-  [3, 3],
-]
+const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 2, 5, 1)
+const SQUARE = box(-3, -3, 9, 8)
+const HOLE = box(3, 2, 4, 3)
 const PAPER = '250,248,244'
 
 const geojson = (...rings: number[][][]) => JSON.stringify({ type: 'Polygon', coordinates: rings })
 const { region } = await loadRegions()
-const TOTAL = region([SQUARE as [number, number][], HOLE as [number, number][]]).area
+const TOTAL = region([SQUARE, HOLE]).area
 
-test.use({ link: await encodeLink({ circles: THREE as [number, number, number][] }) })
+test.use({ link: await encodeLink({ circles: THREE }) })
 
 /** The panel Region. */
 const panel = (app: App): Locator => app.page.getByRole('region', { name: 'Region', exact: true })
@@ -80,8 +67,8 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
   const { x, y } = place(app, [0, 0])
   await app.page.mouse.click(x, y)
   await expect(app.inspector).toContainText('Area inside the region')
-  const ring = [SQUARE, HOLE] as [number, number][][]
-  const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
+  const ring = [SQUARE, HOLE]
+  const diagram = (await loadCircleVoronoi()).compute(THREE)
   const areas = diagram.cellAreas({ region: region(ring) })
   await expect(app.inspector).toContainText(String(Number((areas[0] as number).toPrecision(4))))
 
@@ -298,7 +285,7 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await app.canvas.focus()
   await page.keyboard.press('Control+z')
   await expect(choose).toHaveValue('free')
-  await soon(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).toEqual([...THREE])
   await page.keyboard.press('Control+Shift+z')
   await expect(choose).toHaveValue('column:people')
   await soon(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
@@ -325,8 +312,8 @@ test('a region is in the table, in the storage of the browser, and in a link tha
   await app.openPanel('Region')
   await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
-  const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
-  const ring = [SQUARE, HOLE] as [number, number][][]
+  const diagram = (await loadCircleVoronoi()).compute(THREE)
+  const ring = [SQUARE, HOLE]
   const areas = [...diagram.cellAreas({ region: region(ring) })].map((area) => String(Number(area.toPrecision(4))))
   const inTable = async ({ page }: App) => page.locator('#circle-grid [role="row"] > :nth-child(5)').allTextContents()
   await app.openPanel('Table')
@@ -387,9 +374,9 @@ test('circles have their radii again where areas are no longer given', async ({ 
   const choose = panel(app).getByLabel('Areas')
   await choose.selectOption('disc')
   await expect(app.status).toContainText(/areas within/)
-  await soon(async () => [...(await app.circles())]).not.toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).not.toEqual([...THREE])
   await choose.selectOption('free')
-  await soon(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).toEqual([...THREE])
   await expect(app.status).not.toContainText(/areas within/)
 })
 
