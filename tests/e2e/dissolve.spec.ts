@@ -9,30 +9,15 @@ const COUNTIES = 'MULTIPOLYGON (((-3 -3, 3 -3, 3 8, -3 8)), ((3 -3, 9 -3, 9 8, 3
 
 test.use({
   link: await encodeLink({
-    circles: [
-      [0, 0, 1],
-      [6, 0, 1],
-      [2, 5, 1],
-    ],
+    circles: Float64Array.of(0, 0, 1, 6, 0, 1, 2, 5, 1),
   }),
 })
 
 const panel = (app: App): Locator => app.page.getByRole('region', { name: 'Region', exact: true })
 
-async function drop(app: App, name: string, text: string): Promise<void> {
-  await app.page.evaluate(
-    ([name, text]) => {
-      const dataTransfer = new DataTransfer()
-      dataTransfer.items.add(new File([text as string], name as string))
-      document.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }))
-    },
-    [name, text],
-  )
-}
-
 test('counties that share a border are merged where they are refused, and a link keeps that', async ({ app }) => {
   await app.openPanel('Region')
-  await drop(app, 'counties.wkt', COUNTIES)
+  await app.drop('counties.wkt', COUNTIES)
   await expect(app.page.locator('#toast')).toContainText('Polygons of counties.wkt share borders or overlap.')
   await expect(panel(app)).not.toContainText('outlines')
   await app.page.getByRole('button', { name: 'Merge polygons' }).click()
@@ -48,7 +33,7 @@ test('counties that share a border are merged where they are refused, and a link
 test('with the choice in the panel they are merged at once', async ({ app }) => {
   await app.openPanel('Region')
   await panel(app).getByLabel('Merge polygons that share borders or overlap').check()
-  await drop(app, 'counties.wkt', COUNTIES)
+  await app.drop('counties.wkt', COUNTIES)
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
   await expect(app.page.getByRole('alert')).toBeHidden()
 })

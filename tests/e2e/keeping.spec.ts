@@ -83,11 +83,7 @@ test('the view is in the address unless everything is shown', async ({ app }) =>
 
 test('a link that is pasted into the address is shown, and undo goes back', async ({ app }) => {
   const link = await encodeLink({
-    circles: [
-      [0, 0, 1],
-      [6, 0, 1],
-      [0, 8, 1],
-    ],
+    circles: Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1),
   })
   await app.page.evaluate((link) => {
     location.hash = link

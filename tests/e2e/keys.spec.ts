@@ -15,18 +15,6 @@ const pixelsOf = (app: App, layer: 0 | 1) =>
     .nth(layer)
     .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
 
-/** The number of pixels that the overlay covers. */
-const drawnAbove = (app: App) =>
-  app.canvas
-    .locator('canvas')
-    .nth(1)
-    .evaluate((canvas: HTMLCanvasElement) => {
-      const copy = new OffscreenCanvas(canvas.width, canvas.height)
-      const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
-      context.drawImage(canvas, 0, 0)
-      return context.getImageData(0, 0, canvas.width, canvas.height).data.filter((value) => value > 0).length
-    })
-
 test('the focus on the drawing is seen', async ({ app }) => {
   const { page } = app
   const corner = { x: 0, y: 0, width: 12, height: 12 }
@@ -134,7 +122,7 @@ test('the disc at the pointer is shown wherever it is, and what belongs to place
   // A point inside a cell and outside its circle.
   const at = app.locate(INTRODUCTION, { x: 0.2, y: 2.2 })
   await page.mouse.move(at.x, at.y)
-  await soon(() => drawnAbove(app)).toBeGreaterThan(1000)
+  await soon(app.drawnAbove).toBeGreaterThan(1000)
   await page.getByLabel('Disc at the pointer').uncheck()
   await page.getByLabel('Clearest path').check()
   await app.choose('Cities of Europe')
@@ -253,12 +241,12 @@ test.describe('with fingers', () => {
     await page.getByLabel('Disc at the pointer').check()
     await page.getByRole('region', { name: 'Layers' }).getByRole('button', { name: 'Close' }).tap()
     await expect(app.inspector).toBeHidden()
-    await soon(() => drawnAbove(app)).toBe(0)
+    await soon(app.drawnAbove).toBe(0)
     const free = { x: 30, y: 300 }
     await page.clock.install()
     await touch('touchStart', free)
     await page.clock.fastForward(700)
-    await soon(() => drawnAbove(app)).toBeGreaterThan(100)
+    await soon(app.drawnAbove).toBeGreaterThan(100)
     // The disc follows the finger, and no circle is added.
     const first = await pixelsOf(app, 1)
     await touch('touchMove', { x: 60, y: 340 })

@@ -145,6 +145,30 @@ export class App {
     await Promise.all([mouse.down(), mouse.move(to.x, to.y, { steps: 8 })])
   }
 
+  /** Drops a file on the page. */
+  async drop(name: string, text: string): Promise<void> {
+    await this.page.evaluate(
+      ([name, text]) => {
+        const dataTransfer = new DataTransfer()
+        dataTransfer.items.add(new File([text as string], name as string))
+        document.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }))
+      },
+      [name, text],
+    )
+  }
+
+  /** The number of values above zero in the overlay's pixels. */
+  readonly drawnAbove = (): Promise<number> =>
+    this.canvas
+      .locator('canvas')
+      .nth(1)
+      .evaluate((canvas: HTMLCanvasElement) => {
+        const copy = new OffscreenCanvas(canvas.width, canvas.height)
+        const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+        context.drawImage(canvas, 0, 0)
+        return context.getImageData(0, 0, canvas.width, canvas.height).data.filter((value) => value > 0).length
+      })
+
   /**
    * The colors of the canvas at some points of the page, red, green, blue each, with one device pixel per CSS pixel.
    */

@@ -8,48 +8,24 @@ import { loadRegions } from '../../web/lib/regions.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
 import { soon } from '../soon.ts'
+import { box } from '../web/shapes.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 import { App, expect, test } from './page.ts'
 
-const THREE = [
-  [0, 0, 1],
-  [6, 0, 1],
-  [2, 5, 1],
-]
-const SQUARE = [
-  [-3, -3],
-  [9, -3],
-  [9, 8],
-  [-3, 8],
-]
-const HOLE = [
-  [3, 2],
-  [4, 2],
-  [4, 3],
-  [3, 3],
-]
+const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 2, 5, 1)
+const SQUARE = box(-3, -3, 9, 8)
+const HOLE = box(3, 2, 4, 3)
 const PAPER = '250,248,244'
 
 const geojson = (...rings: number[][][]) => JSON.stringify({ type: 'Polygon', coordinates: rings })
 const { region } = await loadRegions()
-const TOTAL = region([SQUARE as [number, number][], HOLE as [number, number][]]).area
+const TOTAL = region([SQUARE, HOLE]).area
 
-test.use({ link: await encodeLink({ circles: THREE as [number, number, number][] }) })
+test.use({ link: await encodeLink({ circles: THREE }) })
 
 /** The panel Region. */
 const panel = (app: App): Locator => app.page.getByRole('region', { name: 'Region', exact: true })
-
-async function drop(app: App, name: string, text: string): Promise<void> {
-  await app.page.evaluate(
-    ([name, text]) => {
-      const dataTransfer = new DataTransfer()
-      dataTransfer.items.add(new File([text as string], name as string))
-      document.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }))
-    },
-    [name, text],
-  )
-}
 
 const linkOf = async (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() => ({}) as never)
 
@@ -91,8 +67,8 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
   const { x, y } = place(app, [0, 0])
   await app.page.mouse.click(x, y)
   await expect(app.inspector).toContainText('Area inside the region')
-  const ring = [SQUARE, HOLE] as [number, number][][]
-  const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
+  const ring = [SQUARE, HOLE]
+  const diagram = (await loadCircleVoronoi()).compute(THREE)
   const areas = diagram.cellAreas({ region: region(ring) })
   await expect(app.inspector).toContainText(String(Number((areas[0] as number).toPrecision(4))))
 
@@ -107,9 +83,9 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
   const cells = JSON.parse(await saved(app, 'Cells'))
   expect(cells.features.map(({ properties }: { properties: { area: number } }) => properties.area)).toEqual([...areas])
   expect(cells.features[0].geometry.type).toMatch(/Polygon$/)
-  await drop(app, 'none.csv', '0,0,1\n9,9,1\n')
+  await app.drop('none.csv', '0,0,1\n9,9,1\n')
   await expect(app.status).toContainText('2 circles')
-  await drop(app, 'kept.svg', svg)
+  await app.drop('kept.svg', svg)
   await expect(app.status).toContainText('3 circles')
   await app.openPanel('Region')
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
@@ -127,14 +103,14 @@ test('polygons are dropped and pasted; points are circles; what crosses itself i
   app,
 }) => {
   await app.openPanel('Region')
-  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline with 4 sides')
-  await drop(app, 'closed.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 -3))')
+  await app.drop('closed.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 -3))')
   await expect(panel(app)).toContainText('One outline with 3 sides')
-  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline with 4 sides')
   const points = { type: 'Feature', properties: { r: 1 }, geometry: { type: 'Point', coordinates: [1, 2] } }
-  await drop(app, 'bow.geojson', geojson([HOLE[0], HOLE[2], HOLE[1], HOLE[3]] as number[][]))
+  await app.drop('bow.geojson', geojson([HOLE[0], HOLE[2], HOLE[1], HOLE[3]] as number[][]))
   await expect(app.page.getByRole('alert')).toContainText(
     'Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (3.5, 2.5).',
   )
@@ -149,7 +125,7 @@ test('polygons are dropped and pasted; points are circles; what crosses itself i
   )
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
   await expect(app.page.getByRole('alert')).toBeHidden()
-  await drop(app, 'points.geojson', JSON.stringify({ type: 'FeatureCollection', features: [points] }))
+  await app.drop('points.geojson', JSON.stringify({ type: 'FeatureCollection', features: [points] }))
   await expect(app.status).toContainText('1 circle')
   await expect(panel(app)).not.toContainText('outlines')
 })
@@ -218,7 +194,7 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
   const { page } = app
   await app.openPanel('Region')
   await expect(panel(app).getByLabel('Areas')).toBeDisabled()
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   const choose = panel(app).getByLabel('Areas')
   await expect(choose).toBeEnabled()
   await choose.selectOption('equal')
@@ -287,11 +263,11 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
 }) => {
   const { page } = app
   await app.openPanel('Region')
-  await drop(app, 'towns.csv', 'x,y,r,name,people,rain\n0,0,1,A,10,3\n6,0,1,B,20,0\n2,5,1,C,,5\n')
+  await app.drop('towns.csv', 'x,y,r,name,people,rain\n0,0,1,A,10,3\n6,0,1,B,20,0\n2,5,1,C,,5\n')
   const choose = panel(app).getByLabel('Areas')
   const byPeople = choose.locator('option', { hasText: 'by people' })
   await expect(byPeople).toHaveCount(1)
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   await expect(choose).toBeEnabled()
   await choose.selectOption('by people')
   await expect(app.status).toContainText(/areas within/)
@@ -309,7 +285,7 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await app.canvas.focus()
   await page.keyboard.press('Control+z')
   await expect(choose).toHaveValue('free')
-  await soon(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).toEqual([...THREE])
   await page.keyboard.press('Control+Shift+z')
   await expect(choose).toHaveValue('column:people')
   await soon(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
@@ -318,9 +294,9 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await expect(byPeople).toHaveCount(1)
 
   // Undoing an opening restores the columns, too.
-  await drop(app, 'towns.csv', 'x,y,r,people\n0,0,1,1\n6,0,1,2\n2,5,1,3\n')
+  await app.drop('towns.csv', 'x,y,r,people\n0,0,1,1\n6,0,1,2\n2,5,1,3\n')
   await expect(byPeople).toHaveCount(1)
-  await drop(app, 'none.csv', '0,0,1\n9,9,1\n')
+  await app.drop('none.csv', '0,0,1\n9,9,1\n')
   await expect(app.status).toContainText('2 circles')
   await expect(byPeople).toHaveCount(0)
   await app.canvas.focus()
@@ -334,10 +310,10 @@ test('a region is in the table, in the storage of the browser, and in a link tha
 }) => {
   const { page } = app
   await app.openPanel('Region')
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
-  const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
-  const ring = [SQUARE, HOLE] as [number, number][][]
+  const diagram = (await loadCircleVoronoi()).compute(THREE)
+  const ring = [SQUARE, HOLE]
   const areas = [...diagram.cellAreas({ region: region(ring) })].map((area) => String(Number(area.toPrecision(4))))
   const inTable = async ({ page }: App) => page.locator('#circle-grid [role="row"] > :nth-child(5)').allTextContents()
   await app.openPanel('Table')
@@ -394,13 +370,13 @@ test('a tiny circle in a region can be selected while nothing but it is visible'
 
 test('circles have their radii again where areas are no longer given', async ({ app }) => {
   await app.openPanel('Region')
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   const choose = panel(app).getByLabel('Areas')
   await choose.selectOption('disc')
   await expect(app.status).toContainText(/areas within/)
-  await soon(async () => [...(await app.circles())]).not.toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).not.toEqual([...THREE])
   await choose.selectOption('free')
-  await soon(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await soon(async () => [...(await app.circles())]).toEqual([...THREE])
   await expect(app.status).not.toContainText(/areas within/)
 })
 
@@ -431,7 +407,7 @@ test('is clear to everyone: empty, while drawing, refused, with areas', async ({
   await expect(page.getByRole('alert')).toHaveText('A polygon needs three corners or more.')
   await expectNone()
   await page.keyboard.press('Escape')
-  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await app.drop('hall.geojson', geojson(SQUARE, HOLE))
   await panel(app).getByLabel('Areas').selectOption('equal')
   await expect(app.status).toContainText(/areas within/)
   const { x, y } = place(app, [0, 0])
@@ -461,7 +437,7 @@ test.describe('by fingers', () => {
 // Tests of drawing rely on this camera.
 test('the camera of these tests is that of the page', async ({ app }) => {
   await app.openPanel('Region')
-  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline')
   const size = app.page.viewportSize() as { width: number; height: number }
   const corner = place(app, [-3, -3])

@@ -235,21 +235,11 @@ for (const colorScheme of ['light', 'dark'] as const) {
 test('what is selected is not printed', async ({ app }) => {
   const { page } = app
   await app.select(BRONZE, 600)
-  const drawnAbove = () =>
-    app.canvas
-      .locator('canvas')
-      .nth(1)
-      .evaluate((canvas: HTMLCanvasElement) => {
-        const copy = new OffscreenCanvas(canvas.width, canvas.height)
-        const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
-        context.drawImage(canvas, 0, 0)
-        return context.getImageData(0, 0, canvas.width, canvas.height).data.filter((value) => value > 0).length
-      })
-  await soon(drawnAbove).toBeGreaterThan(100)
+  await soon(app.drawnAbove).toBeGreaterThan(100)
   await page.emulateMedia({ media: 'print' })
-  await soon(drawnAbove).toBe(0)
+  await soon(app.drawnAbove).toBe(0)
   await page.emulateMedia({ media: 'screen' })
-  await soon(drawnAbove).toBeGreaterThan(100)
+  await soon(app.drawnAbove).toBeGreaterThan(100)
 })
 
 test('colors by a measure have a legend with numbers on the canvas', async ({ app }) => {

@@ -16,7 +16,7 @@ import {
 import { checkCircles, holds, idsOf, parseCheck, withIds } from '../../web/element/check.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
-import { readCircles } from '../../web/element/read-circles.ts'
+import { circlesOfMarkdown, readCircles } from '../../web/element/read-circles.ts'
 import { ENGLISH } from '../../web/element/refusals.ts'
 import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
@@ -34,6 +34,17 @@ describe('circles', () => {
   test('as the arrays of a diagram are written', () => {
     expect(readCircles('{"circles": [0, 0, 1, 5, 0, 2]}').circles).toEqual(Float64Array.of(0, 0, 1, 5, 0, 2))
     expect(readCircles('[]').circles).toHaveLength(0)
+  })
+
+  test('in a Markdown table have bars around them or not', () => {
+    const circles = Float64Array.of(1, 2, 3, 4, 5, 6)
+    for (const text of [
+      '| x | y | r |\n|---|:-:|--:|\n| 1 | 2 | 3 |\n| 4 | 5 | 6 |',
+      'x | y | r\n--- | --- | ---\n1|2|3\n4|5|6',
+    ]) {
+      expect(circlesOfMarkdown(text).circles).toEqual(circles)
+    }
+    expect(circlesOfMarkdown('|1|2|3|\n|4|5|6|').circles).toEqual(circles)
   })
 
   test.each([

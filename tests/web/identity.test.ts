@@ -7,7 +7,7 @@ import { isColor, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
 import { decodeLink, encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { axesOf, gridSpacing } from '../../web/view/axes.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
-import { LABEL_SIZE, type Names, placed } from '../../web/view/labels.ts'
+import { LABEL_SIZE, type Label, type Names, placed } from '../../web/view/labels.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
@@ -171,6 +171,11 @@ describe('axes and grid', () => {
     expect(vertical.numbered).toEqual([0, 100, 300, 400])
     expect(vertical.fine).toHaveLength(16)
     expect(numbers.map(({ text }) => text)).toEqual(['−10', '−5', '5', '10', '−5', '0', '5'])
+    // The numbers stand beside the axes: those of x below, those of y to the left, and the origin in the corner.
+    const origin = numbers[5] as Label
+    expect(origin.x).toBeLessThan(200)
+    expect(origin.y).toBe(numbers[0]?.y)
+    expect(numbers.slice(4).map(({ y }) => Math.sign(y - 150))).toEqual([1, 1, -1])
   })
 
   it('have numbers at the border if the axes are elsewhere, off what covers it', () => {

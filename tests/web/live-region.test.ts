@@ -88,3 +88,15 @@ it('an action that selects nothing is announced without waiting for a descriptio
   vi.advanceTimersByTime(1000)
   expect(texts).toEqual(['Circle 3. Bounded cell, 2 neighbors', 'Snapping is on', 'Circle 3 deleted'])
 })
+
+it('an action waits for the description of its circle, also after another announcement that was pending', () => {
+  const { texts, change } = speaker()
+  change({ said: { text: 'Snapping is on' } })
+  vi.advanceTimersByTime(100)
+  change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
+  vi.advanceTimersByTime(1000)
+  expect(texts).toEqual([])
+  change({ described: described(3, 0, 1) })
+  vi.advanceTimersByTime(1000)
+  expect(texts).toEqual(['Circle 3 added. Bounded cell, 2 neighbors'])
+})

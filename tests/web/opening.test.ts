@@ -6,6 +6,7 @@ import type { OpenRequest } from '../../web/editing/opening-actions.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'
+import { box } from './shapes.ts'
 
 const FIRST = { ...opened(0, 0, 1, 5, 5, 2), edits: [{ kind: 'remove' as const, id: 0 }], layers: { hull: true } }
 const SECOND = opened(1, 1, 1, 2, 2, 2, 3, 3, 3)
@@ -111,6 +112,23 @@ describe('the next circle', () => {
     expect([actions.selectNext(-1), selected()]).toEqual([true, [0]])
     expect([actions.selectNext(-1), selected()]).toEqual([false, [0]])
   })
+})
+
+it('a region ends the repetition in a box, and a box ends the region', async () => {
+  const { editing, store, view } = started()
+  const files = { call: () => Promise.reject(new Error()), cancel() {} }
+  const page = new PageActions(store, editing, view, () => NO_PADDING, files)
+  await page.open(async () => SECOND)
+  const lattice = { a: [9, 0], b: [0, 9] } as const
+  const region = [box(0, 0, 9, 9)]
+  const domainAfter = async (changed: Promise<unknown>) => {
+    await changed
+    return [editing.domain.region, editing.domain.lattice]
+  }
+  expect(await domainAfter(page.setDomain({ region }))).toEqual([region, undefined])
+  expect(await domainAfter(page.setLattice(lattice))).toEqual([undefined, lattice])
+  expect(await domainAfter(page.setDomain({ areas: [1, 2, 3] }))).toEqual([undefined, lattice])
+  expect(await domainAfter(page.setDomain({ region }))).toEqual([region, undefined])
 })
 
 describe('what the page opens', () => {

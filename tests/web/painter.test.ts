@@ -303,6 +303,24 @@ describe('the painter', () => {
     expect(FakeWorker.all.length).toBe(3)
   })
 
+  it('replaces a thread that continues by another one with all layers once everything is painted again', async () => {
+    const open = scene.open(Float64Array.of(0, 0, 1))
+    worker().answer(opened(1))
+    await open
+    scene.setLayers(DEFAULT_LAYERS)
+    const painted = { kind: 'painted', scene: 1, grid: 1, patches: [], paintId: 1 } as const
+    const failAfter = (isWhole: boolean) => {
+      worker().answer({ ...painted, isWhole })
+      worker().onerror?.({ message: 'it broke' })
+      return [FakeWorker.all.length, worker().of('layers').length]
+    }
+    expect([true, true, false].map(failAfter)).toEqual([
+      [2, 1],
+      [3, 1],
+      [4, 0],
+    ])
+  })
+
   it('leaves nothing open of a scene that is closed, and hears nothing more of it', async () => {
     const other = painter.add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
     const open = scene.open(new Float64Array())

@@ -70,6 +70,16 @@ describe('the steps of a trace', () => {
     }
   })
 
+  it('place both directed edges of an empty disc at once', () => {
+    const trace = library.trace(SMALL)
+    const placing = stepsOf(trace).filter(({ line }) => line === 'place')
+    expect(placing.length).toBeGreaterThan(2)
+    for (const { event, end } of placing) {
+      const kinds = Array.from({ length: end - event }, (_, k) => kindAt(trace, event + k))
+      expect(kinds).toEqual(['antipodalDiscAccepted', 'directedEdgePlaced', 'directedEdgePlaced'])
+    }
+  })
+
   it('are told in plain sentences with numbers', () => {
     const trace = library.trace([
       [0, 0, 1],
@@ -264,6 +274,7 @@ describe('what is shown beside a step', () => {
     const both = [0, 1].map((v) => ({ x: vertices[3 * v] as number, y: vertices[3 * v + 1] as number, r: 0 }))
     expect([...vertexCircles].filter((circle) => circle < 2)).toHaveLength(4)
     const pieces = arcOf(a, b, both[0] as Circle, both[1] as Circle)
+    expect(arcOf(b, a, both[0] as Circle, both[1] as Circle)).toEqual(pieces)
     for (let k = 0; k < pieces.length; k += 2) {
       const [x, y] = pieces.slice(k, k + 2) as [number, number]
       expect(Math.hypot(x, y) - 2).toBeCloseTo(Math.hypot(x - 7, y - 1) - 1, 9)

@@ -23,7 +23,16 @@ describe('a table whose columns the reader does not know', () => {
     for (const text of ['\ufeffa|b\r\n1,5|2', 'a b\n1.5 2', '# made by hand\na\tb\n1,5\t2']) {
       expect([text, table(text).heading, table(text).rows.length]).toEqual([text, ['a', 'b'], 1])
     }
-    for (const text of ['', 'words and words', 'a,b\nc,d', '1\n2', 'a,b\n"1,2', '[1,2,3,4]', '{"a":1,"b":2,"c":3}']) {
+    for (const text of [
+      '',
+      'words and words',
+      'a,b\nc,d',
+      '1\n2',
+      'a,b\n1,u\n2,v\n3,4\n5,w',
+      'a,b\n"1,2',
+      '[1,2,3,4]',
+      '{"a":1,"b":2,"c":3}',
+    ]) {
       expect([text, unknownTable(text)]).toEqual([text, undefined])
     }
   })
