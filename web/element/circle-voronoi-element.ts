@@ -149,11 +149,9 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-sample-graph - The layer sample-graph.
  * @cssprop {<color>} --circle-voronoi-antipodal-discs - The layer antipodal-discs.
  * @cssprop {<color>} --circle-voronoi-directed-edges - The layer directed-edges.
- * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, if the page draws
- *   them.
+ * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, if the page draws them.
  * @cssprop {<color>} --circle-voronoi-region - The border of the region.
- * @cssprop {<color>} --circle-voronoi-tint-0 - The first of the six colors for measures, such as cells=area: the color
- *   of the smallest value.
+ * @cssprop {<color>} --circle-voronoi-tint-0 - The first of the six colors for measures, such as cells=area: the color of the smallest value.
  * @cssprop {<color>} --circle-voronoi-tint-1 - The second color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-2 - The third color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-3 - The fourth color of the ramp.
@@ -165,8 +163,7 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-map-3 - One of six colors by which neighbors differ.
  * @cssprop {<color>} --circle-voronoi-map-4 - One of six colors by which neighbors differ.
  * @cssprop {<color>} --circle-voronoi-map-5 - One of six colors by which neighbors differ.
- * @cssprop {<color>} --circle-voronoi-cell-opacity - A color whose alpha value is the opacity of the circles' colors in
- *   their cells.
+ * @cssprop {<color>} --circle-voronoi-cell-opacity - A color whose alpha value is the opacity of the circles' colors in their cells.
  * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The aspect ratio of the picture, if its height is not set.
  */
 export class CircleVoronoiElement extends Base {
