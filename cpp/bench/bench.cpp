@@ -44,7 +44,7 @@ using Circles = std::vector<Circle>;
 struct Contestant {
   std::string name;
   std::function<void(const Circles&)> run;
-  std::size_t largest;  ///< more circles would take minutes
+  std::size_t largest;  ///< for more circles it takes minutes
 };
 
 std::function<void(const Circles&)> computing(Options options) {
@@ -126,7 +126,7 @@ double meanSeconds(const Contestant& method, const Circles& circles) {
 
 /// One method on one input.
 struct Measurement {
-  std::vector<double> seconds;  ///< of each repetition, in order
+  std::vector<double> seconds;  ///< the time of each repetition, in order
   bool isOver = false;          ///< stopped at the limit: a repetition takes longer than the one number in `seconds`
   double megabytes = 0;
 };
@@ -183,7 +183,7 @@ std::optional<Input> inputOf(const std::string& family, std::size_t count) {
   return Input{std::filesystem::path(family).stem().string(), circles.value()};
 }
 
-/// A number, after a > if it is a lower bound.
+/// Formats a number, with a > in front if it is a lower bound.
 std::string text(const char* format, double value, bool isOver) {
   char digits[32];
   std::snprintf(digits, sizeof digits, format, value);
@@ -211,7 +211,7 @@ std::vector<std::size_t> sizesOf(const std::string& list) {
 
 using OptionValues = std::map<std::string, std::string>;
 
-/// The options of each table with their defaults; the name of a table comes first if it comes.
+/// The options of each table with their defaults. The name of a table is the optional first argument.
 OptionValues defaultsOf(const std::string& table) {
   if (table == "--areas") return {{"--sizes", "300,1000,3000,10000,100000"}, {"--limit", "300"}};
   if (table == "--cliffs") return {{"--families", ""}, {"--sizes", "120000"}, {"--limit", "120"}};

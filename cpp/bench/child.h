@@ -14,8 +14,8 @@
 template <class Value>
 struct ChildResult {
   std::optional<Value> value;  ///< empty if it failed, or was stopped
-  bool isOver = false;         ///< it was stopped at the limit
-  double megabytes = 0;        ///< the peak of its memory
+  bool isOver = false;         ///< whether it was stopped at the limit
+  double megabytes = 0;        ///< its peak memory
 };
 
 /// Runs `run` in a child process, at most up to the limit. Value has no pointers.

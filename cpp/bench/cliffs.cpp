@@ -23,7 +23,7 @@ constexpr double kMost = 3;
 constexpr double kMostOfTies = 15;
 
 struct Cost {
-  double seconds;  ///< of the processor
+  double seconds;  ///< processor time
   char way[32];
   double flips;
   double filtered;  ///< signs that the filter decided
@@ -57,8 +57,8 @@ Cost costOf(const std::vector<Circle>& circles) {
   return cost;
 }
 
-/// Processor seconds of uniform circles, the median of three runs: measured anew beside each entry, for a machine may
-/// be slower for a while.
+/// Processor seconds of uniform circles, the median of three runs. Measured again for each entry, because the speed of
+/// the machine may vary.
 double uniformSeconds(std::size_t size, unsigned limitSeconds) {
   std::array<double, 3> seconds{};
   for (double& one : seconds) {
@@ -104,7 +104,7 @@ class Row {
 
   std::string name_;
   bool isDegenerate_;
-  double first_ = 0;  ///< seconds a circle at the first number of circles
+  double first_ = 0;  ///< seconds per circle at the first number of circles
 };
 
 }  // namespace

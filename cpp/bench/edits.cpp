@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 using Circles = std::vector<Circle>;
 
 constexpr std::size_t kEdits = 10'000;
-/// CGAL's are fewer, as they take longer.
+/// CGAL makes fewer edits, because they take longer.
 constexpr std::size_t kReferenceEdits = 300;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -40,7 +40,7 @@ T valueOf(Result<T> result) {
 /// Percentiles of the times of single edits, in microseconds.
 struct Times {
   double median = 0;
-  double most = 0;  ///< all but one in a thousand take no longer
+  double most = 0;  ///< the 99.9th percentile
 };
 
 Times timesOf(std::vector<double> seconds) {
@@ -67,7 +67,7 @@ void shuffle(auto& list, Random& random) {
   for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[random.below(i)]);
 }
 
-/// The order of rows of squares, each row in the other direction than the one before: the next is near the last.
+/// A boustrophedon order: rows of squares in alternating directions, so that each circle is near the one before.
 Circles inRows(Circles circles) {
   double low = circles[0].y;
   double high = low;
@@ -92,8 +92,8 @@ struct SingleEdits {
   Times removals;
 };
 
-/// Moves of some circles by a hundredth of the distance to another near by, insertions of other circles, and removals
-/// of the inserted ones.
+/// Moves of some circles by a hundredth of the distance to a nearby circle, insertions of other circles, and removals
+/// of the inserted circles.
 SingleEdits singleEdits(const EditInput& input, bool isNear) {
   DiagramEditor editor = valueOf(DiagramEditor::from(input.circles));
   Random random(1);
@@ -108,7 +108,7 @@ SingleEdits singleEdits(const EditInput& input, bool isNear) {
     Circles places;
     for (const CircleId id : moved) places.push_back(input.circles[static_cast<std::size_t>(id)]);
     const Circles ordered = inRows(places);
-    // Editors know circles by place, too.
+    // Editors also find circles by position.
     for (std::size_t i = 0; i < ordered.size(); ++i) moved[i] = editor.nearest({ordered[i].x, ordered[i].y});
   }
   const double spacing = [&] {
@@ -172,7 +172,7 @@ struct Seconds {
   double compute = 0;
 };
 
-/// The faster of three turns each, so that what else the machine does counts less.
+/// The fastest of three turns each, so that other programs on the machine matter less.
 template <class Ours>
 Seconds inTurns(std::span<const Circle> circles, Ours ours) {
   Seconds least = {1e300, 1e300};
@@ -259,7 +259,7 @@ std::vector<WorstEdit> worstEdits(const Circles& circles) {
   const Circle ofAll = disc(1);
   const Circle ofASixth = disc(0.23);
   const Circle moved = {ofASixth.x + ofASixth.r / 50, ofASixth.y, ofASixth.r};
-  // A fifth of the circles become points around one, and the others go aside.
+  // A fifth of the circles become points around one circle, and the others move aside.
   Circles around = circles;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const auto angle = static_cast<double>(i);

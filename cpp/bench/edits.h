@@ -14,9 +14,9 @@ struct EditInput {
   std::vector<Circle> supply;  ///< circles to insert, of the same kind
 };
 
-/// Prints the times of insertions, removals and small moves: one by one, in batches, and from nothing. Prints the times
-/// of the worst single edits and the memory of an editor. CGAL's Apollonius hierarchy stands beside. Each line has a
-/// process of its own.
+/// Prints the times of insertions, removals and small moves: one by one, in batches, and from an empty diagram. Prints
+/// the times of the worst single edits and the memory of an editor. The times of CGAL's Apollonius hierarchy are
+/// printed for comparison. Each line has a process of its own.
 void printEdits(const EditInput& input, unsigned limitSeconds);
 
 }  // namespace circle_voronoi::bench

@@ -7,7 +7,8 @@
 
 namespace circle_voronoi::bench {
 
-/// Prints how long computePeriodic takes beside compute, of the circles alone and of the circles and their images.
+/// Prints the times of computePeriodic, of compute for the circles alone, and of compute for the circles and their
+/// images.
 void benchPeriodic(const std::vector<std::string>& families, const std::vector<std::size_t>& sizes, int repetitions);
 
 }  // namespace circle_voronoi::bench

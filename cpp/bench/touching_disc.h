@@ -5,7 +5,7 @@
 
 namespace circle_voronoi {
 
-/// The touching disc method's options; its own number of samples if none is given.
+/// Returns options for the touching disc method, with the default number of samples if none is given.
 inline Options touchingDisc(Candidates candidates, std::optional<int> samples = {}) {
   Options options;
   options.method = Method::touchingDisc;

@@ -14,7 +14,7 @@ using Names = std::array<const char*, 4>;
 constexpr Names kBoxNames = {"MINX", "MINY", "MAXX", "MAXY"};
 constexpr Names kLatticeNames = {"AX", "AY", "BX", "BY"};
 
-/// Reads four numbers, or returns an error in words; an empty text is no box.
+/// Reads four numbers, or returns the text of an error. An empty text is no box.
 std::string readFour(std::string_view text, const Names& names, Sides sides, std::array<double, 4>& values) {
   const char* kinds = sides == Sides::finite ? " is not a finite number" : " is not a number";
   const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;

@@ -13,13 +13,14 @@ namespace circle_voronoi::cli {
 /// Whether numbers may be inf or -inf.
 enum class Sides { finite, maybeInfinite };
 
-/// All of the text as a number; nothing if it is none.
+/// Reads a whole text as a number. Returns nothing if the text is not a number.
 std::optional<double> readNumber(std::string_view text, Sides sides = Sides::finite);
 
-/// Reads MINX,MINY,MAXX,MAXY, or returns an error in words; an empty text is no box. A finite box is one to clip to.
+/// Reads MINX,MINY,MAXX,MAXY, or returns the text of an error. An empty text is no box. A finite box must be valid for
+/// clipping.
 std::string readBox(std::string_view text, Box& box, Sides sides = Sides::finite);
 
-/// Reads the periods AX,AY,BX,BY, or returns an error in words; an empty text is no lattice.
+/// Reads the periods AX,AY,BX,BY, or returns the text of an error. An empty text is no lattice.
 std::string readLattice(std::string_view text, Lattice& lattice);
 
 }  // namespace circle_voronoi::cli

@@ -6,8 +6,8 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/progress.h"
+#include "command_error.h"
 #include "commands.h"
-#include "failure.h"
 #include "files.h"
 #include "progress_line.h"
 
@@ -24,13 +24,13 @@ void runCertify(const CertifyArguments& arguments) {
   progress.show("read");
   const std::string name = inputName(arguments.input);
   const auto read = readDiagram(readText(arguments.input), name);
-  if (!read) throw Failure{kBadInput, read.error().message};
+  if (!read) throw CommandError{kBadInput, read.error().message};
   const Diagram& diagram = read.value();
   progress.show(stageName(Stage::certify));
   const auto certificate = certify(diagram);
   progress.end();
-  if (!certificate) throw Failure{kBadInput, name + ": " + certificate.error().message};
-  if (!certificate.value().certified()) throw Failure{kFailure, name + ": " + certificate.value().message};
+  if (!certificate) throw CommandError{kBadInput, name + ": " + certificate.error().message};
+  if (!certificate.value().certified()) throw CommandError{kFailure, name + ": " + certificate.value().message};
   writeText(kStandardStream, [&](std::ostream& out) {
     out << "certified: " << diagram.circles.size() << " circles, " << diagram.hidden.size() << " of them hidden; "
         << diagram.vertices.size() << " vertices, " << diagram.edges.size() << " edges\n";

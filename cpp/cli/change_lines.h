@@ -7,8 +7,8 @@
 
 namespace circle_voronoi::cli {
 
-/// Writes a change as one line of JSON: its way, and its lists as flat ones, by the names that they have in JavaScript.
-/// Numbers to the bit.
+/// Writes a change as one line of JSON: its way, and its lists flattened, with the names of JavaScript. Numbers keep
+/// all digits.
 void writeChange(std::ostream& out, const Change& change);
 
 }  // namespace circle_voronoi::cli

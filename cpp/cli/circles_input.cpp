@@ -5,7 +5,7 @@
 #include <iostream>
 #include <utility>
 
-#include "failure.h"
+#include "command_error.h"
 #include "files.h"
 #include "option_flag.h"
 
@@ -24,7 +24,7 @@ bool isGiven(const CLI::App& command, const std::string& option) {
 void addCirclesInput(CLI::App& command, CirclesInput& input, const std::string& description, Skipping skipping,
                      Radii radii) {
   input.options.radii = radii;
-  // Whether it is missing is known once --weights is: see settleInput.
+  // settleInput checks whether the file is missing, because --weights may hold its name.
   command.add_option("FILE", input.file, description)->type_name("");
   command
       .add_option(kWeights, input.options.radius,
@@ -57,18 +57,18 @@ void settleInput(const CLI::App& command, CirclesInput& input) {
     std::string word =
         command.get_option(kWeights)->results().empty() ? "" : command.get_option(kWeights)->results()[0];
     if (input.file.empty()) std::swap(input.file, word);
-    if (hasRadius && !word.empty()) throw Failure{kBadInput, kWeights + " " + word + " takes no --radius."};
-    if (isGiven(command, "--points")) throw Failure{kBadInput, kWeights + " takes no --points."};
+    if (hasRadius && !word.empty()) throw CommandError{kBadInput, kWeights + " " + word + " takes no --radius."};
+    if (isGiven(command, "--points")) throw CommandError{kBadInput, kWeights + " takes no --points."};
     options.radius = hasRadius ? command.get_option("--radius")->as<std::string>() : word;
   }
-  if (input.file.empty()) throw Failure{kBadInput, "FILE is required"};
+  if (input.file.empty()) throw CommandError{kBadInput, "FILE is required"};
 }
 
 void refuseColumnOptions(const CLI::App& command, const std::string& name) {
   const auto refuse = [&](const std::string& option) {
     if (!isGiven(command, option)) return;
-    throw Failure{kBadInput,
-                  name + ": " + option + " is for circles alone; a diagram's file says what its circles are."};
+    throw CommandError{kBadInput,
+                       name + ": " + option + " is for circles alone; a diagram's file says what its circles are."};
   };
   refuse(kWeights);
   for (const char* option : kColumnOptions) refuse(option);
@@ -76,11 +76,11 @@ void refuseColumnOptions(const CLI::App& command, const std::string& name) {
 
 CircleFile readInput(const CirclesInput& input, const std::string& text) {
   auto file = readCircleFile(text, inputName(input.file), input.options);
-  if (!file) throw inputFailure(file.error());
+  if (!file) throw inputError(file.error());
   return *std::move(file);
 }
 
-Failure inputFailure(Error error) {
+CommandError inputError(Error error) {
   constexpr std::string_view kOption = "the option ";
   if (const std::size_t at = error.message.rfind(kOption); at != std::string::npos) {
     error.message.replace(at, kOption.size(), "--");

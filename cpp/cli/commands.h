@@ -5,7 +5,7 @@
 
 namespace circle_voronoi::cli {
 
-// Each adds one command to the program. A command runs while the command line is parsed, and may throw Failure.
+// Each adds one command to the program. A command runs while the command line is parsed, and may throw CommandError.
 
 void addCertifyCommand(CLI::App& program);
 void addComputeCommand(CLI::App& program);

@@ -10,8 +10,8 @@
 #include "circle_voronoi/periodic.h"
 #include "circle_voronoi/progress.h"
 #include "circles_input.h"
+#include "command_error.h"
 #include "commands.h"
-#include "failure.h"
 #include "files.h"
 #include "option_flag.h"
 #include "output.h"
@@ -38,15 +38,15 @@ struct ComputeArguments {
   bool resample = Options{}.resample;
   int threads = Options{}.threads;
   std::string trace;
-  std::string lattice;  ///< AX,AY,BX,BY; empty: the circles do not repeat
+  std::string lattice;  ///< AX,AY,BX,BY; empty if the circles do not repeat
   TilePart tile;
   std::string progress = "auto";
 };
 
-/// Throws Failure if an option is given that would not be used.
+/// Throws CommandError if an option would have no effect.
 void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   const auto refuse = [&](const std::string& option, bool isUsed, const std::string& need) {
-    if (command.count(option) > 0 && !isUsed) throw Failure{kBadInput, option + " needs " + need + "."};
+    if (command.count(option) > 0 && !isUsed) throw CommandError{kBadInput, option + " needs " + need + "."};
   };
   const std::string samples = flagOf(&Options::samples);
   const std::string resample = flagOf(&Options::resample);
@@ -62,13 +62,13 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
   if (!arguments.lattice.empty()) {
     refuse("--lattice", method == Method::automatic, needed(&Options::method, Method::automatic));
-    if (arguments.tile.isAsked()) throw Failure{kBadInput, "--lattice takes no --known."};
-    if (!arguments.trace.empty()) throw Failure{kBadInput, "--lattice takes no --trace."};
+    if (arguments.tile.isAsked()) throw CommandError{kBadInput, "--lattice takes no --known."};
+    if (!arguments.trace.empty()) throw CommandError{kBadInput, "--lattice takes no --trace."};
   }
   if (!arguments.tile.isAsked()) return;
-  if (!arguments.trace.empty()) throw Failure{kBadInput, "--known takes no --trace."};
-  if (!arguments.projection.empty()) throw Failure{kBadInput, "--known takes no --project."};
-  if (arguments.input.options.skipInvalid) throw Failure{kBadInput, "--known takes no --skip-invalid."};
+  if (!arguments.trace.empty()) throw CommandError{kBadInput, "--known takes no --trace."};
+  if (!arguments.projection.empty()) throw CommandError{kBadInput, "--known takes no --project."};
+  if (arguments.input.options.skipInvalid) throw CommandError{kBadInput, "--known takes no --skip-invalid."};
 }
 
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {

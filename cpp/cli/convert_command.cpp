@@ -6,8 +6,8 @@
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/progress.h"
 #include "circles_input.h"
+#include "command_error.h"
 #include "commands.h"
-#include "failure.h"
 #include "files.h"
 #include "output.h"
 #include "progress_line.h"
@@ -34,7 +34,7 @@ void convertDiagram(const CLI::App& command, ConvertArguments& arguments, const 
   const std::string name = inputName(arguments.input.file);
   refuseColumnOptions(command, name);
   auto read = readDiagramFile(text, name);
-  if (!read) throw Failure{kBadInput, read.error().message};
+  if (!read) throw CommandError{kBadInput, read.error().message};
   Diagram& diagram = read->diagram;
   arguments.output.attributes = std::move(read->attributes);
   takeRecordedProjection(arguments.output, arguments.output.attributes);
@@ -48,7 +48,7 @@ void convertDiagram(const CLI::App& command, ConvertArguments& arguments, const 
   progress.show(stageName(Stage::certify));
   // The output is drawn from the diagram, so the diagram must be valid whatever its file claims.
   const auto certificate = certify(diagram);
-  if (!certificate) throw Failure{kBadInput, name + ": " + certificate.error().message};
+  if (!certificate) throw CommandError{kBadInput, name + ": " + certificate.error().message};
   diagram.certificate = certificate.value();
   writeDiagram(arguments.output, name, diagram, progress);
 }

@@ -10,9 +10,9 @@
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/io.h"
 #include "circles_input.h"
+#include "command_error.h"
 #include "commands.h"
 #include "edit_script.h"
-#include "failure.h"
 #include "files.h"
 #include "output.h"
 #include "progress_line.h"
@@ -41,8 +41,8 @@ CircleFile readEditedCircles(const CLI::App& command, CirclesInput& input) {
   const Diagram& diagram = file->diagram;
   input.options.weights = diagram.weights;
   if (diagram.metric != Metric::circles) {
-    throw Failure{kBadInput, name + ": the metric " + std::string(metricName(diagram.metric)) +
-                                 " cannot be edited, only that of circles."};
+    throw CommandError{kBadInput, name + ": the metric " + std::string(metricName(diagram.metric)) +
+                                      " cannot be edited, only that of circles."};
   }
   return {std::move(file->diagram.circles), std::move(file->attributes), {}};
 }
@@ -62,7 +62,7 @@ CircleAttributes attributesOf(CircleAttributes attributes, const std::vector<Cir
   return attributes;
 }
 
-/// Makes the edits of a script, and tells each change.
+/// Makes the edits of a script, and reports each change.
 void makeEdits(DiagramEditor& editor, const EditArguments& arguments, std::ostream* changes, ProgressLine& progress) {
   progress.show("read");
   const std::string name = inputName(arguments.script);
@@ -80,7 +80,7 @@ void runEdit(const CLI::App& command, EditArguments& arguments) {
   settleInput(command, arguments.input);
   settle(arguments.output);
   if (arguments.input.file == kStandardStream && arguments.script == kStandardStream) {
-    throw Failure{kBadInput, "The circles and the script cannot both be standard input."};
+    throw CommandError{kBadInput, "The circles and the script cannot both be standard input."};
   }
   refuseSharedFiles(
       {arguments.input.file, arguments.script, arguments.output.regionFile},
@@ -108,7 +108,7 @@ void runEdit(const CLI::App& command, EditArguments& arguments) {
       const auto observed = editor.observe([&out](const TraceEvent& event) { writeTraceEvent(out, event); });
       if (!observed) fail(observed.error(), name + ": ");
       makeAll(arguments.changes.empty() ? nullptr : &changes);
-      (void)editor.observe({});  // nothing to fail
+      (void)editor.observe({});  // this call cannot fail
     });
     if (!arguments.changes.empty()) writeText(arguments.changes, [&](std::ostream& out) { out << changes.str(); });
   }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "box.h"
-#include "failure.h"
+#include "command_error.h"
 #include "utf8.h"
 
 namespace circle_voronoi::cli {
@@ -48,7 +48,7 @@ class LineReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw Failure{kBadInput, place_ + printable(what)}; }
+  [[noreturn]] void fail(const std::string& what) const { throw CommandError{kBadInput, place_ + printable(what)}; }
 
   void expectFields(std::size_t count) const {
     if (fields_.size() == count) return;
@@ -85,7 +85,7 @@ class LineReader {
 }  // namespace
 
 std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name) {
-  if (isUtf16(text)) throw Failure{kBadInput, name + ":1: the text is UTF-16; it has to be UTF-8."};
+  if (isUtf16(text)) throw CommandError{kBadInput, name + ":1: the text is UTF-16; it has to be UTF-8."};
   text = withoutByteOrderMark(text);
   std::vector<ScriptEdit> edits;
   for (int line = 1; !text.empty(); ++line) {

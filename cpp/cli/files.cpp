@@ -11,19 +11,19 @@
 #include <ostream>
 #include <vector>
 
-#include "failure.h"
+#include "command_error.h"
 #include "output_file.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
-Failure ioFailure(const std::string& what, const std::string& file, int error) {
+CommandError ioError(const std::string& what, const std::string& file, int error) {
   const std::string name = file == kStandardStream ? "the standard stream" : file;
   return {kFailure, "Cannot " + what + " " + name + ": " + std::strerror(error) + "."};
 }
 
-/// The largest size of a line, in bytes: no file has a longer one, but a device such as /dev/zero has one without an
-/// end, which would fill the memory.
+/// The largest size of a line, in bytes. A longer line would fill the memory: a device such as /dev/zero never ends a
+/// line.
 constexpr std::size_t kLongestLine = std::size_t{1} << 31;
 
 /// A file or standard input, open for reading.
@@ -31,7 +31,7 @@ class Input {
  public:
   explicit Input(const std::string& file)
       : file_(file), descriptor_(file == kStandardStream ? STDIN_FILENO : open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (descriptor_ == -1) throw ioFailure("read", file, errno);
+    if (descriptor_ == -1) throw ioError("read", file, errno);
   }
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
@@ -51,7 +51,7 @@ class Input {
     for (;;) {
       const ssize_t size = read(descriptor_, piece_.data(), piece_.size());
       if (size >= 0) return {piece_.data(), static_cast<std::size_t>(size)};
-      if (errno != EINTR) throw ioFailure("read", file_, errno);
+      if (errno != EINTR) throw ioError("read", file_, errno);
     }
   }
 
@@ -85,7 +85,7 @@ void writeTo(int descriptor, const std::string& file, const std::function<void(s
   DescriptorBuffer buffer(descriptor);
   std::ostream out(&buffer);
   write(out);
-  if (buffer.error() != 0) throw ioFailure("write", file, buffer.error());
+  if (buffer.error() != 0) throw ioError("write", file, buffer.error());
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ std::string readText(const std::string& file) {
     const std::size_t lineEnd = piece.rfind('\n');
     lineSize = lineEnd == piece.npos ? lineSize + piece.size() : piece.size() - lineEnd - 1;
     if (lineSize > kLongestLine) {
-      throw Failure{kBadInput, inputName(file) + ": a line is longer than 2 GiB, which no file of circles has."};
+      throw CommandError{kBadInput, inputName(file) + ": a line is longer than 2 GiB, which no file of circles has."};
     }
     text += piece;
   }
@@ -122,13 +122,13 @@ void refuseSharedFiles(std::initializer_list<std::string> inputs, std::initializ
   for (const NamedOutput& output : outputs) {
     for (const std::string& input : inputs) {
       if (isOneFile(statusOf(input, STDIN_FILENO), statusOf(output.file, STDOUT_FILENO))) {
-        throw Failure{kBadInput, inputName(input) + " would be overwritten: it is the output as well."};
+        throw CommandError{kBadInput, inputName(input) + " would be overwritten: it is the output as well."};
       }
     }
     for (const NamedOutput* other = outputs.begin(); other != &output; ++other) {
       if (!areOneOutput(other->file, output.file)) continue;
       const std::string name = output.file == kStandardStream ? "standard output" : output.file;
-      throw Failure{kBadInput, output.option + " and " + other->option + " cannot both be " + name + "."};
+      throw CommandError{kBadInput, output.option + " and " + other->option + " cannot both be " + name + "."};
     }
   }
 }
@@ -137,9 +137,9 @@ void writeText(const std::string& file, const std::function<void(std::ostream&)>
   if (file == kStandardStream) return writeTo(STDOUT_FILENO, file, write);
   OutputFile output(file);
   const auto descriptor = output.open();
-  if (!descriptor) throw ioFailure("write", file, errno);
+  if (!descriptor) throw ioError("write", file, errno);
   writeTo(*descriptor, file, write);
-  if (!output.finish()) throw ioFailure("write", file, errno);
+  if (!output.finish()) throw ioError("write", file, errno);
 }
 
 }  // namespace circle_voronoi::cli

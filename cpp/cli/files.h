@@ -15,11 +15,11 @@ inline constexpr const char* kStandardStream = "-";
 /// The name of an input in errors.
 std::string inputName(const std::string& file);
 
-/// All of a file or of standard input. Throws Failure.
+/// Returns the contents of a file or of standard input. Throws CommandError.
 std::string readText(const std::string& file);
 
 /// Passes a file or standard input to `take` piece by piece. `done` is the part that is read by then, or 0 if the size
-/// is unknown. Throws Failure.
+/// is unknown. Throws CommandError.
 void readPieces(const std::string& file, const std::function<void(std::string_view piece, double done)>& take);
 
 /// An output file and the option that names it. An empty name means that the file is not requested.
@@ -28,12 +28,12 @@ struct NamedOutput {
   std::string file;
 };
 
-/// Throws Failure if an output is an input or another output, under any name: writing it would destroy the other file.
-/// A file that is not regular can be both; standard output can be a single output.
+/// Throws CommandError if an output is an input or another output, under any name: writing it would destroy the other
+/// file. Files that are not regular may be both. Standard output may be only one output.
 void refuseSharedFiles(std::initializer_list<std::string> inputs, std::initializer_list<NamedOutput> outputs);
 
-/// Has `write` write to standard output, or to a file, which is replaced once all is written (output_file.h). Throws
-/// Failure if anything could not be written.
+/// Passes a stream to `write`, for standard output or for a file that is replaced when writing has succeeded
+/// (output_file.h). Throws CommandError if writing fails.
 void writeText(const std::string& file, const std::function<void(std::ostream&)>& write);
 
 }  // namespace circle_voronoi::cli

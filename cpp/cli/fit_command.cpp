@@ -12,8 +12,8 @@
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
 #include "circles_input.h"
+#include "command_error.h"
 #include "commands.h"
-#include "failure.h"
 #include "files.h"
 #include "output.h"
 #include "progress_line.h"
@@ -26,7 +26,7 @@ struct FitArguments {
   CirclesInput input;
   std::string projection;
   Output output;
-  std::string lattice;  ///< AX,AY,BX,BY; empty: the cells divide a region
+  std::string lattice;  ///< AX,AY,BX,BY; empty if the cells divide a region
   std::string areas;
   bool shares = AreaFitOptions{}.shares;
   double areaTolerance = AreaFitOptions{}.tolerance;
@@ -49,7 +49,7 @@ Error withFlags(Error error) {
   return error;
 }
 
-/// The progress of a fit: how far its error has come from the first one to the tolerance, by orders of magnitude.
+/// The progress of a fit: the position of its error between the first error and the tolerance, in orders of magnitude.
 double partDone(double first, double error, double tolerance) {
   if (!(first > tolerance) || !(error > tolerance)) return 1;
   return std::clamp(std::log(first / error) / std::log(first / tolerance), 0.0, 1.0);
@@ -58,8 +58,8 @@ double partDone(double first, double error, double tolerance) {
 void runFit(const CLI::App& command, FitArguments& arguments) {
   settleInput(command, arguments.input);
   if (arguments.lattice.empty() == arguments.output.regionFile.empty()) {
-    throw Failure{kBadInput, arguments.lattice.empty() ? "fit needs --region or --lattice."
-                                                       : "--lattice takes no --region: cells are written whole."};
+    throw CommandError{kBadInput, arguments.lattice.empty() ? "fit needs --region or --lattice."
+                                                            : "--lattice takes no --region: cells are written whole."};
   }
   settle(arguments.output);
   if (!arguments.lattice.empty()) checkPeriodicOutput(arguments.output);
@@ -69,7 +69,7 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
   const std::string name = inputName(arguments.input.file);
   CircleFile file = readInput(arguments.input, readText(arguments.input.file));
   const auto areas = numbersIn(file.attributes, arguments.areas);
-  if (!areas) throw Failure{kBadInput, name + ": " + areas.error().message};
+  if (!areas) throw CommandError{kBadInput, name + ": " + areas.error().message};
   arguments.output.attributes = std::move(file.attributes);
   project(arguments.projection, file.circles, arguments.output, name);
 

@@ -9,8 +9,8 @@
 
 #include "circle_voronoi/io.h"
 #include "circle_voronoi_families/families.h"
+#include "command_error.h"
 #include "commands.h"
-#include "failure.h"
 #include "files.h"
 #include "output.h"
 #include "whole_number.h"
@@ -18,7 +18,7 @@
 namespace circle_voronoi::cli {
 namespace {
 
-/// Far more than fits in memory with its diagram, and few enough to be held.
+/// The largest number of circles: they fit in memory, though their diagram would not.
 constexpr std::int64_t kMostCircles = 100'000'000;
 /// Longer than the name of any family.
 constexpr int kNameWidth = 22;
@@ -32,10 +32,10 @@ struct GenerateArguments {
 
 void runGenerate(const GenerateArguments& arguments) {
   const auto family = familyFromName(arguments.family);
-  if (!family) throw Failure{kBadInput, "There is no family \"" + arguments.family + "\"; see generate --list."};
+  if (!family) throw CommandError{kBadInput, "There is no family \"" + arguments.family + "\"; see generate --list."};
   const std::string ending = endingOf(arguments.output.file);
   if (!ending.empty() && ending != "csv") {
-    throw Failure{kBadInput, arguments.output.file + ": generate writes csv, not " + ending + "; see convert."};
+    throw CommandError{kBadInput, arguments.output.file + ": generate writes csv, not " + ending + "; see convert."};
   }
   const auto circles = generate(*family, static_cast<std::size_t>(arguments.count), arguments.seed);
   writeText(arguments.output.file, [&](std::ostream& out) { checkWritten(writeCirclesCsv(out, circles), ""); });

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "command_error.h"
 #include "commands.h"
-#include "failure.h"
 #include "files.h"
 
 namespace {
@@ -27,14 +27,14 @@ std::string footer() {
   return text;
 }
 
-/// Checks the first word, because CLI11 would only report that there is no command. Throws Failure.
+/// Checks the first word, because CLI11 would only report that there is no command. Throws CommandError.
 void checkCommand(const CLI::App& program, int argumentCount, char** arguments) {
   const std::string first = argumentCount > 1 ? arguments[1] : "";
   const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
   const auto isFirst = [&](const CLI::App* command) { return command->get_name() == first; };
   if (std::ranges::any_of(commands, isFirst) || program.get_option_no_throw(first) != nullptr) return;
   if (first == "picture") {
-    throw Failure{kBadInput, "The npm package has the command picture: npx circle-voronoi picture ..."};
+    throw CommandError{kBadInput, "The npm package has the command picture: npx circle-voronoi picture ..."};
   }
   std::string names;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -43,13 +43,13 @@ void checkCommand(const CLI::App& program, int argumentCount, char** arguments) 
   const std::string problem = first.empty()            ? "A command is missing"
                               : first.starts_with('-') ? "There is no option " + first
                                                        : "There is no command \"" + first + "\"";
-  throw Failure{kBadInput, problem + "; the commands are " + names + "."};
+  throw CommandError{kBadInput, problem + "; the commands are " + names + "."};
 }
 
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
-  // A file that becomes larger than it may be is an error of writing like others.
+  // Exceeding the file size limit then is a normal error of writing.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     CLI::App program("Voronoi diagram of circles", "circle-voronoi");
@@ -73,7 +73,7 @@ int main(int argumentCount, char** arguments) {
     } catch (const CLI::ParseError& error) {
       return fail(kBadInput, error.what());
     }
-  } catch (const Failure& failure) {
+  } catch (const CommandError& failure) {
     return fail(failure.status, failure.message);
   } catch (const std::bad_alloc&) {
     return fail(kBadInput, "The circles do not fit in memory.");

@@ -13,7 +13,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
 #include "circles_input.h"
-#include "failure.h"
+#include "command_error.h"
 #include "whole_number.h"
 
 namespace circle_voronoi::cli {
@@ -30,7 +30,7 @@ const std::map<std::string, WriteExport> kExports = {{"svg", writeSvg},
                                                      {"wkt", writeWkt},
                                                      {"obj", writeObj}};
 
-/// An option that is given and that only drawings of a diagram use, or null.
+/// Returns a given option that only drawings of a diagram use, or null.
 const char* drawingOption(const Output& output) {
   return !output.bounds.empty()                                 ? "--bounds"
          : !output.regionFile.empty() && !output.isRegionNeeded ? "--region"
@@ -46,21 +46,21 @@ const std::map<std::string, WriteCircles> kCircleFormats = {
 /// `name` is the name of the input.
 void write(const Output& output, const std::string& name, ProgressLine& progress,
            const std::function<Result<void>(std::ostream&)>& writer) {
-  // The terminal, or the program that reads the text, may use the same screen.
+  // The output may share the screen with the progress line.
   if (output.file == kStandardStream) progress.end();
   progress.show("write");
   writeText(output.file, [&](std::ostream& out) { checkWritten(writer(out), name + ": "); });
 }
 
-/// Says on standard error that members of a collection such as `crs` get lost, where they do among circles and cells
-/// that keep their other attributes.
+/// Prints a warning on standard error if members of a collection such as `crs` get lost, although circles or cells keep
+/// their other attributes.
 void noteCollection(const Output& output, ProgressLine& progress) {
   const bool isLost = output.format == "csv" || output.format == "json" || output.format == "geojsonl";
   if (!isLost || output.attributes.collection.empty()) return;
   note("The format " + output.format + " has no place for the members of the collection, such as crs.", progress);
 }
 
-/// Puts the box and the region, which are in degrees, into the plane of the projection.
+/// Projects the box and the region, which are in degrees.
 void projectLimits(Output& output) {
   if (!output.bounds.empty()) {
     Box box;
@@ -141,25 +141,25 @@ void settle(Output& output) {
   if (output.format.empty()) {
     const std::string ending = endingOf(output.file);
     if (!ending.empty() && std::ranges::find(kFormats, ending) == kFormats.end()) {
-      throw Failure{kBadInput, output.file + ": no format is called " + ending + "; choose one with --format."};
+      throw CommandError{kBadInput, output.file + ": no format is called " + ending + "; choose one with --format."};
     }
     output.format = ending.empty() ? kDefaultFormat : ending;
   }
-  if (output.format == "stats" && output.digits) throw Failure{kBadInput, "--digits is not for --format stats."};
+  if (output.format == "stats" && output.digits) throw CommandError{kBadInput, "--digits is not for --format stats."};
   if (!kExports.contains(output.format)) {
     if (const char* unused = drawingOption(output))
-      throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
+      throw CommandError{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
   }
-  if (output.dissolve && output.regionFile.empty()) throw Failure{kBadInput, "--dissolve needs --region."};
+  if (output.dissolve && output.regionFile.empty()) throw CommandError{kBadInput, "--dissolve needs --region."};
   if (output.regionFile.empty()) return;
-  if (!output.bounds.empty()) throw Failure{kBadInput, "--region takes no --bounds."};
+  if (!output.bounds.empty()) throw CommandError{kBadInput, "--region takes no --bounds."};
   auto region = readRegion(readText(output.regionFile), inputName(output.regionFile), {.dissolve = output.dissolve});
   if (!region) {
     std::string message = region.error().message;
     constexpr std::string_view kOption = "Set `dissolve` to merge them.";
     if (message.ends_with(kOption))
       message.replace(message.size() - kOption.size(), kOption.size(), "--dissolve merges them.");
-    throw Failure{kBadInput, message};
+    throw CommandError{kBadInput, message};
   }
   output.region = *std::move(region);
 }
@@ -227,13 +227,13 @@ void addLatticeOption(CLI::App& command, std::string& lattice) {
 
 void checkPeriodicOutput(const Output& output) {
   if (output.format == "wkt" || output.format == "obj") {
-    throw Failure{kBadInput, "--lattice takes no --format " + output.format + "."};
+    throw CommandError{kBadInput, "--lattice takes no --format " + output.format + "."};
   }
   const char* unused = drawingOption(output);
   if (unused != nullptr && std::string_view(unused) != "--tolerance") {
-    throw Failure{kBadInput, "--lattice takes no " + std::string(unused) + ": cells are written whole."};
+    throw CommandError{kBadInput, "--lattice takes no " + std::string(unused) + ": cells are written whole."};
   }
-  if (output.maxDistance) throw Failure{kBadInput, "--lattice takes no --max-distance: cells are written whole."};
+  if (output.maxDistance) throw CommandError{kBadInput, "--lattice takes no --max-distance: cells are written whole."};
 }
 
 void writePeriodicDiagram(const Output& output, const std::string& name, const PeriodicDiagram& periodic,
@@ -250,13 +250,13 @@ void writePeriodicDiagram(const Output& output, const std::string& name, const P
 
 void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
                   ProgressLine& progress) {
-  if (output.digits) throw Failure{kBadInput, "--digits is for diagrams; circles keep the digits that they have."};
+  if (output.digits) throw CommandError{kBadInput, "--digits is for diagrams; circles keep the digits that they have."};
   if (const char* unused = drawingOption(output))
-    throw Failure{kBadInput, std::string(unused) + " is for diagrams; circles are written as they are."};
+    throw CommandError{kBadInput, std::string(unused) + " is for diagrams; circles are written as they are."};
   const auto found = kCircleFormats.find(output.format);
   if (found == kCircleFormats.end()) {
-    throw Failure{kBadInput,
-                  "Circles alone cannot be written as " + output.format + "; compute writes their diagram so."};
+    throw CommandError{kBadInput,
+                       "Circles alone cannot be written as " + output.format + "; compute writes their diagram so."};
   }
   noteCollection(output, progress);
   write(output, name, progress, [&](std::ostream& out) { return found->second(out, circles, output.attributes); });

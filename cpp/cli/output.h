@@ -23,16 +23,16 @@ namespace circle_voronoi::cli {
 struct Output {
   std::string file = kStandardStream;
   std::string format;           ///< empty until `settle` chooses it
-  std::string bounds;           ///< MINX,MINY,MAXX,MAXY; empty: the default
-  std::string regionFile;       ///< empty: no region
+  std::string bounds;           ///< MINX,MINY,MAXX,MAXY; empty for the default
+  std::string regionFile;       ///< empty for none
   bool dissolve = false;        ///< whether polygons of the region that overlap are merged
   bool isRegionNeeded = false;  ///< whether the command itself uses the region, whatever the format
   double tolerance = 0;         ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};
   std::optional<Region> region = {};          ///< what `settle` reads from the file
-  std::optional<Projection> projection = {};  ///< of circles whose centers were longitude and latitude
-  CircleAttributes attributes = {};           ///< of the circles
+  std::optional<Projection> projection = {};  ///< the projection of circles whose centers were longitude and latitude
+  CircleAttributes attributes = {};           ///< the attributes of the circles
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -43,8 +43,8 @@ void addOutputOptions(CLI::App& command, Output& output);
 std::string endingOf(const std::string& file);
 
 /// Chooses the format by the extension of the file, or json, if the user has not chosen one, and reads the region.
-/// Called before any work. Throws Failure if no format has this extension, if an option is given that the format does
-/// not use, or if the file of the region does not hold one.
+/// Called before any work. Throws CommandError if no format has this extension, if an option is given that the format
+/// does not use, or if the file of the region does not hold one.
 void settle(Output& output);
 
 /// Returns the box, the region, the tolerance, the maximum distance and the digits that the user gave. The output must
@@ -54,30 +54,30 @@ ExportOptions exportOptions(const Output& output);
 /// Adds `--project` to a command.
 void addProjectOption(CLI::App& command, std::string& name);
 
-/// Puts circles with longitude and latitude into the plane of a projection of this name, and so the box and the region
-/// of the output, which is written in degrees again. Does nothing if the name is empty. Throws Failure, which calls the
-/// input `input`.
+/// Projects circles with longitude and latitude, and the box and the region of the output. The output is converted back
+/// to degrees. `name` is the name of a projection; if it is empty, the function does nothing. Throws CommandError,
+/// which calls the input `input`.
 void project(const std::string& name, std::vector<Circle>& circles, Output& output, const std::string& input);
 
-/// Takes the projection of a diagram that `compute` has projected, which its file says, so that cells are written in
-/// degrees again, and puts the box and the region into its plane. Throws Failure.
+/// Restores the projection from the file of a diagram that `compute` has projected, so that cells are written in
+/// degrees. Projects the box and the region. Throws CommandError.
 void takeRecordedProjection(Output& output, const CircleAttributes& attributes);
 
-/// Writes a diagram. Errors call the input `name`. Throws Failure if writing fails, or if the format is a drawing and
-/// the diagram is not certified.
+/// Writes a diagram. Errors call the input `name`. Throws CommandError if writing fails, or if the format is a drawing
+/// and the diagram is not certified.
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress);
 
 /// Adds `--lattice` to a command, as text that `readLattice` reads.
 void addLatticeOption(CLI::App& command, std::string& lattice);
-/// Throws Failure if a format or an option is given that is not for periodic diagrams, before any work is done.
+/// Throws CommandError if a format or an option does not support periodic diagrams. Called before any work.
 void checkPeriodicOutput(const Output& output);
-/// Writes a periodic diagram. Errors call the input `name`. Throws Failure if something could not be written.
+/// Writes a periodic diagram. Errors call the input `name`. Throws CommandError if writing fails.
 void writePeriodicDiagram(const Output& output, const std::string& name, const PeriodicDiagram& periodic,
                           ProgressLine& progress);
 
 /// Writes circles without a diagram, and their attributes. Prints a warning on standard error if the format cannot
-/// store one of the attributes. Errors call the input `name`. Throws Failure if the format is only for diagrams, or if
-/// something could not be written.
+/// store one of the attributes. Errors call the input `name`. Throws CommandError if the format is only for diagrams,
+/// or if writing fails.
 void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
                   ProgressLine& progress);
 

@@ -20,15 +20,15 @@ namespace fs = std::filesystem;
 constexpr const char* kNameBeside = ".circle-voronoi-XXXXXX";
 constexpr int kMostLinks = 40;
 
-/// The path of the file beside, for the handler of signals: empty if there is none.
-char besidePath[PATH_MAX] = "";  // NOLINT: a handler sees nothing else
+/// The path of the temporary file, for the signal handler; empty if there is none.
+char besidePath[PATH_MAX] = "";  // NOLINT: a signal handler sees only globals
 
 void removeAndDie(int signal) {
   if (besidePath[0] != '\0') unlink(besidePath);
-  raise(signal);  // once this handler, which is used once, is left
+  raise(signal);  // delivered when this handler returns
 }
 
-/// Removes the file beside when the program is interrupted, unless the signal is ignored.
+/// Removes the temporary file when the program is interrupted, unless the signal is ignored.
 void removeWhenInterrupted() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
@@ -39,7 +39,7 @@ void removeWhenInterrupted() {
   }
 }
 
-/// Where symbolic links lead: a path, or a file descriptor of this program, as with /dev/stdout.
+/// The target of symbolic links: a path, or a file descriptor of this program, as with /dev/stdout.
 struct Target {
   fs::path path;
   std::optional<int> descriptor;
@@ -101,7 +101,7 @@ std::optional<int> OutputFile::open() {
   struct stat existing {};
   const bool exists = stat(file_.c_str(), &existing) == 0;
   if (descriptor) {
-    // Another file description would have its own place to write at.
+    // A new file description would have its own write position.
     descriptor_ = dup(*descriptor);
   } else if (exists && !S_ISREG(existing.st_mode)) {
     descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -128,7 +128,7 @@ bool OutputFile::openBeside(const struct stat* existing) {
   }
   isBeside_ = true;
   if (existing != nullptr) {
-    // Only root can give a file away, and others need not.
+    // Only root can change the owner of a file, and other users need not.
     [[maybe_unused]] const int given = fchown(descriptor_, existing->st_uid, existing->st_gid);
   }
   return fchmod(descriptor_, existing != nullptr ? existing->st_mode & 07777 : permissionsOfNewFiles()) == 0;

@@ -28,15 +28,15 @@ class DescriptorBuffer : public std::streambuf {
   int error_ = 0;
 };
 
-/// Where a name leads, as one path for all names of a file, which need not be there yet.
+/// Returns one path for all names of a file, which need not exist yet.
 std::filesystem::path pathToWrite(const std::string& file);
 
-/// A file to be written as a whole or not at all: the text goes to another file beside it, which takes its place, with
-/// its permissions, in `finish`. Otherwise, or if the program is interrupted, the other file is removed, and the former
-/// file stays. Symbolic links are followed. A file that is not regular (a device, a pipe), or that is a file descriptor
-/// of this program (/dev/stdout), is written directly.
+/// A file that is written completely or not at all. The text goes to a temporary file in the same folder, which
+/// replaces the file in `finish` and gets its permissions. Without `finish`, or if the program is interrupted, the
+/// temporary file is removed, and the former file stays. Symbolic links are followed. A file that is not regular (a
+/// device, a pipe), or that is a file descriptor of this program (/dev/stdout), is written directly.
 ///
-/// There is one at a time. Functions that can fail set errno.
+/// There is one object at a time. Functions that can fail set errno.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& file) : file_(file) {}
@@ -46,7 +46,7 @@ class OutputFile {
 
   /// The descriptor to write to; nothing if the file cannot be written.
   std::optional<int> open();
-  /// Whether the text is in the file.
+  /// Replaces the file. Returns whether the file has the text.
   bool finish();
 
  private:

@@ -38,7 +38,7 @@ class ProgressText {
     return refresh(elapsed);
   }
 
-  /// Tells that time goes by.
+  /// Returns the text after some time without a report.
   std::string refresh(Elapsed elapsed) {
     if (stage_.empty() || elapsed < delay_) return "";
     const std::string part = percent_ ? " " + std::to_string(*percent_) + " %" : "";
@@ -57,10 +57,10 @@ class ProgressText {
     return blank + line;
   }
 
-  Elapsed delay_;  ///< until it is first shown
+  Elapsed delay_;  ///< the delay before the line is first shown
   std::string stage_;
   std::optional<long> percent_;
-  std::string line_;  ///< that is shown
+  std::string line_;  ///< the line on the screen
 };
 
 }  // namespace circle_voronoi::cli

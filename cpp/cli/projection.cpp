@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "failure.h"
+#include "command_error.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // WGS 84.
 constexpr double kEquator = 6378137;
 constexpr double kFlattening = 1 / 298.257223563;
-constexpr double kSquare = kFlattening * (2 - kFlattening);  ///< of the eccentricity
+constexpr double kSquare = kFlattening * (2 - kFlattening);  ///< the square of the eccentricity
 const double kEccentricity = std::sqrt(kSquare);
 
 constexpr double kDegree = kPi / 180;
@@ -164,7 +164,7 @@ Circle Projection::plane(const Circle& circle) const {
 
 Projection Projection::around(std::span<const Circle> circles, Kind kind, const std::string& name) {
   const auto fail = [&](std::size_t i, const std::string& problem) {
-    throw Failure{kBadInput, name + ": circle " + std::to_string(i) + " " + problem};
+    throw CommandError{kBadInput, name + ": circle " + std::to_string(i) + " " + problem};
   };
   double x = 0;
   double y = 0;
@@ -208,16 +208,16 @@ Region Projection::plane(const Region& region, const std::string& name) const {
       const Point from = region.points()[k];
       const Point to = region.points()[k + 1 == end ? begin : k + 1];
       if (!(std::abs(from.x) <= 360 && std::abs(from.y) <= (kind_ == Kind::mercator ? kNorthernmost : 90))) {
-        throw Failure{kBadInput, name + ": (" + numberText(from.x) + ", " + numberText(from.y) +
-                                     ") has no place on the map of --project, which takes degrees."};
+        throw CommandError{kBadInput, name + ": (" + numberText(from.x) + ", " + numberText(from.y) +
+                                          ") has no place on the map of --project, which takes degrees."};
       }
-      // The side of two regions that share it gets the same points, whichever way it runs.
+      // A side that two regions share gets the same points in both, whatever its direction.
       const bool isForth = std::pair(from.x, from.y) < std::pair(to.x, to.y);
       const Point a = isForth ? from : to;
       const Point b = isForth ? to : from;
       const double parts = std::max(1.0, std::ceil(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) / kLongestSide));
       if (static_cast<double>(points.size()) + parts > kMostPoints) {
-        throw Failure{kBadInput, name + ": the sides of the region are too long for --project."};
+        throw CommandError{kBadInput, name + ": the sides of the region are too long for --project."};
       }
       for (double part = 0; part < parts; ++part) {
         const double share = (isForth ? part : parts - part) / parts;
@@ -227,7 +227,7 @@ Region Projection::plane(const Region& region, const std::string& name) const {
     ringOffsets.push_back(static_cast<std::int32_t>(points.size()));
   }
   auto projected = Region::fromArrays(points, ringOffsets, region.polygonOffsets());
-  if (!projected) throw Failure{kBadInput, name + ": " + projected.error().message};
+  if (!projected) throw CommandError{kBadInput, name + ": " + projected.error().message};
   return *std::move(projected);
 }
 

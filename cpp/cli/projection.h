@@ -28,11 +28,11 @@ class Projection {
  public:
   enum class Kind { local, equalArea, mercator };
 
-  /// Around a place in degrees.
+  /// Makes a projection around a place in degrees.
   Projection(Kind kind, double longitude, double latitude);
 
   /// Returns the projection around the middle of circles, whose centers are longitude and latitude in degrees. Throws
-  /// Failure, which names a circle that has no place on the map; errors call the input `name`.
+  /// CommandError, which names a circle that has no place on the map; errors call the input `name`.
   static Projection around(std::span<const Circle> circles, Kind kind, const std::string& name);
 
   /// Returns the projection that `record` has written; nothing if there is none.
@@ -43,7 +43,7 @@ class Projection {
   /// Removes what `record` has written.
   static void removeFrom(CircleAttributes& attributes);
 
-  /// Returns the place of a longitude and a latitude in degrees.
+  /// Returns the point of the plane for a longitude and a latitude in degrees.
   Point plane(Point degrees) const;
   /// Returns longitude and latitude in degrees, to the ninth place after the decimal point: a tenth of a millimeter. A
   /// longitude is at most 180 degrees from that of the center, so it may exceed 180.
@@ -52,7 +52,8 @@ class Projection {
   Circle plane(const Circle& circle) const;
   /// Returns a circle of the plane with its center in degrees and its radius in meters.
   Circle degrees(const Circle& circle) const;
-  /// Returns a region with its points in degrees as a region of the plane. Long sides get more points. Throws Failure.
+  /// Returns a region with its points in degrees as a region of the plane. Long sides get more points. Throws
+  /// CommandError.
   Region plane(const Region& region, const std::string& name) const;
 
  private:

@@ -6,8 +6,8 @@
 #include "box.h"
 #include "circle_voronoi/tile.h"
 #include "circles_input.h"
+#include "command_error.h"
 #include "commands.h"
-#include "failure.h"
 #include "files.h"
 #include "progress_line.h"
 #include "tiler.h"
@@ -29,7 +29,7 @@ void runTile(const CLI::App& command, TileArguments& arguments) {
   TileStream stream(inputName(arguments.input.file), arguments.input.options);
   Tiler tiler(arguments.folder, arguments.size, arguments.halo);
   const auto add = [&](const Result<Tile>& tile) {
-    if (!tile) throw inputFailure(tile.error());
+    if (!tile) throw inputError(tile.error());
     tiler.add(tile.value());
   };
   progress.show("cut");

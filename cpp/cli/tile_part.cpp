@@ -12,7 +12,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/final_cells.h"
 #include "circle_voronoi/tile.h"
-#include "failure.h"
+#include "command_error.h"
 #include "files.h"
 
 namespace circle_voronoi::cli {
@@ -73,7 +73,8 @@ class FinalPart {
   }
   const std::vector<std::uint8_t>& isOpen() const { return isOpen_; }
 
-  /// Says how many circles of the core are not done and not final, and what halo they need; empty: none.
+  /// Returns a sentence with the number of circles of the core that are neither done nor final, and the halo they need;
+  /// empty if there are none.
   std::string problem() const {
     std::int64_t bounded = 0;
     std::int64_t unbounded = 0;
@@ -146,19 +147,19 @@ void check(const TilePart& part, const Output& output) {
   if (!part.isAsked()) {
     const char* unused = part.maxRadius ? "--max-radius" : !part.core.empty() ? "--core" : "--open";
     if (part.maxRadius || !part.core.empty() || !part.open.empty())
-      throw Failure{kBadInput, std::string(unused) + " needs --known."};
+      throw CommandError{kBadInput, std::string(unused) + " needs --known."};
     return;
   }
-  if (!part.maxRadius) throw Failure{kBadInput, "--known needs --max-radius."};
+  if (!part.maxRadius) throw CommandError{kBadInput, "--known needs --max-radius."};
   if (output.format != "csv" && output.format != "geojsonl") {
-    throw Failure{kBadInput, "--known needs --format csv or geojsonl."};
+    throw CommandError{kBadInput, "--known needs --format csv or geojsonl."};
   }
-  if (output.format == "csv" && output.digits) throw Failure{kBadInput, "--known takes no --digits for csv."};
+  if (output.format == "csv" && output.digits) throw CommandError{kBadInput, "--known takes no --digits for csv."};
   // Without the option, each tile would choose its own box and tolerance.
   if (output.format == "geojsonl" && output.bounds.empty() && !output.region)
-    throw Failure{kBadInput, "--known needs --bounds or --region for geojsonl."};
+    throw CommandError{kBadInput, "--known needs --bounds or --region for geojsonl."};
   if (!part.open.empty() && !isDeepInside(boxOf(part.core), boxOf(part.known), *part.maxRadius)) {
-    throw Failure{kBadInput, "--open needs a --core that lies within --known, farther inside than --max-radius."};
+    throw CommandError{kBadInput, "--open needs a --core that lies within --known, farther inside than --max-radius."};
   }
 }
 
@@ -166,7 +167,7 @@ void computeTilePart(const TilePart& part, const Output& output, const CirclesIn
                      ProgressLine& progress) {
   const std::string name = inputName(input.file);
   const auto tile = readTile(readText(input.file), name, input.options);
-  if (!tile) throw inputFailure(tile.error());
+  if (!tile) throw inputError(tile.error());
   const auto& circles = tile.value().circles;
   Options options;
   options.weights = input.weights();
@@ -175,17 +176,18 @@ void computeTilePart(const TilePart& part, const Output& output, const CirclesIn
   const auto diagram = compute(circles, options);
   if (!diagram) fail(diagram.error(), name + ": ");
   const auto cells = finalCells(diagram.value(), {boxOf(part.known), *part.maxRadius});
-  if (!cells) throw Failure{kBadInput, name + ": " + cells.error().message};
+  if (!cells) throw CommandError{kBadInput, name + ": " + cells.error().message};
   const FinalPart found(tile.value(), diagram.value(), cells.value(), boxOf(part.core));
   if (output.file == kStandardStream) progress.end();
   progress.show("write");
   if (!part.open.empty()) {
     writeText(part.open, [&](std::ostream& out) { checkWritten(writeTile(out, found.left(), found.isOpen()), ""); });
   }
-  // Last, so that where it is, all is.
+  // Written last, so that if this file exists, all files are complete.
   write(output, name, *tile, *diagram, found);
   progress.end();
-  if (const std::string problem = found.problem(); !problem.empty()) throw Failure{kNotFinal, name + ": " + problem};
+  if (const std::string problem = found.problem(); !problem.empty())
+    throw CommandError{kNotFinal, name + ": " + problem};
 }
 
 }  // namespace circle_voronoi::cli

@@ -23,11 +23,11 @@ struct TilePart {
 
 void addTileOptions(CLI::App& command, TilePart& part);
 
-/// Throws Failure if options are missing or do not go together, before any work is done.
+/// Throws CommandError if options are missing or contradict each other. Called before any work.
 void check(const TilePart& part, const Output& output);
 
 /// Computes the diagram of a tile and writes its final parts that belong to circles of the core that are not done.
-/// Throws Failure, with the status kNotFinal if circles of the core are left.
+/// Throws CommandError, with the status kNotFinal if circles of the core are left.
 void computeTilePart(const TilePart& part, const Output& output, const CirclesInput& input, int threads,
                      ProgressLine& progress);
 

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "failure.h"
+#include "command_error.h"
 #include "files.h"
 #include "tile_row.h"
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kWideFile = "wide.csv";
 constexpr const char* kListFile = "tiles.txt";
-/// The text that waits for its files at most.
+/// The most characters that wait to be written to files.
 constexpr std::size_t kMostWaiting = std::size_t{16} << 20;
 /// A circle in more tiles is wide.
 constexpr double kManyTiles = 64;
@@ -53,7 +53,7 @@ std::string rowOf(const Tile& tile, std::size_t i) {
   return row;
 }
 
-Failure cannotWrite(const fs::path& file) {
+CommandError cannotWrite(const fs::path& file) {
   return {kFailure, "Cannot write " + file.string() + ": " + std::strerror(errno) + "."};
 }
 
@@ -62,19 +62,21 @@ Failure cannotWrite(const fs::path& file) {
 Tiler::Tiler(fs::path folder, double size, double halo) : folder_(std::move(folder)), size_(size), halo_(halo) {
   std::error_code error;
   fs::create_directories(folder_, error);
-  if (error) throw Failure{kFailure, "Cannot make the folder " + folder_.string() + ": " + error.message() + "."};
-  if (!fs::is_empty(folder_)) throw Failure{kBadInput, folder_.string() + " is not empty; tiles need a new folder."};
+  if (error) throw CommandError{kFailure, "Cannot make the folder " + folder_.string() + ": " + error.message() + "."};
+  if (!fs::is_empty(folder_))
+    throw CommandError{kBadInput, folder_.string() + " is not empty; tiles need a new folder."};
 }
 
 double Tiler::Range::count() const {
   return static_cast<double>(last.first - first.first + 1) * static_cast<double>(last.second - first.second + 1);
 }
 
-/// The largest number of a cell that does not begin beyond a coordinate, as its box says where it begins.
+/// Returns the largest index of a tile whose box does not begin beyond a coordinate.
 std::int64_t Tiler::cellOf(double coordinate) const {
   const double quotient = std::floor(coordinate / size_);
   if (!(std::abs(quotient) < kMostCells)) {
-    throw Failure{kBadInput, "--size is too small for coordinates as large as these: the tiles cannot be counted."};
+    throw CommandError{kBadInput,
+                       "--size is too small for coordinates as large as these: the tiles cannot be counted."};
   }
   auto cell = static_cast<std::int64_t>(quotient);
   while (static_cast<double>(cell) * size_ > coordinate) --cell;
@@ -82,8 +84,8 @@ std::int64_t Tiler::cellOf(double coordinate) const {
   return cell;
 }
 
-/// A little more than the circle meets, so that rounding loses none. One of negative radius is as near as its center
-/// at most.
+/// A little larger than the bounding box, so that rounding loses no tile. A circle of negative radius is treated as its
+/// center.
 Tiler::Range Tiler::rangeOf(const Circle& c) const {
   const double reach = std::max(c.r, 0.0) + halo_;
   const auto cellAt = [&](double coordinate, double way) {
@@ -150,7 +152,7 @@ void Tiler::addWide() {
   TileStream stream(file, {.weights = true});  // all circles here were validated before
   readPieces(file, [&](std::string_view piece, double) {
     const auto read = stream.read(piece);
-    if (!read) throw Failure{kFailure, read.error().message};
+    if (!read) throw CommandError{kFailure, read.error().message};
     const Tile& tile = read.value();
     for (std::size_t i = 0; i < tile.circles.size(); ++i) {
       const std::string row = rowOf(tile, i);
@@ -177,7 +179,7 @@ void Tiler::flush() {
     if (content.text.empty()) return;
     append(file, content.text);
     content.isBegun = true;
-    content.text = std::string();  // and no memory kept
+    content.text = std::string();  // frees the memory, too
   };
   for (auto& [place, content] : tiles_) write(content, fileOf(place));
   write(wide_, kWideFile);
@@ -190,7 +192,7 @@ void Tiler::append(const std::string& file, const std::string& text) const {
   if (!out) throw cannotWrite(folder_ / file);
 }
 
-std::string Tiler::fileOf(Place place) const {
+std::string Tiler::fileOf(TileIndex place) const {
   std::string name = "x";
   name += std::to_string(place.second);
   name += 'y';

@@ -18,7 +18,7 @@ namespace circle_voronoi::cli {
 /// every tile whose known box meets its bounding square, so no circle missing from the file reaches into the known box.
 class Tiler {
  public:
-  /// `folder` is empty. Throws Failure, as do the others.
+  /// `folder` must be empty. All functions throw CommandError.
   Tiler(std::filesystem::path folder, double size, double halo);
 
   void add(const Tile& tile);
@@ -29,16 +29,16 @@ class Tiler {
   std::size_t finish();
 
  private:
-  using Place = std::pair<std::int64_t, std::int64_t>;  ///< row and column
+  using TileIndex = std::pair<std::int64_t, std::int64_t>;  ///< row and column
   struct Content {
     std::int64_t home = 0;  ///< circles at home
-    bool isBegun = false;   ///< whether its file is
-    std::string text;       ///< not yet in its file
+    bool isBegun = false;   ///< whether its file has been begun
+    std::string text;       ///< text that is not yet in its file
   };
-  /// The tiles that a circle is in, both ends included.
+  /// The range of tiles that a circle belongs to, both ends included.
   struct Range {
-    Place first;
-    Place last;
+    TileIndex first;
+    TileIndex last;
 
     double count() const;
   };
@@ -49,13 +49,13 @@ class Tiler {
   void addWide();
   void flush();
   void append(const std::string& file, const std::string& text) const;
-  std::string fileOf(Place place) const;
+  std::string fileOf(TileIndex place) const;
 
   std::filesystem::path folder_;
   double size_;
   double halo_;
-  std::map<Place, Content> tiles_;
-  std::size_t waiting_ = 0;  ///< characters in all texts
+  std::map<TileIndex, Content> tiles_;
+  std::size_t waiting_ = 0;  ///< the number of characters in all texts
   Content wide_;             ///< circles that meet very many tiles; they wait until it is known which tiles exist
 };
 

@@ -11,7 +11,7 @@
 namespace circle_voronoi::cli {
 namespace {
 
-/// A list of the circles of an event, which come first; empty if there are none.
+/// Writes a member with the indices before the first kNone. Writes nothing if there are none.
 template <class Index>
 void writeIndices(std::ostream& out, std::string_view name, std::span<const Index> indices) {
   if (indices[0] == kNone) return;

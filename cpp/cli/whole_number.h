@@ -9,8 +9,8 @@
 
 namespace circle_voronoi::cli {
 
-/// Transforms what an option is given: a whole number from 0 to `most` in decimal digits. Leading zeros are taken away,
-/// since CLI11 reads a number that has them as octal.
+/// Checks the value of an option: a whole number from 0 to `most` in decimal digits. Removes leading zeros, because
+/// CLI11 would read the number as octal.
 inline CLI::Validator wholeNumber(std::uint64_t most) {
   const auto read = [most](std::string& text) -> std::string {
     std::uint64_t value = 0;

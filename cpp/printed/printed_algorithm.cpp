@@ -169,7 +169,7 @@ class Printed {
     return cross(along, to) <= kNear * length(along) * length(to);
   }
 
-  /// The position of a disc's center along the border on the right of a directed edge.
+  /// Returns the position of a disc's center along the border right of a directed edge.
   double along(const PrintedEdge& de, const Vertex& disc) const {
     return parameterAt(bisector(circle(de.b), circle(de.a)), {disc.x, disc.y});
   }
@@ -211,7 +211,7 @@ class Printed {
     return kNothing;
   }
 
-  /// The directed edge from circle a to circle b whose border comes to that disc first.
+  /// Returns the directed edge from circle a to circle b whose border reaches a disc first.
   int findBehind(int a, int b, const Vertex& disc) {
     int last = kNothing;
     for (const int index : around_[a]) {
@@ -268,7 +268,7 @@ class Printed {
     }
     const auto missing = std::ranges::find(own, kNothing);
     if (missing == own.end()) return;
-    // The directed edge of the missing one's circles, the other way round.
+    // The directed edge with the same circles in the other direction.
     const std::size_t k = static_cast<std::size_t>(missing - own.begin());
     const int to = listed.circles[k];
     const int from = listed.circles[(k + 1) % 3];
@@ -278,7 +278,7 @@ class Printed {
         place({from, to, listed.disc, toCenter(from, listed.disc), toCenter(to, listed.disc), false, voronoi, true}));
   }
 
-  /// Edges of directed edges that are covered are none: they were placed, and have no segment.
+  /// Directed edges that are covered have no Voronoi edges: they were placed, but have no segment.
   void finishLeftover() {
     auto& voronoi = result_.diagram.edges;
     std::vector<int> segments(voronoi.size(), 0);

@@ -20,7 +20,7 @@ struct PrintedEdge {
   Vector fromB;
   bool isAntipodal = true;
   int voronoiEdge = 0;
-  bool isEnd = false;  ///< whether it leads to the end of that edge, or to its start
+  bool isEnd = false;  ///< whether it leads to the end of its Voronoi edge, not to the start
   bool isAlive = true;
 };
 
@@ -33,31 +33,32 @@ struct PrintedSegment {
 };
 
 struct PrintedResult {
-  Diagram diagram;  ///< vertices, their circles and the edges alone
+  Diagram diagram;  ///< only vertices, their circles and edges
   std::vector<PrintedSegment> segments;
   std::vector<PrintedEdge> leftover;
 };
 
 /// The rules to apply as printed; the others are applied as corrected. Each alone makes a difference.
 struct AsPrinted {
-  /// A three-touch disc continues a directed edge if its center lies on the right side, not if it comes later along the
-  /// border than where the edge begins.
+  /// A three-touch disc continues a directed edge if its center lies on the right side. The correct condition is that
+  /// it comes later along the border than the start of the edge.
   bool side = true;
-  /// The third directed edge of a three-touch disc is any between its circles, not the last one behind the disc.
+  /// The third directed edge of a three-touch disc is any edge between its circles. The correct choice is the last one
+  /// behind the disc.
   bool third = true;
-  /// The antipodal disc of intersecting circles is empty, whatever reaches into it.
+  /// Antipodal discs of intersecting circles count as empty, even if other circles reach into them.
   bool crossing = true;
-  /// Three-touch discs inside circles are none.
+  /// Three-touch discs inside circles do not count.
   bool inside = true;
 };
 
 /// Algorithms 2 to 4 of the paper as they are printed, on the candidates given, to be compared with `touch`. Where the
-/// text leaves a choice, it is made so that more comes out right:
+/// text is ambiguous, this code chooses the reading with fewer wrong results:
 /// - antipodal discs have half the gap for radius (section 9 prints the gap); discs of intersecting circles are empty
 ///   ("assuming"), and their directed edges point from center to center;
 /// - the directed edges of a three-touch disc are the ones it was formed of, if they exist, otherwise any of that name;
 /// - angles within rounding are equal, and an endpoint is covered only inside an arc that is used;
-/// - directed edges with a covered endpoint are no leftover ones.
+/// - directed edges with a covered endpoint do not count as leftover.
 PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs, const AsPrinted& rules = {});
 
 }  // namespace circle_voronoi

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Bindings of `compute`, of the arrays of a diagram and of its queries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bindings of `compute`, of the arrays of a diagram and of its queries.
 #include "circle_voronoi/diagram.h"
 
 #include <pybind11/numpy.h>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later The extension module circle_voronoi._core: the library's functions on
-// arrays whose shapes and types the Python sources have checked. No numbers are computed here.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The extension module circle_voronoi._core: the library's functions on arrays whose shapes and types the Python
+// sources have checked. No numbers are computed here.
 #include "module.h"
 
 #include <pybind11/pybind11.h>

@@ -14,7 +14,7 @@
 namespace circle_voronoi::results {
 namespace {
 
-constexpr std::size_t kColumns = 10;  ///< of the grids
+constexpr std::size_t kColumns = 10;  ///< the columns of the grids
 
 constexpr std::string_view kCases[] = {"15a", "15b", "15d", "15e", "15f"};
 

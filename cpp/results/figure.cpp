@@ -81,12 +81,12 @@ SvgLayer centersLayer(std::span<const Circle> circles) { return graphLayer("cent
 SvgLayer sampleGraphLayer(const Samples& samples) { return graphLayer("sample-graph", samples.points); }
 
 SvgLayer leftoverLayer(std::span<const Circle> circles) {
-  struct Placed {
+  struct PlacedEdge {
     std::int32_t a;
     std::int32_t b;
     Vertex disc;
   };
-  std::vector<Placed> alive;
+  std::vector<PlacedEdge> alive;
   Options options = touchingDisc(Candidates::allPairs);
   options.observer = [&](const TraceEvent& event) {
     const auto& [a, b, none] = event.circles;
@@ -94,8 +94,8 @@ SvgLayer leftoverLayer(std::span<const Circle> circles) {
     if (event.kind != TraceKind::directedEdgeDeleted) return;
     // If there are several edges between the same circles, choose the last whose disc of R_min is no larger: each edge
     // has the part of the bisector from its disc to the next.
-    const auto gone = std::ranges::find_if(alive.rbegin(), alive.rend(), [&](const Placed& placed) {
-      return placed.a == a && placed.b == b && placed.disc.r <= event.disc.r;
+    const auto gone = std::ranges::find_if(alive.rbegin(), alive.rend(), [&](const PlacedEdge& edge) {
+      return edge.a == a && edge.b == b && edge.disc.r <= event.disc.r;
     });
     if (gone != alive.rend()) alive.erase(std::next(gone).base());
   };

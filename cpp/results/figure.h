@@ -26,7 +26,7 @@ SvgLayer leftoverLayer(std::span<const Circle> circles);
 /// draw.
 SvgLayer antipodalLayer(std::span<const Circle> circles);
 SvgLayer leftoverLayer(std::span<const Circle> circles, const PrintedResult& printed);
-/// The Voronoi segments that were finished, as far as a box goes.
+/// The finished Voronoi segments inside a box.
 SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& printed, const Box& box);
 
 /// The style of all figures, light and dark.

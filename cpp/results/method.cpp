@@ -20,7 +20,7 @@ Samples dynamicSamples(std::span<const Circle> circles, int angular) {
 
 namespace {
 
-/// The circles and a point, which is the smallest.
+/// Returns the circles and a point, which becomes the smallest circle.
 std::vector<Circle> withPoint(std::span<const Circle> circles) {
   std::vector<Circle> more(circles.begin(), circles.end());
   more.push_back({0, 0, 0});

@@ -11,13 +11,13 @@
 
 namespace circle_voronoi::results {
 
-/// The diagram; throws the error's message.
+/// Returns the diagram. Throws std::runtime_error with the error's message.
 Diagram diagramOf(std::span<const Circle> circles, const Options& options = {});
 
 /// Samples of the circles, hidden ones included, by the Delaunay triangulation of their centers.
 Samples dynamicSamples(std::span<const Circle> circles, int angular);
 
-// The same to be drawn as the paper has them: on the circles themselves, not on the circles less the smallest radius.
+// Returns samples to be drawn as in the paper: on the circles themselves, not on the circles less the smallest radius.
 Samples drawnDynamicSamples(std::span<const Circle> circles, int angular);
 Samples drawnUniformSamples(std::span<const Circle> circles, int count);
 

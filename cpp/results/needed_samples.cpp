@@ -12,7 +12,7 @@
 namespace circle_voronoi::results {
 namespace {
 
-/// Numbers of samples that are tried, in steps of a quarter or so.
+/// The numbers of samples to try, in steps of about a quarter.
 constexpr int kSteps[] = {0,  1,  2,  3,   4,   5,   6,   8,   10,  12,  16,  20,  24,  32,  40,
                           50, 64, 80, 100, 128, 160, 200, 256, 320, 400, 512, 640, 800, 1000};
 
@@ -21,13 +21,13 @@ struct Needed {
   double perCircle = 0;  ///< samples on each circle, on average
 };
 
-/// The first steps at which something is so.
+/// The first steps at which conditions hold.
 struct FirstSteps {
   std::optional<Needed> nothingMissed;  ///< every empty antipodal disc is among the candidates
   std::optional<Needed> right;          ///< the diagram is certified
 };
 
-/// The circles that none hides: the others take no part.
+/// The visible circles. Hidden circles play no role.
 std::vector<Circle> visibleOf(std::span<const Circle> circles) {
   const Diagram diagram = diagramOf(circles);
   std::vector<Circle> visible;
@@ -92,7 +92,7 @@ Json summaryOf(std::vector<Needed> needed, std::uint64_t inputs) {
 Json neededSamples(const Parameters& parameters) {
   Json rows = Json::array();
   for (const FamilyInfo& family : families()) {
-    // In degenerate position rounding may decide, whatever the samples.
+    // In degenerate position, rounding may make the result wrong with any samples.
     if (family.isDegenerate || test::isBeyondTouchingDisc(family.family)) continue;
     Json row = {{"family", family.name}, {"isDisjoint", family.isDisjoint}};
     for (const auto& [name, candidates] :

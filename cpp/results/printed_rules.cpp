@@ -41,7 +41,7 @@ bool isBetter(const Counterexample& example, const Counterexample& than) {
   return clarity(example) > clarity(than);
 }
 
-/// The right diagram, and over it what the printed rules find, in one picture each.
+/// Draws the correct diagram and, above it, the result of the printed rules, in one picture each.
 void drawCounterexample(const std::filesystem::path& folder, const Counterexample& example) {
   const auto& circles = example.circles;
   const PrintedResult printed = runPrinted(circles, pairAll(static_cast<int>(circles.size())));
@@ -58,7 +58,7 @@ void drawCounterexample(const std::filesystem::path& folder, const Counterexampl
 
 using Triple = std::array<CircleIndex, 3>;
 
-/// The vertices outside all circles, each from its smallest circle on, sorted.
+/// Returns the sorted vertices outside all circles, each rotated so that its smallest circle comes first.
 std::vector<Triple> outerVertices(std::span<const Circle> circles, const Diagram& diagram) {
   const auto circle = [&](std::int32_t i) { return circles[i]; };
   std::vector<Triple> triples;
@@ -88,7 +88,7 @@ Json printedRules(const Parameters& parameters) {
   Json rows = Json::array();
   std::optional<Counterexample> best;
   for (const FamilyInfo& family : families()) {
-    // After merging only circles outside each other can be compared.
+    // Merged vertices can be compared only if no circles intersect.
     if (test::isBeyondTouchingDisc(family.family) || (family.isDegenerate && !family.isDisjoint)) continue;
     int wrongSampled = 0;
     int wrongOfAllPairs = 0;

@@ -24,7 +24,7 @@ namespace {
 using namespace circle_voronoi;
 using emscripten::val;
 
-/// Thrown by a callback: the computation is to end.
+/// A callback throws this to end the computation.
 struct Stopped {};
 
 // Converts an option's value into its field; returns the error, or an empty text.

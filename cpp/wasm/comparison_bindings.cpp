@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The power diagram as a JavaScript module of its own: hardly anyone needs it, and it has CGAL's
+// The power diagram as a JavaScript module of its own: few pages need it, and it contains CGAL's
 // Regular_triangulation_2. Its only caller is web/lib/comparison.ts.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>

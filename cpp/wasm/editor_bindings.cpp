@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The editor as a part of the module of bindings.cpp. Its only caller is web/lib/wasm/module-editor.ts. An editor is
-// its address, and lives until `deleteEditor`. A change is one array of bytes, as an object of arrays would take longer
-// than the edit.
+// The editor as a part of the module of bindings.cpp. Its only caller is web/lib/wasm/module-editor.ts. JavaScript
+// holds the address of an editor, which lives until `deleteEditor`. A change is one array of bytes, because an object
+// of arrays would take longer than the edit.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -21,7 +21,7 @@ using emscripten::val;
 
 struct Session {
   DiagramEditor editor;
-  std::vector<std::uint8_t> reply;  ///< its memory is used again
+  std::vector<std::uint8_t> reply;  ///< kept to reuse its memory
 };
 
 Session& sessionOf(std::uintptr_t address) { return *reinterpret_cast<Session*>(address); }
@@ -111,7 +111,7 @@ val traceEditsValue(std::uintptr_t address, const val& numbers) {
     TraceArrays events;
     if (const auto observed = editor.observe(events.observer()); !observed) return errorValue(observed.error());
     const Result<Change> change = editor.apply(editsFrom(numbers));
-    (void)editor.observe({});  // nothing to fail
+    (void)editor.observe({});  // this call cannot fail
     return change.ok() ? events.value() : errorValue(change.error());
   });
 }
@@ -122,7 +122,7 @@ std::int32_t nearestId(std::uintptr_t address, double x, double y, std::int32_t 
 
 double sizeOf(std::uintptr_t address) { return static_cast<double>(sessionOf(address).editor.size()); }
 
-/// x, y, r and whether it is hidden; undefined if there is none.
+/// Returns x, y, r and whether the circle is hidden; undefined if the id is unknown.
 val circleValue(std::uintptr_t address, std::int32_t id) {
   const DiagramEditor& editor = sessionOf(address).editor;
   const auto circle = editor.circle(id);

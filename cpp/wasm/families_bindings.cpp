@@ -40,14 +40,15 @@ val figuresValue() {
   return result;
 }
 
-/// x, y and r of each, or undefined: there is no such family. A seed of a JavaScript number is exact up to 2^53.
+/// Returns x, y and r of each circle, or undefined for an unknown family. The seed is a JavaScript number, exact up to
+/// 2^53.
 val generateValue(const std::string& name, double count, double seed) {
   const auto family = familyFromName(name);
   if (!family) return val::undefined();
   return float64Array(generate(*family, static_cast<std::size_t>(count), static_cast<std::uint64_t>(seed)));
 }
 
-/// x, y and r of each circle of a figure, or undefined: there is no such figure.
+/// Returns x, y and r of each circle of a figure, or undefined for an unknown figure.
 val figureValue(const std::string& name) {
   for (const Figure& figure : figures()) {
     if (figure.name == name) return float64Array(circlesOf(figure));

@@ -90,7 +90,7 @@ std::optional<double> numberFrom(const val& value) {
 
 std::optional<int> digitsFrom(const val& options) {
   const auto digits = numberFrom(options["digits"]);
-  // No number has more.
+  // No number has more digits.
   return digits ? std::optional(static_cast<int>(std::min(*digits, 1000.0))) : std::nullopt;
 }
 
@@ -111,7 +111,7 @@ ExportOptions exportOptionsFrom(const val& value) {
   return options;
 }
 
-/// Gives a diagram its certificate, or says why it cannot be judged.
+/// Certifies a diagram. Returns the error if it cannot be judged.
 std::optional<Error> judge(Diagram& diagram) {
   auto certificate = certify(diagram);
   if (!certificate) return certificate.error();
@@ -122,7 +122,7 @@ std::optional<Error> judge(Diagram& diagram) {
 /// Power diagrams have no certificate, but are valid diagrams to keep.
 bool isJudged(const Diagram& diagram) { return diagram.metric != Metric::power; }
 
-/// Text of all entries, a line each: no entry has a line end. Empty if there are none.
+/// Returns a text with one line per entry, because no entry has a line end. Empty if there are none.
 std::string linesOf(const std::vector<std::string>& entries) {
   std::string lines;
   for (const std::string& entry : entries) {
@@ -132,7 +132,7 @@ std::string linesOf(const std::vector<std::string>& entries) {
   return lines;
 }
 
-/// The entries of such a text; `count` is 0 if there are none.
+/// Returns the entries of a text with one line per entry; `count` is 0 if there are none.
 std::vector<std::string> entriesFrom(const val& lists, const char* name, std::size_t count) {
   const auto lines = lists[name].as<std::string>();
   std::vector<std::string> entries;
@@ -230,7 +230,7 @@ val writeDiagramValue(const val& value, const std::string& format, const val& op
     diagram.metric = metricFrom(value["metric"].as<std::string>());
     const auto found = named(kExports, format);
     const bool isDrawn = found != kExports.end();
-    // Arrays can be changed, and only a certified diagram is drawn.
+    // The arrays may have been changed, and only a certified diagram can be drawn.
     const auto error = isDrawn || isJudged(diagram) ? judge(diagram) : std::nullopt;
     if (error) return errorValue(*error);
     diagram.stats = statsFrom(value["stats"]);

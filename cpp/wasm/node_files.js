@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Corrections of Emscripten's NODERAWFS where its files differ from the
-// machine's, and calls from the program to web/cli.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Corrections of Emscripten's NODERAWFS where its files differ from the machine's, and calls from the program to
+// web/cli.
 mergeInto(LibraryManager.library, {
   $NodeFiles__deps: ['$FS', '$NODERAWFS', '$SYSCALLS', '$ERRNO_CODES'],
   $NodeFiles__postset: 'NodeFiles.install();',
@@ -7,7 +8,7 @@ mergeInto(LibraryManager.library, {
     install: function () {
       var [open, close, read, write, rename, unlink] = [FS.open, FS.close, FS.read, FS.write, FS.rename, FS.unlink];
       FS.open = function (path, flags, mode, descriptor) {
-        // A file that is only now to be made is to be removed if the program is interrupted.
+        // Records a new file, which is removed if the program is interrupted.
         var isNew = (flags & 128) !== 0;
         if (isNew) Module['madeFile'](path);
         try {
@@ -16,7 +17,7 @@ mergeInto(LibraryManager.library, {
           if (isNew) Module['madeFile'](undefined);
           throw error;
         }
-        // Only a regular file has a position to write at.
+        // Only regular files have a write position.
         stream.seekable = fs.fstatSync(stream.nfd).isFile();
         return stream;
       };

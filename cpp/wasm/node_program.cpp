@@ -20,7 +20,7 @@ void circle_voronoi_end_line();
 namespace circle_voronoi::cli {
 namespace {
 
-// Emscripten's own is not that of the process.
+// Emscripten's own umask is not the umask of the process.
 [[maybe_unused]] const mode_t kPrevious = umask(circle_voronoi_umask());
 
 }  // namespace

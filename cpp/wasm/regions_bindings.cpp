@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regions, diagrams in regions and the fit of areas, as a JavaScript module of its own: not every page clips. Its only
-// caller is web/lib/wasm/regions.ts. Regions and clipped diagrams are their addresses, and live until they are deleted.
+// Regions, diagrams in regions and the fit of areas, as a JavaScript module of its own: pages that do not clip need not
+// load it. Its only caller is web/lib/wasm/regions.ts. Regions and clipped diagrams are their addresses, and live until
+// they are deleted.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -23,7 +24,7 @@ namespace {
 using namespace circle_voronoi;
 using emscripten::val;
 
-/// Thrown by a callback: the computation is to end.
+/// A callback throws this to end the computation.
 struct Stopped {};
 
 const Region& regionOf(std::uintptr_t address) { return *reinterpret_cast<const Region*>(address); }
@@ -108,7 +109,7 @@ val cellsValue(const ClippedCells& cells) {
 }
 
 /// Clips a cell of the diagram of a few circles (web/lib/regions/few-circles.ts). The result has the cell as a row, and
-/// what tells the sides of that small diagram.
+/// the data that identifies the sides of that small diagram.
 val clipCell(std::uintptr_t region, const val& circles, bool weights, std::int32_t chosen, const val& maxDistance) {
   return valueOf([&] {
     Options options;
@@ -216,8 +217,8 @@ val fitValue(const Fit& fit) {
 }
 
 /// `domain`: the address of a region, or a lattice as ax, ay, bx, by. `sites`: x, y and the weight to start from of
-/// each. `onStep`, called with the number of steps, the largest relative error and the weights, says whether to go on;
-/// it must not throw.
+/// each. `onStep` is called with the number of steps, the largest relative error and the weights, and returns whether
+/// to go on. It must not throw.
 val fitAreasValue(const val& domain, const val& sites, const val& areas, const val& given) {
   return valueOf([&] {
     AreaFitOptions options;

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later A steady clock without exceptions. The standard library's clock may throw a
-// system_error, which links all error messages and printf: 6 kB, compressed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A steady clock without exceptions. The standard library's clock may throw a system_error, which links all error
+// messages and printf: 6 kB, compressed.
 #include <emscripten/emscripten.h>
 
 #include <chrono>

@@ -145,7 +145,7 @@ inline Diagram diagramFrom(const val& value) {
   return diagram;
 }
 
-/// The value that `body` makes, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would
+/// The value that `body` makes, or `{error: {code, circle, message}}`. Throws nothing, because a C++ exception would
 /// reach JavaScript as a bare number.
 template <class Body>
 val valueOf(Body body) {
@@ -156,7 +156,7 @@ val valueOf(Body body) {
   } catch (const std::exception& exception) {
     return errorValue({ErrorCode::internal, kNone, exception.what()});
   } catch (...) {
-    // A callback has stopped the computation, which its caller knows.
+    // A callback has stopped the computation. The caller knows this.
     return errorValue({ErrorCode::internal, kNone, "The computation failed."});
   }
 }

@@ -283,7 +283,9 @@ TEST(Allocation, MayFailInTheReaderOfDiagrams) {
 
 TEST(Allocation, MayFailBeforeARefusal) {
   failEachAllocationBefore(ErrorCode::badOption, [] {
-    return guarded([]() -> Result<int> { throw Refusal{{ErrorCode::badOption, -1, "A message that is not short."}}; });
+    return guarded([]() -> Result<int> {
+      throw ThrownError{{ErrorCode::badOption, -1, "A message that is not short."}};
+    });
   });
 }
 

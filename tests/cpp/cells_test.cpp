@@ -10,6 +10,7 @@
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
+#include "diagrams.h"
 #include "far_apart.h"
 #include "fixtures.h"
 #include "random.h"
@@ -19,21 +20,11 @@
 namespace circle_voronoi {
 namespace {
 
-Diagram diagramOf(const std::vector<Circle>& circles) {
-  const auto diagram = compute(circles);
-  EXPECT_TRUE(diagram) << diagram.error().message;
-  return diagram.value();
-}
+using test::diagramOf;
 
 /// A square around the middle of the circles; `share` 1: as wide as their bounding box is wide or high.
 Box boxAround(const std::vector<Circle>& circles, double share) {
-  Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
-  for (const Circle& c : circles) {
-    box.minX = std::min(box.minX, c.x - c.r);
-    box.minY = std::min(box.minY, c.y - c.r);
-    box.maxX = std::max(box.maxX, c.x + c.r);
-    box.maxY = std::max(box.maxY, c.y + c.r);
-  }
+  const Box box = test::boundingBoxOf(circles);
   const double size = std::max(box.maxX - box.minX, box.maxY - box.minY);
   const double half = share * (size > 0 ? size : 1) / 2;
   const Point middle = {box.minX / 2 + box.maxX / 2, box.minY / 2 + box.maxY / 2};
@@ -113,7 +104,7 @@ TEST(Cells, SidesTurnCounterClockwiseAndLinkUp) {
   }
 }
 
-TEST(Cells, ContainWhatIsNearest) {
+TEST(Cells, ContainTheNearestPoints) {
   Random random(2);
   for (const FamilyInfo& family : families()) {
     if (test::isTooWideToDraw(family.family)) continue;

@@ -10,6 +10,7 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
+#include "diagrams.h"
 #include "dual_edits.h"
 
 namespace circle_voronoi {
@@ -19,7 +20,7 @@ const std::vector<Circle> kSquare = {{0, 0, 1}, {9, 1, 2}, {10, 10, 1}, {1, 9, 2
 /// The first hides the last.
 const std::vector<Circle> kNested = {{9, 9, 9}, {0, 10, 2}, {11, 6, 5}};
 
-Diagram diagramOf(std::span<const Circle> circles) { return compute(circles).value(); }
+using test::diagramOf;
 
 /// The certificate of a diagram for its own circles or for others.
 Certificate judged(std::span<const Circle> circles, Diagram diagram) {

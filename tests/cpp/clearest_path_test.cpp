@@ -12,7 +12,9 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi_families/families.h"
+#include "parameters.h"
 #include "random.h"
+#include "regions.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -83,13 +85,7 @@ TEST_P(ClearestPaths, AreAsClearAsThoseOfPixels) {
     SCOPED_TRACE(count);
     const auto circles = generate(GetParam(), count, count);
     const Diagram diagram = compute(circles).value();
-    Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
-    for (const Circle& c : circles) {
-      box.minX = std::min(box.minX, c.x - c.r);
-      box.minY = std::min(box.minY, c.y - c.r);
-      box.maxX = std::max(box.maxX, c.x + c.r);
-      box.maxY = std::max(box.maxY, c.y + c.r);
-    }
+    const Box box = test::boundingBoxOf(circles);
     // Pixels are larger than rounding, even around a single point far from the origin.
     const double least = 1e-9 * (std::abs(box.minX) + std::abs(box.minY)) + 1e-12;
     const double size = std::max({box.maxX - box.minX, box.maxY - box.minY, least});
@@ -124,19 +120,8 @@ TEST_P(ClearestPaths, FollowEdgesThatMeet) {
   }
 }
 
-std::string nameOfPathTest(const testing::TestParamInfo<Family>& family) {
-  std::string name(familyName(family.param));
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
-std::vector<Family> allFamilies() {
-  std::vector<Family> result;
-  for (const FamilyInfo& family : families()) result.push_back(family.family);
-  return result;
-}
-
-INSTANTIATE_TEST_SUITE_P(Families, ClearestPaths, testing::ValuesIn(allFamilies()), nameOfPathTest);
+INSTANTIATE_TEST_SUITE_P(Families, ClearestPaths, testing::ValuesIn(test::familiesWhere([](Family) { return true; })),
+                         test::NameOfParameter());
 
 TEST(ClearestPaths, GoThroughTheWiderGap) {
   // A ring of six circles with gaps of 1; a smaller circle has gaps of 1.5.

@@ -61,6 +61,13 @@ Outcome Cli::run(const std::string& arguments, const std::string& input) const {
   return shell(program_ + " " + arguments, input);
 }
 
+std::string Cli::textOf(const std::string& arguments, const std::string& input, const std::string& said) const {
+  const auto [status, out, err] = run(arguments, input);
+  EXPECT_EQ(status, 0) << err;
+  EXPECT_EQ(err, said);
+  return out;
+}
+
 void Cli::expectFailure(const Outcome& run, int status, const std::string& message) {
   EXPECT_EQ(run.status, status) << run.err;
   EXPECT_EQ(run.out, "");

@@ -40,7 +40,10 @@ class Cli : public testing::Test {
   /// Runs the program with arguments as in a shell, and with some text as its standard input.
   Outcome run(const std::string& arguments, const std::string& input = "") const;
 
-  /// A failure says one line and writes nothing.
+  /// Runs the program, expects success and the text `said` on standard error, and returns its output.
+  std::string textOf(const std::string& arguments, const std::string& input = "", const std::string& said = "") const;
+
+  /// Expects that the program wrote nothing but one line on standard error.
   static void expectFailure(const Outcome& run, int status, const std::string& message);
 
  private:

@@ -20,13 +20,6 @@ class CliConvert : public test::Cli {
  protected:
   const std::string fixture_ = test::pathOfFixture("waka");
 
-  std::string textOf(const std::string& arguments, const std::string& input = "") const {
-    const auto [status, out, err] = run(arguments, input);
-    EXPECT_EQ(status, 0) << err;
-    EXPECT_EQ(err, "");
-    return out;
-  }
-
   std::string computed() const {
     textOf("compute " + fixture_ + " -o " + path("diagram.json"));
     return path("diagram.json");
@@ -176,7 +169,7 @@ TEST_F(CliConvert, TakesTheCirclesOfADiagram) {
   EXPECT_EQ(textOf("convert --circles --format csv " + computed()), textOf("convert --format csv " + fixture_));
 }
 
-TEST_F(CliConvert, RefusesWhatCannotBe) {
+TEST_F(CliConvert, RefusesImpossibleConversions) {
   expectFailure(run("convert --format svg " + fixture_), 2, "Circles alone cannot be written as svg");
   expectFailure(run("convert --circles --format svg " + computed()), 2, "Circles alone cannot be written as svg");
   expectFailure(run("convert -", "{\"format\": \"svg\"}"), 2, "standard input:1: the format is \"svg\"");

@@ -11,6 +11,7 @@
 
 #include "circle_voronoi_families/families.h"
 #include "cli.h"
+#include "lines.h"
 
 namespace circle_voronoi {
 namespace {
@@ -79,8 +80,7 @@ class CliDocumentation : public test::Cli {
 TEST_F(CliDocumentation, TheManualHasTheOptionsOfEveryCommand) {
   for (const std::string& command : kCommands) {
     Words described;
-    std::istringstream lines(section(command));
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : test::linesOf(section(command))) {
       if (!line.starts_with(".It Fl ")) continue;
       const Words words = wordsOf(std::regex_replace(line.substr(7), std::regex("Ar.*"), ""));
       for (const std::string& word : words) {
@@ -109,8 +109,7 @@ TEST_F(CliDocumentation, HelpExplainsEveryFormat) {
 TEST_F(CliDocumentation, TheManualAndHelpHaveTheSameExitStatuses) {
   const std::string text = run("--help").out;
   std::vector<std::string> explained;
-  std::istringstream lines(text.substr(text.find("Exit status:")));
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : test::linesOf(text.substr(text.find("Exit status:")))) {
     if (line.starts_with("  ")) explained.push_back(line.substr(2));
   }
   std::vector<std::string> described;

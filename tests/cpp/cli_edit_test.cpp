@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/io.h"
 #include "cli.h"
+#include "lines.h"
 
 namespace circle_voronoi {
 namespace {
@@ -18,13 +18,6 @@ using Json = nlohmann::json;
 class CliEdit : public test::Cli {
  protected:
   const std::string circles_ = write("circles.csv", "0,0,1\n6,0,1\n0,8,1\n");
-
-  std::string textOf(const std::string& arguments, const std::string& input = "") const {
-    const auto [status, out, err] = run(arguments, input);
-    EXPECT_EQ(status, 0) << err;
-    EXPECT_EQ(err, "");
-    return out;
-  }
 
   /// The circles, hidden circles and vertices that are written.
   static Json partsOf(const std::string& text) {
@@ -42,9 +35,8 @@ TEST_F(CliEdit, TracesEachEdit) {
   EXPECT_EQ(readFile(path("changes.jsonl")), changes);
   const std::string trace = readFile(path("trace.jsonl"));
   EXPECT_EQ(textOf(edit + " -o " + path("diagram.json") + " --trace -"), trace);
-  std::istringstream lines(trace);
   std::string kinds;
-  for (std::string line; std::getline(lines, line);) kinds += Json::parse(line)["kind"].get<std::string>() + ' ';
+  for (const std::string& line : test::linesOf(trace)) kinds += Json::parse(line)["kind"].get<std::string>() + ' ';
   EXPECT_EQ(kinds,
             "roundBegun faceMade faceMade faceMade faceMade "
             "circleInserted faceMade faceMade discNotEmpty faceRemoved faceRemoved faceMade faceMade "
@@ -88,9 +80,8 @@ TEST_F(CliEdit, AScriptMayBeginWithAByteOrderMark) {
 TEST_F(CliEdit, TellsWhatEachEditChanges) {
   textOf("edit " + circles_ + " --script - --changes " + path("changes.jsonl") + " -o " + path("after.json"),
          "insert,2,2,0.5\nreplace,3,0,0,3\nremove,3\n");
-  std::istringstream lines(readFile(path("changes.jsonl")));
   std::vector<Json> changes;
-  for (std::string line; std::getline(lines, line);) changes.push_back(Json::parse(line));
+  for (const std::string& line : test::linesOf(readFile(path("changes.jsonl")))) changes.push_back(Json::parse(line));
   ASSERT_EQ(changes.size(), 3U);
   EXPECT_EQ(changes[0]["way"], "local");
   EXPECT_EQ(changes[0]["inserted"], Json({3}));
@@ -178,7 +169,7 @@ TEST_F(CliEdit, EditsWeights) {
                 "bad.csv:1: The new circle has a coordinate or a radius beyond 1e150.");
 }
 
-TEST_F(CliEdit, RefusesWhatMakesNoSense) {
+TEST_F(CliEdit, RefusesInvalidScriptsAndOptions) {
   expectFailure(run("edit - --script -", ""), 2, "The circles and the script cannot both be standard input.");
   expectFailure(run("edit " + circles_ + " --script - --changes -", ""), 2,
                 "--changes and --output cannot both be standard output.");

@@ -138,7 +138,7 @@ TEST_F(CliFiles, PermissionsAreThoseOfTheOldFileOrOfAnyNewOne) {
   EXPECT_EQ(fs::status(path("new.csv")).permissions(), fs::perms{0640});
 }
 
-TEST_F(CliFiles, WhatIsNoRegularFileIsWrittenDirectly) {
+TEST_F(CliFiles, IrregularFilesAreWrittenDirectly) {
   const std::string generate = program_ + " generate uniform 3 -o ";
   EXPECT_EQ(shell(generate + "/dev/stdout").out, generated_);
   EXPECT_EQ(shell(generate + "/dev/stdout | cat").out, generated_);

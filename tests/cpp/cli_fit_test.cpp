@@ -25,10 +25,7 @@ class CliFit : public test::Cli {
   const std::string region_ = " --region " + write("region.wkt", kSquare);
 
   std::string textOf(const std::string& arguments, const std::string& input = "") const {
-    const auto [status, out, err] = run("fit " + arguments, input);
-    EXPECT_EQ(status, 0) << err;
-    EXPECT_EQ(err, "");
-    return out;
+    return Cli::textOf("fit " + arguments, input);
   }
 
   void fails(const std::string& arguments, const std::string& message, int status = 2) const {
@@ -139,7 +136,7 @@ TEST_F(CliFit, TakesWeightsBelowZeroToStartFrom) {
   fails(sites + " --areas people --shares" + region_, "weights.csv:2: Circle 0 has a negative radius.");
 }
 
-TEST_F(CliFit, SaysWhatIsWrong) {
+TEST_F(CliFit, RefusesInvalidAreasAndOptions) {
   fails(sites_ + " --areas people --shares", "fit needs --region or --lattice.");
   fails(sites_ + " --shares" + region_, "--areas is required");
   fails(sites_ + " --areas people" + region_,
@@ -174,7 +171,7 @@ TEST_F(CliFit, DividesABoxWhoseOppositeSidesAreGluedTogether) {
         "sites.csv: The areas sum to 8, but the area of the box is 16. Set --shares to scale them.");
 }
 
-TEST_F(CliFit, TellsHowFarItIs) {
+TEST_F(CliFit, ShowsItsProgress) {
   const auto [status, out, err] =
       run("fit " + sites_ + " --areas people --shares --progress always -o " + path("out.json") + region_);
   EXPECT_EQ(status, 0);

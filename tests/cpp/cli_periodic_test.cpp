@@ -14,6 +14,8 @@
 
 #include "circle_voronoi/io.h"
 #include "cli.h"
+#include "lines.h"
+#include "rings.h"
 
 namespace circle_voronoi {
 namespace {
@@ -23,23 +25,7 @@ using Json = nlohmann::json;
 class CliPeriodic : public test::Cli {
  protected:
   const std::string circles_ = write("circles.csv", "x,y,r,name\n0.1,0.2,0.1,A\n0.6,0.7,0.2,B\n0.6,0.75,0.02,C\n");
-
-  std::string textOf(const std::string& arguments) const {
-    const auto [status, out, err] = run(arguments);
-    EXPECT_EQ(status, 0) << err;
-    EXPECT_EQ(err, "");
-    return out;
-  }
 };
-
-double areaOf(const Json& ring) {
-  double sum = 0;
-  for (std::size_t k = 0; k + 1 < ring.size(); ++k) {
-    sum += ring[k][0].get<double>() * ring[k + 1][1].get<double>() -
-           ring[k][1].get<double>() * ring[k + 1][0].get<double>();
-  }
-  return sum / 2;
-}
 
 TEST_F(CliPeriodic, GeoJsonHasWholeCellsAndShifts) {
   for (const std::string format : {"geojson", "geojsonl"}) {
@@ -49,8 +35,7 @@ TEST_F(CliPeriodic, GeoJsonHasWholeCellsAndShifts) {
       const Json collection = Json::parse(text);
       for (const Json& feature : collection["features"]) features.push_back(feature);
     } else {
-      std::istringstream lines(text);
-      for (std::string line; std::getline(lines, line);) features.push_back(Json::parse(line));
+      for (const std::string& line : test::linesOf(text)) features.push_back(Json::parse(line));
     }
     ASSERT_EQ(features.size(), 3U);
     double sum = 0;
@@ -72,7 +57,7 @@ TEST_F(CliPeriodic, GeoJsonHasWholeCellsAndShifts) {
         EXPECT_EQ(properties["hiderShift"], (Json{0, 0}));
       } else {
         EXPECT_EQ(geometry["type"], "Polygon");
-        EXPECT_NEAR(areaOf(geometry["coordinates"][0]), properties["area"].get<double>(), 1e-4);
+        EXPECT_NEAR(test::areaOf(geometry["coordinates"][0]), properties["area"].get<double>(), 1e-4);
       }
     }
     EXPECT_NEAR(sum, 1, 1e-12);
@@ -192,12 +177,9 @@ TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   EXPECT_EQ(count("<path data-edge="), 6);
 }
 
-TEST_F(CliPeriodic, SaysWhatIsWrong) {
+TEST_F(CliPeriodic, RefusesInvalidLatticesAndOptions) {
   const auto fails = [&](const std::string& arguments, const std::string& message) {
-    const auto [status, out, err] = run("compute " + circles_ + " " + arguments);
-    EXPECT_EQ(status, 2) << arguments;
-    EXPECT_NE(err.find(message), std::string::npos) << err;
-    EXPECT_EQ(out, "");
+    expectFailure(run("compute " + circles_ + " " + arguments), 2, message);
   };
   fails("--lattice 1,0,1", "expected AX,AY,BX,BY, not 3 numbers.");
   fails("--lattice 1,0,1,nan", "BY is not a finite number");

@@ -89,7 +89,7 @@ TEST_F(CliProgress, EndsBeforeStandardOutputBegins) {
   EXPECT_FALSE(has(out.substr(begin), "\r"));
 }
 
-TEST_F(CliProgress, IsThereForConvertAndVerify) {
+TEST_F(CliProgress, IsShownForConvertAndCertify) {
   ASSERT_EQ(shell(quick("")).status, 0);
   EXPECT_TRUE(has(run("certify --progress always " + path("out.json")).err, "certify, "));
   EXPECT_TRUE(has(run("convert --progress always " + path("out.json") + " -o " + path("out.svg")).err, "certify, "));

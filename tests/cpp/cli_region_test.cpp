@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
 #include "circle_voronoi/io.h"
 #include "cli.h"
+#include "lines.h"
 
 namespace circle_voronoi {
 namespace {
@@ -26,18 +26,8 @@ class CliRegion : public test::Cli {
   const std::string circles_ = write("circles.csv", kCircles);
   const std::string region_ = write("region.geojson", kRegion);
 
-  std::string textOf(const std::string& arguments) const {
-    const auto [status, out, err] = run(arguments);
-    EXPECT_EQ(status, 0) << err;
-    EXPECT_EQ(err, "");
-    return out;
-  }
-
   void fails(const std::string& arguments, const std::string& message) const {
-    const auto [status, out, err] = run(arguments);
-    EXPECT_EQ(status, 2) << arguments;
-    EXPECT_NE(err.find(message), std::string::npos) << err;
-    EXPECT_EQ(out, "");
+    expectFailure(run(arguments), 2, message);
   }
 };
 
@@ -85,7 +75,7 @@ TEST_F(CliRegion, MaxDistanceAndRegionTogether) {
   EXPECT_LT(features[0]["properties"]["area"].get<double>(), 1.25 * 1.25 * 3.14159265358979);
 }
 
-TEST_F(CliRegion, OfATileWhatIsFinalIsClippedAsInTheWhole) {
+TEST_F(CliRegion, FinalCellsOfATileAreClippedAsInTheWholeDiagram) {
   const std::string circles = write("many.csv", textOf("generate uniform 300 --seed 3"));
   const std::string region = write("bay.wkt", "POLYGON((5 5, 25 6, 24 20, 15 12, 6 22, 5 5))");
   const std::string options = " --format geojsonl --region " + region;
@@ -94,8 +84,7 @@ TEST_F(CliRegion, OfATileWhatIsFinalIsClippedAsInTheWhole) {
   EXPECT_EQ(status, 3);
   EXPECT_NE(err.find("are not final"), std::string::npos) << err;
   int clipped = 0;
-  std::istringstream lines(part);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : test::linesOf(part)) {
     EXPECT_NE(whole.find("\n" + line + "\n"), std::string::npos) << line;
     clipped += Json::parse(line)["geometry"].is_null() ? 0 : 1;
   }
@@ -112,18 +101,16 @@ TEST_F(CliRegion, AttributesGoThrough) {
 {"type":"Feature","geometry":{"type":"Point","coordinates":[0,0]},"properties":{"r":1,"area":"wide","tags":{"a":
 [1,2]}}},
 {"type":"Feature","geometry":{"type":"Point","coordinates":[3,0]},"properties":{"radius":1}}]})");
-  std::istringstream lines(textOf("compute " + points + " --format geojsonl"));
-  std::string line;
-  std::getline(lines, line);
-  const Json first = Json::parse(line)["properties"];
+  const auto lines = test::linesOf(textOf("compute " + points + " --format geojsonl"));
+  ASSERT_GE(lines.size(), 2U);
+  const Json first = Json::parse(lines[0])["properties"];
   EXPECT_EQ(first["input_area"], "wide");
   EXPECT_TRUE(first["area"].is_number());
   EXPECT_EQ(first["tags"]["a"][1], 2);
-  std::getline(lines, line);
-  EXPECT_EQ(Json::parse(line)["properties"].size(), 4U);
+  EXPECT_EQ(Json::parse(lines[1])["properties"].size(), 4U);
 }
 
-TEST_F(CliRegion, SaysWhatIsWrong) {
+TEST_F(CliRegion, RefusesInvalidRegionsAndOptions) {
   const std::string compute = "compute " + circles_ + " --format wkt --region ";
   fails(compute + circles_, "expected GeoJSON, POLYGON or MULTIPOLYGON.");
   fails(compute + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"),

@@ -14,6 +14,7 @@
 
 #include "circle_voronoi_families/families.h"
 #include "fixtures.h"
+#include "lines.h"
 
 namespace circle_voronoi {
 namespace {
@@ -194,8 +195,8 @@ TEST_F(Cli, TracesTheTouchingDiscMethod) {
       trace.find(
           "{\"kind\": \"antipodalDiscAccepted\", \"disc\": {\"x\": 3, \"y\": 0, \"r\": 2}, \"circles\": [0, 1]}\n"),
       std::string::npos);
-  std::istringstream lines(trace);
-  for (std::string line; std::getline(lines, line);) EXPECT_TRUE(nlohmann::json::parse(line).contains("kind")) << line;
+  for (const std::string& line : test::linesOf(trace))
+    EXPECT_TRUE(nlohmann::json::parse(line).contains("kind")) << line;
   EXPECT_EQ(run(compute + "- -o " + path("diagram.csv") + " --trace -", circles).out, trace);
 
   // By flips: the center of one of four circles lies in the disc of the others.
@@ -220,7 +221,7 @@ TEST_F(Cli, AnEmptyFileIsSaidToBeEmpty) {
   EXPECT_EQ(run("compute -", "x,y,r\n").status, 0) << "a table without rows";
 }
 
-TEST_F(Cli, DiesOfABrokenPipeWithoutAWord) {
+TEST_F(Cli, EndsSilentlyOnABrokenPipe) {
   const Outcome result = shell(program_ + " generate uniform 100000 | head -n 1");
   EXPECT_EQ(result.out, "x,y,r\n");
   EXPECT_EQ(result.err, "");
@@ -330,7 +331,7 @@ TEST_F(Cli, CertifyNamesTheFlawOfAWrongDiagram) {
   expectFailure(run("certify " + write("crossed.json", crossed.dump())), 1, "Edge 3 (circles ");
 }
 
-TEST_F(Cli, CertifyRefusesWhatIsNoDiagram) {
+TEST_F(Cli, CertifyRefusesFilesWithoutADiagram) {
   expectFailure(run("certify " + kFixture), 2, "spruces.csv:1: bad JSON");
   expectFailure(run("certify " + write("circles.json", "[[0, 0, 1]]")), 2, "circles.json:1: expected an object");
   expectFailure(run("certify -", "{\"format\": \"svg\"}"), 2, "standard input:1: the format is \"svg\"");

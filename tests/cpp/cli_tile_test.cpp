@@ -2,15 +2,14 @@
 // Tiles on the command line; tests/tiles has the drivers that put them together.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli.h"
+#include "lines.h"
 
 namespace circle_voronoi {
 namespace {
@@ -19,12 +18,7 @@ using test::Outcome;
 
 const std::string kPlane = " --known=-inf,-inf,inf,inf --max-radius 0";
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
+using test::linesOf;
 
 /// A tile of a grid of points, by ids that are not their rows.
 std::string grid() {
@@ -37,7 +31,7 @@ std::string grid() {
 
 class CliTile : public test::Cli {};
 
-TEST_F(CliTile, WritesWhatIsFinalByTheIdsOfTheInput) {
+TEST_F(CliTile, WritesFinalPartsWithTheIdsOfTheInput) {
   const std::string tile = write("tile.csv", grid());
   const Outcome result =
       run("compute " + tile + " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,3.5 --format csv");
@@ -57,7 +51,7 @@ TEST_F(CliTile, WritesWhatIsFinalByTheIdsOfTheInput) {
   EXPECT_FALSE(edges.contains("975,976"));
 }
 
-TEST_F(CliTile, SaysWhatHaloIsMissing) {
+TEST_F(CliTile, ReportsTheMissingHalo) {
   const std::string tile = write("tile.csv", grid());
   const Outcome result = run("compute " + tile +
                              " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core=-0.5,-0.5,3.5,6 -o " + path("part.csv"));
@@ -76,7 +70,7 @@ TEST_F(CliTile, SaysWhatHaloIsMissing) {
 }
 
 // Along x a circle at the border of the core lacks more than along y, and comes first.
-TEST_F(CliTile, TheHaloThatIsMissingIsThatOfTheCircleThatNeedsMost) {
+TEST_F(CliTile, TheMissingHaloIsForTheCircleThatNeedsMost) {
   const Outcome missing = run("compute " + write("tile.csv", grid()) +
                               " --known=-20,-20,4,3.75 --max-radius 0 --core=2,2,4,4 --format csv");
   EXPECT_EQ(missing.status, 3);
@@ -85,7 +79,7 @@ TEST_F(CliTile, TheHaloThatIsMissingIsThatOfTheCircleThatNeedsMost) {
       << missing.err;
 }
 
-TEST_F(CliTile, WhatIsDoneStaysDoneInWhatIsOpen) {
+TEST_F(CliTile, DoneCirclesStayDoneInTheRemainingTile) {
   std::string tile = "id,x,y,r,done\n";
   for (int i = 0; i < 49; ++i) {
     const bool isDone = i % 7 == 4;  // the column beside the core
@@ -100,7 +94,7 @@ TEST_F(CliTile, WhatIsDoneStaysDoneInWhatIsOpen) {
   EXPECT_EQ(readFile(path("open.csv")), "id,x,y,r,done\n17,3,2,0,1\n18,4,2,0,1\n24,3,3,0,0\n25,4,3,0,1\n");
 }
 
-TEST_F(CliTile, ThePartsOfTwoTilesAndOfWhatTheyLeaveAreTheWhole) {
+TEST_F(CliTile, ThePartsOfTwoTilesAndOfTheirRemainderAreTheWholeDiagram) {
   const std::string tile = write("tile.csv", grid());
   const auto rows = [&](const std::string& text) {
     auto lines = linesOf(text);
@@ -158,7 +152,7 @@ TEST_F(CliTile, LinesOfGeoJsonNameAHiddenCircleAndItsHiderByTheirIds) {
   EXPECT_FALSE(nlohmann::json::parse(lines[1]).at("properties").contains("hiddenBy"));
 }
 
-TEST_F(CliTile, CutsIntoTilesThatHaveAllThatReachesIntoThem) {
+TEST_F(CliTile, EachTileHasAllCirclesThatReachIntoIt) {
   // Homes by half-open squares; a huge circle, known before and after the tiles that it reaches into; far ones.
   const std::string circles = "x,y,r\n50,50,45\n0,0,0\n10,0,0\n9.75,3,0\n-1e9,5,1\n-0.5,-0.5,0.1\n1e9,0,2\n";
   ASSERT_EQ(run("tile - --size 10 --halo 2 -o " + path("tiles"), circles).status, 0);
@@ -233,13 +227,11 @@ TEST_F(CliTile, ReadsATableInPiecesWithItsIdsAndLineNumbers) {
                 2, "standard input:120004: Circle 60001 has a negative radius.");
 }
 
-TEST_F(CliTile, RefusesWhatCannotBeMeant) {
+TEST_F(CliTile, RefusesInvalidTilesAndOptions) {
   const std::string tile = write("tile.csv", grid());
   const auto fails = [&](const std::string& arguments, const std::string& message) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << arguments << ": " << outcome.err;
+    SCOPED_TRACE(arguments);
+    expectFailure(run(arguments), 2, message);
   };
   const std::string known = "compute " + tile + " --known 0,0,1,1";
   fails(known + " --format csv", "--known needs --max-radius.");

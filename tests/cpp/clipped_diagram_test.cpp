@@ -394,7 +394,7 @@ TEST(ClippedDiagram, SomeCellsHaveTheAreasTheyHaveAmongAllInHardRegions) {
   });
 }
 
-TEST(ClippedDiagram, RefusesWhatItCannotDo) {
+TEST(ClippedDiagram, RefusesUnsupportedArguments) {
   const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 1}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
   const Diagram power = computeComparison(circles, Metric::power).value();

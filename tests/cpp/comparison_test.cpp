@@ -22,22 +22,9 @@
 namespace circle_voronoi {
 namespace {
 
-Box boxOf(const std::vector<Circle>& circles) {
-  Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
-  for (const Circle& c : circles) {
-    box.minX = std::min(box.minX, c.x - c.r);
-    box.minY = std::min(box.minY, c.y - c.r);
-    box.maxX = std::max(box.maxX, c.x + c.r);
-    box.maxY = std::max(box.maxY, c.y + c.r);
-  }
-  if (box.minX == box.maxX) box.maxX += 1;
-  if (box.minY == box.maxY) box.maxY += 1;
-  return box;
-}
-
 class Comparison : public testing::TestWithParam<Metric> {};
 
-TEST_P(Comparison, CellsContainWhatIsNearestAndFillTheBox) {
+TEST_P(Comparison, CellsContainTheNearestPointsAndFillTheBox) {
   Random random(1);
   for (const FamilyInfo& family : families()) {
     if (test::isTooWideToDraw(family.family)) continue;
@@ -48,7 +35,7 @@ TEST_P(Comparison, CellsContainWhatIsNearestAndFillTheBox) {
       ASSERT_TRUE(computed) << computed.error().message;
       const Diagram& diagram = computed.value();
       const Finder finder(diagram);
-      const Box box = boxOf(circles);
+      const Box box = test::validBoxOf(circles);
       for (int k = 0; k < 100; ++k) {
         const Point p = {random.uniform(box.minX, box.maxX), random.uniform(box.minY, box.maxY)};
         double least = std::numeric_limits<double>::infinity();

@@ -384,7 +384,7 @@ Diagram gridDiagram() {
   return compute(circles).value();
 }
 
-TEST(ConvexBoundsJudge, AcceptsWhatIsRight) {
+TEST(ConvexBoundsJudge, AcceptsCorrectDiagrams) {
   const auto cells = outlines(gridDiagram(), test::regionOf(Box{0.5, 0.5, 3.5, 3.25}));
   ASSERT_TRUE(cells);
   double sum = 0;

@@ -381,7 +381,7 @@ TEST(Curve, LengthOfNearlyStraightOrSharplyBentArcsIsBetweenChordAndControlPolyg
   }
 }
 
-TEST(Curve, ClippingKeepsWhatIsInsideTheBox) {
+TEST(Curve, ClippingKeepsThePartInsideTheBox) {
   Random random(8);
   int severalPieces = 0;
   for (int trial = 0; trial < 3000; ++trial) {
@@ -459,7 +459,7 @@ TEST(ConvexPolygon, ContainsItsBorder) {
   }
 }
 
-TEST(ConvexPolygon, RejectsWhatIsNotConvex) {
+TEST(ConvexPolygon, RejectsPolygonsThatAreNotConvex) {
   const auto from = [](std::vector<Point> corners) { return ConvexPolygon::from(corners); };
   EXPECT_TRUE(from({{0, 0}, {1, 0}, {1, 1}}));
   EXPECT_TRUE(from({{0, 0}, {1, 0}, {2, 0}, {1, 1}}));

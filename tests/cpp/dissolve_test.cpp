@@ -11,6 +11,7 @@
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/region.h"
 #include "report.h"
+#include "rings.h"
 
 namespace circle_voronoi {
 namespace {
@@ -35,42 +36,21 @@ std::string errorOf(const std::vector<Polygon>& polygons) {
   return region ? "" : region.error().message;
 }
 
-/// Whether a point is in a ring, by a ray to the right; the boundary counts as either.
-bool isInRing(const Ring& ring, Point p) {
-  bool isIn = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k];
-    const Point b = ring[(k + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isIn = !isIn;
-  }
-  return isIn;
-}
-
 bool isInAny(const std::vector<Polygon>& polygons, Point p) {
   return std::ranges::any_of(polygons, [&](const Polygon& polygon) {
-    return std::ranges::count_if(polygon, [&](const Ring& ring) { return isInRing(ring, p); }) % 2 == 1;
+    return std::ranges::count_if(polygon, [&](const Ring& ring) { return test::isInRing(ring, p); }) % 2 == 1;
   });
 }
 
 double distanceToSides(const std::vector<Polygon>& polygons, Point p) {
   double least = 1e300;
   for (const Polygon& polygon : polygons) {
-    for (const Ring& ring : polygon) {
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Point a = ring[k];
-        const Point b = ring[(k + 1) % ring.size()];
-        const double ux = b.x - a.x;
-        const double uy = b.y - a.y;
-        const double square = ux * ux + uy * uy;
-        const double t = square == 0 ? 0 : std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / square, 0.0, 1.0);
-        least = std::min(least, std::hypot(p.x - a.x - t * ux, p.y - a.y - t * uy));
-      }
-    }
+    for (const Ring& ring : polygon) least = std::min(least, test::distanceToRing(ring, p));
   }
   return least;
 }
 
-TEST(Dissolve, MergesWhatSharesABorder) {
+TEST(Dissolve, MergesPolygonsThatShareABorder) {
   // Whole, with T-junctions on either side, and in a single point.
   EXPECT_EQ(unionOf({{box(0, 0, 5, 5)}, {box(5, 0, 9, 5)}}).area(), 45);
   const Region three = unionOf({{box(0, 0, 5, 5)}, {box(5, -1, 9, 2)}, {box(5, 2, 7, 9)}});
@@ -80,7 +60,7 @@ TEST(Dissolve, MergesWhatSharesABorder) {
   EXPECT_EQ(unionOf({{box(0, 0, 1, 1)}, {box(0, 0, 1, 1)}}).area(), 1);
 }
 
-TEST(Dissolve, MergesWhatOverlapsNestsAndFillsHoles) {
+TEST(Dissolve, MergesPolygonsThatOverlapNestOrFillHoles) {
   EXPECT_EQ(unionOf({{box(0, 0, 4, 4)}, {box(2, 2, 6, 6)}}).area(), 28);
   EXPECT_EQ(unionOf({{box(0, 0, 9, 9)}, {box(2, 2, 6, 6)}}).area(), 81);
   EXPECT_EQ(unionOf({{box(0, 0, 9, 9), box(2, 2, 6, 6)}, {box(2, 2, 6, 6)}}).area(), 81);
@@ -102,7 +82,7 @@ TEST(Dissolve, CutsTheInsideApartWhereRingsTouch) {
   EXPECT_DOUBLE_EQ(island.area(), 144 - 4 - 6 - 6);
 }
 
-TEST(Dissolve, LeavesOutWhatHasNoArea) {
+TEST(Dissolve, DropsPartsWithoutArea) {
   EXPECT_EQ(unionOf({{box(0, 0, 2, 2)}, {{{0, 0}, {2, 2}}}, {{{0, 0}, {1, 0}, {2, 0}}}}).area(), 4);
   const std::vector<Polygon> flat = {{{{0, 0}, {1, 0}, {2, 0}}}};
   EXPECT_EQ(Region::fromPolygons(flat, kDissolve).error().message, "The region has no area.");
@@ -167,7 +147,7 @@ Ring randomRing(std::mt19937& random, int kind) {
 
 /// Rings of any kind, most of which cross themselves, are a valid region; and a point away from all sides is in the
 /// region exactly if it is in one of the polygons.
-TEST(Dissolve, ContainsWhatThePolygonsContain) {
+TEST(Dissolve, ContainsThePointsOfThePolygons) {
   std::mt19937 random(static_cast<std::uint32_t>(test::seedOr(1)));
   int compared = 0;
   for (int trial = 0; trial < 4000; ++trial) {

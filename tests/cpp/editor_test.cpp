@@ -103,7 +103,7 @@ TEST(Editor, NeverGivesAnIdAgain) {
   expectRight(editor);
 }
 
-TEST(Editor, BringsBackWhatAHugeCircleHid) {
+TEST(Editor, RestoresTheCirclesThatAHugeCircleHid) {
   const std::vector<Circle> circles = generate(Family::uniform, 12'000, 1);
   DiagramEditor editor = editorOf(circles);
   double reach = 0;
@@ -131,7 +131,7 @@ TEST(Editor, BringsBackWhatAHugeCircleHid) {
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
 }
 
-TEST(Editor, ComputesEverythingWhereMostIsHiddenOrShown) {
+TEST(Editor, ComputesTheWholeDiagramIfMostCirclesAreHiddenOrShown) {
   const std::vector<Circle> circles = generate(Family::uniform, 2'000, 1);
   DiagramEditor editor = editorOf(circles);
   double reach = 0;
@@ -152,7 +152,7 @@ TEST(Editor, ComputesEverythingWhereMostIsHiddenOrShown) {
   expectWhole(changeOf(editor.replace(7, circles[7])));
 }
 
-TEST(Editor, HandsOverWhatACircleHid) {
+TEST(Editor, PassesHiddenCirclesToAnotherHider) {
   // 0 hides 3 and 4, and then comes to lie in 1, with 3.
   DiagramEditor editor =
       editorOf({{-2, 0, 4}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
@@ -199,7 +199,7 @@ TEST(Editor, OfIdenticalCirclesShowsTheFirst) {
   expectRight(editor);
 }
 
-TEST(Editor, ShowsOfWhatWasHiddenWhatNothingElseHides) {
+TEST(Editor, ShowsHiddenCirclesThatNoOtherCircleHides) {
   DiagramEditor editor = editorOf({{0, 0, 9}, {40, 0, 1}, {0, 40, 1}, {1, 0, 1}, {1, 0, 3}, {1, 0, 2}, {-4, 0, 1}});
   const Change change = changeOf(editor.remove(0));
   EXPECT_EQ(change.way, EditWay::local);
@@ -317,7 +317,7 @@ TEST(Editor, ASnapshotCountsAllCirclesAndTheHiddenOnes) {
   EXPECT_EQ(counts.hidden, 2);
 }
 
-TEST(Editor, SaysWhatTheIndicesOfASnapshotStandFor) {
+TEST(Editor, MapsIndicesOfASnapshotToIds) {
   const std::vector<Circle> circles = generate(Family::hidden, 120, 2);
   DiagramEditor editor = editorOf(circles);
   for (CircleId id = 0; id < 40; ++id) {

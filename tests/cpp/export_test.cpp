@@ -16,7 +16,9 @@
 #include "circle_voronoi_families/families.h"
 #include "far_apart.h"
 #include "fixtures.h"
+#include "lines.h"
 #include "regions.h"
+#include "rings.h"
 
 namespace circle_voronoi {
 namespace {
@@ -30,12 +32,7 @@ std::string textOf(Write write, const std::vector<Circle>& circles, const Export
   return out.str();
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
+using test::linesOf;
 
 std::size_t countOf(const std::string& text, std::string_view part) {
   std::size_t count = 0;
@@ -56,15 +53,6 @@ std::vector<Ring> ringsOf(const Json& geometry) {
     }
   }
   return rings;
-}
-
-double areaOf(const Ring& ring) {
-  double twice = 0;
-  for (std::size_t k = 1; k < ring.size(); ++k) {
-    twice += (ring[k - 1][0] - ring[0][0]) * (ring[k][1] - ring[0][1]) -
-             (ring[k][0] - ring[0][0]) * (ring[k - 1][1] - ring[0][1]);
-  }
-  return twice / 2;
 }
 
 TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
@@ -88,7 +76,7 @@ TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
       for (const Ring& ring : ringsOf(feature["geometry"])) {
         EXPECT_EQ(ring.front(), ring.back());
         EXPECT_GE(ring.size(), 4U);
-        polygons += areaOf(ring);
+        polygons += test::areaOf(ring);
         for (std::size_t k = 1; k < ring.size(); ++k) ++steps[{ring[k - 1], ring[k]}];
       }
       const double area = feature["properties"]["area"];
@@ -144,7 +132,7 @@ TEST(Export, EveryVisibleCircleHasASimplePolygonHoweverLargeTheTolerance) {
         const auto rings = ringsOf(feature["geometry"]);
         EXPECT_EQ(rings.empty(), feature["properties"].contains("hiddenBy")) << feature["properties"];
         for (const Ring& ring : rings) {
-          EXPECT_GT(areaOf(ring), 0);
+          EXPECT_GT(test::areaOf(ring), 0);
           EXPECT_TRUE(isSimple(ring)) << feature;
         }
       }
@@ -238,12 +226,12 @@ TEST(Export, PolygonsFillTheBoxAndAreSimpleHoweverFewTheDigits) {
         const Json file = Json::parse(textOf(writeGeoJson, circles, options));
         for (const Json& feature : file["features"]) {
           for (const Ring& ring : ringsOf(feature["geometry"])) {
-            EXPECT_GT(areaOf(ring), 0);
+            EXPECT_GT(test::areaOf(ring), 0);
             EXPECT_TRUE(isSimple(ring)) << feature;
             for (const auto& [x, y] : ring) {
               EXPECT_TRUE(box.minX <= x && x <= box.maxX && box.minY <= y && y <= box.maxY) << x << ' ' << y;
             }
-            sum += areaOf(ring);
+            sum += test::areaOf(ring);
           }
         }
         EXPECT_NEAR(sum / ((box.maxX - box.minX) * (box.maxY - box.minY)), 1, 1e-9);
@@ -267,7 +255,7 @@ TEST(Export, CellsCutAtAMaximumDistanceAreSimpleHoweverFewTheDigits) {
           const auto rings = ringsOf(feature["geometry"]);
           EXPECT_EQ(rings.empty(), feature["properties"].contains("hiddenBy")) << feature;
           for (const Ring& ring : rings) {
-            EXPECT_GT(areaOf(ring), 0);
+            EXPECT_GT(test::areaOf(ring), 0);
             EXPECT_TRUE(isSimple(ring)) << feature;
           }
         }
@@ -480,7 +468,7 @@ TEST(Export, SvgTellsHiddenCirclesAndPoints) {
   EXPECT_NE(svg.find("<desc>5 circles, 2 of them hidden; 1 vertices, 3 edges</desc>"), std::string::npos);
 }
 
-TEST(Export, SvgLeavesOutWhatIsOutsideTheBox) {
+TEST(Export, SvgOmitsPartsOutsideTheBox) {
   const std::vector<Circle> circles = {{0, 0, 1}, {9, 0, 1}, {0, 9, 1}, {30, 30, 1}, {39, 30, 1}};
   ExportOptions options;
   options.bounds = Box{-2, -2, 7, 7};

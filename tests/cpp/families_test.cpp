@@ -11,6 +11,7 @@
 #include <string>
 
 #include "circle_voronoi/compute.h"
+#include "parameters.h"
 #include "random.h"
 #include "vectors.h"
 
@@ -49,13 +50,7 @@ std::vector<std::string> familyNames() {
   return names;
 }
 
-std::string nameOfFamilyTest(const testing::TestParamInfo<std::string>& family) {
-  std::string name = family.param;
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, FamilyTest, testing::ValuesIn(familyNames()), nameOfFamilyTest);
+INSTANTIATE_TEST_SUITE_P(All, FamilyTest, testing::ValuesIn(familyNames()), test::NameOfParameter());
 
 TEST_P(FamilyTest, HasItsName) {
   EXPECT_EQ(familyName(info().family), GetParam());

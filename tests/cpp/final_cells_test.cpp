@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
@@ -35,8 +36,6 @@ using Bits = std::array<std::uint64_t, 3>;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr Box kPlane = {-kInfinite, -kInfinite, kInfinite, kInfinite};
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double inside(const Box& box, double x, double y) {
   return std::min({x - box.minX, box.maxX - x, y - box.minY, box.maxY - y});
@@ -230,7 +229,7 @@ std::string wrong(const Part& part, const Parts& whole) {
   return "";
 }
 
-TEST(FinalCells, NothingOutsideChangesWhatIsFinal) {
+TEST(FinalCells, CirclesOutsideDoNotChangeFinalParts) {
   const std::uint64_t seed = test::seedOr(1);
   Random random(seed);
   std::int64_t finalCount = 0;
@@ -267,7 +266,7 @@ TEST(FinalCells, NothingOutsideChangesWhatIsFinal) {
   EXPECT_LT(refused, 100);
 }
 
-TEST(FinalCells, HardlyAnyCellIsFinalAndNotCalledSo) {
+TEST(FinalCells, NearlyAllFinalCellsAreRecognized) {
   const std::uint64_t seed = test::seedOr(1);
   Random random(seed);
   int tried = 0;
@@ -381,7 +380,7 @@ TEST(FinalCells, ACircleMayReachFarThatIsKnown) {
   EXPECT_FALSE(isFinal(25)) << "the cell of the huge circle goes beyond the box";
 }
 
-TEST(FinalCells, WhereNothingIsOutsideAllIsFinal) {
+TEST(FinalCells, EverythingIsFinalIfNothingIsOutside) {
   for (const std::size_t count : {0, 1, 2, 3, 100}) {
     const Circles circles = generate(Family::hidden, count, 1);
     const Diagram diagram = compute(circles).value();
@@ -433,7 +432,7 @@ TEST(FinalCells, ScalesBeyondTheDoublesAreOnTheSafeSide) {
   EXPECT_EQ(finalCount({{-1e-308, -1e-308, 1e-308, 1e-308}, 0}), 0);
 }
 
-TEST(FinalCells, RefusesWhatIsNoBoxNoRadiusAndNoDiagram) {
+TEST(FinalCells, RefusesInvalidBoxesRadiiAndDiagrams) {
   const Circles circles = generate(Family::uniform, 10, 1);
   Diagram diagram = compute(circles).value();
   const auto codeOf = [&](const Known& known) {

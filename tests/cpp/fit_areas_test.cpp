@@ -407,7 +407,7 @@ TEST(AreaFit, MovesSitesToTheCentroidsOfTheirCellsAndKeepsTheAreas) {
   EXPECT_EQ(once.steps, first.steps + second.steps);
 }
 
-TEST(AreaFit, RefusesWhatHasNoAnswer) {
+TEST(AreaFit, RefusesImpossibleFits) {
   const std::vector<Circle> sites = {{0.2, 0.2, 0}, {0.7, 0.4, 0}, {0.2, 0.2, 0}};
   const auto messageOf = [&](std::vector<double> areas, std::size_t count, AreaFitOptions options = {}) {
     const auto fit = fitAreas(std::span(sites).first(count), areas, unitSquare(), options);

@@ -17,13 +17,12 @@
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/periodic.h"
 #include "random.h"
+#include "regions.h"
 
 namespace circle_voronoi {
 namespace {
 
 using Circles = std::vector<Circle>;
-
-double boxArea(const Lattice& lattice) { return std::abs(lattice.a.x * lattice.b.y - lattice.a.y * lattice.b.x); }
 
 Circles sitesIn(const Lattice& lattice, std::size_t count, Random& random) {
   Circles sites;
@@ -65,7 +64,7 @@ void expectFits(const Result<PeriodicAreaFit>& fit, const Circles& sites, const 
   EXPECT_TRUE(certify(fit->periodic.diagram).value().certified());
   EXPECT_TRUE(checkPeriodic(fit->periodic));
   const std::vector<double> areas = areasOf(sites, fit->weights, lattice);
-  const double whole = boxArea(lattice);
+  const double whole = test::boxArea(lattice);
   EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), whole, 1e-12 * whole);
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -224,7 +223,7 @@ TEST(PeriodicAreaFit, StartsFromTheRadii) {
   EXPECT_LE(again->steps, 1);
 }
 
-TEST(PeriodicAreaFit, RefusesWhatHasNoFit) {
+TEST(PeriodicAreaFit, RefusesImpossibleFits) {
   const Lattice lattice = {{2, 0}, {0, 1}};
   const Circles sites = {{0, 0, 0}, {1, 0.5, 0}};
   const auto expectError = [](const Result<PeriodicAreaFit>& fit, ErrorCode code, std::int64_t site,

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "circle_voronoi/compute.h"
 #include "compare.h"
 #include "oracle.h"
+#include "parameters.h"
 
 namespace circle_voronoi {
 namespace {
@@ -56,13 +56,7 @@ TEST_P(Fixture, SamplingAgainMissesNothing) {
   EXPECT_EQ(problem(GetParam(), options), "");
 }
 
-std::string nameOfFixtureTest(const testing::TestParamInfo<std::string>& fixture) {
-  std::string name = fixture.param;
-  std::ranges::replace(name, '-', '_');  // a test's name has no hyphens
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Fixture, testing::ValuesIn(test::fixtureNames()), nameOfFixtureTest);
+INSTANTIATE_TEST_SUITE_P(All, Fixture, testing::ValuesIn(test::fixtureNames()), test::NameOfParameter());
 
 }  // namespace
 }  // namespace circle_voronoi

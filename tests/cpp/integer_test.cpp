@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Compares our integers with the integers of a library, at the last bit of
-// each width.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compares our integers with the integers of a library, at the last bit of each width.
 #include "integer.h"
 
 #include <gtest/gtest.h>

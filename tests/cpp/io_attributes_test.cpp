@@ -10,6 +10,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
+#include "lines.h"
 
 namespace circle_voronoi {
 namespace {
@@ -32,8 +33,7 @@ std::string fileErrorOf(std::string_view text, const ReadOptions& options = {}) 
 /// The values of a column of a table with that column alone, in JSON.
 Strings valuesOfColumn(const std::string& rows, char separator = ',') {
   std::string text = "x,y,r,c\n";
-  std::istringstream lines(rows);
-  for (std::string line; std::getline(lines, line);) text += "0,0,0," + line + "\n";
+  for (const std::string& line : test::linesOf(rows)) text += "0,0,0," + line + "\n";
   if (separator != ',') {
     for (char& c : text) c = c == ',' ? ';' : c == '|' ? ',' : c;
   }
@@ -166,7 +166,7 @@ TEST(ReadGeoJson, OtherGeometriesAreRefusedByNameIndexAndId) {
   EXPECT_EQ(readCircleFile(circleCollection(good + circleFeature("null")), "test").error().circle, 1);
 }
 
-TEST(ReadCircleFile, WhatIsNoCircleIsSkippedOnRequest) {
+TEST(ReadCircleFile, InvalidRowsAreSkippedOnRequest) {
   const auto skippedOf = [](const CircleFile& file) {
     Strings reasons;
     for (const Error& error : file.skipped) reasons.push_back(std::to_string(error.circle) + " " + error.message);

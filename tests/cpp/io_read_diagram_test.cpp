@@ -124,7 +124,7 @@ std::string errorAfter(const std::string& part, const std::string& other) {
   return file ? "" : file.error().message;
 }
 
-TEST(ReadDiagram, SaysWhatIsWrongAndWhere) {
+TEST(ReadDiagram, ReportsTheErrorAndItsPlace) {
   EXPECT_EQ(errorAfter("5}", "5.5}"), "");
   EXPECT_EQ(errorAfter("\"circle-voronoi\"", "\"svg\""), "file:1: the format is \"svg\", not \"circle-voronoi\".");
   EXPECT_EQ(errorAfter("\"version\": 1", "\"version\": 2"),

@@ -106,7 +106,7 @@ TEST(ReadCsv, ColumnsAreFoundByNumber) {
             "test:2: y is not a number: \"a\" (circle 1, column 1 n).");
 }
 
-TEST(ReadCsv, NamesThatAreGivenAreMissedWhereThereAreNone) {
+TEST(ReadCsv, NamedColumnsMustExist) {
   const auto errorBy = [](std::string_view text, const ReadOptions& options) {
     const auto circles = readCircles(text, "test", options);
     return circles ? "" : circles.error().message;

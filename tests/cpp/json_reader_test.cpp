@@ -53,7 +53,7 @@ std::optional<Json> parsed(const std::string& text) {
     Json value = valueOf(reader);
     reader.finish();
     return value;
-  } catch (const ReadFailure& failure) {
+  } catch (const ReadError& failure) {
     EXPECT_LE(failure.offset, text.size());
     return std::nullopt;
   }
@@ -65,7 +65,7 @@ bool isSkipped(const std::string& text) {
     reader.skip();
     reader.finish();
     return true;
-  } catch (const ReadFailure&) {
+  } catch (const ReadError&) {
     return false;
   }
 }
@@ -173,7 +173,7 @@ TEST(JsonReader, AKeyAskedForByNameIsReadOnlyIfItComesNext) {
   for (const std::string text :
        {R"({"x)", R"({"x")", R"({"x":)", R"({"x": 1, "y)", R"({"x": 1, "y": 2 "r": 3})", R"({"x": 1 "y": 2})"}) {
     std::size_t count = 0;
-    EXPECT_THROW(keysOf(text, names, count), ReadFailure) << text;
+    EXPECT_THROW(keysOf(text, names, count), ReadError) << text;
   }
 }
 

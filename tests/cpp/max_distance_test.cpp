@@ -14,9 +14,12 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi_families/families.h"
+#include "diagrams.h"
+#include "lines.h"
 #include "random.h"
 #include "regions.h"
 #include "report.h"
+#include "rings.h"
 #include "tie_inputs.h"
 
 namespace circle_voronoi {
@@ -27,7 +30,7 @@ using Loop = std::vector<OutlinePiece>;
 
 constexpr double kPi = std::numbers::pi;
 
-Diagram diagramOf(const Circles& circles) { return compute(circles).value(); }
+using test::diagramOf;
 
 /// The area of the union of circles grown by a distance, by Green's theorem: of each the arcs that no other covers.
 double unionArea(const Circles& given, double more) {
@@ -237,7 +240,7 @@ TEST(MaxDistance, OfOneCircleIsADisc) {
 
 // The circle passes through corners of the region, exactly.
 TEST(MaxDistance, ARegionWithItsCornersOnTheCircleIsWhole) {
-  const Diagram diagram = diagramOf({{0, 0, 0}});
+  const Diagram diagram = diagramOf(Circles{{0, 0, 0}});
   for (const auto& [x, y, reach] : {std::array{3.0, 4.0, 5.0}, std::array{5.0, 12.0, 13.0}, std::array{8.0, 15.0, 17.0},
                                     std::array{7.0, 24.0, 25.0}, std::array{20.0, 21.0, 29.0},
                                     std::array{33.0, 56.0, 65.0}, std::array{16.0, 63.0, 65.0}}) {
@@ -472,8 +475,7 @@ TEST(MaxDistance, OfTheCentersIsCutAroundThese) {
 /// The rings of polygons in well-known text, a list for each line.
 std::vector<std::vector<std::vector<Point>>> ringsOf(const std::string& text) {
   std::vector<std::vector<std::vector<Point>>> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
+  for (const std::string& line : test::linesOf(text)) {
     auto& rings = lines.emplace_back();
     for (std::size_t at = line.find("(("); at != std::string::npos; at = line.find("((", at + 2)) {
       std::string ring = line.substr(at + 2, line.find(')', at) - at - 2);
@@ -484,12 +486,6 @@ std::vector<std::vector<std::vector<Point>>> ringsOf(const std::string& text) {
     }
   }
   return lines;
-}
-
-double areaOf(const std::vector<Point>& ring) {
-  double twice = 0;
-  for (std::size_t k = 1; k < ring.size(); ++k) twice += ring[k - 1].x * ring[k].y - ring[k - 1].y * ring[k].x;
-  return twice / 2;
 }
 
 // Polygons within the tolerance, one for each cell, and nothing of the diagram beyond the distance.
@@ -510,7 +506,7 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
     const auto& rings = cells[static_cast<std::size_t>(i)];
     ASSERT_EQ(rings.size(), exact.size()) << i;
     if (rings.empty()) continue;
-    EXPECT_NEAR(areaOf(rings[0]), area(exact), tolerance * perimeter(exact));
+    EXPECT_NEAR(test::areaOf(rings[0]), area(exact), tolerance * perimeter(exact));
     const Circle& c = circles[static_cast<std::size_t>(i)];
     for (const Point& p : rings[0]) EXPECT_LE(std::hypot(p.x - c.x, p.y - c.y), c.r + d + tolerance);
   }
@@ -526,9 +522,8 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
 
   std::ostringstream obj;
   EXPECT_TRUE(writeObj(obj, diagram, options));
-  std::istringstream lines(obj.str());
   std::size_t points = 0;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : test::linesOf(obj.str())) {
     if (!line.starts_with("v ")) continue;
     std::istringstream numbers(line.substr(2));
     Point p;
@@ -556,7 +551,7 @@ TEST(MaxDistance, FilesEndWhereCirclesAreHardlySeenFromTheOrigin) {
   ExportOptions options;
   options.maxDistance = 0;
   for (const double radius : {0.3, 1.0, 3.3, 5.0, 40.0, 3000.0}) {
-    const Diagram diagram = diagramOf({{1000000000000000.125, 1000000000000000.125, radius}});
+    const Diagram diagram = diagramOf(Circles{{1000000000000000.125, 1000000000000000.125, radius}});
     for (const double tolerance : {1e-9, 1e-5, 1.0}) {
       options.tolerance = tolerance * radius;
       std::ostringstream out;

@@ -16,6 +16,7 @@
 #include "circle_voronoi_families/families.h"
 #include "compare.h"
 #include "delaunay.h"
+#include "diagrams.h"
 #include "random.h"
 #include "report.h"
 #include "tie_inputs.h"
@@ -43,7 +44,7 @@ bool hasTies(const Diagram& diagram) {
   });
 }
 
-Diagram diagramOf(const Circles& circles) { return compute(circles).value(); }
+using test::diagramOf;
 
 template <class Check>
 void onEveryFamily(Check check) {

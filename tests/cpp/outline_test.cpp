@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Outlines that are small enough to write down. cells_test.cpp tests the
-// outlines of whole diagrams.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outlines that are small enough to write down. cells_test.cpp tests the outlines of whole diagrams.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -19,9 +19,11 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
 #include "random.h"
+#include "regions.h"
 #include "report.h"
 
 namespace circle_voronoi {
@@ -29,15 +31,11 @@ namespace {
 
 using Circles = std::vector<Circle>;
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 Options withWeights(bool weights) {
   Options options;
   options.weights = weights;
   return options;
 }
-
-double boxArea(const Lattice& lattice) { return std::abs(lattice.a.x * lattice.b.y - lattice.a.y * lattice.b.x); }
 
 double cellArea(const Diagram& diagram, CircleIndex circle) { return area(outline(diagram, circle)); }
 
@@ -119,7 +117,7 @@ RandomLattice randomLattice(Random& random, double longest) {
 Circles randomCircles(Random& random, const Lattice& nice, bool isOnGrid) {
   const std::size_t most = random.below(3) == 0 ? 200 : 8;
   const std::size_t count = 1 + random.below(most);
-  const double spacing = std::sqrt(boxArea(nice) / static_cast<double>(count));
+  const double spacing = std::sqrt(test::boxArea(nice) / static_cast<double>(count));
   const std::size_t sizes = random.below(6);
   const double base = std::array{0.0, 0.3, 0.45, 2.0, 5.0, 20.0}[random.below(6)] * spacing;
   const double steps = std::array{2.0, 3.0, 4.0, 8.0}[random.below(4)];
@@ -236,10 +234,10 @@ TEST(Periodic, CellsAreThoseInTheMiddleOfABlockOfImages) {
     EXPECT_EQ(hidersOf(*computed), block.hiders());
     for (CircleIndex i = 0; i < computed->circleCount; ++i) {
       ASSERT_EQ(inNiceBasis(placedNeighborsOf(*computed, i), lattice.change), block.neighborsOf(i)) << i;
-      const double scale = boxArea(lattice.nice);
+      const double scale = test::boxArea(lattice.nice);
       EXPECT_NEAR(cellArea(computed->diagram, i), cellArea(block.diagram(), i), 1e-10 * scale) << i;
     }
-    EXPECT_NEAR(sumOfAreas(*computed) / boxArea(lattice.nice), 1, 1e-12);
+    EXPECT_NEAR(sumOfAreas(*computed) / test::boxArea(lattice.nice), 1, 1e-12);
   }
 }
 
@@ -249,10 +247,10 @@ void expectWhole(const Circles& circles, const Lattice& lattice) {
   const auto computed = computePeriodic(circles, lattice);
   ASSERT_TRUE(computed) << computed.error().message;
   EXPECT_TRUE(checkPeriodic(*computed));
-  EXPECT_NEAR(sumOfAreas(*computed) / boxArea(computed->lattice), 1, 1e-12);
+  EXPECT_NEAR(sumOfAreas(*computed) / test::boxArea(computed->lattice), 1, 1e-12);
   for (CircleIndex i = 0; i < computed->circleCount; ++i) {
     EXPECT_EQ(computed->circleOf[at(i)], i);
-    EXPECT_NEAR(cellArea(computed->diagram, i) / boxArea(computed->lattice), 1.0 / computed->circleCount, 1e-12);
+    EXPECT_NEAR(cellArea(computed->diagram, i) / test::boxArea(computed->lattice), 1.0 / computed->circleCount, 1e-12);
   }
 }
 
@@ -529,7 +527,7 @@ TEST(Periodic, TheContactTableHasEachContactTwiceAndSharesUpToOne) {
       EXPECT_LE(table.packingFractions[i], 1);
       covered += table.packingFractions[i] * table.areas[i];
     }
-    EXPECT_NEAR(std::accumulate(table.areas.begin(), table.areas.end(), 0.0) / boxArea(lattice.nice), 1, 1e-12);
+    EXPECT_NEAR(std::accumulate(table.areas.begin(), table.areas.end(), 0.0) / test::boxArea(lattice.nice), 1, 1e-12);
     // Against the share of random points that lie in a circle.
     int hits = 0;
     constexpr int kPoints = 400;
@@ -544,7 +542,7 @@ TEST(Periodic, TheContactTableHasEachContactTwiceAndSharesUpToOne) {
       }
       hits += best < 0 ? 1 : 0;
     }
-    EXPECT_NEAR(covered / boxArea(lattice.nice), static_cast<double>(hits) / kPoints, 0.12);
+    EXPECT_NEAR(covered / test::boxArea(lattice.nice), static_cast<double>(hits) / kPoints, 0.12);
   }
 }
 
@@ -676,7 +674,7 @@ TEST(Periodic, StrongShearLeavesTheSumOfTheAreasRight) {
       double sum = 0;
       for (CircleIndex i = 0; i < periodic->circleCount; ++i) sum += cellArea(periodic->diagram, i);
       // The rounding of the periods moves the sides of the box.
-      EXPECT_NEAR(sum, boxArea({a, b}), 8 * shear * 0x1p-50 * shear + 1e-12);
+      EXPECT_NEAR(sum, test::boxArea({a, b}), 8 * shear * 0x1p-50 * shear + 1e-12);
     }
   }
 }

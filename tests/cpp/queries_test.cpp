@@ -12,6 +12,7 @@
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi_families/families.h"
 #include "far_apart.h"
+#include "parameters.h"
 #include "random.h"
 #include "regions.h"
 #include "vectors.h"
@@ -37,19 +38,6 @@ double depthInHull(const std::vector<Circle>& circles, Point p) {
     depth = std::min(depth, reach);
   }
   return depth;
-}
-
-Box boxOf(const std::vector<Circle>& circles) {
-  Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
-  for (const Circle& c : circles) {
-    box.minX = std::min(box.minX, c.x - c.r);
-    box.minY = std::min(box.minY, c.y - c.r);
-    box.maxX = std::max(box.maxX, c.x + c.r);
-    box.maxY = std::max(box.maxY, c.y + c.r);
-  }
-  if (box.minX == box.maxX) box.maxX += 1;
-  if (box.minY == box.maxY) box.maxY += 1;
-  return box;
 }
 
 class Queries : public testing::TestWithParam<Family> {};
@@ -82,7 +70,7 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
     SCOPED_TRACE(count);
     const auto circles = generate(GetParam(), count, count);
     const Diagram diagram = compute(circles).value();
-    const Box whole = boxOf(circles);
+    const Box whole = test::validBoxOf(circles);
     const double size = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);
     const double rounding = 1e-12 * (size + std::abs(whole.minX) + std::abs(whole.minY));
 
@@ -136,7 +124,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
     SCOPED_TRACE(count);
     const auto circles = generate(GetParam(), count, count);
     const Diagram diagram = compute(circles).value();
-    const Box whole = boxOf(circles);
+    const Box whole = test::validBoxOf(circles);
     const double size = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);
     for (int trial = 0; trial < 6; ++trial) {
       SCOPED_TRACE(trial);
@@ -184,21 +172,9 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
   }
 }
 
-std::string nameOfQueryTest(const testing::TestParamInfo<Family>& family) {
-  std::string name(familyName(family.param));
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
-std::vector<Family> allFamilies() {
-  std::vector<Family> result;
-  for (const FamilyInfo& family : families()) {
-    if (!test::isTooWideToDraw(family.family)) result.push_back(family.family);
-  }
-  return result;
-}
-
-INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), nameOfQueryTest);
+INSTANTIATE_TEST_SUITE_P(Families, Queries,
+                         testing::ValuesIn(test::familiesWhere([](Family f) { return !test::isTooWideToDraw(f); })),
+                         test::NameOfParameter());
 
 TEST(Queries, NoCirclesHaveNoAnswers) {
   const Diagram diagram = compute({}).value();

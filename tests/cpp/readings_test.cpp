@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Runs the table of texts that every reader of circles must pass.
-// tests/files/readings.test.ts runs it for the readers in JavaScript.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the table of texts that every reader of circles must pass. tests/files/readings.test.ts runs it for the readers
+// in JavaScript.
 #include <gtest/gtest.h>
 
 #include <algorithm>

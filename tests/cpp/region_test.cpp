@@ -141,7 +141,7 @@ TEST(Region, RefusesWrongNesting) {
             "Polygons 0 and 1 of the region overlap: one contains the other. Set `dissolve` to merge them.");
 }
 
-TEST(Region, RefusesWhatIsNoRegion) {
+TEST(Region, RefusesInvalidInput) {
   const double kNaN = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(messageOf({}), "The region has no ring.");
   EXPECT_EQ(messageOfPolygons({{square(0, 0, 1)}, {}}), "Polygon 1 of the region has no ring.");

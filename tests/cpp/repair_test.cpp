@@ -53,7 +53,7 @@ TEST(Repair, LeavesARightDualAlone) {
   }
 }
 
-TEST(Repair, RightsWhatRandomFlipsBroke) {
+TEST(Repair, MendsDamageByRandomFlips) {
   const std::uint64_t seed = test::seedOr(1);
   int broken = 0;
   int repaired = 0;
@@ -159,7 +159,7 @@ TEST(Repair, LooksAtLargerPatchesTheFartherItReaches) {
   EXPECT_LT(sizes[3], 100U);
 }
 
-TEST(Repair, LeavesWhatCannotBeSolved) {
+TEST(Repair, LeavesPatchesThatCannotBeSolved) {
   const auto circles = visibleCircles(Family::uniform, 40, 1);
   Dual dual = *solve(circles);
   Random random(1);

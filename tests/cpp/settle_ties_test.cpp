@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/compute.h"
 #include "compare.h"
 #include "hide.h"
@@ -27,8 +28,6 @@ namespace circle_voronoi {
 namespace {
 
 using Circles = std::vector<Circle>;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 Circles withoutTwins(const Circles& circles) {
   std::set<std::tuple<double, double, double>> seen;

@@ -16,6 +16,7 @@
 
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/region.h"
+#include "rings.h"
 
 namespace circle_voronoi::fuzz {
 namespace {
@@ -52,29 +53,6 @@ void tryText(std::string_view text) {
   }
 }
 
-bool isInRing(const Ring& ring, Point p) {
-  bool isIn = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k];
-    const Point b = ring[(k + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isIn = !isIn;
-  }
-  return isIn;
-}
-
-bool isNear(const Ring& ring, Point p) {
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k];
-    const Point b = ring[(k + 1) % ring.size()];
-    const double x = b.x - a.x;
-    const double y = b.y - a.y;
-    const double square = x * x + y * y;
-    const double t = square == 0 ? 0 : std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0);
-    if (std::hypot(p.x - a.x - t * x, p.y - a.y - t * y) < 1e-9) return true;
-  }
-  return false;
-}
-
 void tryUnion(const std::uint8_t* data, std::size_t size) {
   Polygons polygons = {{{}}};
   for (std::size_t k = 0; k + 1 < size; ++k) {
@@ -101,8 +79,8 @@ void tryUnion(const std::uint8_t* data, std::size_t size) {
     for (const auto& polygon : polygons) {
       bool isInOne = false;
       for (const Ring& ring : polygon) {
-        isOn |= isNear(ring, p);
-        isInOne ^= isInRing(ring, p);
+        isOn |= test::distanceToRing(ring, p) < 1e-9;
+        isInOne ^= test::isInRing(ring, p);
       }
       isIn |= isInOne;
     }

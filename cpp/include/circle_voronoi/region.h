@@ -93,7 +93,7 @@ class Region {
  private:
   Region() = default;
 
-  /// Returns the region of arrays without dissolving them. Throws a Refusal.
+  /// Returns the region of arrays without dissolving them. Throws a ThrownError.
   static Region valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                       std::span<const std::int32_t> polygonOffsets);
 

@@ -62,17 +62,17 @@ class BucketGrid {
     }
   }
 
-  /// An item for which a condition holds, from the bucket of a point or from one of the rings of buckets around it, up
+  /// An item for which a condition holds, from the bucket of a point or from one of the layers of buckets around it, up
   /// to the number given; kNone if there is none.
   template <class Condition>
-  int near(Point p, int rings, Condition holds) const {
+  int near(Point p, int layers, Condition holds) const {
     if (!hasBuckets()) return kNone;
     const int column = columnOf(p);
     const int row = rowOf(p);
-    for (int ring = 0; ring <= rings; ++ring) {
-      for (int y = std::max(row - ring, 0); y <= std::min(row + ring, rows_ - 1); ++y) {
-        const int step = ring == 0 || std::abs(y - row) == ring ? 1 : 2 * ring;
-        for (int x = column - ring; x <= column + ring; x += step) {
+    for (int layer = 0; layer <= layers; ++layer) {
+      for (int y = std::max(row - layer, 0); y <= std::min(row + layer, rows_ - 1); ++y) {
+        const int step = layer == 0 || std::abs(y - row) == layer ? 1 : 2 * layer;
+        for (int x = column - layer; x <= column + layer; x += step) {
           if (x < 0 || x >= columns_) continue;
           if (const int item = items_[at(x, y)]; item != kNone && holds(item)) return item;
         }

@@ -16,8 +16,8 @@ struct CallbackThrew {
   std::exception_ptr thrown;
 };
 
-/// Thrown to make an error the result of the whole function.
-struct Refusal {
+/// An error that becomes the result of the whole function when it is thrown inside `guarded`.
+struct ThrownError {
   Error error;
 };
 
@@ -53,7 +53,7 @@ inline Error errorWith(ErrorCode code, const char* message) noexcept {
     throw;
   } catch (const CallbackThrew& callback) {
     std::rethrow_exception(callback.thrown);
-  } catch (Refusal& refusal) {
+  } catch (ThrownError& refusal) {
     return std::move(refusal.error);
   } catch (const std::bad_alloc&) {
     return errorWith(ErrorCode::tooManyCircles, "There is not enough memory.");

@@ -178,8 +178,8 @@ class Images {
       count += (last.x - first.x + 1) * (last.y - first.y + 1);
     }
     if (!(count <= static_cast<double>(kMaxCircles))) {
-      throw Refusal{{ErrorCode::tooManyCircles, kNone,
-                     "The circles and their images are more than " + std::to_string(kMaxCircles) + "."}};
+      throw ThrownError{{ErrorCode::tooManyCircles, kNone,
+                         "The circles and their images are more than " + std::to_string(kMaxCircles) + "."}};
     }
     PeriodicDiagram images;
     images.circleCount = static_cast<std::int32_t>(circles_.size());
@@ -244,8 +244,8 @@ class Images {
     const auto shift = [&](std::size_t period) {
       const double times = (move.x + moved.x) * lattice.ofA[period] + (move.y + moved.y) * lattice.ofB[period];
       if (std::abs(times) < 0x1p30) return static_cast<std::int32_t>(times);
-      throw Refusal{{ErrorCode::badOption, static_cast<std::int32_t>(i),
-                     "An image of circle " + std::to_string(i) + " is 2^30 periods away."}};
+      throw ThrownError{{ErrorCode::badOption, static_cast<std::int32_t>(i),
+                         "An image of circle " + std::to_string(i) + " is 2^30 periods away."}};
     };
     images.shiftOf.push_back({shift(0), shift(1)});
   }
@@ -273,7 +273,7 @@ bool hasEqualCirclesApart(const PeriodicDiagram& images) {
 double missingHalo(const PeriodicDiagram& images, std::span<const KnownHalfPlane> sides) {
   const Diagram& diagram = images.diagram;
   const auto scaled = validate(diagram.circles, diagram.weights);
-  if (!scaled) throw Refusal{scaled.error()};
+  if (!scaled) throw ThrownError{scaled.error()};
   double largest = -kInfinite;
   for (CircleIndex i = 0; i < images.circleCount; ++i) {
     largest = std::max(largest, diagram.circles[static_cast<std::size_t>(i)].r);

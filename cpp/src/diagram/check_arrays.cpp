@@ -13,8 +13,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// The place where arrays do not fit together: a thing and its index.
-struct Place {
+/// An item that does not fit: the kind of its array, and its index.
+struct Item {
   const char* thing;
   std::size_t index;
 };
@@ -23,13 +23,13 @@ bool isIndex(std::int32_t index, std::size_t count) { return index >= 0 && stati
 
 /// The first item for which a condition fails.
 template <class Items, class Condition>
-std::optional<Place> firstWithout(const char* thing, const Items& items, Condition condition) {
+std::optional<Item> firstWithout(const char* thing, const Items& items, Condition condition) {
   const auto found = std::find_if_not(items.begin(), items.end(), condition);
   if (found == items.end()) return std::nullopt;
-  return Place{thing, static_cast<std::size_t>(found - items.begin())};
+  return Item{thing, static_cast<std::size_t>(found - items.begin())};
 }
 
-std::optional<Place> outsideRange(const Diagram& diagram) {
+std::optional<Item> outsideRange(const Diagram& diagram) {
   const std::size_t circles = diagram.circles.size();
   const std::size_t vertices = diagram.vertices.size();
   const std::size_t sides = 2 * diagram.edges.size();
@@ -70,14 +70,14 @@ std::optional<Place> outsideRange(const Diagram& diagram) {
 }
 
 /// Precondition: all indices are in range.
-std::optional<Place> wronglyLinked(const Diagram& diagram) {
+std::optional<Item> wronglyLinked(const Diagram& diagram) {
   const auto& [nextSide, vertexSides, firstSide] = diagram.links;
   // In the order of the array, so that no access waits for another one.
   for (std::size_t k = 0; k < nextSide.size(); ++k) {
     const auto side = SideIndex(static_cast<std::int32_t>(k));
     const SideIndex next = nextSide[k];
     if (diagram.circleOf(next) != diagram.circleOf(side) || diagram.originOf(next) != diagram.targetOf(side)) {
-      return Place{"side", k};
+      return Item{"side", k};
     }
   }
   // A side leads to sides of the same cell, so cycles around different cells have no side in common.
@@ -85,26 +85,26 @@ std::optional<Place> wronglyLinked(const Diagram& diagram) {
   for (std::size_t i = 0; i < firstSide.size(); ++i) {
     const SideIndex first = firstSide[i];
     if (first == kNone) continue;
-    if (diagram.circleOf(first) != static_cast<std::int32_t>(i)) return Place{"circle", i};
+    if (diagram.circleOf(first) != static_cast<std::int32_t>(i)) return Item{"circle", i};
     SideIndex side = first;
     do {
-      if (++count > nextSide.size()) return Place{"circle", i};
+      if (++count > nextSide.size()) return Item{"circle", i};
       side = nextSide[static_cast<std::size_t>(side)];
     } while (side != first);
   }
-  if (count != nextSide.size()) return Place{"side", count};
+  if (count != nextSide.size()) return Item{"side", count};
   const auto& hull = diagram.hull;
   const auto isUnbounded = [](const Edge& edge) {
     return std::size_t{edge.start == kNone} + std::size_t{edge.end == kNone};
   };
   std::size_t unbounded = 0;
   for (const Edge& edge : diagram.edges) unbounded += isUnbounded(edge);
-  if (unbounded != (hull.size() > 1 ? hull.size() : 0)) return Place{"place of the hull", 0};
+  if (unbounded != (hull.size() > 1 ? hull.size() : 0)) return Item{"place of the hull", 0};
   for (std::size_t v = 0; v < vertexSides.size(); ++v) {
     for (std::size_t k = 0; k < 3; ++k) {
       const SideIndex side = vertexSides[v][k];
       const bool isHere = diagram.originOf(side) == static_cast<std::int32_t>(v);
-      if (!isHere || diagram.circleOf(side) != diagram.vertexCircles[v][k]) return Place{"vertex", v};
+      if (!isHere || diagram.circleOf(side) != diagram.vertexCircles[v][k]) return Item{"vertex", v};
     }
   }
   return std::nullopt;

@@ -251,7 +251,7 @@ class Inserter : private DualKeeper {
     return !spans(first.h, j) && spans(second.h, j) ? second : first;
   }
 
-  /// Finds the circles whose centers lie in the new cell their sectors in it.
+  /// Finds sectors for the circles whose centers lie in the new cell.
   void settleInside(int i) {
     sectors_.clear();
     const int first = edgeOf_[i];
@@ -331,7 +331,7 @@ class Inserter : private DualKeeper {
   WaitingCircles waiting_;
   std::vector<int> removedFaces_;  ///< places for new ones
   std::vector<int> movers_;        ///< the circles that waited at an edge beside the new cell
-  std::vector<int> arrivals_;      ///< those whose centers the new cell has
+  std::vector<int> arrivals_;      ///< the circles whose centers lie in the new cell
   std::vector<Sector> sectors_;
 };
 

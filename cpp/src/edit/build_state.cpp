@@ -50,7 +50,7 @@ Result<Scaled> scale(std::span<const Circle> circles, bool weights) {
 /// gaps.
 void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
   state.faceCount = dual.faceCount();
-  state.facePlaces = Places(state.faceCount);
+  state.facePlaces = NumberPool(state.faceCount);
   state.sizeToPlaces();
   std::vector<int> placeOf(static_cast<std::size_t>(dual.faceCount()));
   int place = 0;
@@ -71,7 +71,7 @@ void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[state.dual.twin[h]] = edges++;
   }
-  state.edgePlaces = Places(edges);
+  state.edgePlaces = NumberPool(edges);
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   state->hasScale = std::any_of(circles.begin(), circles.end(), [](const Circle& c) { return c != Circle{}; });
   state->circleCount = static_cast<int>(circles.size());
   state->visibleCount = static_cast<int>(sites.circles.size());
-  state->sitePlaces = Places(state->circleCount);
+  state->sitePlaces = NumberPool(state->circleCount);
   state->sizeToPlaces();
   std::vector<int> slots(circles.size(), kNone);  // the slot of each index
   int slot = 0;

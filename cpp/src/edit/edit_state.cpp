@@ -17,7 +17,7 @@ void EditState::sizeToPlaces() {
   predicates.setCircles(circles);
   discs.setCircles(circles);
   sites.resize(slots);
-  isHidden.resize(slots);
+  hasNoCell.resize(slots);
   edgeOf.resize(slots, kNone);
   savedSiteAt_.resize(slots, kNone);
 }
@@ -51,7 +51,7 @@ void EditState::willChange(int face) {
 void EditState::willChangeSite(int slot) {
   const int last = savedSiteAt_[slot];
   if (last != kNone && static_cast<std::size_t>(last) >= stepSites_) return;
-  siteLog.push_back({slot, last, sites[slot], circles[slot], isHidden[slot]});
+  siteLog.push_back({slot, last, sites[slot], circles[slot], hasNoCell[slot]});
   savedSiteAt_[slot] = static_cast<int>(siteLog.size() - 1);
 }
 
@@ -63,7 +63,7 @@ int EditState::addSite(const Circle& scaled) {
   sites[slot] = {nextId};
   ++nextId;
   circles[slot] = scaled;
-  isHidden[slot] = 1;
+  hasNoCell[slot] = 1;
   ++circleCount;
   return slot;
 }
@@ -87,7 +87,7 @@ void EditState::attach(int slot, int hider) {
   sites[slot].hider = hider;
   sites[slot].next = next;
   sites[slot].previous = kNone;
-  isHidden[slot] = 1;
+  hasNoCell[slot] = 1;
 }
 
 void EditState::detach(int slot) {
@@ -120,7 +120,7 @@ void EditState::takeBack(const Mark& mark) noexcept {
     if (saved.site.id == kNone && sites[slot].id != kNone) ids.remove(sites[slot].id);
     sites[slot] = saved.site;
     circles[slot] = saved.circle;
-    isHidden[slot] = saved.isHidden;
+    hasNoCell[slot] = saved.hasNoCell;
     savedSiteAt_[slot] = saved.before;
     siteLog.pop_back();
   }

@@ -14,7 +14,7 @@
 #include "face_discs.h"
 #include "id_table.h"
 #include "insert_cell.h"
-#include "places.h"
+#include "number_pool.h"
 #include "predicates.h"
 #include "proof.h"
 #include "tell_faces.h"
@@ -46,8 +46,8 @@ class EditState final : public DualKeeper {
   // For each slot.
   std::vector<Circle> circles;
   std::vector<Site> sites;
-  std::vector<char> isHidden;
-  std::vector<int> edgeOf;  ///< for a visible circle, a half-edge that starts from it, if there is one
+  std::vector<char> hasNoCell;  ///< whether the circle is hidden or the slot is free
+  std::vector<int> edgeOf;      ///< for a visible circle, a half-edge that starts from it, if there is one
 
   // For each face or half-edge.
   Dual dual;  ///< of the visible circles; a face that is not in use has no twins
@@ -68,11 +68,11 @@ class EditState final : public DualKeeper {
   int faceCount = 0;
   /// Reports the faces that change to an observer, if there is one.
   FaceTeller* teller = nullptr;
-  Places facePlaces;
-  Places sitePlaces;
-  Places edgePlaces;
+  NumberPool facePlaces;
+  NumberPool sitePlaces;
+  NumberPool edgePlaces;
 
-  bool isVisible(int slot) const { return sites[slot].id != kNone && !isHidden[slot]; }
+  bool isVisible(int slot) const { return sites[slot].id != kNone && !hasNoCell[slot]; }
   bool isInUse(int face) const { return dual.twin[3 * face] != kNone; }
   /// Returns whether a face is a vertex of the diagram.
   bool isVertex(int face) const { return isInUse(face) && dual.isFinite(face); }
@@ -93,7 +93,7 @@ class EditState final : public DualKeeper {
            !(circles[slot] == circles[other] && sites[slot].id > sites[other].id);
   }
   CircleId idOf(int corner) const { return corner == kPointAtInfinity ? CircleId() : sites[corner].id; }
-  LiveDual live() { return {dual, discs, edgeOf, isHidden, *this}; }
+  LiveDual live() { return {dual, discs, edgeOf, hasNoCell, *this}; }
 
   // --- changes ---
 
@@ -142,9 +142,9 @@ class EditState final : public DualKeeper {
     int before;
     Site site;
     Circle circle;
-    char isHidden;
+    char hasNoCell;
 
-    bool wasVisible() const { return site.id != kNone && !isHidden; }
+    bool wasVisible() const { return site.id != kNone && !hasNoCell; }
   };
   /// The former state of the parts that have changed since the diagram was kept. Each step saves a face or site at most
   /// once.
@@ -155,8 +155,8 @@ class EditState final : public DualKeeper {
   struct Mark {
     std::size_t faces;
     std::size_t sites;
-    Places::Mark facePlaces;
-    Places::Mark sitePlaces;
+    NumberPool::Mark facePlaces;
+    NumberPool::Mark sitePlaces;
     CircleId nextId;
     int circleCount;
     int visibleCount;

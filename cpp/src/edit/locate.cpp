@@ -9,8 +9,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// The number of rings of buckets to search around an outdated bucket. Beyond them a walk is as quick.
-constexpr int kMostRings = 3;
+/// The number of layers of buckets to search around an outdated bucket. Beyond them a walk is as quick.
+constexpr int kMostLayers = 3;
 constexpr double kCirclesABucket = 2;
 
 /// Returns the half-edge, from the origin of h, in whose sector a point lies. If rounding hides the sector, returns the
@@ -45,10 +45,10 @@ bool isThere(const EditState& state, int slot) {
 
 }  // namespace
 
-Place Locator::locate(const EditState& state, Point p, int hint) const {
+Location Locator::locate(const EditState& state, Point p, int hint) const {
   int slot = kNone;
   double least = kInfinite;
-  const int near = starts_.near(p, kMostRings, [&](int start) { return isThere(state, start); });
+  const int near = starts_.near(p, kMostLayers, [&](int start) { return isThere(state, start); });
   for (const int candidate : {hint, last_, near}) {
     if (!isThere(state, candidate)) continue;
     if (const double distance = distanceFrom(p, state.circles[candidate]); slot == kNone || distance < least) {

@@ -7,7 +7,7 @@
 namespace circle_voronoi {
 
 /// A circle and, if at least two circles are visible, the half-edge from it in whose sector the point lies.
-struct Place {
+struct Location {
   int slot = kNone;
   int halfEdge = kNone;
 };
@@ -20,9 +20,9 @@ struct Place {
 /// nearby bucket is used.
 class Locator {
  public:
-  /// Returns the place of a point, or an empty Place if no circle is visible. The walk starts from the nearest of three
-  /// circles: `hint`, the circle found last, and the circle in the bucket of the point.
-  Place locate(const EditState& state, Point p, int hint = kNone) const;
+  /// Returns the location of a point, or an empty Location if no circle is visible. The walk starts from the nearest of
+  /// three circles: `hint`, the circle found last, and the circle in the bucket of the point.
+  Location locate(const EditState& state, Point p, int hint = kNone) const;
 
   /// Remembers a visible circle: as the circle found last, and in its bucket.
   void note(const EditState& state, int slot);

@@ -91,7 +91,7 @@ void Stepper::tellCircle(TraceKind kind, int slot, const Circle& circle) {
 /// on success.
 bool Stepper::put(int slot, int hint) {
   if (state_.visibleCount == 0) return false;
-  const Place place = locator_.locate(state_, centerOf(state_.circles[slot]), hint);
+  const Location place = locator_.locate(state_, centerOf(state_.circles[slot]), hint);
   int hider = place.slot;
   auto outcome = CellInserter::Outcome::hidden;
   if (state_.visibleCount > 1) {
@@ -107,7 +107,7 @@ bool Stepper::put(int slot, int hint) {
     return true;
   }
   state_.willChangeSite(slot);
-  state_.isHidden[slot] = 0;
+  state_.hasNoCell[slot] = 0;
   ++state_.visibleCount;
   for (const int hidden : inserter_.hidden()) {
     --state_.visibleCount;
@@ -141,7 +141,7 @@ bool Stepper::takeOut(int slot) {
   }
   --state_.visibleCount;
   state_.willChangeSite(slot);
-  state_.isHidden[slot] = 1;
+  state_.hasNoCell[slot] = 1;
   return true;
 }
 

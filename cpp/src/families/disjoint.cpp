@@ -81,7 +81,7 @@ std::vector<Circle> generateDense(std::size_t count, Random& random) {
   while (circles.size() < count) {
     const Point center = {random.uniform(0, side), random.uniform(0, side)};
     const double r = circles.room(center, kLargest);
-    // The last unit would make some circles overlap by rounding.
+    // Without this reduction, rounding would make some circles overlap.
     if (r > 0) circles.insert({center.x, center.y, r * (1 - 0x1p-48)});
   }
   return std::move(circles).take();

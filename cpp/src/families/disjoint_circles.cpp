@@ -72,7 +72,7 @@ bool DisjointCircles::insert(const Circle& circle) {
   const int index = static_cast<int>(circles_.size());
   circles_.push_back(circle);
   next_.push_back(kEnd);
-  // Points are in nobody's way.
+  // Points block no other circle.
   if (circle.r == 0) return true;
   const int level = levelOf(circle.r);
   if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);

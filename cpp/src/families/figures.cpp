@@ -79,7 +79,7 @@ std::vector<Circle> layersBetween() {
       if (p.x < -0.25) circles.push_back({p.x, p.y, 0.035});
     }
   }
-  // Two lines to the ends, bent away from the large circle, so that its center sees the ends alone.
+  // Two rows of circles to the ends, bent away from the large circle, so that its center is joined to the ends only.
   for (const int side : {-1, 1}) {
     for (double y = 0.1; y < kTop; y += 0.2) circles.push_back({-0.065 - 0.055 * (1 - y / kTop), side * y, 0.012});
     circles.push_back({-0.06, side * kTop, 0.05});

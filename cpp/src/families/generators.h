@@ -9,7 +9,7 @@
 
 namespace circle_voronoi {
 
-// One function a family; `families.h` says what each makes.
+// One function for each family; see `families.h`.
 using Generator = std::vector<Circle> (*)(std::size_t count, Random& random);
 
 std::vector<Circle> generateUniform(std::size_t count, Random& random);

@@ -27,7 +27,7 @@ CellMeasure measureCells(const Diagram& diagram, const Region& region) {
   const auto clipped = ClippedDiagram::visitingArcs(diagram, region, [&](const Edge& edge, const EdgeCurve& arc) {
     result.springs.push_back({edge.left, edge.right, stiffness(arc), lengthBetween(diagram, edge)});
   });
-  if (!clipped) throw Refusal{clipped.error()};
+  if (!clipped) throw ThrownError{clipped.error()};
   result.areas = clipped->areas();
   return result;
 }

@@ -18,7 +18,8 @@ struct Spring {
 };
 
 /// The areas of all cells inside a region, and their derivative by the weights: the derivative of the area of cell i by
-/// the weight of j is minus the stiffness of their springs, and that by its own weight the sum of all its springs.
+/// the weight of j is minus the stiffness of their springs, and the derivative by its own weight is the sum of all its
+/// springs.
 struct CellMeasure {
   std::vector<double> areas;
   std::vector<Spring> springs;

@@ -30,7 +30,7 @@ namespace circle_voronoi {
 namespace {
 
 [[noreturn]] void refuse(ErrorCode code, std::string message, std::int64_t site = kNone) {
-  throw Refusal{{code, site, std::move(message)}};
+  throw ThrownError{{code, site, std::move(message)}};
 }
 
 std::string counted(std::size_t count, const std::string& thing) {
@@ -67,7 +67,7 @@ Lattice checkSites(std::span<const Circle> sites, const Lattice& lattice) {
   std::vector<Circle> points(sites.begin(), sites.end());
   for (Circle& point : points) point.r = 0;
   const auto periodic = computePeriodic(points, lattice);
-  if (!periodic) throw Refusal{periodic.error()};
+  if (!periodic) throw ThrownError{periodic.error()};
   for (const HiddenCircle& hidden : periodic->diagram.hidden) {
     if (hidden.circle >= periodic->circleCount) continue;
     const auto [first, second] = std::minmax({hidden.circle, periodic->circleOf[static_cast<std::size_t>(hidden.by)]});
@@ -124,18 +124,19 @@ class Fitter {
   /// Accuracy of the areas before the background fades.
   static constexpr double kRoughly = 0.1;
   static constexpr double kFading = 0.5;
-  /// A cell keeps at least that share of the least area, so that the next step finds it.
+  /// A cell keeps at least this share of the least area, so that the next step finds it.
   static constexpr double kLeastShare = 1e-5;
-  /// Springs that a step would stretch by more than that share of what the cells allow are hardened.
+  /// Springs are hardened if a step would stretch them by more than this share of what the cells allow.
   static constexpr double kStretch = 0.8;
   static constexpr double kHardening = 1.2;
   static constexpr double kMostHardening = 1e5;
   static constexpr int kMostHardenings = 2;
   static constexpr int kMostTrials = 60;
-  /// Raising the sites of hidden cells is tried so often, by that share of the root of their areas each time.
+  /// The number of attempts to raise the sites of hidden cells, and the share of the root of their areas by which each
+  /// attempt raises them.
   static constexpr int kMostRaises = 6;
   static constexpr double kRaise = 0.1;
-  /// Where that is not enough, all weights are multiplied by this, until they are level.
+  /// If raising is not enough, all weights are multiplied by this factor, until they are nearly equal.
   static constexpr double kScaling = 0.25;
   static constexpr double kLeastScale = 0.01;
   /// A fit that is nearly done ends after this number of steps without better areas.
@@ -144,7 +145,7 @@ class Fitter {
   /// Where Newton's method ends within that many times what the last bits of weights change, single bits go on, as long
   /// as each step makes the error smaller by this factor.
   static constexpr double kNearLastBits = 16;
-  /// Where sites outside get no cell by themselves, a fit that takes more steps times sites than that leads nowhere.
+  /// A fit with sites outside that get no cell without background is hopeless after this number of steps times sites.
   static constexpr double kMostWork = 3e5;
   static constexpr double kBetter = 0.999;
 
@@ -177,7 +178,7 @@ class Fitter {
     const Diagram& diagram = state.found.diagram;
     if (region_) {
       const auto clipped = ClippedDiagram::from(diagram, *region_);
-      if (!clipped) throw Refusal{clipped.error()};
+      if (!clipped) throw ThrownError{clipped.error()};
       return clipped->centroids();
     }
     std::vector<Point> centroids;
@@ -240,7 +241,8 @@ class Fitter {
     state = requiredStateAt(state.weights);
   }
 
-  /// Newton's method until no area is further off than `tolerance`, or than the last bits of the weights allow.
+  /// Runs Newton's method until the error of each area is at most `tolerance`, or cannot be reduced by the last bits of
+  /// the weights.
   void approach(State& state, double tolerance) {
     double best = errorOf(state);
     int idle = 0;
@@ -275,8 +277,8 @@ class Fitter {
   }
 
   /// Takes a step that changes one weight by a few of its last bits, if one makes the largest error smaller: the weight
-  /// of the cell with this error, or that of a neighbor. Newton's method knows neither of rounding nor of how the area
-  /// of a cell curves that is about to be hidden.
+  /// of the cell with this error, or that of a neighbor. Newton's method ignores rounding, and the curvature of the
+  /// area of a cell that is about to vanish.
   bool stepByLastBits(State& state) {
     const double error = errorOf(state);
     std::size_t worst = 0;
@@ -478,7 +480,7 @@ class Fitter {
 
   State requiredStateAt(std::vector<double> weights) const {
     Result<State> state = measured(std::move(weights));
-    if (!state) throw Refusal{state.error()};
+    if (!state) throw ThrownError{state.error()};
     return std::move(state).value();
   }
 
@@ -486,8 +488,8 @@ class Fitter {
   std::optional<State> stateAt(std::vector<double> weights, const State* near = nullptr) const {
     Result<State> state = guarded([&] { return measured(std::move(weights), near); });
     if (state) return std::move(state).value();
-    // Where memory runs out, other weights do not help.
-    if (state.error().code == ErrorCode::tooManyCircles) throw Refusal{state.error()};
+    // Other weights do not help if memory runs out.
+    if (state.error().code == ErrorCode::tooManyCircles) throw ThrownError{state.error()};
     return {};
   }
 
@@ -495,9 +497,9 @@ class Fitter {
     if (options_.onStep) options_.onStep({steps_, errorOf(state), state.weights});
   }
 
-  /// Says what the last weights have reached, which `onStep` was told last.
+  /// Reports the error of the last weights, which `onStep` got last.
   [[noreturn]] void fail(State state, const std::string& reason) {
-    // Without the background, which the caller does not know.
+    // The error without the background, which is internal.
     if (std::exchange(density_.background, 0) > 0) state = requiredStateAt(std::move(state.weights));
     char reached[32];
     std::snprintf(reached, sizeof reached, "%.1e", errorOf(state));
@@ -517,7 +519,7 @@ class Fitter {
     }
     const double margin = std::max(box.maxX - box.minX, box.maxY - box.minY) / 8;
     auto around = Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin});
-    if (!around) throw Refusal{around.error()};
+    if (!around) throw ThrownError{around.error()};
     around_ = *std::move(around);
     sizeOfBox_ = around_->area() / region_->area();
   }
@@ -528,7 +530,7 @@ class Fitter {
   Lattice lattice_;
   const AreaFitOptions& options_;
   std::optional<Region> around_;
-  double sizeOfBox_ = 0;  ///< as a multiple of the region
+  double sizeOfBox_ = 0;  ///< its area as a multiple of the region's
   Density density_;
   bool isFromOutside_ = false;  ///< whether the fit began with a background
   int steps_ = 0;

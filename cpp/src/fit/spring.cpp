@@ -9,8 +9,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Returns ln(ratio) for ratio >= 1. Carlson's R_C makes it, as the logarithm of the C library has other bits
-/// elsewhere.
+/// Returns ln(ratio) for ratio >= 1. Uses Carlson's R_C, because the logarithm of the C library has other bits on other
+/// platforms.
 double logarithm(double ratio) {
   if (!(ratio > 1)) return 0;
   if (ratio > 0x1p400) return 2 * logarithm(std::sqrt(ratio));

@@ -35,7 +35,7 @@ class SpringSystem {
 
   std::span<const Spring> springs_;
   std::vector<std::size_t> componentOf_;
-  std::vector<int> row_;  ///< of each cell in the system; -1 for the one of each component that is held
+  std::vector<int> row_;  ///< the index of each cell in the system; -1 for the fixed cell of each component
   std::size_t components_ = 0;
   std::unique_ptr<Factors> factors_;
 };

@@ -18,9 +18,9 @@ inline std::string_view entryOf(const std::vector<std::string>& list, std::size_
   return list.empty() ? std::string_view() : std::string_view(list[circle]);
 }
 
-/// Visits the properties of a circle under names that none of the file's own members has: `isOwn(name)` says which
-/// names these are. `visit(name, value)` gets the JSON of the value. Leaves out a property that repeats the id or the
-/// height under the name of a member that the file has for it.
+/// Visits the properties of a circle, renamed where a name belongs to the file's own members: `isOwn(name)` returns
+/// whether it does. `visit(name, value)` gets the JSON of the value. Skips a property that repeats the id or the height
+/// under the name of the file's own member for it.
 template <class IsOwn, class Visit>
 void visitProperties(const CircleAttributes& attributes, std::size_t circle, IsOwn isOwn, Visit visit) {
   const std::string_view id = entryOf(attributes.ids, circle);

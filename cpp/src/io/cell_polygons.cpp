@@ -15,7 +15,8 @@ namespace {
 
 /// As a share of coordinates: far above rounding errors, far below visible distances.
 constexpr double kRoundingError = 0x1p-40;
-/// Rounds in which edges take back the rounding of their points, which may then turn edges beside them; few need two.
+/// The most rounds in which edges restore their unrounded points. Each round may reverse neighboring edges; few inputs
+/// need two.
 constexpr int kMostRounds = 8;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -75,8 +76,9 @@ CellPolygons::CellPolygons(const ExportFrame& frame)
   roundPoints();
 }
 
-/// Rounds what only edges inside the box have, with digits also what others have, and takes it back for edges that it
-/// turns around: then each step still turns around both foci, and polygons of such steps do not cross themselves.
+/// Rounds the points that belong only to edges inside the box, and with digits the others, too. Restores the points of
+/// edges that rounding reverses. Then each step still turns around both foci, and polygons of such steps do not cross
+/// themselves.
 void CellPolygons::roundPoints() {
   const auto& edges = frame_.diagram.edges;
   auto& places = points_.places;
@@ -120,7 +122,7 @@ void CellPolygons::roundPoints() {
       if (!points_.isInside[e]) continue;
       const std::size_t start = firstOf(edges[e].start);
       const std::size_t end = firstOf(edges[e].end);
-      // After the first round only edges at a place that was taken back can have changed.
+      // After the first round only edges at a restored point can have changed.
       if (round > 0 && !isRestored[start] && !isRestored[end]) continue;
       const Point from = places[start];
       const Point to = places[end];
@@ -271,12 +273,12 @@ CellPolygons::Ring CellPolygons::pointsOfArcs(CircleIndex circle, std::span<cons
   return inner;
 }
 
-/// A loop of the outline of a cell. Where no edge says where it goes, its points are rounded if they are to be.
+/// Adds a loop of the outline of a cell. Points that belong to no edge are rounded if rounding is on.
 CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlinePiece> loop, bool rounds) const {
   const auto isOnCircle = [](const OutlinePiece& piece) { return piece.isOnCircle(); };
   // Rotates the loop so that consecutive arcs stay together, unless all pieces are arcs.
   std::rotate(loop.begin(), std::find_if_not(loop.begin(), loop.end(), isOnCircle), loop.end());
-  // A disc that is hardly larger than what rounding moves.
+  // The disc is hardly larger than the rounding of its points.
   if (loop.front().isOnCircle() && loop.front().r < 4 * frame_.grid.error()) rounds = false;
   const std::size_t count = loop.size();
   const auto before = [&](std::size_t k) { return (k + count - 1) % count; };
@@ -291,7 +293,7 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
     if (loop[k].side != kNone) {
       pieces[k] = pointsOf(loop[k]);
     } else if (loop[before(k)].side == kNone && !goesOn) {
-      // A corner of the region, or a point of the circle. Where an edge meets these, the edge says where.
+      // A corner of the region, or a point of the circle. If an edge ends there, its end is used.
       const Point start = flattener_.placeOf(loop[k].curve.start);
       pieces[k] = {rounds ? frame_.roundOnBoundary(start) : start};
     }

@@ -25,10 +25,10 @@ class CellPolygons {
 
   /// The polygons of a cell inside the box or the region. Rings are closed, outer ones counter-clockwise and holes
   /// clockwise, without the first point at the end and without points in a row that are equal. They do not cross
-  /// themselves, however large the tolerance is. Rings are left out whose area is but rounding error.
+  /// themselves, however large the tolerance is. Rings whose area is only rounding error are left out.
   std::vector<Polygon> polygons(CircleIndex circle) const;
 
-  /// Calls `visitCell` with each circle in order; quicker than doing so without this.
+  /// Calls `visitCell` with each circle in order, and prefetches its edges.
   template <class VisitCell>
   void visit(VisitCell visitCell) const {
     points_.visitCells(visitCell);
@@ -37,7 +37,7 @@ class CellPolygons {
   /// The parts of an edge inside the box, from its start to its end.
   std::vector<Ring> polylines(EdgeIndex edge) const;
 
-  /// The area of a cell inside the box, but for rounding that of the cell, not of its polygon.
+  /// The area of a cell inside the box: the exact area of the cell up to rounding, not the area of its polygon.
   double area(CircleIndex circle) const { return areas_[static_cast<std::size_t>(circle)]; }
 
  private:

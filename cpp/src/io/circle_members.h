@@ -16,14 +16,15 @@
 
 namespace circle_voronoi {
 
-/// Reads a JSON object with numbers of a circle among its members. Where it has several names of one number, the first
-/// in the list of names that has a number counts. If a member is given twice, its last value counts, as in all of JSON.
+/// Reads a JSON object with numbers of a circle among its members. If several members name the same number, the first
+/// name in the list whose member has a number counts. If a member is given twice, its last value counts, as in all of
+/// JSON.
 class CircleMembers {
  public:
   /// `first`: the first of x, y and r that the object may have.
   CircleMembers(const ColumnNames& names, std::size_t first, Keep keep) : names_(&names), first_(first), keep_(keep) {}
 
-  /// Reads the object that comes next. Throws ReadFailure.
+  /// Reads the object that comes next. Throws ReadError.
   void read(JsonReader& reader, std::string_view text) {
     reader.enterObject();
     while (const auto key = reader.nextKey()) {
@@ -54,13 +55,13 @@ class CircleMembers {
     }
   }
 
-  /// Returns number k; nothing if there is none. Throws ReadFailure if there is another value.
+  /// Returns number k; nothing if it is missing. Throws ReadError if its value is not a number.
   const double* number(std::size_t k) const {
     const Found* const found = best(k);
     if (found == nullptr) return nullptr;
     if (found->kind != JsonKind::number) {
-      throw ReadFailure{found->offset - 1,
-                        "expected a number for " + found->name + ", not " + std::string(nameOf(found->kind)) + "."};
+      throw ReadError{found->offset - 1,
+                      "expected a number for " + found->name + ", not " + std::string(nameOf(found->kind)) + "."};
     }
     return &found->value;
   }
@@ -76,7 +77,7 @@ class CircleMembers {
     return "";
   }
 
-  /// Returns the members that are no numbers of the circle.
+  /// Returns all members except the numbers of the circle.
   std::string others() {
     std::array<const Found*, ColumnNames::kCount> used = {best(0), best(1), best(2)};
     std::erase_if(members_, [&](const auto& member) {
@@ -89,12 +90,12 @@ class CircleMembers {
 
  private:
   struct Found {
-    std::size_t k;  ///< which number it may be
+    std::size_t k;  ///< the number that the name may mean
     std::size_t rank;
     std::string name;  ///< as in the text
     JsonKind kind;
     double value;
-    std::size_t offset;  ///< of the end of the value
+    std::size_t offset;  ///< the offset of the end of the value
   };
 
   std::size_t numberNamed(std::string_view name) const {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 7> kNamesOfX = {"x", "cx", "lon", "long", "lng", "longitude", "easting"};
 constexpr std::array<std::string_view, 5> kNamesOfY = {"y", "cy", "lat", "latitude", "northing"};
 constexpr std::array<std::string_view, 3> kNamesOfR = {"r", "rad", "radius"};
-// web/view/circle-text.ts has the same lists; tests/files/readings.json holds them together.
+// web/view/circle-text.ts has the same lists; tests/files/readings.json keeps them equal.
 constexpr std::array<std::span<const std::string_view>, ColumnNames::kCount> kNames = {kNamesOfX, kNamesOfY, kNamesOfR};
 constexpr std::array<std::string_view, ColumnNames::kCount> kOptions = {"x", "y", "radius"};
 

@@ -11,7 +11,7 @@
 
 namespace circle_voronoi {
 
-/// Returns whether two names are the same but for the case of ASCII letters.
+/// Returns whether two names are equal, ignoring the case of ASCII letters.
 bool isSameName(std::string_view a, std::string_view b);
 
 /// The names of the columns of a table, of the members of a JSON object and of the properties of a GeoJSON point that
@@ -23,7 +23,7 @@ class ColumnNames {
 
   explicit ColumnNames(const ReadOptions& options);
 
-  /// Returns whether each circle needs number k. It is 0 if there is none.
+  /// Returns whether each circle needs number k. A missing number that is not needed is 0.
   bool isNeeded(std::size_t k) const { return k != kRadius || radii_ == Radii::needed; }
 
   /// Returns whether all radii are 0.
@@ -55,7 +55,7 @@ class ColumnNames {
  private:
   static std::optional<std::size_t> numberIn(std::string_view option);
 
-  std::array<std::string, kCount> own_;  ///< names that the user gave; empty: the usual ones
+  std::array<std::string, kCount> own_;  ///< names given by the user; empty for the usual names
   std::string id_;
   bool hasId_;
   Radii radii_;

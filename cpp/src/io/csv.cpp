@@ -25,7 +25,8 @@ using Names = std::vector<std::string_view>;
 const Names kTileIds = {"id", "fid"};
 const Names kDoneNames = {"done"};
 
-/// In the order in which they are tried: a comma may be a decimal mark, and a tab or a space stand beside a separator.
+/// The separators in the order in which they are tried, because a comma may be a decimal mark, and a tab or a space may
+/// occur beside a separator.
 constexpr std::string_view kSeparators = ";\t|, ";
 constexpr char kDefaultSeparator = ',';
 
@@ -48,7 +49,7 @@ bool isOneOf(const Names& names, std::string_view text) {
   return std::ranges::any_of(names, [&](std::string_view name) { return isSameName(text, name); });
 }
 
-/// Without the empty fields at the end.
+/// Returns the fields without the empty ones at the end.
 Fields filled(Fields fields) {
   while (!fields.empty() && fields.back().text.empty()) fields = fields.first(fields.size() - 1);
   return fields;
@@ -81,9 +82,9 @@ std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names
     for (std::size_t k = 0; k < fields.size(); ++k) {
       if (!names.means(number, textOf(fields[k]))) continue;
       if (place != kNoColumn) {
-        throw ReadFailure{table.offset(), "the columns " + textOf(fields[place]) + " and " + textOf(fields[k]) +
-                                              " both mean " + ColumnNames::plain(number) +
-                                              "; choose one by the option " + ColumnNames::option(number) + "."};
+        throw ReadError{table.offset(), "the columns " + textOf(fields[place]) + " and " + textOf(fields[k]) +
+                                            " both mean " + ColumnNames::plain(number) + "; choose one by the option " +
+                                            ColumnNames::option(number) + "."};
       }
       place = k;
       columns.areNamed = true;
@@ -122,7 +123,7 @@ std::string listOfFields(Fields fields) {
   return list;
 }
 
-/// Why the first record is neither a header nor a circle.
+/// Returns the reason why the first record is neither a header nor a circle.
 std::string problemOf(const CsvTable& table, const ColumnNames& names) {
   const Fields fields = filled(table.fields());
   const auto isANumber = [&](const CsvField& field) { return isNumber(field, table.separator()); };
@@ -179,7 +180,7 @@ CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& column
   }
   if (!layout.hasHeader) {
     if (names.hasId() && !layout.id) {
-      throw ReadFailure{table.offset(), "no column is called " + names.id() + "; the first line has no names."};
+      throw ReadError{table.offset(), "no column is called " + names.id() + "; the first line has no names."};
     }
     return layout;
   }
@@ -191,8 +192,8 @@ CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& column
   });
   if (id) layout.id = id;
   if (names.hasId() && !layout.id) {
-    throw ReadFailure{table.offset(),
-                      "no column is called " + names.id() + ", only " + listOfFields(filled(table.fields())) + "."};
+    throw ReadError{table.offset(),
+                    "no column is called " + names.id() + ", only " + listOfFields(filled(table.fields())) + "."};
   }
   if (layout.id) layout.idName = nameOfColumn(table, *layout.id, true);
   layout.done = columnNamed(table, [](std::string_view name) { return isOneOf(kDoneNames, name); });
@@ -211,13 +212,13 @@ std::optional<std::string> readCount(const CsvField& field, std::int64_t most, s
 
 std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& options, bool isWhole, bool isOfTile) {
   const ColumnNames names(options);
-  std::optional<ReadFailure> failure;
+  std::optional<ReadError> failure;
   std::optional<CsvTable> widest;
   for (const char separator : kSeparators) {
     CsvTable table(text, separator, isWhole);
     try {
       if (!table.next()) return std::nullopt;
-    } catch (const ReadFailure& reason) {  // quotation marks mean something else with another separator
+    } catch (const ReadError& reason) {  // quotation marks mean something else with another separator
       if (!failure) failure = reason;
       continue;
     }
@@ -228,7 +229,7 @@ std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& opti
     if (width > widestWidth || (width == widestWidth && separator == kDefaultSeparator)) widest = table;
   }
   if (!widest) throw *failure;
-  throw ReadFailure{widest->offset(), problemOf(*widest, names)};
+  throw ReadError{widest->offset(), problemOf(*widest, names)};
 }
 
 std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& value) {
@@ -260,7 +261,7 @@ std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& 
   return std::nullopt;
 }
 
-std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bool isLast) {
+std::size_t CsvRowReader::read(std::string_view text, ParsedCircles& circles, bool isLast) {
   CsvTable table(text, layout_.separator, isLast);
   if (layout_.hasHeader && !isPastHeader_) (void)table.next();
   isPastHeader_ = true;
@@ -270,9 +271,9 @@ std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bo
     const std::size_t count = fields.size() > width ? filled(fields).size() : fields.size();
     const bool isRow = layout_.mayBeShort ? count <= width : count == width;
     if (!isRow) {
-      throw ReadFailure{table.offset(), layout_.mayBeShort ? "there are " + std::to_string(count) + " fields in " +
-                                                                 std::to_string(width) + " columns."
-                                                           : numbersExpected(layout_.separator, width > 2)};
+      throw ReadError{table.offset(), layout_.mayBeShort ? "there are " + std::to_string(count) + " fields in " +
+                                                               std::to_string(width) + " columns."
+                                                         : numbersExpected(layout_.separator, width > 2)};
     }
     const auto fieldOf = [&](std::size_t column) { return column < count ? fields[column] : CsvField{}; };
     if (!skipsInvalid_) {
@@ -280,7 +281,7 @@ std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bo
     } else {
       try {
         readCircle(table, fieldOf, circles);
-      } catch (const ReadFailure& failure) {
+      } catch (const ReadError& failure) {
         skipped_.push_back(failure);
       }
     }
@@ -290,13 +291,13 @@ std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bo
 }
 
 template <class FieldOf>
-void CsvRowReader::readCircle(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles) {
+void CsvRowReader::readCircle(const CsvTable& table, FieldOf fieldOf, ParsedCircles& circles) {
   const auto fail = [&](std::string reason, ErrorCode code = ErrorCode::badInput) {
     if (layout_.id && !fieldOf(*layout_.id).text.empty()) {
       reason.pop_back();  // the full stop
       reason += " (circle " + std::to_string(next_) + ", " + layout_.idName + " " + textOf(fieldOf(*layout_.id)) + ").";
     }
-    throw ReadFailure{table.offset(), std::move(reason), code, next_};
+    throw ReadError{table.offset(), std::move(reason), code, next_};
   };
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < values.size() && layout_.columns[i] != kNoColumn; ++i) {
@@ -307,7 +308,7 @@ void CsvRowReader::readCircle(const CsvTable& table, FieldOf fieldOf, PlacedCirc
     }
   }
   const Circle circle = {values[0], values[1], values[2]};
-  if (skipsInvalid_) {  // else `validate` says it, of all circles of a text
+  if (skipsInvalid_) {  // otherwise `validate` reports it, with the index in the whole text
     if (const auto objection = objectionTo(circle, weights_)) {
       fail("Circle " + std::to_string(next_) + " " + objection->what, objection->code);
     }
@@ -318,14 +319,14 @@ void CsvRowReader::readCircle(const CsvTable& table, FieldOf fieldOf, PlacedCirc
 }
 
 template <class FieldOf>
-void CsvRowReader::readNames(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles) {
+void CsvRowReader::readNames(const CsvTable& table, FieldOf fieldOf, ParsedCircles& circles) {
   std::int64_t id = next_;
   std::int64_t done = 0;
   const auto read = [&](std::optional<std::size_t> column, const std::string& name, std::int64_t most,
                         std::int64_t& value) {
     if (!column) return;
     if (const auto problem = readCount(fieldOf(*column), most, value)) {
-      throw ReadFailure{table.offset(), name + *problem, ErrorCode::badInput, next_};
+      throw ReadError{table.offset(), name + *problem, ErrorCode::badInput, next_};
     }
   };
   read(layout_.id, layout_.idName, kMostId, id);
@@ -346,16 +347,16 @@ std::string nameOfColumn(const CsvTable& table, std::size_t place, bool hasHeade
   return name.empty() ? "column " + std::to_string(place + 1) : name;
 }
 
-Result<ReadCircles> readCsv(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep) try {
+Result<ParsedFile> readCsv(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep) try {
   const auto layout = layoutOf(text, options);
   if (!layout) return errorAt(name, text, 0, "the text is empty but for comments.");
-  ReadCircles result;
+  ParsedFile result;
   CsvRowReader rows(*layout, options);
-  rows.read(text, result.placed);
+  rows.read(text, result.parsed);
   if (keep == Keep::attributes) result.attributes = attributesOf(text, *layout, rows.decimalMark(), rows.skipped());
   result.skipped = rows.skipped();
   return result;
-} catch (const ReadFailure& failure) {
+} catch (const ReadError& failure) {
   return errorAt(name, text, failure);
 }
 

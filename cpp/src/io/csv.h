@@ -32,7 +32,7 @@ class CsvNumberReader {
   char mark_ = 0;
 };
 
-/// In place of a column that a table does not have.
+/// The index of a missing column.
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
 /// The layout of a table of circles.
@@ -41,15 +41,15 @@ struct CsvLayout {
   bool hasHeader = false;
   bool mayBeShort = false;  ///< whether rows may end before the last column
   std::size_t width = 3;
-  std::array<std::size_t, 3> columns = {0, 1, 2};      ///< of x, y and r; kNoColumn for r if all are 0
-  std::array<std::string, 3> names = {"x", "y", "r"};  ///< their names in the header
-  std::optional<std::size_t> id;                       ///< of the ids
+  std::array<std::size_t, 3> columns = {0, 1, 2};      ///< of x, y and r; kNoColumn for r if all radii are 0
+  std::array<std::string, 3> names = {"x", "y", "r"};  ///< the names of these columns in the header
+  std::optional<std::size_t> id;                       ///< the column of the ids
   std::string idName;                                  ///< its name in the header
   std::optional<std::size_t> done;                     ///< of a tile (tile.h)
 };
 
-/// The layout with which the first record is a header or a circle; nothing if there is no record. `isWhole` is that of
-/// CsvTable: the beginning of a text has the layout of the text, or none yet. Throws ReadFailure.
+/// Returns the layout that makes the first record a header or a circle; nothing if there is no record. See CsvTable for
+/// `isWhole`: the beginning of a text has the layout of the text, or none yet. Throws ReadError.
 std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& options, bool isWhole = true,
                                   bool isOfTile = false);
 
@@ -64,12 +64,12 @@ class CsvRowReader {
         isOfTile_(isOfTile),
         numbers_(layout.separator) {}
 
-  /// Adds the circles of a piece, and returns where the rest begins, with which the next piece has to begin: nothing if
-  /// this piece ends the text (`isLast`). Throws ReadFailure, after adding the circles before the failure.
-  std::size_t read(std::string_view text, PlacedCircles& circles, bool isLast = true);
+  /// Adds the circles of a piece. Returns the offset of the rest, which the next piece must begin with. The rest is
+  /// empty if this piece ends the text (`isLast`). Throws ReadError, after adding the circles before the failure.
+  std::size_t read(std::string_view text, ParsedCircles& circles, bool isLast = true);
 
   /// The rows that were skipped, in their order.
-  const std::vector<ReadFailure>& skipped() const { return skipped_; }
+  const std::vector<ReadError>& skipped() const { return skipped_; }
   /// The decimal mark of x, y and r; 0 if they had none.
   char decimalMark() const { return numbers_.mark(); }
 
@@ -77,9 +77,9 @@ class CsvRowReader {
   static constexpr std::int64_t kMostId = std::numeric_limits<std::int64_t>::max();
 
   template <class FieldOf>
-  void readCircle(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles);
+  void readCircle(const CsvTable& table, FieldOf fieldOf, ParsedCircles& circles);
   template <class FieldOf>
-  void readNames(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles);
+  void readNames(const CsvTable& table, FieldOf fieldOf, ParsedCircles& circles);
 
   CsvLayout layout_;
   bool weights_;
@@ -88,7 +88,7 @@ class CsvRowReader {
   CsvNumberReader numbers_;
   bool isPastHeader_ = false;
   std::int64_t next_ = 0;
-  std::vector<ReadFailure> skipped_;
+  std::vector<ReadError> skipped_;
 };
 
 /// A field as text: without the doubling of quotation marks.
@@ -99,6 +99,6 @@ std::string nameOfColumn(const CsvTable& table, std::size_t place, bool hasHeade
 
 /// The attributes of the circles in a table's rows. `mark`: the decimal mark of x, y and r, or 0.
 CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, char mark,
-                              const std::vector<ReadFailure>& skipped);
+                              const std::vector<ReadError>& skipped);
 
 }  // namespace circle_voronoi

@@ -27,7 +27,7 @@ bool isStructure(const std::string& text) {
     reader.skip();
     reader.finish();
     return true;
-  } catch (const ReadFailure&) {
+  } catch (const ReadError&) {
     return false;
   }
 }
@@ -88,11 +88,11 @@ std::string nameBeside(std::set<std::string>& names, const std::string& name) {
   return own;
 }
 
-/// Throws ReadFailure unless a text is UTF-8.
+/// Throws ReadError unless a text is UTF-8.
 void checkUtf8(std::string_view text, std::size_t offset) {
   while (!text.empty()) {
     const std::size_t size = sizeOfUtf8(text);
-    if (size == 0) throw ReadFailure{offset, "the text is not UTF-8."};
+    if (size == 0) throw ReadError{offset, "the text is not UTF-8."};
     text.remove_prefix(size);
   }
 }
@@ -100,7 +100,7 @@ void checkUtf8(std::string_view text, std::size_t offset) {
 /// Goes through the rows of a table that are circles.
 class Rows {
  public:
-  Rows(std::string_view text, const CsvLayout& layout, const std::vector<ReadFailure>& skipped)
+  Rows(std::string_view text, const CsvLayout& layout, const std::vector<ReadError>& skipped)
       : table_(text, layout.separator), skipped_(skipped) {
     if (layout.hasHeader) (void)table_.next();
   }
@@ -120,14 +120,14 @@ class Rows {
 
  private:
   CsvTable table_;
-  const std::vector<ReadFailure>& skipped_;
+  const std::vector<ReadError>& skipped_;
   std::size_t skippedSoFar_ = 0;
 };
 
 }  // namespace
 
 CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, char mark,
-                              const std::vector<ReadFailure>& skipped) {
+                              const std::vector<ReadError>& skipped) {
   CircleAttributes result;
   struct Column {
     std::size_t index;

@@ -18,7 +18,7 @@ bool CsvTable::next() {
       readRecord();
     }
     if (at_ - begin_ > kLongestRecord) {
-      throw ReadFailure{begin_, "a line is too long, or a quotation mark is not closed."};
+      throw ReadError{begin_, "a line is too long, or a quotation mark is not closed."};
     }
     if (!endLine()) {
       at_ = begin_;
@@ -39,10 +39,10 @@ void CsvTable::skipLine() {
   while (!isAtLineEnd()) ++at_;
 }
 
-/// Passes the end of a line; false if the text does not tell whether it ends there.
+/// Reads past the end of a line. Returns false if the text does not show whether the line ends there.
 bool CsvTable::endLine() {
   if (isAtEnd()) {
-    if (isWhole_ && open_) throw ReadFailure{*open_, "a quotation mark is not closed."};
+    if (isWhole_ && open_) throw ReadError{*open_, "a quotation mark is not closed."};
     return isWhole_;
   }
   // A CR at the end may be half of a line end.
@@ -88,7 +88,7 @@ CsvField CsvTable::readQuoted() {
   at_ = close + 1;
   skipBlanks();
   const bool isOver = isAtLineEnd() || isSeparator() || (separator_ == ' ' && at_ > close + 1);
-  if (!isOver) throw ReadFailure{close, "a field goes on after its closing quotation mark."};
+  if (!isOver) throw ReadError{close, "a field goes on after its closing quotation mark."};
   return {inside, true};
 }
 

@@ -15,7 +15,7 @@ struct CsvField {
   bool isQuoted = false;
 };
 
-/// The largest size of a record or a comment, in bytes: a stream has a whole one in memory.
+/// The largest size of a record or a comment, in bytes: a stream keeps a whole record in memory.
 inline constexpr std::size_t kLongestRecord = std::size_t{1} << 26;
 
 /// Splits a text into records (RFC 4180), one a line but for line ends in quotation marks. Lines that are blank, hold
@@ -27,12 +27,12 @@ class CsvTable {
   CsvTable(std::string_view text, char separator, bool isWhole = true)
       : text_(text), separator_(separator), isWhole_(isWhole) {}
 
-  /// Goes on to the next record; false if there is none. Throws ReadFailure if quotation marks are amiss or the record
-  /// is too long.
+  /// Moves to the next record. Returns false if there is none. Throws ReadError if quotation marks are not balanced or
+  /// the record is too long.
   bool next();
 
-  /// The position of the unread text. After the last record that is the end of a whole text; otherwise the beginning of
-  /// the line that is not over.
+  /// The position of the unread text. After the last record it is the end of a whole text, or the beginning of the
+  /// unfinished line.
   std::size_t rest() const { return at_; }
   std::span<const CsvField> fields() const { return fields_; }
   /// The position of the record in the text.

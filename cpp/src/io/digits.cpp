@@ -34,8 +34,8 @@ constexpr std::array<char, 200> kPairs = [] {
   return pairs;
 }();
 
-/// A decimal of up to fifteen digits is the shortest that reads back to its double. Writes one of few places, if the
-/// value is one; nullptr if not.
+/// A decimal of up to fifteen digits is the shortest that reads back to its double. Writes a value of few places, or
+/// returns nullptr for other values.
 char* writeCommon(char* to, double value) {
   const double steps = value * kCommonSteps;
   if (!(std::abs(steps) < kMostSteps)) return nullptr;
@@ -76,7 +76,7 @@ char* writeDigits(char* to, double value) {
   constexpr int kLeast = -4;
   constexpr int kMost = 15;
   if (mark == end || value == 0 || exponent < kLeast || exponent > kMost) {
-    // No number, zero, or one with an exponent.
+    // Not a finite number, zero, or a number with an exponent.
     copy(from, value == 0 ? from + (*from == '-' ? 2 : 1) : end);
     return to;
   }

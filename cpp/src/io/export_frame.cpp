@@ -105,14 +105,14 @@ Point ExportFrame::roundOnBoundary(Point p) const {
 
 namespace {
 
-/// Adds the places of the points of a segment after its start, up to its end. A segment has the same points in both
+/// Maps a segment and adds points between its ends as needed, and its end. A segment has the same points in both
 /// directions.
 void addPlaces(const ExportFrame& frame, Point from, Point to, Point fromPlace, Point toPlace, int depth,
                std::vector<Point>& places) {
   constexpr int kMostHalvings = 16;
   const Point middle = {(from.x + to.x) / 2, (from.y + to.y) / 2};
   const Point middlePlace = frame.place(middle);
-  // The distance of the middle's place from the segment of places, in the unit of the plane.
+  // The distance of the mapped middle from the segment between the mapped ends, in the unit of the plane.
   const double off =
       std::hypot(middlePlace.x - (fromPlace.x + toPlace.x) / 2, middlePlace.y - (fromPlace.y + toPlace.y) / 2);
   const double placeSize = std::hypot(toPlace.x - fromPlace.x, toPlace.y - fromPlace.y);
@@ -127,7 +127,7 @@ void addPlaces(const ExportFrame& frame, Point from, Point to, Point fromPlace, 
 
 }  // namespace
 
-std::vector<std::vector<std::vector<Point>>> placed(const ExportFrame& frame,
+std::vector<std::vector<std::vector<Point>>> mapped(const ExportFrame& frame,
                                                     std::vector<std::vector<std::vector<Point>>> polygons) {
   if (!frame.place) return polygons;
   for (auto& polygon : polygons) {

@@ -23,7 +23,7 @@ Result<Region> exportRegion(const Diagram& diagram, const ExportOptions& options
 /// The data that every writer of a drawing needs: the diagram, the region, and the tolerances of curves and
 /// coordinates.
 struct ExportFrame {
-  /// `itsClip` is the diagram in the region of `exportRegion`.
+  /// `itsClip` is the diagram clipped to the region of `exportRegion`.
   ExportFrame(const Diagram& its, const ExportOptions& options, ClippedDiagram itsClip);
   ExportFrame(const ExportFrame&) = delete;
   ExportFrame& operator=(const ExportFrame&) = delete;
@@ -43,11 +43,11 @@ struct ExportFrame {
   DecimalGrid grid;
   Box box;                             ///< around the region
   bool isBox;                          ///< whether the region is the box
-  bool isClipped;                      ///< by options, rather than by the default box
+  bool isClipped;                      ///< whether the options clip the diagram, not only the default box
   ClippedDiagram clipped;              ///< the diagram in the region
   std::function<Point(Point)> place;   ///< empty: none (ExportOptions)
   const CircleAttributes* attributes;  ///< null: none
-  double tolerance;                    ///< of curves: the part that rounding leaves
+  double tolerance;                    ///< the tolerance of curves: the part that rounding leaves
 };
 
 /// Returns the neighbors of a cell. If the options clip the diagram, these are the neighbors that share a part of an
@@ -55,14 +55,14 @@ struct ExportFrame {
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle);
 
 /// Returns rings mapped by ExportOptions::place.
-std::vector<std::vector<std::vector<Point>>> placed(const ExportFrame& frame,
+std::vector<std::vector<std::vector<Point>>> mapped(const ExportFrame& frame,
                                                     std::vector<std::vector<std::vector<Point>>> polygons);
 
 /// Returns the curve of a piece of an outline in the direction of its edge, with the same bits for both cells.
 /// Precondition: the piece does not belong to the region's boundary.
 EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece);
 
-/// Returns whether the whole edge is kept, and it and its ends stay inside the box when their points are rounded.
+/// Returns whether the whole edge is kept and stays inside the box when its points are rounded.
 bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve);
 
 /// Writes to a stream what `body` writes to a Writer, in an ExportFrame. Call it within `guarded` (unguardedWriting).

@@ -34,7 +34,7 @@ struct Coordinates {
   double x = 0;
   double y = 0;
   std::string height;
-  int numbers = 0;    ///< of the position, up to two
+  int numbers = 0;    ///< the numbers of the position, up to two
   int positions = 0;  ///< in a list of positions
   bool isList = false;
   bool isEmpty = true;
@@ -98,7 +98,7 @@ Geometry readGeometry(JsonReader& reader, std::string_view text) {
   return geometry;
 }
 
-/// Why a geometry is not one point; empty if it is.
+/// Returns the reason why a geometry is not one point; empty if it is one.
 std::string problemOf(const std::optional<Geometry>& geometry) {
   if (!geometry) return " has no geometry.";
   if (!geometry->type) return " has a geometry without a type.";
@@ -119,7 +119,7 @@ class FeatureReader {
   FeatureReader(JsonReader& reader, std::string_view text, const ReadOptions& options, Keep keep)
       : reader_(reader), text_(text), names_(options), keep_(keep), items_(options, keep) {}
 
-  ReadCircles read() {
+  ParsedFile read() {
     std::int64_t index = 0;
     items_.read(reader_, [&](ItemReader::Item& item) { readFeature(item, index++); });
     return items_.take();
@@ -179,8 +179,8 @@ class FeatureReader {
 
 }  // namespace
 
-Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, const ReadOptions& options,
-                                Keep keep) try {
+Result<ParsedFile> readGeoJson(std::string_view text, std::string_view name, const ReadOptions& options,
+                               Keep keep) try {
   for (const auto& [option, column] : {std::pair("x", &options.x), std::pair("y", &options.y)}) {
     if (column->empty()) continue;
     Error error =
@@ -190,7 +190,7 @@ Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, co
   }
   JsonReader reader(text);
   std::optional<std::string> type;
-  std::optional<ReadCircles> circles;
+  std::optional<ParsedFile> circles;
   MemberList others;
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
@@ -212,7 +212,7 @@ Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, co
   if (!circles) return errorAt(name, text, 0, "a FeatureCollection has no list of features.");
   if (keep == Keep::attributes) circles->attributes.collection = membersOf(others);
   return *std::move(circles);
-} catch (const ReadFailure& failure) {
+} catch (const ReadError& failure) {
   return errorAt(name, text, failure);
 }
 

@@ -16,7 +16,7 @@ bool holdsDiagram(std::string_view text) try {
     reader.skip();
   }
   return false;
-} catch (const ReadFailure&) {
+} catch (const ReadError&) {
   return false;
 }
 

@@ -13,7 +13,7 @@
 
 namespace circle_voronoi {
 
-/// Reads an array of circles in JSON. Skips the items that are no circles, if that is asked for.
+/// Reads an array of circles in JSON. Skips invalid items if ReadOptions::skipInvalid is set.
 class ItemReader {
  public:
   struct Item {
@@ -26,7 +26,7 @@ class ItemReader {
   ItemReader(const ReadOptions& options, Keep keep)
       : weights_(options.weights), skipsInvalid_(options.skipInvalid), id_(options.id), keep_(keep) {}
 
-  /// Reads the array that comes next. `readItem(item)` reads an item. Throws ReadFailure.
+  /// Reads the array that comes next. `readItem(item)` reads an item. Throws ReadError.
   template <class ReadItem>
   void read(JsonReader& reader, ReadItem readItem) {
     reader.enterArray();
@@ -35,7 +35,7 @@ class ItemReader {
       if (!skipsInvalid_) {
         try {
           readItem(item);
-        } catch (ReadFailure& failure) {
+        } catch (ReadError& failure) {
           failure.circle = index;
           throw;
         }
@@ -46,11 +46,10 @@ class ItemReader {
       try {
         readItem(item);
         if (const auto objection = objectionTo(item.circle, weights_)) {
-          throw ReadFailure{reader.offset(), "Circle " + std::to_string(index) + " " + objection->what,
-                            objection->code};
+          throw ReadError{reader.offset(), "Circle " + std::to_string(index) + " " + objection->what, objection->code};
         }
         add(std::move(item), reader.offset());
-      } catch (ReadFailure& failure) {
+      } catch (ReadError& failure) {
         failure.circle = index;
         result_.skipped.push_back(failure);
         // A text that is not JSON cannot be skipped.
@@ -60,12 +59,12 @@ class ItemReader {
     }
   }
 
-  /// Returns the items that were read. Lists of attributes without any are empty. Throws ReadFailure if no circle has
-  /// the id that the user has named.
-  ReadCircles take() {
+  /// Returns the items that were read. Lists without any attributes are empty. Throws ReadError if no circle has the id
+  /// that the user has named.
+  ParsedFile take() {
     const auto& ids = result_.attributes.ids;
     if (!id_.empty() && !ids.empty() && std::ranges::all_of(ids, &std::string::empty)) {
-      throw ReadFailure{0, "no circle has a string or a number called " + id_ + "."};
+      throw ReadError{0, "no circle has a string or a number called " + id_ + "."};
     }
     const auto clearUnused = [](auto& list) {
       if (std::ranges::all_of(list, &std::string::empty)) list.clear();
@@ -78,8 +77,8 @@ class ItemReader {
 
  private:
   void add(Item item, std::size_t offset) {
-    result_.placed.circles.push_back(item.circle);
-    result_.placed.offsets.push_back(offset);
+    result_.parsed.circles.push_back(item.circle);
+    result_.parsed.offsets.push_back(offset);
     if (keep_ == Keep::circles) return;
     result_.attributes.properties.push_back(std::move(item.properties));
     result_.attributes.ids.push_back(std::move(item.id));
@@ -90,7 +89,7 @@ class ItemReader {
   bool skipsInvalid_;
   std::string id_;
   Keep keep_;
-  ReadCircles result_;
+  ParsedFile result_;
 };
 
 }  // namespace circle_voronoi

@@ -50,7 +50,7 @@ Circle readObject(JsonReader& reader, std::string_view text, CircleMembers& memb
 
 }  // namespace
 
-Result<ReadCircles> readJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep) try {
+Result<ParsedFile> readJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep) try {
   const ColumnNames names(options);
   JsonReader reader(text);
   ItemReader items(options, keep);
@@ -72,7 +72,7 @@ Result<ReadCircles> readJson(std::string_view text, std::string_view name, const
   });
   reader.finish();
   return items.take();
-} catch (const ReadFailure& failure) {
+} catch (const ReadError& failure) {
   return errorAt(name, text, failure);
 }
 

@@ -48,7 +48,7 @@ std::string_view nameOf(JsonKind kind) {
   return "";
 }
 
-void JsonReader::fail(const std::string& reason) const { throw ReadFailure{at_ == 0 ? 0 : at_ - 1, reason}; }
+void JsonReader::fail(const std::string& reason) const { throw ReadError{at_ == 0 ? 0 : at_ - 1, reason}; }
 
 void JsonReader::failSyntax(const std::string& expected) const {
   std::string found = "the end of the text";
@@ -56,7 +56,7 @@ void JsonReader::failSyntax(const std::string& expected) const {
     const std::size_t size = std::max<std::size_t>(sizeOfUtf8(text_.substr(at_)), 1);
     found = "\"" + std::string(text_.substr(at_, size)) + "\"";
   }
-  throw ReadFailure{at_, "bad JSON: expected " + expected + ", not " + found + "."};
+  throw ReadError{at_, "bad JSON: expected " + expected + ", not " + found + "."};
 }
 
 JsonKind JsonReader::kindAfter(char c) const {
@@ -140,9 +140,9 @@ void JsonReader::skipCharacter() {
     ++at_;
     return;
   }
-  if (static_cast<unsigned char>(c) < 0x20) throw ReadFailure{at_, "bad JSON: a string has a control character."};
+  if (static_cast<unsigned char>(c) < 0x20) throw ReadError{at_, "bad JSON: a string has a control character."};
   const std::size_t size = sizeOfUtf8(text_.substr(at_));
-  if (size == 0) throw ReadFailure{at_, "bad JSON: a string is not UTF-8."};
+  if (size == 0) throw ReadError{at_, "bad JSON: a string is not UTF-8."};
   at_ += size;
 }
 
@@ -151,7 +151,7 @@ char32_t JsonReader::hexDigits() {
   const std::string_view digits = text_.substr(at_, 4);
   const auto [stop, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
   if (digits.size() < 4 || code != std::errc() || stop != digits.data() + 4) {
-    throw ReadFailure{at_, "bad JSON: a string has a bad escape."};
+    throw ReadError{at_, "bad JSON: a string has a bad escape."};
   }
   at_ += 4;
   return value;
@@ -162,7 +162,7 @@ void JsonReader::decodeEscape() {
   constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
   const std::size_t which = kEscapes.find(text_.substr(at_ + 1, 1));
   if (at_ + 1 == text_.size() || which == std::string_view::npos) {
-    throw ReadFailure{at_, "bad JSON: a string has a bad escape."};
+    throw ReadError{at_, "bad JSON: a string has a bad escape."};
   }
   at_ += 2;
   if (which < kMeanings.size()) {
@@ -176,7 +176,7 @@ void JsonReader::decodeEscape() {
     const char32_t low = hexDigits();
     if (low >= 0xDC00 && low < 0xE000) return appendUtf8(decoded_, 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00));
   }
-  if (c >= 0xD800 && c < 0xE000) throw ReadFailure{at_ - 1, "bad JSON: a string has half of a pair of UTF-16."};
+  if (c >= 0xD800 && c < 0xE000) throw ReadError{at_ - 1, "bad JSON: a string has half of a pair of UTF-16."};
   appendUtf8(decoded_, c);
 }
 

@@ -26,12 +26,12 @@ std::string_view nameOf(JsonKind kind);
 ///     reader.finish();
 ///
 /// The reader builds no tree and does not recurse. Its memory does not grow with the size of the text, and only by one
-/// bit for each level of skipped values. Invalid JSON, or a value of another kind than requested, is a ReadFailure.
+/// bit for each level of skipped values. Invalid JSON, or a value of another kind than requested, is a ReadError.
 class JsonReader {
  public:
   explicit JsonReader(std::string_view text) : text_(text) {}
 
-  /// The character that is read next.
+  /// The offset of the next character.
   std::size_t offset() const { return at_; }
 
   /// The kind of the next value.
@@ -44,7 +44,7 @@ class JsonReader {
 
   void enterArray() { enter('['); }
   void enterObject() { enter('{'); }
-  /// Goes on to the next value of the array last entered; false at its end, which leaves it.
+  /// Moves to the next value of the current array. Returns false at its end, and leaves the array.
   bool nextItem() {
     if (!next(']')) return false;
     (void)kind();  // no comma comes before the end
@@ -52,12 +52,12 @@ class JsonReader {
   }
   /// The next key of an object, valid until the next key or string is read.
   std::optional<std::string_view> nextKey();
-  /// Goes on to the next key if it is plainly this one, as text of ours has it; if not, reads nothing.
+  /// Reads the next key if it is `key` in the form that the library writes; otherwise reads nothing.
   bool nextKeyIs(std::string_view key);
 
   /// The nearest double; a minus sign before zero is kept.
   double number();
-  /// A number that is whole and fits; nothing if it is not.
+  /// Returns a number if it is whole and fits; otherwise nothing.
   template <class Integer>
   std::optional<Integer> whole();
   bool boolean() {
@@ -82,7 +82,7 @@ class JsonReader {
   /// Only white space may follow.
   void finish();
 
-  /// Ends with a reason of the caller's, at the character last read.
+  /// Throws ReadError with this reason, at the character last read.
   [[noreturn]] void fail(const std::string& reason) const;
 
  private:
@@ -132,7 +132,7 @@ class JsonReader {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  bool isFirst_ = false;  ///< no item of the array or object last entered is read yet
+  bool isFirst_ = false;  ///< whether no item of the current array or object has been read
   std::string decoded_;   ///< a string with escapes
 };
 

@@ -45,7 +45,7 @@ bool isJsonNumber(std::string_view text) {
     if (reader.offset() != 0 || reader.kind() != JsonKind::number || reader.offset() != 0) return false;
     (void)reader.number();
     return reader.offset() == text.size();
-  } catch (const ReadFailure&) {
+  } catch (const ReadError&) {
     return false;
   }
 }

@@ -17,8 +17,7 @@ std::string jsonString(std::string_view text);
 /// Returns whether a text is a number in JSON that a double can have.
 bool isJsonNumber(std::string_view text);
 
-/// Returns whether a text stands in a column of numbers where one is missing, as in spreadsheets and in programs for
-/// statistics.
+/// Returns whether a text marks a missing number in a column of numbers, as in spreadsheets and statistics programs.
 bool isMissingNumber(std::string_view text);
 
 /// Members of a JSON object, without braces.

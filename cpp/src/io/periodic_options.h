@@ -15,8 +15,8 @@ inline Vector offsetOf(const Lattice& lattice, const Shift& shift) {
 /// Returns the smallest box with the parallelogram of the periods at the origin.
 Box boxOf(const Lattice& lattice);
 
-/// Returns the options with a box around all circles of the diagram and the cells of the given ones, which it does not
-/// cut, and with the tolerance that the periods need. Without attributes.
+/// Returns the options without attributes, with a box around all circles of the diagram and the cells of the given
+/// ones, which it does not cut, and with a tolerance that suits the periods.
 /// Errors: badOption if a box, a region or a maximum distance is given; badInput if the numbers of attributes and
 /// circles differ.
 Result<ExportOptions> periodicOptions(const PeriodicDiagram& periodic, const ExportOptions& options);

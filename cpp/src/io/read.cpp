@@ -17,12 +17,12 @@ Result<CircleFile> readFile(std::string_view text, std::string_view name, const 
                 : begin == '{' ? readGeoJson(rest, name, options, keep)
                                : readCsv(rest, name, options, keep);
     if (!read) return read.error();
-    auto& [placed, attributes, skipped] = read.value();
-    // Only here is it known on which line a circle stands.
-    if (const auto judged = validate(placed.circles, options.weights); !judged) {
-      return circle_voronoi::placed(judged.error(), placed.offsets, name, rest);
+    auto& [parsed, attributes, skipped] = read.value();
+    // Only the reader knows the line of each circle.
+    if (const auto judged = validate(parsed.circles, options.weights); !judged) {
+      return errorAtCircle(judged.error(), parsed.offsets, name, rest);
     }
-    CircleFile file = {std::move(placed.circles), std::move(attributes), errorsAt(name, rest, skipped)};
+    CircleFile file = {std::move(parsed.circles), std::move(attributes), errorsAt(name, rest, skipped)};
     if (!file.circles.empty() || file.skipped.empty()) return file;
     Error error = file.skipped.front();
     error.message = error.message.substr(0, error.message.size() - 1) + "; all others are invalid as well.";
@@ -33,7 +33,7 @@ Result<CircleFile> readFile(std::string_view text, std::string_view name, const 
 }  // namespace
 
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options) {
-  // The copy of an error takes memory, too.
+  // Copying an error may run out of memory, too.
   return guarded([&]() -> Result<std::vector<Circle>> {
     auto file = readFile(text, name, options, Keep::circles);
     if (!file) return file.error();

@@ -180,7 +180,7 @@ class DiagramReader {
     }
   }
 
-  /// Reads a member of circle `item_` that is none of its numbers.
+  /// Reads a member of circle `item_` other than its numbers.
   void readAttribute(std::string_view key) {
     const auto keep = [&](std::vector<std::string>& list, std::string value) {
       list.resize(item_ + 1);
@@ -278,11 +278,11 @@ Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep 
     DiagramReader reader(rest, keep);
     try {
       reader.read();
-    } catch (const ReadFailure& failure) {
+    } catch (const ReadError& failure) {
       return errorAt(name, rest, failure);
     }
     if (const auto judged = validate(reader.diagram.circles, reader.diagram.weights); !judged) {
-      return placed(judged.error(), reader.circleOffsets, name, rest);
+      return errorAtCircle(judged.error(), reader.circleOffsets, name, rest);
     }
     linkSides(reader.diagram);
     return DiagramFile{std::move(reader.diagram), std::move(reader.attributes)};
@@ -292,7 +292,7 @@ Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep 
 }  // namespace
 
 Result<Diagram> readDiagram(std::string_view text, std::string_view name) {
-  // The copy of an error takes memory, too.
+  // Copying an error may run out of memory, too.
   return guarded([&]() -> Result<Diagram> {
     auto file = readKept(text, name, Keep::circles);
     if (!file) return file.error();

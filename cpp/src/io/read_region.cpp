@@ -28,7 +28,7 @@ struct Polygons {
     std::size_t points, rings, polygons;
   };
   Size size() const { return {points.size(), ringOffsets.size(), polygonOffsets.size()}; }
-  /// Forgets the polygons that were read since they had this size.
+  /// Removes the polygons that were read since the lists had this size.
   void shrinkTo(const Size& before) {
     points.resize(before.points);
     ringOffsets.resize(before.rings);
@@ -230,7 +230,7 @@ class WktReader {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
   }
 
-  [[noreturn]] void fail(const char* reason) const { throw ReadFailure{at_, reason}; }
+  [[noreturn]] void fail(const char* reason) const { throw ReadError{at_, reason}; }
 
   std::string_view text_;
   std::size_t at_ = 0;
@@ -260,7 +260,7 @@ Result<Region> readRegion(std::string_view text, std::string_view name, const Re
       Error error = region.error();
       error.message = std::string(name) + ": " + error.message;
       return error;
-    } catch (const ReadFailure& failure) {
+    } catch (const ReadError& failure) {
       return errorAt(name, rest, failure.offset, failure.reason);
     }
   });

@@ -39,18 +39,18 @@ Error errorAt(std::string_view name, std::string_view text, std::size_t offset, 
   return {ErrorCode::badInput, -1, placeOf(name, text, offset, linesBefore) + printable(reason)};
 }
 
-Error errorAt(std::string_view name, std::string_view text, const ReadFailure& failure, std::size_t linesBefore) {
+Error errorAt(std::string_view name, std::string_view text, const ReadError& failure, std::size_t linesBefore) {
   Error error = errorAt(name, text, failure.offset, failure.reason, linesBefore);
   error.code = failure.code;
   error.circle = failure.circle;
   return error;
 }
 
-std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadFailure> failures) {
+std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadError> failures) {
   std::vector<Error> errors;
   std::size_t lines = 0;
   std::size_t counted = 0;
-  for (ReadFailure failure : failures) {
+  for (ReadError failure : failures) {
     lines += lineEndsBetween(text, counted, failure.offset);
     counted = failure.offset;
     failure.offset = 0;
@@ -59,8 +59,8 @@ std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::s
   return errors;
 }
 
-Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
-             std::size_t linesBefore) {
+Error errorAtCircle(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
+                    std::size_t linesBefore) {
   const std::size_t offset = error.circle < 0 ? 0 : offsets[static_cast<std::size_t>(error.circle)];
   error.message = placeOf(name, text, offset, linesBefore) + error.message;
   return error;

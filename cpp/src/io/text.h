@@ -15,26 +15,27 @@
 namespace circle_voronoi {
 
 /// Circles as read from text, each with the place in the text where it ends.
-struct PlacedCircles {
+struct ParsedCircles {
   std::vector<Circle> circles;
   std::vector<std::size_t> offsets;
-  std::vector<std::int64_t> ids;   ///< of a tile (tile.h)
+  std::vector<std::int64_t> ids;   ///< the ids of a tile (tile.h)
   std::vector<std::uint8_t> done;  ///< whether each circle of a tile is done
 };
 
-/// Why reading ends, and where in the text. Thrown inside the readers only; none lets it out.
-struct ReadFailure {
+/// The reason why reading ends, and its place in the text. The readers throw it, and their public functions turn it
+/// into an Error.
+struct ReadError {
   std::size_t offset;
   std::string reason;
   ErrorCode code = ErrorCode::badInput;
   std::int64_t circle = kNone;  ///< the index of the row, the feature or the item that is no circle
 };
 
-/// The circles of a file, and the failures of skipped rows.
-struct ReadCircles {
-  PlacedCircles placed;
+/// The circles of a file, their attributes, and the errors of skipped rows.
+struct ParsedFile {
+  ParsedCircles parsed;
   CircleAttributes attributes;
-  std::vector<ReadFailure> skipped;
+  std::vector<ReadError> skipped;
 };
 
 /// The text after a byte-order mark. Errors: badInput, if it is UTF-16, or nothing but white space.
@@ -45,15 +46,15 @@ Result<std::string_view> contentOf(std::string_view text, std::string_view name)
 Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason,
               std::size_t linesBefore = 0);
 
-/// Reports a failure in the same form.
-Error errorAt(std::string_view name, std::string_view text, const ReadFailure& failure, std::size_t linesBefore = 0);
+/// Converts a ReadError into an Error of the same form.
+Error errorAt(std::string_view name, std::string_view text, const ReadError& failure, std::size_t linesBefore = 0);
 
-/// Reports failures in the order of their places, in linear time.
-std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadFailure> failures);
+/// Converts errors whose places increase, in linear time.
+std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadError> failures);
 
-/// Returns the error of `validate` with the line of the circle to blame; see ReadCircles for `offsets`.
-Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
-             std::size_t linesBefore = 0);
+/// Returns the error of `validate` with the line of the circle to blame; see ParsedCircles for `offsets`.
+Error errorAtCircle(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
+                    std::size_t linesBefore = 0);
 
 /// The number of line ends in the text.
 std::size_t lineEnds(std::string_view text);
@@ -62,12 +63,12 @@ std::size_t lineEnds(std::string_view text);
 enum class Keep { circles, attributes };
 
 /// A table of circles (io.h).
-Result<ReadCircles> readCsv(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
+Result<ParsedFile> readCsv(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
 
 /// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`.
-Result<ReadCircles> readJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
+Result<ParsedFile> readJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
 
 /// A GeoJSON FeatureCollection of Points.
-Result<ReadCircles> readGeoJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
+Result<ParsedFile> readGeoJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
 
 }  // namespace circle_voronoi

@@ -33,20 +33,20 @@ class TileStream::Impl {
       if (!isFound) return isFound.error();
       if (!isFound.value()) return Tile{};
     }
-    PlacedCircles circles;
+    ParsedCircles circles;
     std::size_t size = 0;
     std::optional<Error> failed;
     try {
       size = rows_->read(rest_, circles, isLast);
-    } catch (const ReadFailure& reason) {
+    } catch (const ReadError& reason) {
       failed = errorAt(name_, rest_, reason, linesBefore_);
     }
-    // An error in a circle comes first: circles are those before the failure.
+    // An invalid circle before the failure is reported first.
     if (const auto judged = validate(circles.circles, options_.weights, circlesBefore_); !judged) {
       const auto before = static_cast<std::int64_t>(circlesBefore_);
       Error error = judged.error();
       error.circle -= before;
-      error = placed(error, circles.offsets, name_, rest_, linesBefore_);
+      error = errorAtCircle(error, circles.offsets, name_, rest_, linesBefore_);
       error.circle += before;
       return error;
     }
@@ -69,7 +69,7 @@ class TileStream::Impl {
       if (head[begin] == '[' || head[begin] == '{') return failure("a tile has to be a table (CSV), not JSON.");
       try {
         layout = layoutOf(head, options_, isLast && !isCut, true);
-      } catch (const ReadFailure& reason) {
+      } catch (const ReadError& reason) {
         return errorAt(name_, text, reason);
       }
     }
@@ -109,7 +109,7 @@ Result<Tile> TileStream::end() {
 
 namespace {
 
-/// The tile in the order of its ids; an error if two are equal.
+/// Sorts the tile by id. Returns an error if two ids are equal.
 Result<Tile> ordered(Tile tile, std::string_view name) {
   const auto& ids = tile.ids;
   const auto isRising = [&](auto less) { return std::ranges::adjacent_find(ids, less) == ids.end(); };

@@ -68,7 +68,7 @@ class AttributeColumns {
   }
 
  private:
-  /// Names that a reader of tables takes for something else.
+  /// Names that have another meaning for a reader of tables.
   bool isOwn(std::string_view name) const {
     static const ColumnNames usual{ReadOptions{}};
     for (std::size_t k = 0; k < ColumnNames::kCount; ++k) {
@@ -102,7 +102,7 @@ class AttributeColumns {
     return result + "\"";
   }
 
-  /// A value in JSON as a field that a reader takes for the same value.
+  /// Writes a JSON value as a field that reads back as the same value.
   static std::string fieldOf(std::string_view value) {
     if (value == "null" || value.empty()) return "";
     if (value.front() != '"')

@@ -86,8 +86,8 @@ std::vector<CellPolygons::Polygon> movedBack(std::vector<CellPolygons::Polygon> 
   return polygons;
 }
 
-/// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one. In a
-/// periodic diagram neighbors have shifts, and cells lie where the circles were given.
+/// Writes the cell of each chosen circle as a feature, with a separator between them. Returns whether there is a
+/// feature. In a periodic diagram neighbors have shifts, and cells lie where the circles were given.
 bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selection, std::string_view separator,
                    const PeriodicDiagram* periodic = nullptr) {
   const Diagram& diagram = frame.diagram;
@@ -124,7 +124,7 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
     if (frame.attributes != nullptr) writeAttributes(out, *frame.attributes, static_cast<std::size_t>(i));
     out << R"(},"geometry":)";
     if (periodic == nullptr) {
-      writeGeometry(out, placed(frame, polygons.polygons(i)));
+      writeGeometry(out, mapped(frame, polygons.polygons(i)));
     } else {
       writeGeometry(out, movedBack(polygons.polygons(i), *periodic, i));
     }
@@ -139,7 +139,7 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
 
 Result<void> writeGeoJson(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
-    // The box is not one where its corners are elsewhere.
+    // A mapped box is no box, so there is no bbox.
     writeCollectionStart(out, options.attributes, frame.place ? nullptr : &frame.box);
     out << (diagram.circles.empty() ? "" : "\n");
     writeFeatures(out, frame, {}, ",\n");

@@ -29,7 +29,8 @@ constexpr double kVertexPixels = 1.5;
 constexpr double kPointPixels = 0.5;  ///< a smaller radius is hard to see
 constexpr double kHeadPixels = 7;     ///< the length of an arrowhead
 
-/// Only what no group can pass on to its elements. In a page, the rules do not reach beyond the drawing.
+/// Only rules for properties that elements do not inherit from groups. In a page, the rules do not apply outside the
+/// drawing.
 constexpr std::string_view kStyle = R"(<style>
 .circle-voronoi path, .circle-voronoi line, .circle-voronoi circle { vector-effect: non-scaling-stroke; }
 .circle-voronoi .hidden { fill: #8c8c8c; stroke: #6e6e6e; stroke-dasharray: 3 2; }
@@ -46,7 +47,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kLooks = 
     {"vertices", R"(fill="#1f4e79" stroke="none")"},
     {"lattice", R"(fill="none" stroke="#1f4e79" stroke-width="1" stroke-dasharray="6 4")"},
 }};
-/// Cells that are cut end where no edge is.
+/// Clipped cells have borders that are no edges.
 constexpr std::string_view kLookOfCutCells = R"(fill="#f6f4ee" stroke="#1f4e79" stroke-width="1.5")";
 
 /// Writes the class of a group, and how it looks.
@@ -77,7 +78,7 @@ std::vector<Point> innerPoints(const ExportFrame& frame, const EdgeCurve& curve)
   return points;
 }
 
-/// Draws on to the end of an arc.
+/// Continues a path to the end of an arc.
 template <class Iterator>
 void trace(Writer& out, Iterator inner, Iterator innerEnd, Point end) {
   constexpr std::array<std::string_view, 3> kBefore = {"C", " ", " "};
@@ -97,13 +98,14 @@ EdgePoints drawnEdges(const ExportFrame& frame) {
   return {frame, std::move(vertices), follow};
 }
 
-/// Draws a side whose edge is inside the box on from its start.
+/// Continues a path from the start of a side whose edge is inside the box.
 void traceSide(Writer& out, const EdgePoints& edges, SideIndex side) {
   const Point end = edges.placeOf(edges.diagram.targetOf(side));
   edges.visitInner(side, [&](auto first, auto last) { trace(out, first, last, end); });
 }
 
-/// Draws a piece of the outline of a cell on from its start; one of an edge as its points in the edge's own direction.
+/// Continues a path from the start of a piece of a cell's outline. Points on edges are computed in the edge's own
+/// direction.
 void tracePiece(Writer& out, const ExportFrame& frame, const OutlinePiece& piece) {
   if (piece.isOnCircle()) {
     out << "A" << piece.r << " " << piece.r << " 0 0 1 ";
@@ -226,7 +228,7 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible, std::in
       out << " class=\"" << (isPoint ? "point" : "") << (isPoint && isHidden ? " " : "") << (isHidden ? "hidden" : "")
           << "\"";
     }
-    if (r == 0) {  // SVG draws no circle then, but a stroke of length 0
+    if (r == 0) {  // SVG draws no circle of radius 0, but it draws a stroke of length 0
       out << " d=\"M" << x << " " << y << "h0\"/>\n";
     } else {
       out << " cx=\"" << x << "\" cy=\"" << y << "\" r=\"" << r << "\"/>\n";
@@ -366,7 +368,7 @@ std::vector<Vector> copiesIn(const PeriodicDiagram& periodic, const Box& view) {
         continue;
       }
       if (static_cast<double>(copies.size()) == kMostCopies) {
-        throw Refusal{{ErrorCode::badOption, kNone, "The box is too narrow to be drawn."}};
+        throw ThrownError{{ErrorCode::badOption, kNone, "The box is too narrow to be drawn."}};
       }
       copies.push_back(move);
     }
@@ -374,7 +376,7 @@ std::vector<Vector> copiesIn(const PeriodicDiagram& periodic, const Box& view) {
   return copies;
 }
 
-/// A name that drawings of other circles, or with another box, do not have where they stand in the same page.
+/// Returns a name that differs from the names in drawings of other circles or with another box in the same page.
 std::string idOf(const PeriodicDiagram& periodic) {
   std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a, by numbers instead of bytes
   const auto add = [&](double value) {

@@ -29,7 +29,7 @@ Result<void> writeWkt(std::ostream& stream, const Diagram& diagram, const Export
   return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
     const CellPolygons polygons(frame);
     polygons.visit([&](std::int32_t i) {
-      const auto its = placed(frame, polygons.polygons(i));
+      const auto its = mapped(frame, polygons.polygons(i));
       if (its.empty()) {
         out << "POLYGON EMPTY\n";
         return;

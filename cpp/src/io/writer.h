@@ -38,8 +38,8 @@ class Writer {
     return append([value](char* to) { return writeDigits(to, value); });
   }
 
-  /// Passes on the rest. Errors: notWritten. Without this call the rest is lost: a destructor could not report a full
-  /// disk.
+  /// Passes the rest to the stream. Errors: notWritten. Without this call the rest is lost, because a destructor could
+  /// not report a full disk.
   Result<void> finish() {
     flush();
     if (!out_) return errorWith(ErrorCode::notWritten, "The stream did not accept all of the text.");
@@ -81,8 +81,8 @@ class Writer {
   std::size_t size_ = 0;
 };
 
-/// Writes to a stream what `body` writes to a Writer. Call it within `guarded`, and only one: the exceptions of the
-/// stream would not get through a second one.
+/// Writes to a stream what `body` writes to a Writer. Call it within exactly one `guarded`: exceptions of the stream
+/// would not pass through a second one.
 template <class Body>
 Result<void> unguardedWriting(std::ostream& stream, Body body) {
   Writer out(stream);

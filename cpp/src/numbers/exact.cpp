@@ -101,7 +101,7 @@ Floating sumOf(const P& p, const Q& q, const Floating& root, const Norm& norm, c
 
 /// The tangent line that is the inverse of a disc, seen from circle o in units of 2^exponent: its normal e = (x, y) and
 /// its offset t, both times `size`, which is |D|^2. From o, the center of the disc is e rho, with rho = 1 / (2 t).
-struct PlacedDisc {
+struct InverseLine {
   Floating x, y, offset, size;
   int exponent;
 };
@@ -109,8 +109,8 @@ struct PlacedDisc {
 /// Returns a point as a circle of radius 0, so that its g is a squared distance.
 Circle pointAt(Point p) { return {p.x, p.y, 0}; }
 
-PlacedDisc placedDisc(const Face& face, const Circle& o) {
-  return seenFrom(o, othersOf(face, &o), [](const auto& seen, int exponent) -> PlacedDisc {
+InverseLine inverseLineOf(const Face& face, const Circle& o) {
+  return seenFrom(o, othersOf(face, &o), [](const auto& seen, int exponent) -> InverseLine {
     const auto& [u, v] = seen;
     const auto d = axisOf(u, v);
     const auto n = cross(u.v, v.v);
@@ -136,7 +136,7 @@ bool hasDisc(const Face& face) {
 
 std::optional<Vertex> disc(const Face& face, double unit) {
   const Circle& o = *smallestOf(face);
-  const auto [x, y, offset, size, exponent] = placedDisc(face, o);
+  const auto [x, y, offset, size, exponent] = inverseLineOf(face, o);
   if (!offset.isPositive()) return std::nullopt;
   const int scaling = exponent - 1 + std::ilogb(unit);
   const Vertex vertex = {o.x * unit + (x / offset).times(scaling), o.y * unit + (y / offset).times(scaling),
@@ -146,7 +146,7 @@ std::optional<Vertex> disc(const Face& face, double unit) {
 }
 
 std::optional<DiscPoint> discPoint(const Face& face) {
-  const auto [x, y, offset, size, exponent] = placedDisc(face, *smallestOf(face));
+  const auto [x, y, offset, size, exponent] = inverseLineOf(face, *smallestOf(face));
   const DiscPoint point = {{(x / size).times(0), (y / size).times(0)}, (offset / size).times(1 - exponent)};
   if (!offset.isPositive() || !std::isfinite(point.w)) return std::nullopt;
   return point;

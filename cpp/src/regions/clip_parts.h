@@ -40,7 +40,7 @@ struct Loops {
 /// The data of a ClippedDiagram.
 class ClippedDiagram::Parts {
  public:
-  /// For all cells, or for some. Throws a Refusal if the judge finds a fault (judge_clip.h).
+  /// For all cells, or for some. Throws a ThrownError if the judge finds a fault (judge_clip.h).
   Parts(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
         std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit);
 

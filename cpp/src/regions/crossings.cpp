@@ -243,8 +243,8 @@ class Walk {
     refuseClip("A side of the region crosses edges again and again.");
   }
 
-  /// Returns whether a side certainly stays in the cell of the walk. Then `clearance_` becomes how far its end is from
-  /// the border of the cell, at least.
+  /// Returns whether a side certainly stays in the cell of the walk. Sets `clearance_` to a lower bound of the distance
+  /// of its end from the border of the cell.
   bool staysInCell(Point start, Point end, double length) {
     clearance_ = kInfinite;
     const Circle& c = diagram_.circles[at(sectors_.cell())];
@@ -263,8 +263,8 @@ class Walk {
     return stays;
   }
 
-  /// Returns whether the cell of the walk has a corner. `clearance_` becomes how far that is from the border of the
-  /// cell, at least.
+  /// Returns whether the cell of the walk has a corner. Sets `clearance_` to a lower bound of its distance from the
+  /// border of the cell.
   bool isInCell(Point corner) {
     clearance_ = kInfinite;
     for (const SideIndex side : sectors_.sides()) {
@@ -320,7 +320,7 @@ class Walk {
   const Diagram& diagram_;
   const Region& region_;
   ShiftedSigns signs_;
-  Sectors sectors_;  ///< of the cell where the walk is
+  Sectors sectors_;  ///< of the current cell
   double clearance_ = 0;
   Crossings crossings_;
 };

@@ -16,7 +16,7 @@ struct Crossing {
   EdgeIndex edge = {};
   RegionSideIndex side = {};  ///< the side of the region
   Point point;
-  double parameter = 0;  ///< of the point, on the edge
+  double parameter = 0;  ///< the parameter of the point on the edge
   /// The position of the point along the side, from 0 at the smaller of its two ends, by x and then y, to 1 at the
   /// other.
   double share = 0;

@@ -79,7 +79,7 @@ struct Segment {
 struct Piece {
   Segment segment;
   std::int32_t polygon;
-  bool isNew;  ///< not compared with others yet
+  bool isNew;  ///< whether it has not been compared with others yet
 };
 
 /// Segments that meet at their ends only, and the polygons of their pieces. Segment k has the polygons from offsets[k]
@@ -93,9 +93,9 @@ struct Arrangement {
 
 /// Divides the sides of rings where they cross, touch or overlap, until they meet at their ends only.
 ///
-/// A point where two sides cross is rounded, which moves the sides through it by as much. That may make other sides
-/// cross, so it is done again. A few rounds are enough. Where they are not, all points move to a grid, which becomes
-/// coarser until they are: at last all points would be one.
+/// Crossing points are rounded, which moves the sides through them. This may create new crossings, so the division is
+/// repeated. A few rounds usually suffice. If not, all points move to a grid that becomes coarser in each round; in the
+/// end all points would coincide.
 class Noder {
  public:
   Noder(const Rings& rings, std::span<const std::int32_t> polygonOfRing) {
@@ -132,7 +132,7 @@ class Noder {
 
  private:
   static constexpr int kPatience = 12;
-  /// The first grid, as a share of the largest coordinate, and how much coarser each next one is.
+  /// The step of the first grid, as a share of the largest coordinate, and the factor to each next step.
   static constexpr double kFirstGrid = 0x1p-46;
   static constexpr double kCoarser = 0x1p6;
 
@@ -155,7 +155,7 @@ class Noder {
     const auto [found, isNew] = indices_.try_emplace(p, static_cast<std::int32_t>(points_.size()));
     if (isNew) points_.push_back(p);
     if (points_.size() > kMaxRegionSides) {
-      throw Refusal{{ErrorCode::tooManyCircles, kNone, "The sides of the region cross in too many points."}};
+      throw ThrownError{{ErrorCode::tooManyCircles, kNone, "The sides of the region cross in too many points."}};
     }
     return found->second;
   }
@@ -265,7 +265,8 @@ class Noder {
     splitIfWithin(j, b, ofB);
   }
 
-  /// Where two segments cross, rounded; in the boxes of both, so that no point leaves a side along an axis.
+  /// Returns the rounded crossing of two segments, moved into the bounding boxes of both, so that no point leaves a
+  /// side along an axis.
   Point crossingOf(const Segment& s, const Segment& t) const {
     const Point p = point(s.a);
     const Point q = point(s.b);
@@ -348,7 +349,7 @@ class Noder {
   std::vector<Segment> segments_;  ///< the segments of all pieces, without duplicates
   std::vector<bool> isNew_;        ///< of each segment
   std::vector<Split> splits_;
-  double grid_ = 0;  ///< the distance of places that points may have; 0: all doubles
+  double grid_ = 0;  ///< the step of the grid of points; 0 for all doubles
 };
 
 /// The faces of an arrangement, whether each lies in a polygon, and the rings around the faces that do.

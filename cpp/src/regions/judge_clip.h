@@ -17,9 +17,9 @@ struct ClipRecord {
   const Diagram& diagram;
   const Region& region;
   const Crossings& crossings;
-  std::span<const std::int32_t> levels;                 ///< of the vertices (Arcs)
-  std::span<const Arc> arcs;                            ///< of the edges with crossings
-  std::optional<std::span<const CircleIndex>> circles;  ///< those whose cells are clipped, if not all are
+  std::span<const std::int32_t> levels;                 ///< the levels of the vertices (Arcs)
+  std::span<const Arc> arcs;                            ///< the arcs of the edges with crossings
+  std::optional<std::span<const CircleIndex>> circles;  ///< the circles whose cells are clipped, if not all are
 };
 
 /// Judges a clip before its outlines and areas are derived, however it was made. Linear time. Returns a description of

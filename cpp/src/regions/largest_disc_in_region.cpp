@@ -18,7 +18,7 @@ namespace {
 
 /// With at most this number of circles and sides nearby, all triples are tried.
 constexpr std::size_t kFew = 10;
-/// Squares smaller than this share of the region are points but for rounding.
+/// Squares smaller than this share of the region are points up to rounding.
 constexpr double kFinestSquare = 0x1p-50;
 /// A disc touches circles and sides at a distance of its radius, up to this share of the region.
 constexpr double kRoundingOfTouch = 0x1p-44;
@@ -39,8 +39,8 @@ double dotOf(const DiscPlace& u, const DiscPlace& v) { return u.x * v.x + u.y * 
 /// An object that a disc may touch: a circle, a corner (a circle of radius 0) or the line of a side.
 struct Touchable {
   Point point;    ///< the center, or a point of the line
-  Vector inward;  ///< of a line: the unit normal to the side of the region; otherwise (0, 0)
-  double r = 0;   ///< of a circle
+  Vector inward;  ///< for a line, the unit normal to the side of the region; otherwise (0, 0)
+  double r = 0;   ///< the radius of a circle
   bool isLine = false;
 
   /// Returns the distance of a point, and in which direction it grows.
@@ -90,7 +90,7 @@ void placesTouching(std::array<const Touchable*, 3> things, Take take) {
         equations[k] = {{direction.x, direction.y, -1}, place.r - distance};
       }
       const auto step = solved(equations);
-      // Where the equations are nearly dependent, the place is as good as it gets.
+      // If the equations are nearly dependent, the place may be inaccurate.
       if (!step || !(std::abs(step->x) + std::abs(step->y) + std::abs(step->r) < 1e-4)) break;
       place = {place.x + step->x, place.y + step->y, place.r + step->r};
     }
@@ -202,7 +202,7 @@ class DiscSearch {
 
   struct Square {
     Point center;
-    double half = 0;                 ///< of its side
+    double half = 0;                 ///< half of its side
     double most = 0;                 ///< no disc around a point of the square is larger
     std::vector<std::int32_t> near;  ///< the circles and sides that may be nearest to a point of the square
   };

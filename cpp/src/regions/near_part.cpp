@@ -231,7 +231,7 @@ class DiscClipper {
     return isInside ? size : -size;
   }
 
-  /// The point of the circle that is farthest from the borders, of a few.
+  /// The point farthest from the borders, out of a few points of the circle.
   Point clearestPoint() const {
     Point best = rim_.at(0);
     for (double place = 0.5; place < Rim::kTotal; place += 0.5) {
@@ -278,9 +278,9 @@ class DiscClipper {
 
   /// Joins the chains to loops, along the circle. There is at least one chain.
   ///
-  /// Along the circle exits and entries alternate. To pair the k-th exit with the k-th entry, or the one after it, is
-  /// right wherever rounding confuses the order of an exit and an entry next to each other; it takes a place to begin
-  /// that is neither, and is known to be inside or not.
+  /// Along the circle exits and entries alternate. Pairing the k-th exit with the k-th entry, or with the next one, is
+  /// correct even if rounding swaps an exit and an entry next to each other. The pairing starts at a place between them
+  /// that is known to be inside or outside.
   Outline joined() {
     const double begin = clearPlace();
     const bool beginsInside = depth(rim_.at(begin)) > 0;
@@ -323,7 +323,7 @@ class DiscClipper {
   Circle disc_;
   Rim rim_;
   std::vector<Chain> chains_;
-  Outline closed_;  ///< loops inside the disc that are no holes
+  Outline closed_;  ///< loops inside the disc, except holes
   Outline holes_;
 };
 

@@ -21,7 +21,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Places on curves may be off by this share.
+/// The relative error of places on curves.
 constexpr double kSlackOfPlace = 1e-9;
 
 /// Where a ray meets a piece: at a parameter of an edge, at a share of a segment.
@@ -39,7 +39,7 @@ struct PathPiece {
   std::vector<Hit> hits = {};
 };
 
-/// A way from one node to another.
+/// A link from one node to another.
 struct PathLink {
   std::array<std::size_t, 2> nodes;
   EdgeCurve curve;
@@ -95,7 +95,7 @@ class PathGraph {
     return first->point;
   }
 
-  /// Links the ends of pieces, and what rays hit between them.
+  /// Links the ends of pieces and the points between them that rays hit.
   void link() {
     for (PathPiece& piece : pieces_) {
       const bool isEdge = piece.edge != kNone;
@@ -118,7 +118,7 @@ class PathGraph {
     }
   }
 
-  /// The shortest of the clearest ways from one place to another.
+  /// Returns the shortest of the clearest paths from one place to another.
   std::optional<std::vector<PathLink>> route(Point from, Point to) {
     const std::size_t start = nodeOf(from);
     const std::size_t goal = nodeOf(to);

@@ -6,6 +6,8 @@
 namespace circle_voronoi {
 
 /// Throws the error for a clip that is not certified.
-[[noreturn]] inline void refuseClip(const char* message) { throw Refusal{errorWith(ErrorCode::notCertified, message)}; }
+[[noreturn]] inline void refuseClip(const char* message) {
+  throw ThrownError{errorWith(ErrorCode::notCertified, message)};
+}
 
 }  // namespace circle_voronoi

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kSidesOfRun = 8;
 constexpr std::size_t kRunsOfRun = 4;
 
-[[noreturn]] void refuse(std::string message) { throw Refusal{{ErrorCode::badOption, kNone, std::move(message)}}; }
+[[noreturn]] void refuse(std::string message) { throw ThrownError{{ErrorCode::badOption, kNone, std::move(message)}}; }
 
 /// The way out of an error about several polygons.
 constexpr const char* kAdvice = " Set `dissolve` to merge them.";
@@ -42,14 +42,14 @@ bool areOffsets(std::span<const std::int32_t> offsets, std::size_t count) {
 
 void checkArrays(const Given& given) {
   if (!isArithmeticStandard()) {
-    throw Refusal{{ErrorCode::badArithmetic, kNone,
-                   "Floating-point numbers are not rounded to nearest, or tiny numbers are taken for zero, as in a "
-                   "program that is linked with -ffast-math."}};
+    throw ThrownError{{ErrorCode::badArithmetic, kNone,
+                       "Floating-point numbers are not rounded to nearest, or tiny numbers are taken for zero, as in a "
+                       "program that is linked with -ffast-math."}};
   }
   if (given.points.size() > kMaxRegionSides) {
-    throw Refusal{{ErrorCode::tooManyCircles, kNone,
-                   "The region has " + std::to_string(given.points.size()) + " points; at most " +
-                       std::to_string(kMaxRegionSides) + " are possible."}};
+    throw ThrownError{{ErrorCode::tooManyCircles, kNone,
+                       "The region has " + std::to_string(given.points.size()) + " points; at most " +
+                           std::to_string(kMaxRegionSides) + " are possible."}};
   }
   if (!areOffsets(given.ringOffsets, given.points.size())) {
     refuse("The offsets of the region's rings must increase from 0 to the number of points.");

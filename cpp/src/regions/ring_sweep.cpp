@@ -299,7 +299,7 @@ class Sweep {
     first[0] = 'S';
     const std::string message =
         first + " and " + sideName_(std::max(a, b)) + " " + what + " " + textOf(p) + "." + advice_(a, b);
-    throw Refusal{{ErrorCode::badOption, -1, message}};
+    throw ThrownError{{ErrorCode::badOption, -1, message}};
   }
 
   const Rings& rings_;

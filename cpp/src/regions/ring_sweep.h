@@ -38,7 +38,7 @@ struct RingOrder {
 /// Determines how rings lie to each other. A line sweeps over them from left to right and keeps the sides that it
 /// crosses in order (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976). All signs are exact.
 ///
-/// Takes O(m log m) steps for m sides. Throws a Refusal with a sentence if a ring crosses or touches itself, or two
+/// Takes O(m log m) steps for m sides. Throws a ThrownError with a sentence if a ring crosses or touches itself, or two
 /// rings cross or overlap; `sideName` says what a side is called, and `advice` what to add about two sides.
 RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName,
                   const std::function<std::string(std::int32_t a, std::int32_t b)>& advice);

@@ -48,7 +48,7 @@ int sideAfterShift(const ShiftedSigns::Line& line) {
 }
 
 /// A place as a circle, for `seenFrom`: the radius is that of the circle from which it is seen.
-Circle placed(Point p, const Circle& from) { return {p.x, p.y, from.r}; }
+Circle circleAt(Point p, const Circle& from) { return {p.x, p.y, from.r}; }
 
 struct None {};
 
@@ -71,7 +71,7 @@ int linearSign(const Seen<Number>& u, const Seen<Number>& v, const Alpha& alpha,
 
 /// Returns the sign of |p - own| - own.r - (|p - other| - other.r): positive if the other circle is nearer.
 int exactLead(const Circle& own, const Circle& other, Point corner) {
-  const Circle p = placed(corner, own);
+  const Circle p = circleAt(corner, own);
   return seenFrom(p, std::array{&own, &other}, [](const auto& seen, int) {
     const auto& u = seen[0].v;
     const auto& v = seen[1].v;
@@ -249,8 +249,8 @@ int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) con
     return sign != 0 ? sign : sideAfterShift(line);
   }
   const auto [u, v] = exact::othersOf(face, &own);
-  const Circle from = placed(line.from, own);
-  const Circle to = placed(line.to, own);
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
   const int sign = seenFrom(own, std::array{u, v, &from, &to}, [](const auto& seen, int) {
     const auto& a = seen[2].v;
     const auto direction = seen[3].v - a;
@@ -280,8 +280,8 @@ int ShiftedSigns::sideOfApex(SideIndex side, const Line& line) const {
       4 * kSignRounding * sizeOf(along) * (2 * sizeOf(toOwn) + sizeOf(across)) * (distance + std::abs(difference)) +
       kSignUnderflow;
   if (std::abs(value) > error) return signOfNumber(value);
-  const Circle from = placed(line.from, own);
-  const Circle to = placed(line.to, own);
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
   const int sign = seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [](const auto& seen, int) {
     const auto& u = seen[0].v;
     const auto d = seen[1].v - u;
@@ -315,7 +315,7 @@ int ShiftedSigns::turnFromEnd(SideIndex side, bool isTarget, Point corner) const
   if (std::abs(value) > sizeOf(toCorner) * (error + kSignRounding * sizeOf(toEnd)) + kSignUnderflow)
     return signOfNumber(value);
   const auto [u, v] = exact::othersOf(faceOf(side, isTarget), &own);
-  const Circle p = placed(corner, own);
+  const Circle p = circleAt(corner, own);
   return seenFrom(own, std::array{u, v, &p}, []<class Number>(const std::array<Seen<Number>, 3>& seen, int) {
     const auto turn = [&](const Number& x, const Number& y) {
       return linearSign(seen[0], seen[1], y, -x, None(), None());
@@ -364,8 +364,8 @@ bool ShiftedSigns::crossesTwice(SideIndex side, const Line& line, int center) co
                                        sizeOf({other.x - line.from.x, other.y - line.from.y}));
   if (height * center < -4 * kSignRounding * size - kSignUnderflow) return false;
   if (height * height - bound < -8 * kSignRounding * (whole + size * size) - kSignUnderflow) return false;
-  const Circle from = placed(line.from, own);
-  const Circle to = placed(line.to, own);
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
   return seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [&](const auto& seen, int) {
     const auto& [c, d, direction] = seen;
     const auto difference = d.v - c.v;
@@ -382,9 +382,9 @@ bool ShiftedSigns::crossesTwice(SideIndex side, const Line& line, int center) co
 bool ShiftedSigns::isAheadOf(SideIndex side, const Line& line, Point corner) const {
   const Circle& own = circle(diagram_.circleOf(side));
   const Circle& other = circle(diagram_.neighborOf(side));
-  const Circle p = placed(corner, own);
-  const Circle from = placed(line.from, own);
-  const Circle to = placed(line.to, own);
+  const Circle p = circleAt(corner, own);
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
   return seenFrom(p, std::array<const Circle*, 4>{&own, &other, &from, &to}, [](const auto& seen, int) {
            const auto& [c, d, start, end] = seen;
            const auto direction = end.v - start.v;
@@ -403,8 +403,8 @@ int ShiftedSigns::approachAtEnd(SideIndex side, bool isTarget, const Line& line)
   const Circle& own = circle(diagram_.circleOf(side));
   const Circle& other = circle(diagram_.neighborOf(side));
   const auto [u, v] = exact::othersOf(faceOf(side, isTarget), &own);
-  const Circle from = placed(line.from, own);
-  const Circle to = placed(line.to, own);
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
   return seenFrom(own, std::array{u, v, &other, &from, &to}, [](const auto& seen, int) {
     const auto& neighbor = seen[2].v;
     const auto direction = seen[4].v - seen[3].v;
@@ -416,8 +416,8 @@ int ShiftedSigns::approachAtEnd(SideIndex side, bool isTarget, const Line& line)
 bool ShiftedSigns::goesToNeighbor(SideIndex side, const Line& line) const {
   const Circle& own = circle(diagram_.circleOf(side));
   const Circle& other = circle(diagram_.neighborOf(side));
-  const Circle from = placed(line.from, own);
-  const Circle to = placed(line.to, own);
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
   return seenFrom(own, std::array<const Circle*, 3>{&other, &from, &to},
                   [](const auto& seen, int) { return planeDot(seen[0].v, seen[2].v - seen[1].v).sign(); }) > 0;
 }
@@ -438,8 +438,8 @@ double ShiftedSigns::shareOfCrossing(CircleIndex from, CircleIndex to, const Lin
     return (exact::floating(dotOf(across, across) + weights - half - half) / exact::floating(way + way)).times(0);
   }
   const bool isToInner = d.r < c.r;
-  const Circle start = placed(line.from, c);
-  const Circle end = placed(line.to, c);
+  const Circle start = circleAt(line.from, c);
+  const Circle end = circleAt(line.to, c);
   return seenFrom(start, std::array<const Circle*, 3>{&c, &d, &end}, [&](const auto& seen, int) {
     const auto& direction = seen[2].v;
     const auto across = seen[1].v - seen[0].v;

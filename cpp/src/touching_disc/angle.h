@@ -7,8 +7,8 @@
 
 namespace circle_voronoi {
 
-/// Two directions that differ by less than this angle in radians are not told apart where a tie is the likely reason:
-/// it is far above the rounding error of a three-touch disc and far below what two different discs need to differ.
+/// Directions that differ by less than this angle in radians count as a tie. The angle is far above the rounding error
+/// of a three-touch disc and far below the difference of distinct discs.
 inline constexpr double kSameDirection = 0x1p-30;
 
 inline bool sameDirection(Vector u, Vector v) {

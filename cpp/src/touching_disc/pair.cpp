@@ -38,7 +38,7 @@ std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount, 
 
 std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress,
                                 const Observer& observer) {
-  // Parts of the time, about.
+  // Approximate shares of the time.
   constexpr double kTriangulated = 0.91;
   constexpr double kShared = 0.915;
   constexpr double kCounted = 0.92;
@@ -51,7 +51,8 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const D
   }
 
   // Samples of several circles may coincide; each joins its circle to that of its representative and, by the
-  // representative's edges, to the neighbors. Listing the circles at every representative makes no pair go missing.
+  // representative's edges, to the neighbors. Listing the circles at every representative ensures that no pair is
+  // missed.
   std::vector<std::vector<int>> shared;  // circles at a point that several circles share
   std::vector<int> sharedAt(samples.points.size(), -1);
   forEachIndex(samples.points.size(), partOf(progress, kTriangulated, kShared), [&](std::size_t s) {
@@ -77,9 +78,9 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const D
     count += circlesAt(s).size() * circlesAt(t).size();
   });
   if (count > kMaxPairs) {
-    throw Refusal{{ErrorCode::tooManyCircles, -1,
-                   std::to_string(circleCount) + " circles would have " + std::to_string(count) +
-                       " candidate pairs; at most " + std::to_string(kMaxPairs) + " are possible."}};
+    throw ThrownError{{ErrorCode::tooManyCircles, -1,
+                       std::to_string(circleCount) + " circles would have " + std::to_string(count) +
+                           " candidate pairs; at most " + std::to_string(kMaxPairs) + " are possible."}};
   }
   std::vector<Pair> pairs;
   pairs.reserve(count);

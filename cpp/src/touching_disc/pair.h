@@ -18,8 +18,8 @@ using Pair = std::array<int, 2>;
 inline constexpr std::int64_t kMaxPairs = std::numeric_limits<std::int32_t>::max() / 2;
 
 /// The pairs of circles that have neighboring or coinciding samples in the Delaunay graph of the samples (paper,
-/// section 4.1), each once, in lexicographic order. Refuses (guarded.h) more than kMaxPairs, tooManyCircles.
-/// `progress` is told now and then which part is done, `observer` each edge of that graph and each pair.
+/// section 4.1), each once, in lexicographic order. Refuses (guarded.h) more than kMaxPairs, tooManyCircles. Reports
+/// the finished part to `progress` from time to time, and each edge of that graph and each pair to `observer`.
 std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress = {},
                                 const Observer& observer = {});
 

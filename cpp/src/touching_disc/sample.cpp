@@ -25,7 +25,7 @@ Vector divideAngle(Vector from, Vector to, int part, int whole) {
   constexpr double kStraight = 1e-20;  // the square of the sum of two unit vectors that are opposite but for rounding
   for (int i = 0; i < kHalvings && part != 0; ++i) {
     const Vector sum = {from.x + to.x, from.y + to.y};
-    // A straight angle has no sum to speak of: its bisector is the perpendicular.
+    // The sum vanishes for a straight angle, whose bisector is the perpendicular.
     const Vector middle = dot(sum, sum) > kStraight ? unit(sum) : Vector{-from.y, from.x};
     if (2 * part < whole) {
       part = 2 * part;
@@ -51,9 +51,9 @@ class Sampler {
   Sampler(std::span<const Circle> circles, std::int64_t count, const Done& progress)
       : circles_(circles), smallest_(smallestRadius(circles)), count_(count), progress_(progress) {
     if (count > kMaxSamplePoints) {
-      throw Refusal{{ErrorCode::tooManyCircles, -1,
-                     std::to_string(circles.size()) + " circles would have " + std::to_string(count) +
-                         " samples; at most " + std::to_string(kMaxSamplePoints) + " are possible."}};
+      throw ThrownError{{ErrorCode::tooManyCircles, -1,
+                         std::to_string(circles.size()) + " circles would have " + std::to_string(count) +
+                             " samples; at most " + std::to_string(kMaxSamplePoints) + " are possible."}};
     }
     samples_.points.reserve(static_cast<std::size_t>(count));
     samples_.circles.reserve(static_cast<std::size_t>(count));

@@ -29,7 +29,8 @@ inline constexpr std::int64_t kMaxSamplePoints = std::numeric_limits<std::int32_
 /// The smallest radius is subtracted from all radii first. This does not change the diagram, and the circles overlap
 /// less. `centers` has the centers of `circles` as corners.
 ///
-/// Refuses (guarded.h) more than kMaxSamplePoints, tooManyCircles. `progress` is told now and then which part is done.
+/// Refuses (guarded.h) more than kMaxSamplePoints, tooManyCircles. Reports the finished part to `progress` from time to
+/// time.
 Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, std::span<const int> angular,
                           const Done& progress = {});
 

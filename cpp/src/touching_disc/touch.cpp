@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "angle.h"
-#include "rings.h"
+#include "rotation_system.h"
 #include "three_touch_disc.h"
 
 namespace circle_voronoi {
@@ -40,7 +40,7 @@ struct Candidate {
 class Touch {
  public:
   Touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer)
-      : circles_(circles), observer_(observer), rings_(circles, pairs), touched_(circles.size(), false) {
+      : circles_(circles), observer_(observer), rotations_(circles, pairs), touched_(circles.size(), false) {
     makeDiscs(pairs);
     result_.topology.edges.reserve(3 * circles.size());
     result_.topology.vertexCircles.reserve(2 * circles.size());
@@ -77,19 +77,19 @@ class Touch {
   void prepare(const AntipodalDisc& disc) const {
     __builtin_prefetch(&circles_[disc.a]);
     __builtin_prefetch(&circles_[disc.b]);
-    rings_.prefetchSlot(disc.slotA);
-    rings_.prefetchSlot(disc.slotB);
+    rotations_.prefetchSlot(disc.slotA);
+    rotations_.prefetchSlot(disc.slotB);
   }
 
   void prepare(const Candidate& candidate) const {
-    rings_.prefetchEdge(candidate.first);
-    rings_.prefetchEdge(candidate.second);
+    rotations_.prefetchEdge(candidate.first);
+    rotations_.prefetchEdge(candidate.second);
   }
 
   // --- antipodal discs (Algorithm 2) ---
 
   void makeDiscs(std::span<const Pair> pairs) {
-    const std::vector<SlotRings::Slots> slots = rings_.takeSlots();
+    const std::vector<RotationSystem::Slots> slots = rotations_.takeSlots();
     discs_.reserve(pairs.size());
     for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
       const auto [a, b] = pairs[pair];
@@ -113,10 +113,10 @@ class Touch {
   /// diagram.
   bool isUsed(int i, int slot, int partner, Vector direction) const {
     if (!touched_[i]) return false;
-    const SlotRings::Arc arc = rings_.arcAt(i, slot);
+    const RotationSystem::Arc arc = rotations_.arcAt(i, slot);
     if (arc.isUsed()) return true;
-    const DirectedEdge& in = rings_.edge(arc.in);
-    const DirectedEdge& out = rings_.edge(arc.out);
+    const DirectedEdge& in = rotations_.edge(arc.in);
+    const DirectedEdge& out = rotations_.edge(arc.out);
     // No disc on the bisector is smaller than the antipodal one: if a DE of the two circles is there before it, then
     // the two differ by rounding only, and that DE stands for both.
     if (in.a == partner || out.b == partner) return true;
@@ -131,12 +131,13 @@ class Touch {
   /// A circle next to the footpoint at `slot` of circle i that meets or touches the disc, or kNone (paper,
   /// section 3.3).
   ///
-  /// A circle that touches an antipodal disc makes it a three-touch disc, which places the same DEs. Taking touching
-  /// for meeting leaves ties to those: two antipodal discs of opposite circles around one disc would cross.
+  /// A circle that touches an antipodal disc makes it a three-touch disc, which places the same DEs. If touching counts
+  /// as meeting, three-touch discs decide ties. Otherwise two antipodal discs of opposite circles around one disc would
+  /// cross.
   int meetingCircle(int i, int slot, const Vertex& disc) const {
     if (!touched_[i]) return kNone;
-    const SlotRings::Arc arc = rings_.arcAt(i, slot);
-    for (const int near : {rings_.edge(arc.in).a, rings_.edge(arc.out).b}) {
+    const RotationSystem::Arc arc = rotations_.arcAt(i, slot);
+    for (const int near : {rotations_.edge(arc.in).a, rotations_.edge(arc.out).b}) {
       const Circle& c = circles_[near];
       const Vector v = {disc.x - c.x, disc.y - c.y};
       const double distance = length(v);
@@ -167,12 +168,12 @@ class Touch {
     // Going along the segment of DE(a,b), b is on the left.
     const int edge = static_cast<int>(result_.topology.edges.size());
     result_.topology.edges.push_back({b, a, kNone, kNone});
-    const int forth = rings_.place({a, b, slotA, slotB, edge, true, v, back});
-    const int reverse = rings_.place({b, a, slotB, slotA, edge, false, back, v});
+    const int forth = rotations_.place({a, b, slotA, slotB, edge, true, v, back});
+    const int reverse = rotations_.place({b, a, slotB, slotA, edge, false, back, v});
     for (const int placed : {forth, reverse}) {
       tell({TraceKind::directedEdgePlaced,
             disc,
-            {rings_.edge(placed).a, rings_.edge(placed).b, kNone},
+            {rotations_.edge(placed).a, rotations_.edge(placed).b, kNone},
             kNone,
             {placed, kNone}});
     }
@@ -191,15 +192,15 @@ class Touch {
   }
 
   void formThreeTouchDiscs(int index) {
-    const int before = rings_.adjacentBefore(rings_.edge(index));
-    const int after = rings_.adjacentAfter(rings_.edge(index));
+    const int before = rotations_.adjacentBefore(rotations_.edge(index));
+    const int after = rotations_.adjacentAfter(rotations_.edge(index));
     if (before != kNoEdge) formThreeTouchDisc(before, index);
     if (after != kNoEdge) formThreeTouchDisc(index, after);
   }
 
   void formThreeTouchDisc(int first, int second) {
-    const DirectedEdge& ab = rings_.edge(first);
-    const DirectedEdge& bc = rings_.edge(second);
+    const DirectedEdge& ab = rotations_.edge(first);
+    const DirectedEdge& bc = rotations_.edge(second);
     if (bc.b == ab.a) return;
     // The disc lies to the right of a -> b -> c: these are clockwise around it.
     const auto disc = threeTouchDisc(circles_[ab.a], circles_[bc.b], circles_[ab.b]);
@@ -213,9 +214,10 @@ class Touch {
 
   void processThreeTouchDisc(const Candidate& candidate) {
     const auto& [radius, first, second] = candidate;
-    const DirectedEdge ab = rings_.edge(first);
-    const DirectedEdge bc = rings_.edge(second);
-    const bool isStale = !rings_.isAlive(first) || !rings_.isAlive(second) || rings_.adjacentAfter(ab) != second;
+    const DirectedEdge ab = rotations_.edge(first);
+    const DirectedEdge bc = rotations_.edge(second);
+    const bool isStale =
+        !rotations_.isAlive(first) || !rotations_.isAlive(second) || rotations_.adjacentAfter(ab) != second;
     if (isStale && !observer_) return;
     const auto disc = threeTouchDisc(circles_[ab.a], circles_[bc.b], circles_[ab.b]);
     if (isStale) {
@@ -227,12 +229,12 @@ class Touch {
     tell({TraceKind::branchDisc, disc->disc, {ab.a, ab.b, bc.b}, vertex, {first, second}});
 
     const auto& [toA, toC, toB] = disc->toCenter;
-    int third = rings_.adjacentAfter(bc);
+    int third = rotations_.adjacentAfter(bc);
     if (third != kNoEdge) {
       // DE(c,a) closes the triangle only if it faces both others; another DE between c and a belongs to another
       // branch point.
-      const DirectedEdge& ca = rings_.edge(third);
-      if (ca.b != ab.a || rings_.adjacentAfter(ca) != first || !isForward(ca, toC, toA)) third = kNoEdge;
+      const DirectedEdge& ca = rotations_.edge(third);
+      if (ca.b != ab.a || rotations_.adjacentAfter(ca) != first || !isForward(ca, toC, toA)) third = kNoEdge;
     }
     finish(first, vertex, disc->disc);
     finish(second, vertex, disc->disc);
@@ -242,18 +244,18 @@ class Touch {
     }
     const int edge = static_cast<int>(result_.topology.edges.size());
     result_.topology.edges.push_back({bc.b, ab.a, vertex, kNone});
-    const int placed = rings_.place({ab.a, bc.b, ab.slotA, bc.slotB, edge, true, toA, toC});
+    const int placed = rotations_.place({ab.a, bc.b, ab.slotA, bc.slotB, edge, true, toA, toC});
     tell({TraceKind::directedEdgePlaced, disc->disc, {ab.a, bc.b, kNone}, kNone, {placed, kNone}});
     formThreeTouchDiscs(placed);
   }
 
   /// The segment of a DE ends at a vertex, and the DE with it.
   void finish(int index, int vertex, const Vertex& disc) {
-    const DirectedEdge& edge = rings_.edge(index);
+    const DirectedEdge& edge = rotations_.edge(index);
     Edge& voronoi = result_.topology.edges[edge.edge];
     (edge.isEnd ? voronoi.end : voronoi.start) = vertex;
     tell({TraceKind::segmentFinished, disc, {edge.a, edge.b, kNone}, vertex, {index, kNone}});
-    rings_.remove(index);
+    rotations_.remove(index);
     tell({TraceKind::directedEdgeDeleted, disc, {edge.a, edge.b, kNone}, kNone, {index, kNone}});
   }
 
@@ -261,7 +263,7 @@ class Touch {
   void collectHull() {
     auto& hull = result_.topology.hull;
     if (circles_.size() == 1) hull.push_back(0);
-    for (const std::vector<int>& cycle : rings_.cycles()) {
+    for (const std::vector<int>& cycle : rotations_.cycles()) {
       ++result_.leftoverCycles;
       hull.insert(hull.end(), cycle.begin(), cycle.end());
     }
@@ -273,7 +275,7 @@ class Touch {
 
   std::span<const Circle> circles_;
   const Observer& observer_;
-  SlotRings rings_;
+  RotationSystem rotations_;
   std::vector<bool> touched_;
 
   std::vector<AntipodalDisc> discs_;  ///< sorted by radius

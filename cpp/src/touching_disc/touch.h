@@ -23,9 +23,9 @@ struct TouchResult {
 /// order of their radii, and moves directed edges from each disc of R_min to its disc of R_max.
 ///
 /// `circles` must not hide one another; `pairs` are the candidates. The result is the Voronoi diagram if `pairs` holds
-/// every pair whose antipodal disc is empty and needed; it is a planar structure in any case, to be judged.
-/// The leftover directed edges are the hull: one cycle if all went well (paper, Lemma 2).
-/// `progress` is told now and then which part of the pairs is done.
+/// every pair whose antipodal disc is empty and needed; it is a planar structure in any case, to be judged. The
+/// leftover directed edges are the hull: one cycle if all went well (paper, Lemma 2). Reports the finished part of the
+/// pairs to `progress` from time to time.
 TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer = {},
                   const Done& progress = {});
 

@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: GPL-3.0-or-later The range algorithms that the library uses, taken from range-v3, because
-// <algorithm> lacks them before version 15 of libc++. In front of every source: libc++ includes <algorithm> itself
-// before it has what range-v3 needs.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The range algorithms that the library uses, taken from range-v3, because <algorithm> lacks them before version 15 of
+// libc++. Included before every source, because libc++ includes <algorithm> itself before it has declared what range-v3
+// needs.
 #pragma once
 #include <algorithm>
 

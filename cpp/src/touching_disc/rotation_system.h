@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rings of the event loop: which directed edges (DEs) lie around each circle, in order.
+// The rotation system of the event loop: the cyclic order of the directed edges (DEs) around each circle.
 //
 // Every candidate pair {a, b} has a slot on a and a slot on b. The slots of a circle are sorted once,
 // counter-clockwise, by the direction to the partner, and a DE never leaves the slots of the circles it joins: where a
 // three-touch disc replaces DE(a,b) and DE(b,c) by DE(a,c), the latter starts in the slot where DE(a,b) started and
-// ends in the slot where DE(b,c) ended. So ties of angles cannot disturb the order of a ring.
+// ends in the slot where DE(b,c) ended. Hence ties of angles cannot disturb the cyclic order.
 //
 // A slot holds at most one DE that starts there ("out") and one that ends there ("in"). Seen from the circle, a DE that
 // starts looks clockwise for its disc of R_max, one that ends looks counter-clockwise:
@@ -43,14 +43,14 @@ struct DirectedEdge {
   Vector fromB;
 };
 
-class SlotRings {
+class RotationSystem {
  public:
   /// The slots of a pair, on its first and on its second circle.
   using Slots = std::array<int, 2>;
 
-  SlotRings(std::span<const Circle> circles, std::span<const Pair> pairs);
+  RotationSystem(std::span<const Circle> circles, std::span<const Pair> pairs);
 
-  /// The slots of each pair, given away.
+  /// Moves out the slots of each pair.
   std::vector<Slots> takeSlots() { return std::move(pairSlots_); }
 
   const DirectedEdge& edge(int index) const { return edges_[index]; }
@@ -89,7 +89,7 @@ class SlotRings {
   struct Arc {
     int in = kNoEdge;
     int out = kNoEdge;
-    bool isWhole = false;  ///< both are in one slot: the arc goes all the way round
+    bool isWhole = false;  ///< whether both are in one slot, so that the arc is the whole circle
 
     bool isUsed() const { return in == kNoEdge || out == kNoEdge; }
   };
@@ -100,7 +100,7 @@ class SlotRings {
     return {slots_[before].in, slots_[after].out, before == after};
   }
 
-  /// The DEs that are left, in cycles of adjacent ones: the circles that they leave.
+  /// Returns the remaining DEs in cycles of adjacent DEs, each as the list of the circles that they start from.
   std::vector<std::vector<int>> cycles() const;
 
   void prefetchSlot(int slot) const { __builtin_prefetch(&slots_[slot]); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rings.h"
+#include "rotation_system.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace circle_voronoi {
 
-SlotRings::SlotRings(std::span<const Circle> circles, std::span<const Pair> pairs)
+RotationSystem::RotationSystem(std::span<const Circle> circles, std::span<const Pair> pairs)
     : firstSlot_(circles.size() + 1, 0),
       slots_(2 * pairs.size()),
       occupied_(2 * pairs.size()),
@@ -42,7 +42,7 @@ SlotRings::SlotRings(std::span<const Circle> circles, std::span<const Pair> pair
   }
 }
 
-std::vector<std::vector<int>> SlotRings::cycles() const {
+std::vector<std::vector<int>> RotationSystem::cycles() const {
   std::vector<std::vector<int>> cycles;
   std::vector<bool> seen(edges_.size(), false);
   for (const Slot& slot : slots_) {

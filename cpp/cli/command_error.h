@@ -28,19 +28,21 @@ inline constexpr std::array<ExitMeaning, 4> kExitMeanings = {
      {kBadInput, "The circles, the diagram or the command line are invalid."},
      {kNotFinal, "Some circles of a tile's core are not final; everything that was written is final."}}};
 
-/// Thrown by a command: the exit status of the program, and one sentence that says why.
-struct Failure {
+/// The exit status of the program and one sentence that explains it. Commands throw it.
+struct CommandError {
   ExitStatus status;
   std::string message;
 };
 
-/// Throws Failure with an error of the library, after `where`.
+/// Throws CommandError with an error of the library, after `where`.
 [[noreturn]] inline void fail(const Error& error, const std::string& where) {
-  throw Failure{error.code == ErrorCode::notCertified || error.code == ErrorCode::notConverged ? kFailure : kBadInput,
-                where + error.message};
+  throw CommandError{
+      error.code == ErrorCode::notCertified || error.code == ErrorCode::notConverged ? kFailure : kBadInput,
+      where + error.message};
 }
 
-/// Throws Failure if a writer failed, except if its stream did: `writeText` reports that, with the reason.
+/// Throws CommandError if a writer failed, unless its stream failed: `writeText` reports failing streams, with the
+/// reason.
 inline void checkWritten(const Result<void>& written, const std::string& where) {
   if (!written && written.error().code != ErrorCode::notWritten) fail(written.error(), where);
 }

@@ -10,15 +10,15 @@ namespace circle_voronoi {
 /// An allocator of numbers from 0 on. It reuses free numbers before it takes new ones. `takeBack` undoes everything
 /// taken and released since a mark, at most back to the last `keep`. A released number is reused only after the next
 /// `keep`.
-class Places {
+class NumberPool {
  public:
-  explicit Places(int used = 0) : count_(used), kept_(used) {}
+  explicit NumberPool(int used = 0) : count_(used), kept_(used) {}
 
   /// Returns an upper bound: all numbers in use are below it.
   int count() const { return count_; }
 
   int take() { return freeLeft_ > 0 ? free_[--freeLeft_] : count_++; }
-  void release(int place) { released_.push_back(place); }
+  void release(int number) { released_.push_back(number); }
 
   struct Mark {
     std::size_t freeLeft;
@@ -48,7 +48,7 @@ class Places {
 
  private:
   std::vector<int> free_;
-  std::size_t freeLeft_ = 0;  ///< the number of places in free_ that are not taken
+  std::size_t freeLeft_ = 0;  ///< the count of numbers in free_ that are not taken
   std::vector<int> released_;
   int count_;
   int kept_;
