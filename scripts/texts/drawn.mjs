@@ -2,7 +2,7 @@
 // Draws the initial pictures of the tutorial's own figures with the page's code.
 import { readFileSync } from 'node:fs'
 import { pathToFileURL } from 'node:url'
-import { deflateSync } from 'node:zlib'
+import { crc32, deflateSync } from 'node:zlib'
 import { build } from 'esbuild'
 import { ROOT } from '../run.mjs'
 
@@ -84,15 +84,6 @@ function chunk(type, data) {
   const whole = Buffer.alloc(body.length + 8)
   whole.writeUInt32BE(data.length, 0)
   body.copy(whole, 4)
-  whole.writeUInt32BE(crcOf(body), body.length + 4)
+  whole.writeUInt32BE(crc32(body), body.length + 4)
   return whole
-}
-
-function crcOf(bytes) {
-  let crc = ~0
-  for (const byte of bytes) {
-    crc ^= byte
-    for (let k = 0; k < 8; k++) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0)
-  }
-  return ~crc >>> 0
 }

@@ -861,6 +861,19 @@ describe('a pointer that is not pressed', () => {
     expect(stage.listeners.size).toBe(0)
   })
 
+  it('hovers where a drag has left it once the last edit arrives', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    await stage.send('pointermove', pixel(1, 2))
+    await stage.drag([pixel(1, 2), pixel(4, 6)])
+    stage.done.length = 0
+    stage.listeners.get('changed')?.()
+    expect(stage.of('hit', 'hover')).toEqual([
+      ['hit', 4, 6],
+      ['hover', 0],
+    ])
+  })
+
   it('hovers, and its cursor says what a press would do', async () => {
     const stage = new Stage()
     for (const [under, cursor] of [

@@ -250,6 +250,7 @@ export function listenToPointer(
       return
     }
     pressed.set(event.pointerId, point)
+    if (hovering !== undefined) hovering = point
     hasMoved ||= Math.hypot(point.x - start.x, point.y - start.y) >= CLICK_DISTANCE
     if (hasMoved) gesture?.move(point, event.altKey !== target.snaps)
   })

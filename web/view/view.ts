@@ -114,18 +114,7 @@ export class View {
   /** The borders of the picture that something covers. */
   covered: () => Padding = () => NO_PADDING
 
-  readonly #listeners: { readonly [Name in keyof ViewEvents]: Set<(event: ViewEvents[Name]) => void> } = {
-    marked: new Set(),
-    found: new Set(),
-    layers: new Set(),
-    diagram: new Set(),
-    camera: new Set(),
-    style: new Set(),
-    tried: new Set(),
-    changed: new Set(),
-    refused: new Set(),
-    failed: new Set(),
-  }
+  readonly #listeners = new Map<keyof ViewEvents, Set<(event: never) => void>>()
   readonly #ondispose: () => void
   readonly #watching = new AbortController()
 
@@ -146,16 +135,10 @@ export class View {
         this.#schedule()
       },
       marked: (marks) => {
-        this.#marks = marks
-        this.#outlinedAt = this.#lookedAt
-        this.#overlayChanges()
+        this.#outline(marks)
         this.#tell('marked', marks)
       },
-      outlined: (marks) => {
-        this.#marks = marks
-        this.#outlinedAt = this.#lookedAt
-        this.#overlayChanges()
-      },
+      outlined: (marks) => this.#outline(marks),
       found: (found) => this.#findingChanges(found),
       failed: (error, lost) => this.#drawingFailed(error, lost),
     })
@@ -203,8 +186,9 @@ export class View {
 
   /** Subscribes to an event, and returns a function that unsubscribes. */
   on<Name extends keyof ViewEvents>(name: Name, listener: (event: ViewEvents[Name]) => void): () => void {
-    this.#listeners[name].add(listener)
-    return () => this.#listeners[name].delete(listener)
+    const listeners = this.#listeners.get(name) ?? new Set()
+    this.#listeners.set(name, listeners.add(listener))
+    return () => listeners.delete(listener)
   }
 
   get camera(): Camera {
@@ -472,7 +456,7 @@ export class View {
 
   /** Ends all requests silently. */
   dispose(): void {
-    for (const listeners of Object.values(this.#listeners)) listeners.clear()
+    for (const listeners of this.#listeners.values()) listeners.clear()
     this.#observer.disconnect()
     cancelAnimationFrame(this.#frame)
     clearTimeout(this.#rest)
@@ -601,6 +585,12 @@ export class View {
     this.#tell('failed', { error, marks })
   }
 
+  #outline(marks: Highlights): void {
+    this.#marks = marks
+    this.#outlinedAt = this.#lookedAt
+    this.#overlayChanges()
+  }
+
   #findingChanges(found: GlobalResults | undefined): void {
     this.#found = found
     this.#overlayChanges()
@@ -613,7 +603,7 @@ export class View {
   }
 
   #tell<Name extends keyof ViewEvents>(name: Name, event: ViewEvents[Name]): void {
-    for (const listener of this.#listeners[name]) listener(event)
+    for (const listener of this.#listeners.get(name) ?? []) listener(event as never)
   }
 
   /** Reports the result of an edit as an event, too. */

@@ -108,7 +108,8 @@ export class FileActions {
   }
 
   /** Clips the cells to the polygons of a file. An invalid region changes nothing. */
-  async openRegion(file: File, gesture = this.#actions.beginGesture()): Promise<HowOpened> {
+  async openRegion(file: File): Promise<HowOpened> {
+    const gesture = this.#actions.beginGesture()
     if (file.size > LARGEST_FILE) {
       this.#actions.complain(`${file.name}: the file is too large.`)
       return 'refused'
