@@ -147,7 +147,8 @@ test('deletes the selected circle', async ({ app }) => {
   await expect(app.status).toContainText('678 circles')
 })
 
-test('deletes a circle in the middle of its drag, and no other one changes', async ({ introduction: app }) => {
+test('deletes a circle in the middle of its drag, and no other one changes', async ({ app }) => {
+  await app.choose('Introduction')
   const from = app.center(INTRODUCTION, 4)
   await app.drag(from, { x: from.x + 30, y: from.y + 20 })
   await app.page.keyboard.press('Delete')

@@ -18,10 +18,9 @@ function isEmpty({ x, y }: { x: number; y: number }): boolean {
 
 const panelOf = (app: App) => app.page.getByRole('region', { name: 'A new circle' })
 
-test('held, it shows what would be taken from whom; Escape leaves all as it was, release adds it', async ({
-  introduction: app,
-}) => {
+test('held, it shows what would be taken from whom; Escape leaves all as it was, release adds it', async ({ app }) => {
   const { page } = app
+  await app.choose('Introduction')
   expect(isEmpty(EMPTY)).toBe(true)
   const place = app.locate(INTRODUCTION, EMPTY)
   const panel = panelOf(app)
