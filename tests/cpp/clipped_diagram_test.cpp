@@ -406,5 +406,30 @@ TEST(ClippedDiagram, RefusesUnsupportedArguments) {
   EXPECT_FALSE(ClippedDiagram::from(none, region)->largestEmptyDisc());
 }
 
+TEST(ClippedDiagram, HolesFollowTheLoopsAroundThemAlsoWithinADistance) {
+  const auto square = [](double x, double y, double size) {
+    return Region::Ring{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+  };
+  const std::vector<std::vector<Region::Ring>> polygons = {{square(0, 0, 3)},
+                                                           {square(6, 6, 4), square(6.5, 6.5, 0.5)},
+                                                           {square(0, 7, 3)},
+                                                           {square(4, 4, 1.9), square(4.5, 4.5, 1)}};
+  const Diagram diagram = compute(std::vector<Circle>{{5, 5, 1}, {40, 5, 1}}).value();
+  const Region region = Region::fromPolygons(polygons).value();
+  const Outline outline = ClippedDiagram::from(diagram, region, 3)->outline(0);
+  ASSERT_EQ(outline.size(), 6U);
+  int holes = 0;
+  std::size_t around = 0;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    if (area(Outline{outline[k]}) > 0) {
+      around = k;
+      continue;
+    }
+    ++holes;
+    EXPECT_TRUE(hasInLoop(outline[around], outline[k].front().curve.start)) << "loop " << k;
+  }
+  EXPECT_EQ(holes, 2);
+}
+
 }  // namespace
 }  // namespace circle_voronoi

@@ -190,5 +190,23 @@ TEST(ClippedPolygons, AreAValidCoverageAtAnyTolerance) {
   }
 }
 
+TEST(ClippedPolygons, CornersBetweenAnArcAndItsChordCountWhateverPartOfTheBoundaryCameBefore) {
+  const Diagram diagram = computeComparison(std::vector<Circle>{{0, 0, 5}, {8, 0, 0.5}}, Metric::circles).value();
+  // A corner in the second cell, after a stretch far from its border in the first one; and a hole after another hole.
+  const std::vector<std::vector<Region::Ring>> shapes = {
+      {{{6.26, 0}, {6.884, 20}, {-30, 20}, {-30, -20}, {6.884, -20}}},
+      {{{-20, -4}, {20, -4}, {20, 4}, {-20, 4}},
+       {{-10, -1}, {-9, -1}, {-9, 1}},
+       {{6.6, -0.2}, {6.8, -0.2}, {6.8, 0.2}}}};
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    const Region region = Region::fromRings(shapes[k]).value();
+    const ClippedDiagram clipped = ClippedDiagram::from(diagram, region).value();
+    for (const double tolerance : {1e-4, k == 0 ? 0.1 : 1.3}) {
+      SCOPED_TRACE("shape " + std::to_string(k) + ", tolerance " + std::to_string(tolerance));
+      expectCoverage(clipped.polygons(tolerance), region, 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace circle_voronoi

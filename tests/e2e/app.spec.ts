@@ -74,8 +74,7 @@ test('shows the bronze filter of a link, under a strict Content-Security-Policy'
   )
 })
 
-test('draws the edges as arcs, not as chords', async ({ app }) => {
-  await app.choose('Introduction')
+test('draws the edges as arcs, not as chords', async ({ introduction: app }) => {
   const diagram = (await loadCircleVoronoi()).compute(INTRODUCTION)
   const { scale } = app.camera(INTRODUCTION)
   const middles: Point[] = []
@@ -118,8 +117,7 @@ test('updates the diagram within a drag, before the mouse is released', async ({
   await expect(app.field('x')).toHaveValue(String(BRONZE[1800]))
 })
 
-test('adds a circle by a double click, and by pressing and dragging', async ({ app }) => {
-  await app.choose('Introduction')
+test('adds a circle by a double click, and by pressing and dragging', async ({ introduction: app }) => {
   const { scale } = app.camera(INTRODUCTION)
   const free = app.locate(INTRODUCTION, { x: 2.3, y: 4.6 })
   await app.page.mouse.dblclick(free.x, free.y)
@@ -255,8 +253,7 @@ test('pans and zooms', async ({ app }) => {
   await expect(app.inspector).toContainText('Circle 650')
 })
 
-test('works with the keyboard alone', async ({ app }) => {
-  await app.choose('Introduction')
+test('works with the keyboard alone', async ({ introduction: app }) => {
   await app.canvas.focus()
   await app.page.keyboard.press('Enter')
   await expect(app.inspector).toBeVisible()

@@ -65,8 +65,7 @@ test('the focus stays among neighbors, and keys of the picture work after a clic
   })
 })
 
-test('a circle that Tab selects is shown', async ({ app }) => {
-  await app.choose('Introduction')
+test('a circle that Tab selects is shown', async ({ introduction: app }) => {
   await app.select(INTRODUCTION, 4)
   await app.drag({ x: 140, y: 400 }, { x: 1270, y: 400 })
   await app.page.mouse.up()
@@ -78,8 +77,7 @@ test('a circle that Tab selects is shown', async ({ app }) => {
   await expect(app.inspector).toContainText('Circle 5')
 })
 
-test('an outlier does not keep one from zooming to the rest', async ({ app }) => {
-  await app.choose('Introduction')
+test('an outlier does not keep one from zooming to the rest', async ({ introduction: app }) => {
   await app.select(INTRODUCTION, 4)
   await app.field('x').fill('1e12')
   await app.field('x').press('Enter')

@@ -84,9 +84,8 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
 test.describe('with fingers', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true })
 
-  test('a finger that rests does the same', async ({ app }) => {
+  test('a finger that rests does the same', async ({ introduction: app }) => {
     const { page } = app
-    await app.choose('Introduction')
     const place = app.locate(INTRODUCTION, EMPTY)
     const session = await page.context().newCDPSession(page)
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly { x: number; y: number }[]) =>

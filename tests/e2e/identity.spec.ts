@@ -8,10 +8,9 @@ import { dataSet, expect, test } from './page.ts'
 const START = dataSet('start')
 
 test('a circle gets a name and a color, which its card, its neighbors, the table, the link and undo know', async ({
-  app,
+  eight: app,
 }) => {
   const { page, inspector } = app
-  await app.choose('Eight circles')
   await app.select(START, 0)
   const center = app.center(START, 0)
   await inspector.getByLabel('Name').fill('Hamburg')
@@ -48,9 +47,8 @@ test('a circle gets a name and a color, which its card, its neighbors, the table
   await soon(() => app.colors([beside])).toEqual([[0x88, 0x22, 0xcc]])
 })
 
-test('names are entered in the table where there are none yet', async ({ app }) => {
+test('names are entered in the table where there are none yet', async ({ eight: app }) => {
   const { page } = app
-  await app.choose('Eight circles')
   await app.openPanel('Table')
   const cell = page.locator('#circle-grid [role="row"]').nth(2).getByRole('gridcell').last()
   await cell.dblclick()
@@ -63,9 +61,8 @@ test('names are entered in the table where there are none yet', async ({ app }) 
   await expect(app.inspector.getByRole('heading')).toHaveText('Bremen')
 })
 
-test('names are written on the picture, and a layer switches them', async ({ app }) => {
+test('names are written on the picture, and a layer switches them', async ({ eight: app }) => {
   const { page } = app
-  await app.choose('Eight circles')
   await app.select(START, 0)
   await app.inspector.getByLabel('Name').fill('Hamburg')
   await page.keyboard.press('Enter')
@@ -92,9 +89,8 @@ test('names are written on the picture, and a layer switches them', async ({ app
   await soon(async () => (await decodeLink(new URL(page.url()).hash)).layers).toEqual({ labels: false })
 })
 
-test('circles snap to a visible grid, whose axes have numbers', async ({ app }) => {
+test('circles snap to a visible grid, whose axes have numbers', async ({ eight: app }) => {
   const { page } = app
-  await app.choose('Eight circles')
   await app.openPanel('Layers')
   await page.getByLabel('Axes and grid').check()
   await app.openPanel('Layers')

@@ -30,10 +30,9 @@ test('the focus on the drawing is seen', async ({ app }) => {
 })
 
 test('N adds a circle near the middle of the picture, where there is room, and what is duplicated is said, each time', async ({
-  app,
+  introduction: app,
 }) => {
   const { page } = app
-  await app.choose('Introduction')
   await app.canvas.focus()
   const camera = app.camera(INTRODUCTION)
   await page.keyboard.press('n')
@@ -56,9 +55,8 @@ test('N adds a circle near the middle of the picture, where there is room, and w
   }
 })
 
-test('the tool for adding stays until Escape', async ({ app }) => {
+test('the tool for adding stays until Escape', async ({ introduction: app }) => {
   const { page } = app
-  await app.choose('Introduction')
   const add = page.getByRole('button', { name: 'Add a circle' })
   await add.click()
   for (const [k, place] of [
@@ -75,9 +73,8 @@ test('the tool for adding stays until Escape', async ({ app }) => {
   await expect(add).toHaveAttribute('aria-pressed', 'false')
 })
 
-test('a tiny circle is zoomed to by a key and by a button', async ({ app }) => {
+test('a tiny circle is zoomed to by a key and by a button', async ({ introduction: app }) => {
   const { page } = app
-  await app.choose('Introduction')
   await app.select(INTRODUCTION, 4)
   await app.field('r').fill('1e-6')
   await app.field('r').press('Enter')
@@ -94,9 +91,8 @@ test('a tiny circle is zoomed to by a key and by a button', async ({ app }) => {
   await soon(span).toBeLessThan(1e-5)
 })
 
-test('the card says what a cell measures, and what the number of a circle is', async ({ app }) => {
+test('the card says what a cell measures, and what the number of a circle is', async ({ introduction: app }) => {
   const { page } = app
-  await app.choose('Introduction')
   await app.select(INTRODUCTION, 0)
   const facts = app.inspector.locator('#inspector-facts')
   await expect(facts).toContainText('Area of the cell')
@@ -113,10 +109,9 @@ test('the card says what a cell measures, and what the number of a circle is', a
 })
 
 test('the disc at the pointer is shown wherever it is, and what belongs to places of other circles goes with them', async ({
-  app,
+  introduction: app,
 }) => {
   const { page } = app
-  await app.choose('Introduction')
   await app.openPanel('Layers')
   await page.getByLabel('Disc at the pointer').check()
   // A point inside a cell and outside its circle.
@@ -176,9 +171,8 @@ test('without circles a hint says what to do, and the menu that there are none',
   await expect(page.getByText('Double-click to add one')).toBeHidden()
 })
 
-test('circles move while it plays, and undo brings all of them back at once', async ({ app }) => {
+test('circles move while it plays, and undo brings all of them back at once', async ({ introduction: app }) => {
   const { page } = app
-  await app.choose('Introduction')
   await app.openPanel('Motion')
   const panel = page.getByRole('region', { name: 'Motion' })
   for (const name of ['Bounce', 'Grow from points', 'Breathe']) {
@@ -196,9 +190,8 @@ test('circles move while it plays, and undo brings all of them back at once', as
   }
 })
 
-test('motion is recorded as a video', async ({ app }) => {
+test('motion is recorded as a video', async ({ introduction: app }) => {
   const { page } = app
-  await app.choose('Introduction')
   await app.openPanel('Motion')
   const download = page.waitForEvent('download')
   // Observes before the click returns, which may take longer than the recording.
@@ -280,9 +273,10 @@ test('a slider scales all radii between the diagram of the centers and that of t
 test.describe('where motion is welcome', () => {
   test.use({ contextOptions: { reducedMotion: 'no-preference' } })
 
-  test('the three diagrams part as the radii grow, in the panel of layers or of motion', async ({ app }) => {
+  test('the three diagrams part as the radii grow, in the panel of layers or of motion', async ({
+    introduction: app,
+  }) => {
     const { page } = app
-    await app.choose('Introduction')
     await app.openPanel('Layers')
     const layers = page.locator('#layers')
     await layers.getByRole('button', { name: 'Play' }).click()

@@ -15,6 +15,8 @@ const NARROW = 640
 const ROOM = 16
 
 const BRONZE_LINK = await encodeLink({ dataSet: 'bronzefilter' })
+const INTRODUCTION_LINK = await encodeLink({ dataSet: 'introduction' })
+const EIGHT_LINK = await encodeLink({ dataSet: 'start' })
 
 /** The opened page, with the positions of its circles. */
 export class App {
@@ -193,24 +195,26 @@ export function dataSet(name: string): Float64Array {
   return circlesOfText(readFileSync(new URL(`../../public/data/${name}.csv`, import.meta.url), 'utf8'))
 }
 
-/**
- * A test with the page open at a link. The test fails on any error message and any violation of the
- * Content-Security-Policy.
- */
-export const test = base.extend<{ app: App; link: string | undefined }>({
+/** Opens the page for a test. The test fails on any error message and any violation of the Content-Security-Policy. */
+async function opened(page: Page, link: string | undefined, use: (app: App) => Promise<void>): Promise<void> {
+  const errors: string[] = []
+  page.on('pageerror', (error) => errors.push(error.message))
+  page.on('console', (message) => {
+    const isBlocked = message.text() === 'Service Worker registration blocked by Playwright'
+    if ((message.type() === 'error' || message.type() === 'warning') && !isBlocked) errors.push(message.text())
+  })
+  const app = new App(page)
+  await app.open(link)
+  await use(app)
+  expect(errors).toEqual([])
+}
+
+/** A test with the page open at a link, or at one of the small data sets. */
+export const test = base.extend<{ app: App; introduction: App; eight: App; link: string | undefined }>({
   link: [undefined, { option: true }],
-  app: async ({ page, link }, use) => {
-    const errors: string[] = []
-    page.on('pageerror', (error) => errors.push(error.message))
-    page.on('console', (message) => {
-      const isBlocked = message.text() === 'Service Worker registration blocked by Playwright'
-      if ((message.type() === 'error' || message.type() === 'warning') && !isBlocked) errors.push(message.text())
-    })
-    const app = new App(page)
-    await app.open(link)
-    await use(app)
-    expect(errors).toEqual([])
-  },
+  app: ({ page, link }, use) => opened(page, link, use),
+  introduction: ({ page }, use) => opened(page, INTRODUCTION_LINK, use),
+  eight: ({ page }, use) => opened(page, EIGHT_LINK, use),
 })
 
 export { expect }

@@ -31,10 +31,9 @@ async function contentsOf(pdf: Buffer) {
 }
 
 test('a worksheet has a title, a question, the drawing and a code that opens the question, on one page', async ({
-  app,
+  eight: app,
 }) => {
   const { page } = app
-  await app.choose('Eight circles')
   await share(app)
   await page.getByRole('button', { name: 'Make a question' }).click()
   await page.getByRole('textbox', { name: 'Title' }).fill('Who is nearest?')
@@ -75,9 +74,8 @@ test('a worksheet has a title, a question, the drawing and a code that opens the
   await expect(sheet).toBeHidden()
 })
 
-test('the page is printed as a drawing on white, also if it is dark', async ({ app }) => {
+test('the page is printed as a drawing on white, also if it is dark', async ({ eight: app }) => {
   const { page } = app
-  await app.choose('Eight circles')
   await page.emulateMedia({ colorScheme: 'dark' })
   await app.painted()
   const printed = () =>
@@ -95,9 +93,10 @@ test('the page is printed as a drawing on white, also if it is dark', async ({ a
   expect(curves).toBeGreaterThan(50)
 })
 
-test('a clip is recorded by one tap, of circles or of the method, and everything is as before', async ({ app }) => {
+test('a clip is recorded by one tap, of circles or of the method, and everything is as before', async ({
+  eight: app,
+}) => {
   const { page } = app
-  await app.choose('Eight circles')
   const status = await app.status.textContent()
   for (const isMethod of [false, true]) {
     if (isMethod) {
@@ -117,9 +116,8 @@ test('a clip is recorded by one tap, of circles or of the method, and everything
   await soon(() => app.circles()).toEqual(START)
 })
 
-test('a card has the size that other sites show beside a link', async ({ app }) => {
+test('a card has the size that other sites show beside a link', async ({ eight: app }) => {
   const { page } = app
-  await app.choose('Eight circles')
   await share(app)
   const [saved] = await Promise.all([
     page.waitForEvent('download'),
@@ -155,9 +153,8 @@ test('a photo becomes circles in its colors', async ({ app }) => {
   expect(Math.max(...(left as number[]))).toBeLessThan(255)
 })
 
-test('a menu at the pointer has what can be done there, also by keys', async ({ app }) => {
+test('a menu at the pointer has what can be done there, also by keys', async ({ eight: app }) => {
   const { page } = app
-  await app.choose('Eight circles')
   const menu = page.getByRole('menu')
   const { x, y } = app.center(START, 0)
   await page.mouse.click(x, y, { button: 'right' })

@@ -45,10 +45,9 @@ class Table {
 }
 
 test('cells are edited by keys, what is wrong is said and changes nothing, and rows are pasted as one step', async ({
-  app,
+  introduction: app,
 }) => {
   const { page } = app
-  await app.choose('Introduction')
   const table = new Table(app)
   await table.open()
   await expect(table.grid).toHaveAttribute('aria-rowcount', '15')
@@ -121,10 +120,9 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
 })
 
 test('what is written goes into the circle it was begun for, and rows are sorted anew once nothing is edited', async ({
-  app,
+  introduction: app,
 }) => {
   const { page } = app
-  await app.choose('Introduction')
   const table = new Table(app)
   await table.open()
   const x = table.grid.getByRole('columnheader', { name: 'x', exact: true })

@@ -48,6 +48,22 @@ describe('a queue in which the newest wins', () => {
     expect(await later).toBe('done 8')
   })
 
+  it('keeps the work of one key from being replaced, or all work', () => {
+    const queue = new NewestQueue<number, void>()
+    const add = (work: number, key: string) => {
+      queue.add(work, key)
+      return queue.works
+    }
+    add(1, 'a')
+    add(2, 'b')
+    queue.settle('b')
+    expect(add(3, 'a')).toEqual([3, 2])
+    expect(add(4, 'b')).toEqual([3, 2, 4])
+    queue.settle()
+    add(5, 'a')
+    expect(add(6, 'b')).toEqual([3, 2, 4, 5, 6])
+  })
+
   it('gives all away that waits, and takes nothing that is given away for waiting', () => {
     const queue = new NewestQueue<number, void>()
     queue.add(1, 'a')

@@ -10,4 +10,6 @@ export function printDrawing(view: View, place: HTMLElement): void {
   const isDrawn = () => view.size.width > 0 && view.circles.count <= MOST_DRAWN
   const paper = new Paper(place, async () => (isDrawn() ? view.toPrint() : ''))
   for (const name of ['camera', 'layers', 'diagram', 'found', 'changed'] as const) view.on(name, () => paper.change())
+  // The first circles may be there already.
+  paper.change()
 }
