@@ -91,6 +91,11 @@ test('the page is printed as a drawing on white, also if it is dark', async ({ e
   const { curves, images, pages } = await contentsOf(await page.pdf())
   expect([images, pages]).toEqual([0, 1])
   expect(curves).toBeGreaterThan(50)
+  // A dialog for printing stays open for longer than a new drawing takes.
+  await page.emulateMedia({ media: 'print' })
+  await expect(page.locator('#figure')).toBeHidden()
+  await page.waitForTimeout(600)
+  expect(await page.locator('#paper > svg').count()).toBe(1)
 })
 
 test('a clip is recorded by one tap, of circles or of the method, and everything is as before', async ({

@@ -38,9 +38,11 @@ export class Paper {
     clearTimeout(this.#rest)
     this.#rest = setTimeout(async () => {
       const text = await this.#draw().catch(() => '')
-      if (turn !== this.#turn) return
+      const isPrinting = matchMedia('print').matches
+      // While a page is printed, its figures may have no size; then the former drawing is printed.
+      if (turn !== this.#turn || (isPrinting && text === '')) return
       this.#text = text
-      if (matchMedia('print').matches) this.show(true)
+      if (isPrinting) this.show(true)
     }, REST)
   }
 
