@@ -201,13 +201,14 @@ test('what is dragged snaps to neighbors and to the grid, with Alt or always', a
   await app.drag(from, to)
   await app.page.keyboard.up('Alt')
   await app.page.mouse.up()
-  await soon(async () => (await circlesOf(app))[0]?.x).toBeCloseTo(2, 12)
+  const place = async () => (await circlesOf(app))[0] as Circle
+  await soon(async () => (await place()).x).toBeCloseTo(2, 12)
   await app.page.keyboard.press('Control+z')
+  await soon(async () => (await place()).x).toBe(0)
   await app.page.keyboard.press('s')
   const near = at(app, -1, -1)
   await app.drag(at(app, 0, 0), { x: near.x + 3, y: near.y - 3 })
   await app.page.mouse.up()
-  const place = async () => (await circlesOf(app))[0] as Circle
   await soon(async () => (await place()).x).toBeLessThan(-0.8)
   // Grid lines are 0.1 apart.
   const { x, y } = await place()
