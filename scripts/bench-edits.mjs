@@ -89,7 +89,7 @@ function worstEdits(circles) {
   })
   const removing = (after, circle) => ({ circles: [...after, circle], after, edit: (editor) => editor.remove(last) })
   return {
-    'insert a point at 1e150': inserting({ x: 1e150, y: 0, r: 0 }),
+    'insert a point at 1e28': inserting({ x: 1e28, y: 0, r: 0 }),
     'insert one that hides all': inserting(ofAll),
     'shrink one that hides all': replacing(ofAll, disc(1e-6)),
     'insert one that hides a sixth': inserting(ofASixth),

@@ -273,7 +273,7 @@ std::vector<WorstEdit> worstEdits(const Circles& circles) {
   const auto inserted = [](const Circle& circle) { return Edit{Edit::Kind::insert, kNone, circle}; };
   const auto replaced = [&](const Circle& circle) { return Edit{Edit::Kind::replace, last, circle}; };
   const Edit removed = {Edit::Kind::remove, last, {}};
-  return {{"insert a point at 1e150", circles, inserted({1e150, 0, 0})},
+  return {{"insert a point at 1e28", circles, inserted({1e28, 0, 0})},
           {"insert one that hides all", circles, inserted(ofAll)},
           {"shrink one that hides all", with(circles, ofAll), replaced(disc(1e-6))},
           {"insert one that hides a sixth", circles, inserted(ofASixth)},

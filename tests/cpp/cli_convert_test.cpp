@@ -117,7 +117,7 @@ TEST_F(CliConvert, CellsAreCutAtAMaximumDistance) {
   expectFailure(run("compute - --max-distance 1", circles), 2,
                 "--max-distance needs --format svg, geojson, geojsonl, wkt or obj.");
   expectFailure(run("compute - --format svg --max-distance=inf", circles), 2,
-                "--max-distance: expected a number up to 1e152.");
+                "--max-distance: expected a number up to 1.2e30 (2^100).");
 }
 
 TEST_F(CliConvert, TheNameOfTheOutputTellsTheFormat) {

@@ -138,7 +138,8 @@ TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
   expectRefusal("remove,1\n\nremove,1\n", "standard input:3: There is no circle with id 1.");
   expectRefusal("replace,9,0,0,1\n", "standard input:1: There is no circle with id 9.");
   expectRefusal("# a\ninsert,0,0,-1\n", "standard input:2: The new circle has a negative radius.");
-  expectRefusal("insert,0,1e151,0\n", "standard input:1: The new circle has a coordinate or a radius beyond 1e150.");
+  expectRefusal("insert,0,1e151,0\n",
+                "standard input:1: The new circle has a coordinate or a radius beyond 7.9e28 (2^96).");
   expectRefusal("insert,0,nan,1\n", "standard input:1: \"nan\" is not a finite number.");
   expectRefusal("insert,0,\xFF\x1B,1\n", "standard input:1: \"??\" is not a finite number.");
   expectRefusal("\xFF\xFEr\n", "standard input:1: the text is UTF-16; it has to be UTF-8.");
@@ -166,7 +167,7 @@ TEST_F(CliEdit, EditsWeights) {
             textOf("edit --weights " + circles + " --script " + script));
   expectFailure(run("edit " + circles + " --script " + write("bad.csv", "insert,3,4,-0.5\n")), 2, "negative");
   expectFailure(run("edit " + path("weights.json") + " --script " + write("bad.csv", "insert,3,4,-1e151\n")), 2,
-                "bad.csv:1: The new circle has a coordinate or a radius beyond 1e150.");
+                "bad.csv:1: The new circle has a coordinate or a radius beyond 7.9e28 (2^96).");
 }
 
 TEST_F(CliEdit, RefusesInvalidScriptsAndOptions) {

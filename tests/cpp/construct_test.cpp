@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -55,9 +57,19 @@ const std::vector<WayCase> kWays = {{Way::flip, {{0, 0, 1}, {10, 0, 4}, {4, 8, 2
                                       {4.300483563512313e-113, 4.0956986319164883e-113, 0}},
                                      0}};
 
+/// Returns the circles times a power of two that makes the largest number about 2^20.
+std::vector<Circle> inRange(std::vector<Circle> circles) {
+  double largest = 0;
+  for (const Circle& c : circles) largest = std::max({largest, std::abs(c.x), std::abs(c.y), c.r});
+  const int scaling = 20 - std::ilogb(largest);
+  for (Circle& c : circles) c = {std::ldexp(c.x, scaling), std::ldexp(c.y, scaling), std::ldexp(c.r, scaling)};
+  return circles;
+}
+
 TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
-  for (const auto& [way, circles, repairs] : kWays) {
+  for (const auto& [way, given, repairs] : kWays) {
     SCOPED_TRACE(wayName(way));
+    const std::vector<Circle> circles = inRange(given);
     const auto diagram = compute(circles);
     ASSERT_TRUE(diagram.ok()) << diagram.error().message;
     const Stats& stats = diagram.value().stats;
@@ -126,8 +138,9 @@ TEST(Construct, CountsWhatInsertionTookWhereItToldTheHiddenCircles) {
 
 TEST(Construct, AFlawIsOfTheCircleThatCertifyNames) {
   // The hidden circle comes first, so that all other circles have a different index among the visible ones.
-  std::vector<Circle> circles = generate(Family::longSpiral, 100, 1);
-  circles.insert(circles.begin(), {circles[0].x, circles[0].y, circles[0].r / 2});
+  std::vector<Circle> circles = generate(Family::extreme, 40, 3);
+  const Circle largest = *std::ranges::max_element(circles, {}, &Circle::r);
+  circles.insert(circles.begin(), {largest.x, largest.y, largest.r / 2});
   Options options;
   options.method = Method::touchingDisc;
   options.samples = 0;
@@ -187,7 +200,7 @@ TEST(Construct, TheLaterWaysAreRare) {
 
 TEST(Construct, EveryStageHasItsTime) {
   for (const auto& [way, circles, repairs] : kWays) {
-    const Seconds seconds = compute(circles).value().stats.seconds;
+    const Seconds seconds = compute(inRange(circles)).value().stats.seconds;
     EXPECT_GT(seconds.order, 0);
     EXPECT_GT(seconds.triangulate, 0);
     EXPECT_GT(seconds.flip, 0);

@@ -279,8 +279,9 @@ TEST(Curve, ANeedleIsFollowedToItsTip) {
 TEST(Curve, ANeedleThinnerThanRoundingRunsFromVertexToVertex) {
   // The point touches the large circle from inside but for a share of its radius; both vertices of their edge lie far
   // beyond it, on either side of the needle.
-  for (const double scale : {1e-120, 1.0, 1e149}) {
-    for (const double share : {1e-15, 1e-30, 1e-60, 1e-100, 1e-145}) {
+  for (const double scale : {0x1p-53, 1.0, 0x1p90}) {
+    for (const double share : {0x1p-40, 0x1p-50, 0x1p-90, 0x1p-150, 0x1p-186}) {
+      if (share * scale < kCoordinateStep) continue;
       SCOPED_TRACE(testing::Message() << "scale " << scale << ", share " << share);
       const std::vector<Circle> circles = {{-share * scale, 0, scale}, {scale, 0, 0}, {scale, scale, 0.01 * scale}};
       const Diagram diagram = compute(circles).value();

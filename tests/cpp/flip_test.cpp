@@ -59,7 +59,7 @@ TEST(Flip, RightsRandomFlips) {
 TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
   for (const Family family : kFamilies) {
     SCOPED_TRACE(familyName(family));
-    Sites sites = triangulate(hide(order(validate(generate(family, 200, 1)).value().circles)));
+    Sites sites = triangulate(hide(order(validate(generate(family, 200, 1)).value())));
     Dual& dual = sites.dual ? *sites.dual : sites.centers;
     Predicates predicates(sites.circles);
     FaceDiscs discs(sites.circles, dual, predicates);
@@ -79,7 +79,7 @@ TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
         const auto corners = cornersOf(dual, h);
         const auto& [i, j, k] = corners;
         const auto expected = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k]);
-        EXPECT_EQ(predicates.vertex(corners, disc, 1), expected);
+        EXPECT_EQ(predicates.vertex(corners, disc), expected);
       }
     }
   }
@@ -90,7 +90,7 @@ TEST(Flip, KnowsTheOrdersThatTheJudgeFindsItself) {
   std::int64_t known = 0;
   for (const Family family : kFamilies) {
     SCOPED_TRACE(familyName(family));
-    Sites sites = triangulate(hide(order(validate(generate(family, 200, 2)).value().circles)));
+    Sites sites = triangulate(hide(order(validate(generate(family, 200, 2)).value())));
     if (sites.dual) continue;
     Dual& dual = sites.centers;
     Predicates predicates(sites.circles);
@@ -136,7 +136,7 @@ TEST(Flip, DoesNothingToARightDual) {
 
 /// Flips from the triangulation of the centers, as for a diagram. They tell of all wrong faces, and keep the discs.
 Flips flipFromCenters(const std::vector<Circle>& circles) {
-  Sites sites = triangulate(hide(order(validate(circles).value().circles)));
+  Sites sites = triangulate(hide(order(validate(circles).value())));
   Predicates predicates(sites.circles);
   FaceDiscs discs(sites.circles, sites.centers, predicates);
   Flips flips = flip(sites.centers, discs);

@@ -37,7 +37,7 @@ TEST(Hide, NamesTheLargestAndThenTheFirstInEveryFamily) {
   const std::uint64_t seed = test::seedOr(1);
   for (const FamilyInfo& family : families()) {
     for (const std::size_t count : {1, 2, 7, 8, 9, 64, 65, 300}) {
-      check(validate(generate(family.family, count, seed)).value().circles,
+      check(validate(generate(family.family, count, seed)).value(),
             std::string(family.name) + ", seed " + std::to_string(seed));
     }
   }
@@ -46,9 +46,11 @@ TEST(Hide, NamesTheLargestAndThenTheFirstInEveryFamily) {
 TEST(Hide, IsExactInAndNearTies) {
   const std::uint64_t seed = test::seedOr(1);
   test::forEachTie(seed, 140, [&](const std::vector<Circle>& circles, std::string_view kind) {
-    const auto scaled = validate(circles);
-    ASSERT_TRUE(scaled.ok());
-    check(scaled.value().circles, std::string(kind) + ", seed " + std::to_string(seed));
+    const auto rounded = validate(circles);
+    // One circle may be tiny, and the other the origin.
+    if (!rounded && rounded.error().code == ErrorCode::coordinateTooSmall) return;
+    ASSERT_TRUE(rounded.ok());
+    check(rounded.value(), std::string(kind) + ", seed " + std::to_string(seed));
   });
 }
 
@@ -58,7 +60,7 @@ TEST(Hide, IsExactWhereSquaresUnderflow) {
   for (const FamilyInfo& family : families()) {
     for (int trial = 0; trial < 8; ++trial) {
       const auto circles = test::besideFarPoint(generate(family.family, 2 + random.below(40), random.next()), random);
-      check(validate(circles).value().circles, std::string(family.name) + ", seed " + std::to_string(seed));
+      check(validate(circles).value(), std::string(family.name) + ", seed " + std::to_string(seed));
     }
   }
 }
@@ -68,7 +70,7 @@ TEST(Hide, IsExactWhereSlacksUnderflow) {
   Random random(seed);
   for (int trial = 0; trial < 2000; ++trial) {
     const auto circles = test::nestedTightly(2 + random.below(8), random);
-    check(validate(circles).value().circles, "seed " + std::to_string(seed));
+    check(validate(circles).value(), "seed " + std::to_string(seed));
     const auto diagram = compute(circles);
     ASSERT_TRUE(diagram.ok()) << diagram.error().message << test::describe(circles);
     EXPECT_TRUE(certify(diagram.value()).value().certified()) << test::describe(circles);
@@ -89,7 +91,7 @@ TEST(Hide, OfEqualCirclesTheFirstIsNamed) {
 TEST(Hide, InsertionLeavesTheDiagramOfTheVisibleCircles) {
   const std::uint64_t seed = test::seedOr(1);
   for (const FamilyInfo& family : families()) {
-    const auto circles = validate(generate(family.family, 500, seed)).value().circles;
+    const auto circles = validate(generate(family.family, 500, seed)).value();
     const Sites visible = hide(order(circles), -1000);
     if (!visible.centers.origin.empty()) continue;  // the triangulation has shown that none is hidden
     ASSERT_TRUE(visible.dual) << family.name;
@@ -103,7 +105,7 @@ TEST(Hide, TakesNLogNSteps) {
   for (const FamilyInfo& family : families()) {
     for (const Variant& variant : variants()) {
       const auto steps = [&](std::size_t count) {
-        return hide(order(validate(variant.make(family.family, count, seed)).value().circles)).steps;
+        return hide(order(validate(variant.make(family.family, count, seed)).value())).steps;
       };
       const std::string name = std::string(family.name) + std::string(variant.name) + ", seed " + std::to_string(seed);
       const auto few = static_cast<double>(steps(1'000));
@@ -117,7 +119,7 @@ TEST(Hide, TakesNLogNSteps) {
 
 TEST(Hide, TheTriangulationIsThatOfTheVisibleCenters) {
   for (const Family family : {Family::uniform, Family::hidden, Family::duplicates, Family::chaos}) {
-    const Sites sites = triangulate(hide(order(validate(generate(family, 500, 1)).value().circles)));
+    const Sites sites = triangulate(hide(order(validate(generate(family, 500, 1)).value())));
     const int count = static_cast<int>(sites.circles.size());
     EXPECT_EQ(sites.centers.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
   }

@@ -19,7 +19,7 @@ namespace circle_voronoi {
 namespace {
 
 std::vector<Circle> visibleCircles(const std::vector<Circle>& circles) {
-  return hide(order(validate(circles).value().circles)).circles;
+  return hide(order(validate(circles).value())).circles;
 }
 
 /// Whether insertion, and the flips that follow it, lead to the right dual.

@@ -176,11 +176,12 @@ TEST(ReadCircleFile, InvalidRowsAreSkippedOnRequest) {
                             {.skipInvalid = true});
   EXPECT_EQ(table.circles, (Circles{{1, 1, 1}, {3, 3, 3}}));
   EXPECT_EQ(table.attributes.properties, (Strings{R"("id":1)", R"("id":7)"}));
-  EXPECT_EQ(skippedOf(table), (Strings{"1 test:3: lon is empty (circle 1, id 2).",
-                                       "2 test:5: lon is not a finite number: \"NaN\" (circle 2, id 3).",
-                                       "3 test:6: Circle 3 has a negative radius (circle 3, id 4).",
-                                       "4 test:7: Circle 4 has a coordinate or a radius beyond 1e150 (circle 4, id 5).",
-                                       "5 test:8: r is not a number: \"x\" (circle 5, id 6)."}));
+  EXPECT_EQ(skippedOf(table),
+            (Strings{"1 test:3: lon is empty (circle 1, id 2).",
+                     "2 test:5: lon is not a finite number: \"NaN\" (circle 2, id 3).",
+                     "3 test:6: Circle 3 has a negative radius (circle 3, id 4).",
+                     "4 test:7: Circle 4 has a coordinate or a radius beyond 7.9e28 (2^96) (circle 4, id 5).",
+                     "5 test:8: r is not a number: \"x\" (circle 5, id 6)."}));
   const auto points =
       fileOf(circleCollection(circleFeature("null", R"("id": 7, )") + ",\n" +
                                   circleFeature(R"({"type": "Point", "coordinates": [1, 2]})") + ",\n7,\n" +

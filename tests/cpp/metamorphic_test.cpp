@@ -119,7 +119,11 @@ TEST(Metamorphic, TranslationByIntegersKeepsTheTopology) {
 
 TEST(Metamorphic, ScalingByPowersOfTwoScalesTheBits) {
   onEveryFamily([](const Circles& circles, const FamilyInfo&, Random& random) {
-    const double factor = std::ldexp(1.0, static_cast<int>(random.below(900)) - 450);
+    // Larger ones up to the limit: smaller numbers could be rounded.
+    double largest = 1;
+    for (const Circle& c : circles) largest = std::max({largest, std::abs(c.x), std::abs(c.y), c.r});
+    const int most = std::ilogb(kCoordinateLimit / largest);
+    const double factor = std::ldexp(1.0, static_cast<int>(random.below(static_cast<std::size_t>(most) + 1)));
     Circles scaled = circles;
     for (Circle& c : scaled) c = {c.x * factor, c.y * factor, c.r * factor};
     const Diagram actual = diagramOf(scaled);

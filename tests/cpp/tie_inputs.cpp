@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "rounded.h"
+
 namespace circle_voronoi::test {
 namespace {
 
@@ -143,7 +145,7 @@ void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& rand
       }
       break;
     case Disturbance::scaled: {
-      const double factor = random.logUniform(-150, 144);
+      const double factor = random.logUniform(-15, 23);
       for (Circle& c : circles) c = {c.x * factor, c.y * factor, c.r * factor};
       break;
     }
@@ -161,7 +163,7 @@ void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& rand
     }
     case Disturbance::oneTiny: {
       const Circle o = circles[random.below(circles.size())];
-      const double factor = std::ldexp(1.0, -20 - static_cast<int>(random.below(580)));
+      const double factor = std::ldexp(1.0, -20 - static_cast<int>(random.below(70)));
       // Around the origin, where doubles are dense.
       for (Circle& c : circles) c = {c.x - o.x, c.y - o.y, c.r};
       Circle& c = circles[random.below(circles.size())];
@@ -174,25 +176,26 @@ void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& rand
       break;
     }
   }
+  for (Circle& c : circles) c = rounded(c);
 }
 
 std::vector<Circle> besideFarPoint(std::vector<Circle> circles, Random& random) {
   double largest = 0;
   for (const Circle& c : circles) largest = std::max({largest, std::abs(c.x), std::abs(c.y), c.r});
   const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-  const double factor = std::ldexp(1.0, -static_cast<int>(500 + random.below(165)) - exponent);
-  for (Circle& c : circles) c = {c.x * factor, c.y * factor, c.r * factor};
-  circles.push_back({random.below(2) == 0 ? -1.0 : 1.0, random.uniform(-1, 1), 0});
+  const double factor = std::ldexp(1.0, -static_cast<int>(random.below(44)) - exponent);
+  for (Circle& c : circles) c = rounded(Circle{c.x * factor, c.y * factor, c.r * factor});
+  circles.push_back({random.below(2) == 0 ? -0x1p96 : 0x1p96, 0x1p96 * random.uniform(-1, 1), 0});
   return circles;
 }
 
 std::vector<Circle> nestedTightly(std::size_t count, Random& random) {
-  const double slack = std::ldexp(1 + random.uniform(0, 1), -500 - static_cast<int>(random.below(165)));
-  std::vector<Circle> circles = {{-1, 0, 0}};
+  const double slack = std::ldexp(1 + random.uniform(0, 1), -static_cast<int>(random.below(44)));
+  std::vector<Circle> circles = {{-0x1p96, 0, 0}};
   double r = 4 * slack * static_cast<double>(count);
   Point p = {r, 0};
   for (std::size_t i = 0; i < count; ++i) {
-    circles.push_back({p.x, p.y, r});
+    circles.push_back(rounded(Circle{p.x, p.y, r}));
     // Moves by less or more than the slack, so that some circles stick out.
     p = {p.x + slack * random.uniform(-1, 1), p.y + slack * random.uniform(-1, 1)};
     r -= slack;

@@ -27,22 +27,21 @@ enum class Disturbance {
   none,
   lastPlace,  ///< a few numbers moved to the next double
   slight,     ///< all numbers changed by up to 1e-12 of themselves
-  scaled,     ///< times a power of ten from 1e-150 to 1e144, which rounds
+  scaled,     ///< times a power of ten from 1e-15 to 1e23, which rounds
   far,        ///< moved 1e7 to 1e15 away
   oneHuge,    ///< one circle 2^20 to 2^60 times as large and as far
-  oneTiny,    ///< one circle drawn near to another: 2^-20 to 2^-600 of its distance
+  oneTiny,    ///< one circle drawn near to another: 2^-20 to 2^-90 of its distance
   allTiny,    ///< besideFarPoint
 };
 inline constexpr int kDisturbances = 8;
 
 void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& random);
 
-/// Adds a point so far away that the circles' size is 1e-200 to 1e-150 of its distance: squares of lengths and of their
-/// differences underflow, or lose digits.
+/// Adds a point at the limit of numbers: the circles' size is 1e-42 to 1e-29 of its distance.
 std::vector<Circle> besideFarPoint(std::vector<Circle> circles, Random& random);
 
-/// Returns circles that each contain the next one or miss doing so by a small slack, and a point so far away that
-/// squares of these slacks underflow or lose digits: the slacks are 1e-200 to 1e-150 of its distance.
+/// Returns circles that each contain the next one or miss doing so by a small slack, and a point at the limit of
+/// numbers: the slacks are 1e-42 to 1e-29 of its distance.
 std::vector<Circle> nestedTightly(std::size_t count, Random& random);
 
 /// Moves circles into a square of side 2^10 around the origin and rounds coordinates and radii to multiples of 2^-10:

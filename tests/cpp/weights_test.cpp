@@ -181,9 +181,9 @@ TEST(Weights, WithoutThemANegativeRadiusIsAnError) {
   diagram.weights = true;
   EXPECT_TRUE(certify(diagram).value().certified());
   EXPECT_TRUE(finalCells(diagram, known).ok());
-  EXPECT_EQ(compute(Circles{{0, 0, -1e151}}, kWeights).error().code, ErrorCode::coordinateTooLarge);
+  EXPECT_EQ(compute(Circles{{0, 0, -1e29}}, kWeights).error().code, ErrorCode::coordinateTooLarge);
   EXPECT_EQ(compute(Circles{{0, 0, -INFINITY}}, kWeights).error().code, ErrorCode::nonFinite);
-  EXPECT_TRUE(compute(Circles{{0, 0, -1e150}, {0, 1, -1e-300}}, kWeights).ok());
+  EXPECT_TRUE(compute(Circles{{0, 0, -1e28}, {0, 1, -1e-300}}, kWeights).ok());
 }
 
 TEST(Weights, AnEditorTakesThem) {

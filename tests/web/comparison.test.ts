@@ -140,7 +140,7 @@ it('refuses what compute refuses, whatever the metric', () => {
     for (const [code, numbers] of [
       ['nonFinite', [0, 0, 1, 0, 0, Number.NaN]],
       ['negativeRadius', [0, 0, 1, 0, 0, -1]],
-      ['coordinateTooLarge', [0, 0, 1, 0, 0, 1e151]],
+      ['coordinateTooLarge', [0, 0, 1, 0, 0, 1e29]],
       ['nonFinite', [0, 0, 1, Number.POSITIVE_INFINITY, 0, 1]],
     ] as const) {
       expect(() => computeComparison(Float64Array.from(numbers), metric)).toThrow(

@@ -260,7 +260,7 @@ describe('the polygon of a hull', () => {
   }
   const { area } = convexHull(library.compute(Float64Array.of(0, 0, 3, 8, 1, 1, 2, 7, 0)))
 
-  it.each([1, 2 ** 480, 2 ** -600])('has the area of the hull, %d times as large', (scale) => {
+  it.each([1, 2 ** 90, 2 ** -50])('has the area of the hull, %d times as large', (scale) => {
     expect(Math.abs(areaOf(scale) - area)).toBeLessThan(1e-2)
   })
 

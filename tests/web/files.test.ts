@@ -90,7 +90,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['nonFinite', 'Circle 0 has an x that is not a finite number.', () => f.writeCircles([[Number.NaN, 0, 1]])],
   [
     'coordinateTooLarge',
-    'Circle 1 has a coordinate or a radius beyond 1e150.',
+    'Circle 1 has a coordinate or a radius beyond 7.9e28 (2^96).',
     () =>
       f.writeCircles([
         [0, 0, 1],
@@ -137,7 +137,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ),
   [
     'badOption',
-    'The box is empty, or a coordinate is not finite, or beyond 1e152.',
+    'The box is empty, or a coordinate is not finite, or beyond 1.2e30 (2^100).',
     () => f.writeDiagram(diagram, { format: 'svg', bounds: [0, 0, 0, 1] }),
   ],
   [
@@ -155,7 +155,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badOption',
-    'The maximum distance is a number up to 1e152, not "1".',
+    'The maximum distance is a number up to 1.2e30 (2^100), not "1".',
     () => f.writeDiagram(diagram, { format: 'svg', maxDistance: '1' }),
   ],
   [

@@ -189,8 +189,8 @@ describe('axes and grid', () => {
     expect(numbers.filter(({ text }) => text.length === 7).every(({ x }) => x > 70)).toBe(true)
   })
 
-  it.each([1e-150, 1e-6, 1, 1e9, 1e140])('end at scale %d, also far from the origin', (scale) => {
-    for (const x of [0, 1e15, 1e150]) {
+  it.each([1e-15, 1e-6, 1, 1e9, 1e25])('end at scale %d, also far from the origin', (scale) => {
+    for (const x of [0, 1e15, 1e28]) {
       const { vertical, numbers } = axesOf({ ...FRAME, x, scale }, NO_PADDING)
       expect(vertical.fine.length).toBeLessThan(60)
       expect(numbers.every((number) => Number.isFinite(number.x))).toBe(true)

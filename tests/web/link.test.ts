@@ -17,8 +17,8 @@ import { library } from './library.ts'
 const TOO_MUCH = expect.objectContaining({ code: 'linkTooLong', message: 'Too large for a link.' })
 
 const finite = fc.double({ noNaN: true, noDefaultInfinity: true }).map((value) => value + 0)
-const coordinate = fc.double({ min: -1e150, max: 1e150, noNaN: true }).map((value) => value + 0)
-const radius = fc.double({ min: 0, max: 1e150, noNaN: true })
+const coordinate = fc.double({ min: -7.9e28, max: 7.9e28, noNaN: true }).map((value) => value + 0)
+const radius = fc.double({ min: 0, max: 7.9e28, noNaN: true })
 const circle = fc.record({ x: coordinate, y: coordinate, r: radius }, { noNullPrototype: true })
 const id = fc.nat(2 ** 31 - 1)
 const edit: fc.Arbitrary<Edit> = fc.oneof(
@@ -136,7 +136,7 @@ describe('a link', () => {
   })
 
   it('has circles up to the limits of `compute`', async () => {
-    const state = { circles: Float64Array.of(-1e150, 1e150, 1e150, 0, 0, 0) }
+    const state = { circles: Float64Array.of(-7.9e28, 7.9e28, 7.9e28, 0, 0, 0) }
     expect(await decodeLink(await encodeLink(state))).toEqual(state)
     expect(library.compute(state.circles).certificate).toBeDefined()
   })
@@ -202,9 +202,9 @@ describe('what is no link', () => {
     [{ circles: [1, 2, '3'] }, 'the circles do not have three finite numbers each'],
     ['{"circles":[1,2,1e999]}', 'the circles do not have three finite numbers each'],
     [{ circles: [0, 0, 1, 2, 0, -1] }, 'circle 1 has a negative radius'],
-    [{ circles: [0, 0, 1, 2, 0, 1, 1e200, 0, 1] }, 'circle 2 has a coordinate or a radius beyond 1e150'],
-    [{ circles: [0, -1.01e150, 1] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
-    [{ circles: [0, 0, 1e151] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
+    [{ circles: [0, 0, 1, 2, 0, 1, 1e200, 0, 1] }, 'circle 2 has a coordinate or a radius beyond 7.9e28 (2^96)'],
+    [{ circles: [0, -8e28, 1] }, 'circle 0 has a coordinate or a radius beyond 7.9e28 (2^96)'],
+    [{ circles: [0, 0, 1e29] }, 'circle 0 has a coordinate or a radius beyond 7.9e28 (2^96)'],
     [{ names: ['a'] }, 'there is not one name for each circle'],
     [{ circles: [0, 0, 1], names: 'a' }, 'there is not one name for each circle'],
     [{ circles: [0, 0, 1], names: [7] }, 'there is not one name for each circle'],
@@ -240,9 +240,9 @@ describe('what is no link', () => {
       },
       'the circle of edit 1 has a negative radius',
     ],
-    [{ edits: [['=', 1, 0, 1e200, 1]] }, 'the circle of edit 0 has a coordinate or a radius beyond 1e150'],
-    [{ circles: [0, 0, 1, 0, 0, 2e150] }, 'circle 1 has a coordinate or a radius beyond 1e150'],
-    [{ circles: [0, -2e150, 1] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
+    [{ edits: [['=', 1, 0, 1e200, 1]] }, 'the circle of edit 0 has a coordinate or a radius beyond 7.9e28 (2^96)'],
+    [{ circles: [0, 0, 1, 0, 0, 8e28] }, 'circle 1 has a coordinate or a radius beyond 7.9e28 (2^96)'],
+    [{ circles: [0, -8e28, 1] }, 'circle 0 has a coordinate or a radius beyond 7.9e28 (2^96)'],
     [{ dataSet: 'x'.repeat(201) }, 'the data set is not a name'],
     [{ view: [1, 2] }, 'the view is invalid'],
     [{ view: [1, 2, 0] }, 'the view is invalid'],
@@ -274,10 +274,10 @@ describe('what is no link', () => {
   })
 
   it('may be as large as it may be', async () => {
-    const circles = Float64Array.of(1e150, -1e150, 1e150)
+    const circles = Float64Array.of(7.9e28, -7.9e28, 7.9e28)
     expect(await decodeLink(await said({ circles: [...circles] }))).toEqual({ circles })
     expect(await decodeLink(await said({ edits: [['=', 2 ** 31 - 1, ...circles]] }))).toMatchObject({
-      edits: [{ kind: 'replace', id: 2 ** 31 - 1, circle: { x: 1e150, y: -1e150, r: 1e150 } }],
+      edits: [{ kind: 'replace', id: 2 ** 31 - 1, circle: { x: 7.9e28, y: -7.9e28, r: 7.9e28 } }],
     })
     const dataSet = 'x'.repeat(200)
     expect(await decodeLink(await said({ dataSet }))).toEqual({ dataSet })

@@ -317,7 +317,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badOption',
-    'The box is empty, or a coordinate is not finite, or beyond 1e152.',
+    'The box is empty, or a coordinate is not finite, or beyond 1.2e30 (2^100).',
     () => diagram.render({ bounds: [0, 0, 0, 9] }),
   ],
   ['badOption', 'The polygon winds more than once, or has no area.', () => ConvexPolygon.from(PENTAGRAM)],

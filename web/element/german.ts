@@ -87,7 +87,8 @@ const EDITING: EditingWords = {
 const CODES: Readonly<Record<ErrorCode, string>> = {
   nonFinite: 'Eine Zahl ist nicht endlich.',
   negativeRadius: 'Der Radius darf nicht negativ sein.',
-  coordinateTooLarge: 'Eine Zahl ist zu groß: höchstens 1e150.',
+  coordinateTooLarge: 'Eine Zahl ist zu groß: höchstens 7,9e28.',
+  coordinateTooSmall: 'Alle Zahlen sind zu klein: Die größte muss mindestens 1,4e-17 sein.',
   linkTooLong: 'Der Link ist zu lang.',
   tooManyCircles: 'Es sind zu viele Kreise.',
   badOption: 'Eine Option hat einen falschen Wert.',

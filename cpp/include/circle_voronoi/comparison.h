@@ -22,15 +22,14 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric);
 
 /// Computes the power diagram, as the dual of CGAL's regular triangulation of the centers with weights r^2. It is exact
-/// for the rounded weights, unless numbers are smaller than 2^-190 of the largest one: then products may underflow in
-/// CGAL's filter. There is no certificate, but clipping to a region checks the cells that meet the region.
+/// for the rounded weights. There is no certificate, but clipping to a region checks the cells that meet the region.
 ///
 /// The radius of a vertex is that of the circle that is orthogonal to its three circles. Where these overlap, the
 /// radius is negative: minus the square root of minus their power. A circle without a cell is listed as hidden by
 /// kNone, because no single circle need contain it. The center of a circle may lie outside its cell.
 ///
-/// Errors: nonFinite, negativeRadius, coordinateTooLarge (also if a vertex lies beyond the largest double),
-/// tooManyCircles, badArithmetic, internal.
+/// Errors: nonFinite, negativeRadius, coordinateTooLarge, coordinateTooSmall, tooManyCircles, badArithmetic,
+/// internal.
 Result<Diagram> powerDiagram(std::span<const Circle> circles);
 
 }  // namespace circle_voronoi

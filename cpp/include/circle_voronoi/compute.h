@@ -47,24 +47,23 @@ struct Options {
 /// Where more than three circles touch one disc, the way their face is divided depends only on the positions of their
 /// centers. It depends neither on the order of the circles nor on the method.
 ///
-/// The input is first scaled by a power of two. That is exact unless one number is smaller than the largest by a factor
-/// of 2^1100 (1e331). Such a number is rounded to the nearest multiple of 2^-1154 of the largest, and the diagram is
-/// that of the rounded circles.
+/// Numbers are at most 2^96 (7.9e28) in absolute value. Each is rounded once to a multiple of 2^-96 (1.3e-29), as every
+/// number from 2^-44 (5.7e-14) up already is. The circles of the diagram are the rounded ones, and so is the
+/// certificate about them. If the largest number is not 0 and below 2^-56 (1.4e-17), there is an error.
 ///
 /// A point belongs to the circle with the smallest distance minus radius, so only the differences of the radii matter.
 /// With `weights` they may be negative. If you add the same number to all radii, the topology and the coordinates of
-/// the vertices keep their bits, and the radii of the vertices decrease by that number. This requires that neither the
-/// sums nor the scaling round. The order of vertices and edges may change.
+/// the vertices keep their bits, and the radii of the vertices decrease by that number. This requires that the sums do
+/// not round. The order of vertices and edges may change.
 ///
 /// With `automatic` the result is certified, or there is an error. With the other methods the diagram comes with its
 /// certificate and may be wrong where the certificate says so.
 ///
 /// Vertices are at their exact places to 36 bits of their distances from their circles (certify.h says why it asks for
-/// 40). If a vertex lies beyond the largest double (1.8e308), there is an error. This takes three circles nearly along
-/// a line, whose sizes and distances differ by more than a factor of 1e150.
+/// 40).
 ///
 /// Errors: nonFinite, negativeRadius (without `weights`), coordinateTooLarge (these three name the first such circle),
-/// badOption, tooManyCircles, notCertified, badArithmetic, internal.
+/// coordinateTooSmall, badOption, tooManyCircles, notCertified, badArithmetic, internal.
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi

@@ -46,7 +46,7 @@ struct HullSide {
 /// at a time, plus a few for the hull.
 ///
 /// To follow the diagram, take away what disappears, then put what appears into its place. Unbounded edges and the hull
-/// are included. Circles and vertices have the same bits as in `snapshot`, at any scale.
+/// are included. Circles and vertices have the same bits as in `snapshot`.
 struct Change {
   EditWay way = EditWay::local;
 
@@ -104,7 +104,9 @@ struct EditorOptions {
 /// A circle inside another one is hidden. It gets a cell when the other one no longer contains it.
 ///
 /// The diagram does not depend on the edits that led to it. It equals the result of `compute`, even where more than
-/// three circles touch one disc. The circles may be any that `compute` takes.
+/// three circles touch one disc. The circles may be any that `compute` takes, and their numbers are rounded as there:
+/// at most 2^96 (7.9e28) in absolute value, to multiples of 2^-96 (1.3e-29). An edit is an error if all circles before
+/// it and all circles that it inserts are 0 or below 2^-56 (1.4e-17).
 ///
 /// Only one thread at a time may use an editor, except that several threads may call const functions.
 class DiagramEditor {

@@ -17,7 +17,8 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 enum class ErrorCode {
   nonFinite,           ///< a coordinate or a radius is NaN or infinite
   negativeRadius,      ///< a radius is negative, and the radii are not weights
-  coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit, or a vertex the largest double
+  coordinateTooLarge,  ///< a number exceeds kCoordinateLimit in absolute value (limits.h)
+  coordinateTooSmall,  ///< the largest number of the input is not 0 and below kSmallestInput (limits.h)
   tooManyCircles,      ///< the input, or the requested candidates, do not fit in memory or in 32-bit indices
   badOption,           ///< an option is out of range
   notCertified,        ///< no construction led to a certified diagram

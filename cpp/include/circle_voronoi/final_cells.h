@@ -74,9 +74,9 @@ struct FinalCells {
 /// The discs are computed anew from the circles. A part is not called final if rounding might decide it. Rounding is
 /// accounted for with 2^-30 of the disc and of the coordinates.
 ///
-/// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, tooManyCircles, badArithmetic;
-/// badOption if the box is empty, or maxRadius is negative or not finite; badInput if the diagram names circles or
-/// vertices that do not exist.
+/// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, coordinateTooSmall,
+/// tooManyCircles, badArithmetic; badOption if the box is empty, or maxRadius is negative or not finite; badInput if
+/// the diagram names circles or vertices that do not exist.
 Result<FinalCells> finalCells(const Diagram& diagram, const Known& known);
 
 }  // namespace circle_voronoi

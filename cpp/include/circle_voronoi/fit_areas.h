@@ -58,11 +58,15 @@ struct AreaFit {
 /// an earlier fit make a fit after a small change take few steps. Sites may lie outside the region. The same input
 /// gives the same bits on every platform.
 ///
-/// Errors: nonFinite, coordinateTooLarge (both name the site), badInput (the numbers of areas and sites differ, an area
-/// is not positive and finite, two sites are equal, the areas do not sum to the region's, their sum exceeds the largest
-/// number, an area is so small or the region so large that a fit leaves the range of numbers), badOption,
-/// tooManyCircles (also if memory runs out), notConverged (the message gives the number of steps and the error reached;
-/// the last call of `onStep` got the best weights).
+/// Numbers are at most 2^96 (7.9e28) in absolute value. Each is rounded once to a multiple of 2^-96 (1.3e-29), as every
+/// number from 2^-44 (5.7e-14) up already is. If the largest number is not 0 and below 2^-56 (1.4e-17), there is an
+/// error.
+///
+/// Errors: nonFinite, coordinateTooLarge (both name the site), coordinateTooSmall, badInput (the numbers of areas and
+/// sites differ, an area is not positive and finite, two sites are equal, the areas do not sum to the region's, their
+/// sum exceeds the largest number, an area is so small or the region so large that a fit leaves the range of numbers),
+/// badOption, tooManyCircles (also if memory runs out), notConverged (the message gives the number of steps and the
+/// error reached; the last call of `onStep` got the best weights).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
 

@@ -66,7 +66,7 @@ struct CircleFile {
 /// `name` is what errors call the text. Each message is one sentence that starts with `name:line:`.
 /// Errors: badInput, also for an empty text, for a line of a table longer than 64 MiB, and if all circles are skipped;
 /// and what `compute` would reject, so that the message can name the line: nonFinite, negativeRadius,
-/// coordinateTooLarge, tooManyCircles. badOption if x or y is named for GeoJSON.
+/// coordinateTooLarge, coordinateTooSmall, tooManyCircles. badOption if x or y is named for GeoJSON.
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 /// Reads circles like `readCircles`, and what the file says about them.
@@ -102,8 +102,8 @@ Result<Region> readRegion(std::string_view text, std::string_view name, const Re
 // CSV and JSON have no place for CircleAttributes::collection. In CSV a value that is an object or an array is its JSON
 // text, and a property that a circle lacks is null.
 //
-// Errors: nonFinite, coordinateTooLarge, tooManyCircles, badArithmetic; badInput if the numbers of attributes and
-// circles differ; notWritten if the stream fails. If the stream throws, its exception passes through.
+// Errors: nonFinite, coordinateTooLarge, coordinateTooSmall, tooManyCircles, badArithmetic; badInput if the numbers of
+// attributes and circles differ; notWritten if the stream fails. If the stream throws, its exception passes through.
 
 Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles,
                              const CircleAttributes& attributes = {});

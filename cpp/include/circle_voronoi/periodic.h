@@ -112,8 +112,8 @@ struct ContactTable {
 /// larger than the box, hidden, also by images, and their own neighbors.
 ///
 /// Centers and periods are rounded once, to multiples of 2^-50 of the smallest power of two that exceeds every
-/// coordinate of the periods and centers. So each image lies exactly where the periods say, and ties are settled alike
-/// everywhere. Radii are not rounded.
+/// coordinate of the periods and centers, and of 2^-96 like all numbers. So each image lies exactly where the periods
+/// say, and ties are settled alike everywhere.
 ///
 /// The circles stay where they are if they lie within one and a half periods of each other, in both directions of the
 /// shortest periods of the lattice. Otherwise each circle is moved by whole periods into the parallelogram of the

@@ -10,6 +10,7 @@
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/index.h"
+#include "circle_voronoi/limits.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -34,15 +35,20 @@ struct RegionOptions {
 /// - The holes of a polygon lie in its outer ring, and neither holes nor polygons overlap.
 ///
 /// All these tests are exact. Validation takes O(m log m) steps for m sides.
+///
+/// Numbers are at most 2^96 (7.9e28) in absolute value. Each is rounded once to a multiple of 2^-96 (1.3e-29), as every
+/// number from 2^-44 (5.7e-14) up already is. If the largest number is not 0 and below 2^-56 (1.4e-17), there is an
+/// error.
 class Region {
  public:
   using Ring = std::vector<Point>;
 
   /// Makes a region from polygons. The first ring of a polygon is its outer ring, the others are its holes, as in
   /// GeoJSON.
-  /// Errors: badOption if there is no polygon, a polygon has no ring, a coordinate is not finite or exceeds
-  /// kRegionLimit, or a rule above is broken and `dissolve` is not set. The message names the rings, the sides and the
-  /// point. tooManyCircles if there are more than kMaxRegionSides sides, or memory runs out. badArithmetic.
+  /// Errors: badOption if there is no polygon, a polygon has no ring, a coordinate is not finite, or a rule above is
+  /// broken and `dissolve` is not set. The message names the rings, the sides and the point. coordinateTooLarge,
+  /// coordinateTooSmall. tooManyCircles if there are more than kMaxRegionSides sides, or memory runs out.
+  /// badArithmetic.
   static Result<Region> fromPolygons(std::span<const std::vector<Ring>> polygons, const RegionOptions& options = {});
   /// Makes a region from rings in any order: a point belongs to the region if an odd number of rings contain it. So a
   /// ring inside another one is a hole, and a ring inside that hole is an island. With `dissolve`, rings may cross and
@@ -93,9 +99,9 @@ class Region {
  private:
   Region() = default;
 
-  /// Returns the region of arrays without dissolving them. Throws a ThrownError.
+  /// Returns the region of arrays without dissolving them. `limit` is the largest coordinate. Throws a ThrownError.
   static Region valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
-                      std::span<const std::int32_t> polygonOffsets);
+                      std::span<const std::int32_t> polygonOffsets, double limit = kCoordinateLimit);
 
   /// The bounding box of a run of consecutive sides, for contains().
   struct Run {

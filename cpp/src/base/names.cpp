@@ -25,8 +25,8 @@ constexpr auto kMethods = std::to_array<std::string_view>({"auto", "touching-dis
 constexpr auto kCandidates = std::to_array<std::string_view>({"dynamic", "uniform", "all-pairs"});
 constexpr auto kWays = std::to_array<std::string_view>({"flip", "repair", "insert", "touching-disc", "edit"});
 constexpr auto kErrorCodes = std::to_array<std::string_view>(
-    {"nonFinite", "negativeRadius", "coordinateTooLarge", "tooManyCircles", "badOption", "notCertified", "notConverged",
-     "unknownCircle", "badInput", "badArithmetic", "notWritten", "internal"});
+    {"nonFinite", "negativeRadius", "coordinateTooLarge", "coordinateTooSmall", "tooManyCircles", "badOption",
+     "notCertified", "notConverged", "unknownCircle", "badInput", "badArithmetic", "notWritten", "internal"});
 static_assert(std::is_same_v<decltype(kErrorCodes), const Names<ErrorCode::internal>>);
 constexpr auto kFlaws = std::to_array<std::string_view>(
     {"none", "notJudged", "badIndex", "hiddenWithoutHider", "adjacency", "eulerCount", "vertexWithoutDisc",

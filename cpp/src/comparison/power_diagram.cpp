@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/comparison.h"
@@ -52,8 +52,7 @@ struct Scaled {
   double mantissa = 0;
   int exponent = 0;
 
-  /// Returns the number times a power of two as a double: infinity or zero if it is out of range.
-  double times(int powerOfTwo) const { return std::ldexp(mantissa, exponent + powerOfTwo); }
+  double value() const { return std::ldexp(mantissa, exponent); }
 };
 
 /// Rounds a number to the nearest one of 53 bits.
@@ -78,9 +77,8 @@ Scaled squareRoot(Scaled number) {
   return {std::copysign(std::sqrt(std::abs(number.mantissa)), number.mantissa), number.exponent / 2};
 }
 
-/// Returns the point of equal power to three circles, times 2^scaling. Every number is rounded once. It is infinite
-/// where it exceeds the largest double.
-Vertex exactRadicalCenter(const Circle& a, const Circle& b, const Circle& c, int scaling) {
+/// Returns the point of equal power to three circles. Every number is rounded once.
+Vertex exactRadicalCenter(const Circle& a, const Circle& b, const Circle& c) {
   const auto half = [&](const Circle& d, const Number& x, const Number& y) -> Number {
     return (x * x + y * y + Number(a.r * a.r) - Number(d.r * d.r)) / 2;
   };
@@ -94,13 +92,14 @@ Vertex exactRadicalCenter(const Circle& a, const Circle& b, const Circle& c, int
   const Number x = (ku * vy - kv * uy) / determinant;
   const Number y = (kv * ux - ku * vx) / determinant;
   const Number power = x * x + y * y - Number(a.r * a.r);
-  return {rounded(x + Number(a.x)).times(scaling), rounded(y + Number(a.y)).times(scaling),
-          squareRoot(rounded(power)).times(scaling)};
+  return {rounded(x + Number(a.x)).value(), rounded(y + Number(a.y)).value(), squareRoot(rounded(power)).value()};
 }
 
-/// Returns the point of equal power to three circles, times 2^scaling. Computes relative to the first circle for
-/// accuracy.
-Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c, int scaling) {
+/// Returns the point of equal power to three circles. Computes relative to the first circle for accuracy.
+///
+/// The determinant is a multiple of 2^-192 (limits.h), and ku and kv are below 2^195. So the center is below 2^487, and
+/// its square does not overflow.
+Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c) {
   const Vector u = between(a, b);
   const Vector v = between(a, c);
   const double ku = (dot(u, u) + (a.r - b.r) * (a.r + b.r)) / 2;
@@ -112,21 +111,14 @@ Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c, int scal
   // If cancellation leaves a smaller share, as for nearly collinear or nearly equal centers, the rest may be rounding
   // error.
   constexpr double kCertain = 0x1p-30;
-  // Products of smaller numbers underflow, and products of larger ones overflow.
-  constexpr double kSmallest = 0x1p-900;
-  constexpr double kLargest = 0x1p900;
   const auto sizeOf = [](const Vector& w) { return std::abs(w.x) + std::abs(w.y); };
   const double terms =
       (dot(u, u) + a.r * a.r + b.r * b.r) * sizeOf(v) + (dot(v, v) + a.r * a.r + c.r * c.r) * sizeOf(u);
   const double products = std::abs(u.x * v.y) + std::abs(u.y * v.x);
-  const bool isSafe = products > kSmallest && terms > kSmallest && terms < kLargest && d * d < kLargest;
-  if (!isSafe || !(std::abs(determinant) > kCertain * products) ||
-      !(std::abs(determinant) * sizeOf(center) > kCertain * terms)) {
-    return exactRadicalCenter(a, b, c, scaling);
+  if (!(std::abs(determinant) > kCertain * products) || !(std::abs(determinant) * sizeOf(center) > kCertain * terms)) {
+    return exactRadicalCenter(a, b, c);
   }
-  const Scaled x = {a.x + center.x}, y = {a.y + center.y};
-  const Scaled radius = {std::copysign(std::sqrt(std::abs(power)), power)};
-  return {x.times(scaling), y.times(scaling), radius.times(scaling)};
+  return {a.x + center.x, a.y + center.y, std::copysign(std::sqrt(std::abs(power)), power)};
 }
 
 /// Adds the diagram of centers on a line: parallel edges, and a hull that goes there and back.
@@ -137,14 +129,14 @@ void addChain(const std::vector<CircleIndex>& chain, Diagram& diagram) {
 }
 
 void addTriangles(const Triangulation& triangulation, const Indices& indices, std::span<const Circle> circles,
-                  int scaling, Diagram& diagram) {
+                  Diagram& diagram) {
   std::map<Triangulation::Face_handle, std::int32_t> vertexOf;
   for (const auto face : triangulation.finite_face_handles()) {
     vertexOf[face] = static_cast<std::int32_t>(diagram.vertices.size());
     const auto& triple = diagram.vertexCircles.emplace_back(std::array<CircleIndex, 3>{
         indices.of(face->vertex(0)), indices.of(face->vertex(1)), indices.of(face->vertex(2))});
     const auto circleAt = [&](std::size_t k) { return circles[static_cast<std::size_t>(triple[k])]; };
-    diagram.vertices.push_back(radicalCenter(circleAt(0), circleAt(1), circleAt(2), scaling));
+    diagram.vertices.push_back(radicalCenter(circleAt(0), circleAt(1), circleAt(2)));
   }
   // CGAL's own list of edges takes that face of each which lies lower in memory: here it is the first in this list.
   for (const auto face : triangulation.finite_face_handles()) {
@@ -167,8 +159,7 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
   } while (--corner != first);
 }
 
-/// Returns the power diagram, with its vertices times 2^scaling.
-Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
+Diagram powerDiagramOf(std::span<const Circle> circles) {
   Triangulation triangulation;
   std::vector<Point> centers;
   centers.reserve(circles.size());
@@ -190,7 +181,7 @@ Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
     if (!isVisible[i]) diagram.hidden.push_back({static_cast<std::int32_t>(i), kNone});
   }
   if (triangulation.dimension() == 2) {
-    addTriangles(triangulation, indices, circles, scaling, diagram);
+    addTriangles(triangulation, indices, circles, diagram);
   } else if (!visible.empty()) {
     std::sort(visible.begin(), visible.end(), [](VertexHandle a, VertexHandle b) {
       return std::pair(a->point().x(), a->point().y()) < std::pair(b->point().x(), b->point().y());
@@ -207,20 +198,12 @@ Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
 
 Result<Diagram> powerDiagram(std::span<const Circle> circles) {
   return guarded([&]() -> Result<Diagram> {
-    const auto scaled = validate(circles);
-    if (!scaled) return scaled.error();
-    Diagram diagram = powerDiagramOf(scaled.value().circles, std::ilogb(scaled.value().unit));
-    diagram.circles.assign(circles.begin(), circles.end());
+    auto rounded = validate(circles);
+    if (!rounded) return rounded.error();
+    Diagram diagram = powerDiagramOf(rounded.value());
+    diagram.circles = std::move(rounded).value();
     diagram.metric = Metric::power;
     linkSides(diagram);
-    for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
-      const auto& [x, y, radius] = diagram.vertices[v];
-      if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius)) {
-        const std::int32_t circle = diagram.vertexCircles[v][0];
-        return Error{ErrorCode::coordinateTooLarge, circle,
-                     "A vertex of circle " + std::to_string(circle) + " is beyond the range of numbers."};
-      }
-    }
     return diagram;
   });
 }

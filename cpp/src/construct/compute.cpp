@@ -45,11 +45,10 @@ std::optional<Error> checkOptions(const Options& options, std::size_t circleCoun
                    std::to_string(fewest) + " to " + std::to_string(kMaxSamples) + "."};
 }
 
-/// Translates the events of visible, scaled circles to those of the input.
-Observer observerOfInput(const Observer& observer, const std::vector<int>& visible, double unit) {
+/// Translates the events of visible circles to those of the input.
+Observer observerOfInput(const Observer& observer, const std::vector<int>& visible) {
   if (!observer) return {};
-  return [&observer, &visible, unit](TraceEvent event) {
-    event.disc = discOfInput(event.disc, unit);
+  return [&observer, &visible](TraceEvent event) {
     for (CircleIndex& circle : event.circles) {
       if (circle != kNone) circle = visible[circle];
     }
@@ -67,13 +66,13 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
     return validate(circles, options.weights);
   }();
   if (!valid) return valid.error();
-  ScaledCircles scaled = std::move(valid).value();
+  std::vector<Circle> rounded = std::move(valid).value();
   stats.method = options.method;
-  stats.counts.circles = static_cast<std::int64_t>(scaled.circles.size());
+  stats.counts.circles = static_cast<std::int64_t>(rounded.size());
   OrderedCircles ordered;
   {
     const Stopwatch watch = journal.enter(Stage::order);
-    ordered = order(scaled.circles, threads);
+    ordered = order(rounded, threads);
   }
   Sites sites;
   {
@@ -82,12 +81,12 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
     // Another method makes its own.
     if (options.method != Method::automatic) sites.dual.reset();
     sites = triangulate(std::move(sites), threads);
-    if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
-    scaled.circles = std::vector<Circle>();  // the sites have them
+    if (auto error = refusalOfHidden(rounded, sites.hidden)) return *std::move(error);
+    rounded = std::vector<Circle>();  // the sites have them
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
 
-  const Observer observer = observerOfInput(options.observer, sites.indices, scaled.unit);
+  const Observer observer = observerOfInput(options.observer, sites.indices);
   Construction construction;
   switch (options.method) {
     case Method::automatic:
@@ -104,19 +103,17 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
       break;
     }
   }
-  auto result = [&] {
+  Diagram diagram = [&] {
     const Stopwatch watch = journal.enter(Stage::assemble);
-    return diagramOf(circles, std::move(construction), std::move(sites), scaled.unit, threads);
+    return diagramOf(circles, std::move(construction), std::move(sites), threads);
   }();
-  if (!result) return result;
-  Diagram& diagram = result.value();
   if (options.method == Method::automatic && !diagram.certificate.certified()) {
     return Error{ErrorCode::notCertified, diagram.certificate.circle,
                  "No construction led to a certified diagram: " + diagram.certificate.message};
   }
   diagram.weights = options.weights;
   diagram.stats = std::move(stats);
-  return result;
+  return diagram;
 }
 
 }  // namespace

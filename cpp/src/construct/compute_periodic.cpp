@@ -40,16 +40,16 @@ constexpr double kWidest = 1.5;
 
 /// The circles, the shortest periods, and the place of each circle, in integers.
 struct Torus {
-  /// The unit of the rounding: the product of these two powers of two, each in the range of doubles.
-  std::array<double, 2> unit = {1, 1};
+  /// The unit of the rounding: a power of two, a multiple of kCoordinateStep, so that images are not rounded again.
+  double unit = 1;
   Lattice lattice;  ///< rounded, in the unit of the input
   ReducedLattice reduced;
   std::vector<Vector> centers;
   std::vector<double> deficits;  ///< of each circle the largest radius minus its own
   std::vector<Vector> moves;     ///< of each circle by how many reduced periods it was moved; empty if by none
 
-  double inUnits(double length) const { return length / unit[0] / unit[1]; }
-  double inInput(double length) const { return length * unit[0] * unit[1]; }
+  double inUnits(double length) const { return length / unit; }
+  double inInput(double length) const { return length * unit; }
 };
 
 double largestOf(Vector v) { return std::max(std::abs(v.x), std::abs(v.y)); }
@@ -59,18 +59,19 @@ Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice) {
   double largest = std::max(largestOf(a), largestOf(b));
   // Not >, which is false for NaN.
   if (!(largest <= kCoordinateLimit) || !(dot(a, a) <= kInfinite) || !(dot(b, b) <= kInfinite)) {
-    return Error{ErrorCode::badOption, kNone, "The periods must be finite numbers, at most 1e150."};
+    return Error{ErrorCode::badOption, kNone,
+                 std::string("The periods must be finite numbers, at most ") + kCoordinateLimitText + "."};
   }
   double radius = -kInfinite;
   for (const Circle& c : circles) {
     largest = std::max(largest, largestOf({c.x, c.y}));
     radius = std::max(radius, c.r);
   }
+  if (auto error = refusalOfSmall(largest, "The circles and periods")) return *std::move(error);
   Torus torus;
   int exponent = 0;
   std::frexp(largest, &exponent);
-  exponent -= kBits;
-  torus.unit = {std::ldexp(1.0, exponent / 2), std::ldexp(1.0, exponent - exponent / 2)};
+  torus.unit = std::max(std::ldexp(1.0, exponent - kBits), kCoordinateStep);
   const auto rounded = [&](double x) { return std::floor(torus.inUnits(x) + 0.5) + 0.0; };
   const auto roundedVector = [&](Vector v) { return Vector{rounded(v.x), rounded(v.y)}; };
   const auto asInput = [&](Vector v) { return Vector{torus.inInput(v.x), torus.inInput(v.y)}; };
@@ -272,13 +273,11 @@ bool hasEqualCirclesApart(const PeriodicDiagram& images) {
 /// Returns by how much the halo must grow for all given cells to be final; infinite if that is not known.
 double missingHalo(const PeriodicDiagram& images, std::span<const KnownHalfPlane> sides) {
   const Diagram& diagram = images.diagram;
-  const auto scaled = validate(diagram.circles, diagram.weights);
-  if (!scaled) throw ThrownError{scaled.error()};
   double largest = -kInfinite;
   for (CircleIndex i = 0; i < images.circleCount; ++i) {
     largest = std::max(largest, diagram.circles[static_cast<std::size_t>(i)].r);
   }
-  const auto needed = finalCellsInside(scaled.value(), diagram, sides, largest, true).neededHalo;
+  const auto needed = finalCellsInside(diagram.circles, diagram, sides, largest, true).neededHalo;
   return *std::max_element(needed.begin(), needed.begin() + images.circleCount);
 }
 
@@ -286,7 +285,8 @@ double missingHalo(const PeriodicDiagram& images, std::span<const KnownHalfPlane
 Error ofGivenCircle(Error error, const PeriodicDiagram& images) {
   if (error.circle != kNone) error.circle = images.circleOf[static_cast<std::size_t>(error.circle)];
   if (error.code == ErrorCode::coordinateTooLarge && error.circle != kNone) {
-    error.message = "An image of circle " + std::to_string(error.circle) + " has a coordinate beyond 1e150.";
+    error.message =
+        "An image of circle " + std::to_string(error.circle) + " has a coordinate beyond " + kCoordinateLimitText + ".";
   }
   return error;
 }
@@ -331,7 +331,7 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
 Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const Lattice& lattice,
                                         const Options& options) {
   return guarded([&]() -> Result<PeriodicDiagram> {
-    if (auto valid = validate(circles, options.weights); !valid) return valid.error();
+    if (auto valid = validatePart(circles, options.weights, 0); !valid) return valid.error();
     auto torus = torusOf(circles, lattice);
     if (!torus) return torus.error();
     Options own = options;

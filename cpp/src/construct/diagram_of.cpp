@@ -2,22 +2,14 @@
 #include "diagram_of.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "certificate_message.h"
 #include "predicates.h"
+#include "validate.h"
 
 namespace circle_voronoi {
-
-Error vertexBeyondDoubles(const std::array<CircleIndex, 3>& circles) {
-  const auto& [i, j, k] = circles;
-  return {ErrorCode::coordinateTooLarge, i,
-          "The vertex of circles " + std::to_string(i) + ", " + std::to_string(j) + ", " + std::to_string(k) +
-              ", which nearly have a common tangent line, lies farther off than the largest number."};
-}
 
 namespace {
 
@@ -37,8 +29,7 @@ void beginAt(std::array<Item, 3>& items, std::ptrdiff_t first) {
 
 }  // namespace
 
-Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, double unit,
-                          Threads threads) {
+Diagram diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, Threads threads) {
   Diagram diagram;
   Topology topology;
   Links links;
@@ -46,7 +37,7 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
   // A diagram that is not certified may have triples without a disc, whose vertex may be anything.
   const auto vertexOf = [&](Triple corners, const FaceDisc& disc) {
     beginAt(corners, firstOf(corners, sites.indices));
-    return predicates.vertex(corners, disc, unit);
+    return predicates.vertex(corners, disc);
   };
   if (construction.unfit) {
     const Misfit& misfit = construction.unfit->misfit;
@@ -75,24 +66,13 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
     const std::vector<VertexIndex> vertices = verticesOf(dual, threads);
     const auto isVertex = [](VertexIndex vertex) { return vertex != kNone; };
     diagram.vertices.resize(static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), isVertex)));
-    std::vector<std::uint8_t> isMissing(vertices.size());
     threads.forEach(vertices.size(), [&](std::size_t face) {
       if (!isVertex(vertices[face])) return;
       const auto vertex =
           vertexOf(cornersOf(dual, 3 * static_cast<int>(face)), discs.empty() ? FaceDisc{} : discs[face]);
       diagram.vertices[vertices[face]] = vertex.value_or(Vertex{});
-      isMissing[face] = !vertex;
     });
-    const auto missing = std::find(isMissing.begin(), isMissing.end(), 1);
-    if (missing != isMissing.end() && verdict.isRight()) {
-      Triple corners = cornersOf(dual, 3 * static_cast<int>(missing - isMissing.begin()));
-      beginAt(corners, firstOf(corners, sites.indices));
-      const auto& [i, j, k] = corners;
-      return vertexBeyondDoubles({sites.indices[i], sites.indices[j], sites.indices[k]});
-    }
-    // Frees memory before more is needed.
-    isMissing = {};
-    verdict.proof = {};
+    verdict.proof = {};  // frees memory before more is needed
     threads.forEach(dual.origin.size(), [&](std::size_t h) {
       if (int& corner = dual.origin[h]; corner != kPointAtInfinity) corner = sites.indices[corner];
     });
@@ -110,7 +90,8 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
   if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[diagram.certificate.circle];
   diagram.certificate.message = messageOf(diagram.certificate, diagram);
   sites = {};
-  diagram.circles.assign(circles.begin(), circles.end());
+  diagram.circles.reserve(circles.size());
+  for (const Circle& c : circles) diagram.circles.push_back(rounded(c));
   return diagram;
 }
 

@@ -15,11 +15,11 @@
 namespace circle_voronoi {
 
 std::optional<Diagram> recompute(const Diagram& before, std::span<const Circle> circles) {
-  auto scaled = validate(circles, before.weights);
+  auto rounded = validate(circles, before.weights);
   auto dual = dualOf({before.vertexCircles, before.edges, before.hull}, static_cast<int>(circles.size()));
-  if (!scaled || !std::holds_alternative<Dual>(dual)) return {};
+  if (!rounded || !std::holds_alternative<Dual>(dual)) return {};
   Sites sites;
-  sites.circles = std::move(scaled->circles);
+  sites.circles = std::move(*rounded);
   sites.indices.resize(circles.size());
   std::iota(sites.indices.begin(), sites.indices.end(), 0);
   sites.centers = std::move(std::get<Dual>(dual));
@@ -28,13 +28,12 @@ std::optional<Diagram> recompute(const Diagram& before, std::span<const Circle> 
   Journal journal(progress);
   Construction construction = constructByFlips(sites, {}, journal, Threads());
   if (!construction.isRight()) return {};
-  auto result = diagramOf(circles, std::move(construction), std::move(sites), scaled->unit);
-  if (!result) return {};
-  result->weights = before.weights;
-  result->stats = std::move(journal.stats);
-  result->stats.method = Method::automatic;
-  result->stats.counts.circles = static_cast<std::int64_t>(circles.size());
-  return std::move(result).value();
+  Diagram result = diagramOf(circles, std::move(construction), std::move(sites));
+  result.weights = before.weights;
+  result.stats = std::move(journal.stats);
+  result.stats.method = Method::automatic;
+  result.stats.counts.circles = static_cast<std::int64_t>(circles.size());
+  return result;
 }
 
 }  // namespace circle_voronoi

@@ -123,6 +123,12 @@ Result<void> checkArrays(const Diagram& diagram) {
       return Error{objection->code, static_cast<std::int64_t>(i),
                    "Circle " + std::to_string(i) + " " + objection->what};
     }
+    // Integers of fixed size hold multiples of the step alone.
+    if (rounded(diagram.circles[i]) != diagram.circles[i]) {
+      return Error{
+          ErrorCode::badInput, static_cast<std::int64_t>(i),
+          "Circle " + std::to_string(i) + " has a number that is no multiple of 2^-96, as all are in a diagram."};
+    }
   }
   const bool fitsInLength = diagram.vertexCircles.size() == diagram.vertices.size() &&
                             diagram.links.nextSide.size() == 2 * diagram.edges.size() &&

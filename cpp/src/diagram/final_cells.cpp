@@ -20,14 +20,14 @@
 namespace circle_voronoi {
 namespace {
 
-/// The known properties, in the units of the scaled circles.
+/// The known properties.
 class Outside {
  public:
-  Outside(std::span<const KnownHalfPlane> known, double maxRadius, double unit) : reach_(maxRadius / unit) {
-    // A line that is too far off for a double is as if it were nearer, which is on the safe side.
-    constexpr double kFarthest = 0x1p900;
+  Outside(std::span<const KnownHalfPlane> known, double maxRadius) : reach_(maxRadius) {
+    // A line so far off that sums could overflow is as if it were nearer, which is on the safe side.
+    constexpr double kFarthest = 0x1p1000;
     for (const auto& [normal, offset] : known) {
-      if (!std::isinf(offset)) sides_.push_back({normal, std::clamp(offset / unit, -kFarthest, kFarthest)});
+      if (!std::isinf(offset)) sides_.push_back({normal, std::clamp(offset, -kFarthest, kFarthest)});
     }
   }
 
@@ -71,8 +71,6 @@ double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circ
   return outside.excess(*disc, 0x1p-33 * farthest + 4 * kUnitRoundoff * (size + farthest));
 }
 
-Vertex inUnits(const Vertex& disc, double unit) { return {disc.x / unit, disc.y / unit, disc.r / unit}; }
-
 std::optional<Error> checkKnown(const Known& known) {
   const auto& [minX, minY, maxX, maxY] = known.box;
   if (!(minX < maxX) || !(minY < maxY)) return Error{ErrorCode::badOption, -1, "The box of what is known is empty."};
@@ -97,16 +95,15 @@ bool fits(const Diagram& diagram) {
 
 }  // namespace
 
-FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const KnownHalfPlane> known,
-                            double maxRadius, bool knowsVertices) {
-  const Outside outside(known, maxRadius, scaled.unit);
-  const auto& circles = scaled.circles;
+FinalCells finalCellsInside(std::span<const Circle> circles, const Diagram& diagram,
+                            std::span<const KnownHalfPlane> known, double maxRadius, bool knowsVertices) {
+  const Outside outside(known, maxRadius);
   FinalCells result;
   result.neededHalo.assign(circles.size(), 0);
   const auto need = [&](CircleIndex circle, double excess) {
     if (excess < 0) return;
     // A step more where it is 0 or too small for a number.
-    const double halo = std::max(excess * scaled.unit * (1 + 0x1p-40), std::numeric_limits<double>::min());
+    const double halo = std::max(excess * (1 + 0x1p-40), std::numeric_limits<double>::min());
     double& needed = result.neededHalo[static_cast<std::size_t>(circle)];
     needed = std::max(needed, halo);
   };
@@ -117,7 +114,7 @@ FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram,
   for (std::size_t v = 0; v < diagram.vertexCircles.size(); ++v) {
     if (knowsVertices) {
       // Most discs are far inside, whatever the circles are that they touch.
-      const Vertex disc = inUnits(diagram.vertices[v], scaled.unit);
+      const Vertex& disc = diagram.vertices[v];
       const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + largest;
       if (outside.excess(disc, 0x1p-30 * size) < 0) {
         result.vertices.push_back(true);
@@ -127,8 +124,7 @@ FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram,
     auto triple = diagram.vertexCircles[v];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto circle = [&](std::size_t k) { return &circles[static_cast<std::size_t>(triple[k])]; };
-    const auto disc =
-        knowsVertices ? inUnits(diagram.vertices[v], scaled.unit) : vertexOf(*circle(0), *circle(1), *circle(2));
+    const auto disc = knowsVertices ? std::optional(diagram.vertices[v]) : vertexOf(*circle(0), *circle(1), *circle(2));
     const double excess = excessOf(outside, {circle(0), circle(1), circle(2)}, disc);
     result.vertices.push_back(excess < 0);
     for (const CircleIndex i : triple) need(i, excess);
@@ -155,11 +151,11 @@ Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
     if (!fits(diagram)) {
       return Error{ErrorCode::badInput, -1, "The diagram names circles or vertices that are not there."};
     }
-    const auto scaled = validate(diagram.circles, diagram.weights);
-    if (!scaled) return scaled.error();
+    const auto circles = validate(diagram.circles, diagram.weights);
+    if (!circles) return circles.error();
     const auto& [minX, minY, maxX, maxY] = known.box;
     const KnownHalfPlane sides[] = {{{1, 0}, minX}, {{-1, 0}, -maxX}, {{0, 1}, minY}, {{0, -1}, -maxY}};
-    return finalCellsInside(scaled.value(), diagram, sides, known.maxRadius);
+    return finalCellsInside(circles.value(), diagram, sides, known.maxRadius);
   });
 }
 

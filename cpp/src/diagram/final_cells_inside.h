@@ -3,10 +3,10 @@
 
 #include <span>
 
+#include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/final_cells.h"
 #include "circle_voronoi/point.h"
-#include "validate.h"
 
 namespace circle_voronoi {
 
@@ -20,8 +20,8 @@ struct KnownHalfPlane {
 /// Does the work of `finalCells` for any convex region in place of the box: inside(p) is the smallest of normal . p -
 /// offset. The theorem and its proof also hold here. The largest radius may be negative here. `knowsVertices`: the
 /// vertices are those that `compute` has just made, so their discs need not be computed anew.
-/// Precondition: the indices of the diagram exist, and `scaled` are its circles.
-FinalCells finalCellsInside(const ScaledCircles& scaled, const Diagram& diagram, std::span<const KnownHalfPlane> known,
-                            double maxRadius, bool knowsVertices = false);
+/// Precondition: the indices of the diagram exist, and `circles` are its circles, rounded (limits.h).
+FinalCells finalCellsInside(std::span<const Circle> circles, const Diagram& diagram,
+                            std::span<const KnownHalfPlane> known, double maxRadius, bool knowsVertices = false);
 
 }  // namespace circle_voronoi

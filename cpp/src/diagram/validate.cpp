@@ -4,68 +4,67 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "arithmetic.h"
-#include "circle_voronoi/limits.h"
-#include "estimate.h"
 
 namespace circle_voronoi {
-namespace {
-
-double sizeOf(const Circle& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.r)}); }
-
-}  // namespace
 
 std::optional<Objection> objectionTo(const Circle& c, bool weights) {
   if (!std::isfinite(c.x)) return Objection{ErrorCode::nonFinite, "has an x that is not a finite number."};
   if (!std::isfinite(c.y)) return Objection{ErrorCode::nonFinite, "has a y that is not a finite number."};
   if (!std::isfinite(c.r)) return Objection{ErrorCode::nonFinite, "has a radius that is not a finite number."};
   if (c.r < 0 && !weights) return Objection{ErrorCode::negativeRadius, "has a negative radius."};
-  if (sizeOf(c) <= kCoordinateLimit) return std::nullopt;
-  return Objection{ErrorCode::coordinateTooLarge, "has a coordinate or a radius beyond 1e150."};
+  if (largestNumber(c) <= kCoordinateLimit) return std::nullopt;
+  return Objection{ErrorCode::coordinateTooLarge,
+                   std::string("has a coordinate or a radius beyond ") + kCoordinateLimitText + "."};
 }
 
-Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights, std::size_t first) {
+std::optional<Error> refusalOfSmall(double largest, const std::string& what) {
+  if (largest == 0 || largest >= kSmallestInput) return std::nullopt;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  // 10^power is at least 2^-exponent, so the product is at least 1/2.
+  const int power = (-exponent * 30103 + 99999) / 100000;
+  return Error{ErrorCode::coordinateTooSmall, kNone,
+               what + " have no number from " + kSmallestInputText + " up; multiply all numbers by 1e" +
+                   std::to_string(power) + "."};
+}
+
+Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first) {
   if (circles.size() > kMaxCircles) {
-    return Error{ErrorCode::tooManyCircles, -1,
+    return Error{ErrorCode::tooManyCircles, kNone,
                  "There are " + std::to_string(circles.size()) + " circles; at most " + std::to_string(kMaxCircles) +
                      " are possible."};
   }
   if (!isArithmeticStandard()) {
-    return Error{ErrorCode::badArithmetic, -1,
+    return Error{ErrorCode::badArithmetic, kNone,
                  "Floating-point numbers are not rounded to nearest or tiny ones are taken for zero, as in a program "
                  "that is linked with -ffast-math."};
   }
-  double largest = 0;
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (const auto objection = objectionTo(circles[i], weights)) {
       const std::size_t circle = first + i;
       return Error{objection->code, static_cast<std::int64_t>(circle),
                    "Circle " + std::to_string(circle) + " " + objection->what};
     }
-    largest = std::max(largest, sizeOf(circles[i]));
   }
-
-  int exponent = 0;
-  std::frexp(largest, &exponent);  // exact, as is ldexp: neither rounds
-  const int scaling = largest == 0 ? 0 : std::min(kScaledExponent - exponent, kLargestScaling);
-  const double factor = std::ldexp(1.0, scaling);
-  ScaledCircles scaled;
-  scaled.unit = std::ldexp(1.0, -scaling);
-  scaled.circles.reserve(circles.size());
-  // Adding zero turns -0 into +0: one number, one set of bits.
-  for (const Circle& c : circles)
-    scaled.circles.push_back({c.x * factor + 0.0, c.y * factor + 0.0, c.r * factor + 0.0});
-  return scaled;
+  return {};
 }
 
-Vertex discOfInput(const Vertex& disc, double unit) {
-  const Vertex result = {disc.x * unit, disc.y * unit, disc.r * unit};
-  if (std::isfinite(result.x) && std::isfinite(result.y) && std::isfinite(result.r)) return result;
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  return {kNaN, kNaN, kNaN};
+Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights) {
+  if (const auto valid = validatePart(circles, weights, 0); !valid) return valid.error();
+  double largest = 0;
+  for (const Circle& c : circles) largest = std::max(largest, largestNumber(c));
+  if (auto error = refusalOfSmall(largest, "The circles")) return *std::move(error);
+  return normalized(circles);
+}
+
+std::vector<Circle> normalized(std::span<const Circle> circles) {
+  std::vector<Circle> result;
+  result.reserve(circles.size());
+  for (const Circle& c : circles) result.push_back(normalized(c));
+  return result;
 }
 
 std::vector<Circle> pointsOf(std::span<const Circle> circles) {

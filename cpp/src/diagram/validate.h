@@ -4,41 +4,44 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/error.h"
-#include "circle_voronoi/vertex.h"
+#include "rounded.h"
 
 namespace circle_voronoi {
-
-/// The input circles times a power of two, which brings the largest magnitude near 2^80. So no product in the later
-/// stages overflows. kUnderflowError (estimate.h) says from which size on underflow matters. The scaling is exact
-/// unless a value is smaller than the largest by a factor of 2^1100 (Options, compute.h).
-struct ScaledCircles {
-  std::vector<Circle> circles;
-  double unit = 1;  ///< input = scaled * unit, a power of two
-};
 
 /// The reason why a circle is invalid: a code, and the rest of a sentence that begins with the name of the circle.
 struct Objection {
   ErrorCode code;
-  const char* what;
+  std::string what;
 };
 
 /// Returns the objection to a circle, if any: nonFinite, negativeRadius unless radii are weights, coordinateTooLarge.
 std::optional<Objection> objectionTo(const Circle& circle, bool weights);
 
-/// Errors: nonFinite, negativeRadius unless radii are weights (Options::weights), coordinateTooLarge, tooManyCircles,
-/// badArithmetic. Errors number the circles from `first`, for callers that have a part of the input. Exported because
-/// the readers and writers, a library of their own, call it.
-CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights = false,
-                                                  std::size_t first = 0);
-/// A number must not turn into `weights`.
-void validate(std::span<const Circle> circles, std::size_t first) = delete;
+/// Returns the error for an input whose largest number is not 0 and is below kSmallestInput: coordinateTooSmall.
+/// `what` begins the sentence, as "The circles".
+std::optional<Error> refusalOfSmall(double largest, const std::string& what);
 
-/// Converts a disc of scaled circles to the unit of the input. Returns NaN if a number exceeds the largest double.
-Vertex discOfInput(const Vertex& disc, double unit);
+/// Returns a circle rounded (limits.h), without negative zeros: one number, one set of bits.
+inline Circle normalized(const Circle& given) {
+  const Circle c = rounded(given);
+  return {c.x + 0.0, c.y + 0.0, c.r + 0.0};
+}
+
+/// Checks the circles. Returns them normalized.
+/// Errors: nonFinite, negativeRadius unless radii are weights (Options::weights), coordinateTooLarge,
+/// coordinateTooSmall, tooManyCircles, badArithmetic. Exported because the readers and writers, a library of their own,
+/// call it.
+CIRCLE_VORONOI_API Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights = false);
+
+/// Checks a part of the circles of an input, which may all be small. Errors number the circles from `first`.
+CIRCLE_VORONOI_API Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first);
+/// Returns what `validatePart` has accepted, normalized.
+std::vector<Circle> normalized(std::span<const Circle> circles);
 
 /// Returns the centers as circles of radius 0.
 std::vector<Circle> pointsOf(std::span<const Circle> circles);

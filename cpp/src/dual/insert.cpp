@@ -52,10 +52,6 @@ class Bisector {
   /// At infinity.
   Bisector() = default;
   Bisector(const Circle& circle, const Circle& neighbor) : v_(between(circle, neighbor)), s_(neighbor.r - circle.r) {
-    const double largest = std::max(std::abs(v_.x), std::abs(v_.y));
-    if (largest < kShortLength) scale_ = scaleOf(largest);
-    v_ = {v_.x * scale_, v_.y * scale_};
-    s_ *= scale_;
     g_ = dot(v_, v_) - s_ * s_;
   }
 
@@ -64,16 +60,15 @@ class Bisector {
     const Vector direction = ray.direction();
     const double along = dot(direction, v_);
     // (s + along) / g, without its cancellation where s and along are nearly opposite.
-    if ((s_ < 0) == (along < 0)) return std::max(0.0, scale_ * (along + s_) / g_);
+    if ((s_ < 0) == (along < 0)) return std::max(0.0, (along + s_) / g_);
     const double across = cross(direction, v_);
-    return std::max(0.0, scale_ * (1 - across * across / g_) / (along - s_));
+    return std::max(0.0, (1 - across * across / g_) / (along - s_));
   }
 
  private:
   Vector v_ = {0, 0};
   double s_ = 0;
   double g_ = 1;
-  double scale_ = 1;  ///< the scale of s_ and g_ if their squares would underflow
 };
 
 class Inserter : private DualKeeper {

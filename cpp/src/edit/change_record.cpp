@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "build_state.h"
-#include "diagram_of.h"
 
 namespace circle_voronoi {
 namespace {
@@ -26,16 +25,12 @@ void reserveAdded(Change& change, std::size_t vertices, std::size_t edges) {
   change.edges.reserve(edges);
 }
 
-/// Adds a vertex of the new diagram. Returns an error if one of its numbers exceeds the largest double.
-std::optional<Error> addVertex(Change& change, const EditState& state, int face) {
+/// Adds a vertex of the new diagram.
+void addVertex(Change& change, const EditState& state, int face) {
   const auto [i, j, k] = slotsOfVertex(state, face);
-  const std::array<CircleId, 3> ids = {state.sites[i].id, state.sites[j].id, state.sites[k].id};
-  const auto vertex = vertexOfFace(state, face);
-  if (!vertex) return vertexBeyondDoubles({ids[0], ids[1], ids[2]});
   change.addedVertices.push_back(face);
-  change.vertices.push_back(*vertex);
-  change.vertexCircles.push_back(ids);
-  return std::nullopt;
+  change.vertices.push_back(vertexOfFace(state, face));
+  change.vertexCircles.push_back({state.sites[i].id, state.sites[j].id, state.sites[k].id});
 }
 
 /// Adds an edge of the new diagram.
@@ -75,7 +70,7 @@ void addHullSide(Change& change, const EditState& state, int h) {
 
 void addCircles(Change& change, const EditState& state) {
   for (const auto* list : {&change.inserted, &change.replaced}) {
-    for (const CircleId id : *list) change.circles.push_back(state.inputOf(state.ids.slotOf(id)));
+    for (const CircleId id : *list) change.circles.push_back(state.circles[state.ids.slotOf(id)]);
   }
 }
 
@@ -92,7 +87,7 @@ Result<Change> ChangeRecorder::record(EditState& state, EditWay way) {
   reserveRemoved(change, faces, 2 * faces);
   reserveAdded(change, faces, 2 * faces);
   recordCircles(change, state);
-  if (auto error = recordVertices(change, state)) return *std::move(error);
+  recordVertices(change, state);
   recordEdges(change, state);
   recordHull(change, state);
   return change;
@@ -131,7 +126,7 @@ void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
   addCircles(change, state);
 }
 
-std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& state) {
+void ChangeRecorder::recordVertices(Change& change, EditState& state) {
   for (EditState::SavedFace& saved : state.faceLog) {
     if (saved.before != kNone) continue;
     const auto corners = cornersOf(state.dual, 3 * saved.face);
@@ -142,9 +137,8 @@ std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& s
     if (!saved.isChanged) continue;
     if (saved.wasVertex()) change.removedVertices.push_back(saved.face);
     if (!state.isVertex(saved.face)) continue;
-    if (auto error = addVertex(change, state, saved.face)) return error;
+    addVertex(change, state, saved.face);
   }
-  return std::nullopt;
 }
 
 /// Returns whether half-edge k of a saved face belongs to another edge now: a face beside it has changed, or it has
@@ -234,7 +228,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
       change.removed.push_back(id);
       return;
     }
-    if (before.inputOf(slot) != after.inputOf(now)) change.replaced.push_back(id);
+    if (before.circles[slot] != after.circles[now]) change.replaced.push_back(id);
     if (before.isVisible(slot) && !after.isVisible(now)) change.hidden.push_back(id);
     if (!before.isVisible(slot) && after.isVisible(now)) change.shown.push_back(id);
   });
@@ -255,8 +249,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
     if (before.isVertex(face)) change.removedVertices.push_back(face);
   }
   for (int face = 0; face < after.dual.faceCount(); ++face) {
-    if (!after.isVertex(face)) continue;
-    if (auto error = addVertex(change, after, face)) return *std::move(error);
+    if (after.isVertex(face)) addVertex(change, after, face);
   }
   for (int h = 0; h < before.dual.halfEdgeCount(); ++h) {
     if (before.isEdge(h)) change.removedEdges.push_back(before.edgeNumber[h]);

@@ -28,7 +28,7 @@ class ChangeRecorder {
 
   Mark& markOf(int slot);
   void recordCircles(Change& change, const EditState& state);
-  std::optional<Error> recordVertices(Change& change, EditState& state);
+  void recordVertices(Change& change, EditState& state);
   void recordEdges(Change& change, EditState& state);
   void recordHull(Change& change, const EditState& state);
 

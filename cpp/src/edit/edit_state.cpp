@@ -55,14 +55,14 @@ void EditState::willChangeSite(int slot) {
   savedSiteAt_[slot] = static_cast<int>(siteLog.size() - 1);
 }
 
-int EditState::addSite(const Circle& scaled) {
+int EditState::addSite(const Circle& circle) {
   const int slot = sitePlaces.take();
   if (slot >= static_cast<int>(savedSiteAt_.size())) sizeToPlaces();
   willChangeSite(slot);
   ids.add(nextId, slot);
   sites[slot] = {nextId};
   ++nextId;
-  circles[slot] = scaled;
+  circles[slot] = circle;
   hasNoCell[slot] = 1;
   ++circleCount;
   return slot;

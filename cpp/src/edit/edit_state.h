@@ -35,7 +35,7 @@ struct Site {
 
 /// The whole diagram of an editor, and a log to undo the changes since it was last kept.
 ///
-/// Circles are in slots, divided by the unit. Vertices are faces of the dual, including those at infinity. Free numbers
+/// Circles are in slots, rounded (limits.h). Vertices are faces of the dual, including those at infinity. Free numbers
 /// are reused, so that arrays have few gaps. Announce a change of a face or a site before you make it.
 class EditState final : public DualKeeper {
  public:
@@ -56,10 +56,6 @@ class EditState final : public DualKeeper {
   std::vector<HalfEdgeProof> proof;
   std::vector<int> edgeNumber;  ///< the same for both halves; kNone at infinity
 
-  double unit = 1;        ///< the circles of the input are `circles` times this
-  bool hasScale = false;  ///< whether a number of the input was not 0 when the unit was chosen
-  /// The circles of the input by slot, if the unit rounds some of them; otherwise empty.
-  std::vector<Circle> inexact;
   bool weights = false;  ///< whether radii are additive weights
   IdTable ids;
   CircleId nextId = 0;
@@ -81,10 +77,6 @@ class EditState final : public DualKeeper {
   bool isEdge(int h) const {
     return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kPointAtInfinity &&
            dual.target(h) != kPointAtInfinity;
-  }
-  Circle inputOf(int slot) const {
-    const Circle& c = circles[slot];
-    return inexact.empty() ? Circle{c.x * unit, c.y * unit, c.r * unit} : inexact[slot];
   }
   /// Returns whether one circle hides another, that is, contains it. If two circles are identical, the lower id hides
   /// the other.
@@ -112,7 +104,7 @@ class EditState final : public DualKeeper {
   // A circle that is neither in a list nor in the dual counts as hidden.
 
   /// Adds a circle with a new id. Returns its slot.
-  int addSite(const Circle& scaled);
+  int addSite(const Circle& circle);
   void removeSite(int slot);
   /// Puts a circle into the list of a visible circle that contains it.
   void attach(int slot, int hider);

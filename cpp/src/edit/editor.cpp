@@ -167,13 +167,27 @@ class DiagramEditor::Editor {
       return Error{objection->code, isNew ? CircleId() : edit.id, who + " " + objection->what,
                    static_cast<std::int64_t>(i)};
     }
-    return std::nullopt;
+    return refusalOfSmallEdits(edits);
+  }
+
+  /// Returns an error if the edits bring in circles that are too small, while there are no larger ones (limits.h).
+  std::optional<Error> refusalOfSmallEdits(std::span<const Edit> edits) const {
+    double largest = 0;
+    for (const Edit& edit : edits) {
+      if (edit.kind != Edit::Kind::remove) largest = std::max(largest, largestNumber(edit.circle));
+    }
+    if (largest == 0 || largest >= kSmallestInput) return std::nullopt;
+    const auto isLarge = [&](int slot) {
+      return state_->sites[slot].id != kNone && largestNumber(state_->circles[slot]) >= kSmallestInput;
+    };
+    for (int slot = 0; slot < static_cast<int>(state_->sites.size()); ++slot) {
+      if (isLarge(slot)) return std::nullopt;
+    }
+    return refusalOfSmall(largest, "The circles");
   }
 
   /// Returns nothing if the whole diagram must be computed again.
   std::optional<Result<Change>> applyLocally(std::span<const Edit> edits, CircleId hint) {
-    if (!state_->inexact.empty() || !state_->hasScale) return std::nullopt;
-    makeRoomFor(edits);
     EditWay way = EditWay::local;
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
@@ -186,10 +200,9 @@ class DiagramEditor::Editor {
       if (edit.kind == Edit::Kind::remove) {
         done = stepper_->remove(slot);
       } else {
-        const auto circle = scaledExactly(edit.circle, state_->unit);
-        if (!circle) return std::nullopt;
-        done = edit.kind == Edit::Kind::insert ? stepper_->insert(*circle, slotOf(hint))
-                                               : stepper_->replace(slot, *circle);
+        const Circle circle = normalized(edit.circle);
+        done =
+            edit.kind == Edit::Kind::insert ? stepper_->insert(circle, slotOf(hint)) : stepper_->replace(slot, circle);
       }
       if (!done) return std::nullopt;
       tellRest();
@@ -198,24 +211,13 @@ class DiagramEditor::Editor {
     return recorder_.record(*state_, way);
   }
 
-  /// Gives the state a larger unit if an edit exceeds the current one. Does nothing if there is an observer, because it
-  /// was told of discs in the current unit.
-  void makeRoomFor(std::span<const Edit> edits) {
-    if (teller_) return;
-    std::vector<Circle> large;
-    for (const Edit& edit : edits) {
-      if (edit.kind != Edit::Kind::remove && !scaledExactly(edit.circle, state_->unit)) large.push_back(edit.circle);
-    }
-    if (!large.empty() && makeRoom(*state_, large)) locator_.fill(*state_);
-  }
-
   Result<Change> applyWhole(std::span<const Edit> edits) {
     std::vector<CircleId> ids;
     std::vector<Circle> circles;
     const CircleId firstNew = state_->nextId;
     state_->ids.forEach([&](CircleId id, int slot) {
       ids.push_back(id);
-      circles.push_back(state_->inputOf(slot));
+      circles.push_back(state_->circles[slot]);
     });
     const auto newOnes = static_cast<std::size_t>(
         std::count_if(edits.begin(), edits.end(), [](const Edit& e) { return e.kind == Edit::Kind::insert; }));
@@ -283,9 +285,8 @@ class DiagramEditor::Editor {
   ChangeRecorder recorder_;
   Observer observer_;
   std::vector<TraceEvent> events_;  ///< to be told once the edit is done
-  /// Collects events, by ids and in the unit of the input.
+  /// Collects events, by ids.
   const Observer sink_ = [this](TraceEvent event) {
-    event.disc = discOfInput(event.disc, state_->unit);
     for (CircleIndex& circle : event.circles) circle = state_->idOf(circle);
     events_.push_back(event);
   };
@@ -300,11 +301,11 @@ DiagramEditor::~DiagramEditor() = default;
 
 Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles, const EditorOptions& options) {
   return guarded([&]() -> Result<DiagramEditor> {
+    if (const auto valid = validate(circles, options.weights); !valid) return valid.error();
     std::vector<CircleId> ids;
     for (std::size_t i = 0; i < circles.size(); ++i) ids.push_back(static_cast<std::int32_t>(i));
     auto state = buildState(circles, ids, options.weights);
     if (!state) return state.error();
-    if (auto error = vertexError(*state.value())) return *std::move(error);
     return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
   });
 }
@@ -338,8 +339,9 @@ Result<void> DiagramEditor::observe(const Observer& observer) {
 CircleId DiagramEditor::nearest(Point p, CircleId hint) const {
   const EditState& state = editor_->state();
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return kNone;
-  const Point scaled = {p.x / state.unit, p.y / state.unit};
-  return state.idOf(editor_->locator().locate(state, scaled, editor_->slotOf(hint)).slot);
+  // A point far beyond all circles is moved nearer in its direction, so that no product overflows.
+  const double nearer = std::max(std::abs(p.x), std::abs(p.y)) < 0x1p400 ? 1 : 0x1p-600;
+  return state.idOf(editor_->locator().locate(state, {nearer * p.x, nearer * p.y}, editor_->slotOf(hint)).slot);
 }
 
 std::size_t DiagramEditor::size() const { return static_cast<std::size_t>(editor_->state().circleCount); }
@@ -347,7 +349,7 @@ std::size_t DiagramEditor::size() const { return static_cast<std::size_t>(editor
 std::optional<Circle> DiagramEditor::circle(CircleId id) const {
   const int slot = editor_->slotOf(id);
   if (slot == kNone) return std::nullopt;
-  return editor_->state().inputOf(slot);
+  return editor_->state().circles[slot];
 }
 
 bool DiagramEditor::isHidden(CircleId id) const { return !editor_->state().isVisible(editor_->slotOf(id)); }
@@ -362,7 +364,7 @@ std::vector<CircleId> DiagramEditor::ids() const {
 std::vector<Circle> DiagramEditor::circles() const {
   std::vector<Circle> circles;
   circles.reserve(size());
-  editor_->state().ids.forEach([&](CircleId, int slot) { circles.push_back(editor_->state().inputOf(slot)); });
+  editor_->state().ids.forEach([&](CircleId, int slot) { circles.push_back(editor_->state().circles[slot]); });
   return circles;
 }
 

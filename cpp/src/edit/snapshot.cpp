@@ -10,7 +10,6 @@
 #include "diagram_of.h"
 #include "hiders.h"
 #include "order.h"
-#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -43,13 +42,10 @@ Result<Diagram> snapshotOf(const EditState& state) {
   circles.reserve(static_cast<std::size_t>(state.circleCount));
   state.ids.forEach([&](CircleId, int slot) {
     slotOf.push_back(slot);
-    circles.push_back(state.inputOf(slot));
+    circles.push_back(state.circles[slot]);
   });
-  const auto scaled = validate(circles, state.weights);
-  if (!scaled) return scaled.error();
-
   // The search for hiders needs spatial order, which the slots have lost after many edits.
-  const OrderedCircles ordered = order(scaled.value().circles);
+  const OrderedCircles ordered = order(circles);
   Sites sites;
   OrderedCircles hidden;
   std::vector<int> siteOf(state.sites.size(), kNone);
@@ -73,7 +69,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
   }
   std::sort(sites.hidden.begin(), sites.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
-  if (auto error = refusalOfHidden(scaled.value().circles, sites.hidden)) return *std::move(error);
+  if (auto error = refusalOfHidden(circles, sites.hidden)) return *std::move(error);
 
   Stats stats;
   stats.method = Method::automatic;
@@ -81,11 +77,9 @@ Result<Diagram> snapshotOf(const EditState& state) {
   stats.counts.circles = static_cast<std::int64_t>(circles.size());
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
   Construction construction = {compacted(state, siteOf), {}};
-  auto diagram = diagramOf(circles, std::move(construction), std::move(sites), scaled.value().unit);
-  if (diagram) {
-    diagram->weights = state.weights;
-    diagram->stats = stats;
-  }
+  Diagram diagram = diagramOf(circles, std::move(construction), std::move(sites));
+  diagram.weights = state.weights;
+  diagram.stats = stats;
   return diagram;
 }
 

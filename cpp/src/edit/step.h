@@ -14,7 +14,7 @@
 
 namespace circle_voronoi {
 
-/// Applies edits, one after the other, to a given state. Circles are in the unit of the state.
+/// Applies edits, one after the other, to a given state. Circles are rounded (limits.h).
 class Stepper {
  public:
   /// The arguments must outlive this object.

@@ -34,8 +34,9 @@ std::vector<Circle> placeShuffled(std::size_t count, double covered, Random& ran
   return circles;
 }
 
-/// Circles around the origin whose distances from it grow geometrically, from one to the next by a golden turn.
-std::vector<Circle> makeSpiral(std::size_t count, double decades, Random& random) {
+/// Circles around the origin whose distances from it grow geometrically from 10^first on, from one to the next by a
+/// golden turn.
+std::vector<Circle> makeSpiral(std::size_t count, double first, double decades, Random& random) {
   constexpr double kGoldenTurn = 2 - std::numbers::phi;
   // Seen in logarithmic polar coordinates the centers are a lattice with this spacing.
   const double n = static_cast<double>(count);
@@ -44,7 +45,7 @@ std::vector<Circle> makeSpiral(std::size_t count, double decades, Random& random
   std::vector<Circle> circles(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double k = static_cast<double>(i);
-    const double distance = powerOfTen(decades * (k / n) - decades / 2);
+    const double distance = powerOfTen(decades * (k / n) + first);
     const Vector direction = directionAt(start + k * kGoldenTurn);
     circles[i] = {distance * direction.x, distance * direction.y,
                   distance * std::min(0.3, random.uniform(0.2, 0.3) * spacing)};
@@ -109,9 +110,9 @@ std::vector<Circle> generateClustered(std::size_t count, Random& random) {
   return result;
 }
 
-std::vector<Circle> generateSpiral(std::size_t count, Random& random) { return makeSpiral(count, 9, random); }
+std::vector<Circle> generateSpiral(std::size_t count, Random& random) { return makeSpiral(count, -4.5, 9, random); }
 
-std::vector<Circle> generateLongSpiral(std::size_t count, Random& random) { return makeSpiral(count, 87, random); }
+std::vector<Circle> generateLongSpiral(std::size_t count, Random& random) { return makeSpiral(count, -15, 40, random); }
 
 std::vector<Circle> generateChaosDisjoint(std::size_t count, Random& random) {
   // At this distance all circles fit beside each other even if they have the same size and distance.

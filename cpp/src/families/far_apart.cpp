@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generators.h"
+#include "rounded.h"
 
 namespace circle_voronoi {
 namespace {
@@ -25,15 +26,20 @@ std::vector<Circle> withPointAt(double x, std::size_t count, Random& random) {
   return circles;
 }
 
-/// Circles with centers on the x axis whose radii grow from 10^-decades/2 to 10^decades/2, in random order.
+/// Circles with centers on the x axis whose radii grow from 10^-28 to the limit of numbers, in random order.
 /// `gapBefore(i, r)` is how far circle i, of radius r, stays away from the circle before it.
 template <class Gap>
-std::vector<Circle> makeGrowingRow(std::size_t count, double decades, Random& random, Gap gapBefore) {
+std::vector<Circle> makeGrowingRow(std::size_t count, Random& random, Gap gapBefore) {
+  constexpr double kFirstDecade = -28;
+  // The more circles have about the same size, the smaller is the last, so that the row ends within the limit.
+  double decades = 56;
+  for (std::size_t rest = count; rest > 100; rest /= 10) --decades;
   std::vector<Circle> circles(count);
   double end = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double r = powerOfTen(decades * (static_cast<double>(i) / static_cast<double>(count) - 0.5));
-    circles[i] = {end + gapBefore(i, r) + r, 0, r};
+    const double r =
+        rounded(powerOfTen(kFirstDecade + decades * (static_cast<double>(i + 1) / static_cast<double>(count))));
+    circles[i] = {end + rounded(gapBefore(i, r)) + r, 0, r};
     end = circles[i].x + r;
   }
   random.shuffle(circles);
@@ -78,17 +84,14 @@ std::vector<Circle> generateLineAndHuge(std::size_t count, Random& random) {
   return circles;
 }
 
-std::vector<Circle> generateFarOutlier(std::size_t count, Random& random) { return withPointAt(1e60, count, random); }
+std::vector<Circle> generateFarOutlier(std::size_t count, Random& random) { return withPointAt(1e28, count, random); }
 
 std::vector<Circle> generateGrowingLine(std::size_t count, Random& random) {
-  constexpr double kDecades = 130;
-  return makeGrowingRow(count, kDecades, random,
-                        [&](std::size_t i, double r) { return i % 2 == 0 ? random.unit() * r : 0; });
+  return makeGrowingRow(count, random, [&](std::size_t i, double r) { return i % 2 == 0 ? random.unit() * r : 0; });
 }
 
 std::vector<Circle> generateTangentChain(std::size_t count, Random& random) {
-  constexpr double kDecades = 260;
-  return makeGrowingRow(count, kDecades, random, [](std::size_t, double) { return 0.0; });
+  return makeGrowingRow(count, random, [](std::size_t, double) { return 0.0; });
 }
 
 }  // namespace circle_voronoi

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "circle_voronoi/limits.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -25,7 +27,7 @@ double extentOf(const Circles& circles) {
 
 Circles withOutlier(Family family, std::size_t count, std::uint64_t seed) {
   Circles circles = generate(family, count, seed);
-  if (count > 0) circles[count / 2] = {kFar * extentOf(circles), 0, 0};
+  if (count > 0) circles[count / 2] = {std::min(kFar * extentOf(circles), kCoordinateLimit), 0, 0};
   return circles;
 }
 
@@ -37,7 +39,7 @@ Circles withDuplicates(Family family, std::size_t count, std::uint64_t seed) {
 
 Circles inTwoClusters(Family family, std::size_t count, std::uint64_t seed) {
   Circles circles = generate(family, count / 2, seed);
-  const double distance = 1000 * kFar * extentOf(circles);
+  const double distance = std::min(1000 * kFar * extentOf(circles), kCoordinateLimit / 4);
   for (const Circle& c : generate(family, count - count / 2, seed + 1)) {
     circles.push_back({c.x + distance, c.y, c.r});
   }

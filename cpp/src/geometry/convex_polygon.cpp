@@ -8,6 +8,7 @@
 
 #include "circle_voronoi/limits.h"
 #include "guarded.h"
+#include "rounded.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -55,16 +56,19 @@ Result<ConvexPolygon> ConvexPolygon::from(const Box& box) {
     if (!isInRange(box.minX) || !isInRange(box.minY) || !isInRange(box.maxX) || !isInRange(box.maxY)) {
       return fail(notInRange("A coordinate of the box"));
     }
-    if (!(box.minX < box.maxX && box.minY < box.maxY)) return fail("The box is empty.");
-    return ConvexPolygon(
-        std::vector<Point>{{box.minX, box.minY}, {box.maxX, box.minY}, {box.maxX, box.maxY}, {box.minX, box.maxY}});
+    const auto [minX, minY] = rounded(Point{box.minX, box.minY});
+    const auto [maxX, maxY] = rounded(Point{box.maxX, box.maxY});
+    if (!(minX < maxX && minY < maxY)) return fail("The box is empty.");
+    return ConvexPolygon(std::vector<Point>{{minX, minY}, {maxX, minY}, {maxX, maxY}, {minX, maxY}});
   });
 }
 
 Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
   return guarded([&]() -> Result<ConvexPolygon> {
-    if (auto problem = problemOf(corners)) return fail(*std::move(problem));
-    return ConvexPolygon(std::vector<Point>(corners.begin(), corners.end()));
+    std::vector<Point> result;
+    for (const Point& p : corners) result.push_back(rounded(p));
+    if (auto problem = problemOf(result)) return fail(*std::move(problem));
+    return ConvexPolygon(std::move(result));
   });
 }
 

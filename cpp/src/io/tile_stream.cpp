@@ -42,7 +42,7 @@ class TileStream::Impl {
       failed = errorAt(name_, rest_, reason, linesBefore_);
     }
     // An invalid circle before the failure is reported first.
-    if (const auto judged = validate(circles.circles, options_.weights, circlesBefore_); !judged) {
+    if (const auto judged = validatePart(circles.circles, options_.weights, circlesBefore_); !judged) {
       const auto before = static_cast<std::int64_t>(circlesBefore_);
       Error error = judged.error();
       error.circle -= before;

@@ -87,28 +87,19 @@ Topology visibleTopology(const Diagram& diagram, const std::vector<std::int32_t>
 
 /// Returns whether a vertex is where the disc of its circles i, j, k is, up to rounding. Our own vertices are so to the
 /// bit. Vertices from other programs may be rounded differently: they must touch all three circles to 40 bits, and lie
-/// near our disc rather than near the disc that touches the same circles clockwise. A disc beyond the doubles has no
-/// right place.
-bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, double unit, const Circle& i, const Circle& j,
+/// near our disc rather than near the disc that touches the same circles clockwise.
+bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, const Circle& i, const Circle& j,
                const Circle& k) {
   if (!disc) return false;
-  // In the units of the input, in which small numbers may have lost bits.
   if (vertex == *disc) return true;
-  // Times a power of two that brings the larger of vertex and circles near 2^80, so that squares do not overflow.
-  int exponent = 0;
-  std::frexp(std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.r)}), &exponent);
-  const int ofUnit = std::ilogb(unit);
-  const int shrinking = std::max(exponent - ofUnit - 80, 0);
-  const auto scaled = [&](const Vertex& v) {
-    const int power = -ofUnit - shrinking;
-    return Vertex{std::ldexp(v.x, power), std::ldexp(v.y, power), std::ldexp(v.r, power)};
-  };
-  const Vertex given = scaled(vertex);
-  const Vertex right = scaled(*disc);
-  if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.r)) return false;
+  if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.r)) return false;
+  // Discs reach up to 2^876 (three_touch_disc.h), and a given vertex to the largest double: squares must not overflow.
+  const double largest = std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.r)});
+  const double shrink = largest < 0x1p400 ? 1 : 0x1p-560;
+  const Vertex given = {vertex.x * shrink, vertex.y * shrink, vertex.r * shrink};
+  const Vertex right = {disc->x * shrink, disc->y * shrink, disc->r * shrink};
   double reach = 0;
   for (const Circle* circle : {&i, &j, &k}) {
-    const double shrink = std::ldexp(1.0, -shrinking);
     const Circle c = {circle->x * shrink, circle->y * shrink, circle->r * shrink};
     const double distance = length({given.x - c.x, given.y - c.y});
     const double size = std::abs(given.x) + std::abs(given.y) + std::abs(c.x) + std::abs(c.y) + std::abs(c.r);
@@ -120,7 +111,7 @@ bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, double u
 
 /// Returns the first misplaced vertex, or kNone.
 std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, std::span<const Circle> circles,
-                             double unit, const Predicates& predicates, const std::vector<FaceDisc>& discs) {
+                             const Predicates& predicates, const std::vector<FaceDisc>& discs) {
   if (diagram.vertices.size() != diagram.vertexCircles.size()) return 0;
   for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
     if (diagram.vertices.size() - vertex > kPrefetchAhead) {
@@ -129,15 +120,15 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
     auto triple = topology.vertexCircles[vertex];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto& [i, j, k] = triple;
-    const auto disc = predicates.vertex({i, j, k}, discs[vertex], unit);
-    if (!isInPlace(diagram.vertices[vertex], disc, unit, circles[i], circles[j], circles[k])) {
+    const auto disc = predicates.vertex({i, j, k}, discs[vertex]);
+    if (!isInPlace(diagram.vertices[vertex], disc, circles[i], circles[j], circles[k])) {
       return static_cast<std::int32_t>(vertex);
     }
   }
   return kNone;
 }
 
-Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Diagram& diagram) {
+Certificate judgeDiagram(std::span<const Circle> circles, const Diagram& diagram) {
   auto found = visibleCircles(circles, diagram);
   if (const auto* certificate = std::get_if<Certificate>(&found)) return *certificate;
   const auto& visible = std::get<Visible>(found);
@@ -158,7 +149,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
   Certificate certificate = certificateOf(verdict, std::get<Dual>(dual), topology);
   if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];
   if (certificate.certified()) {
-    certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit, predicates, verdict.proof.discs);
+    certificate.vertex = misplacedVertex(diagram, topology, visible.circles, predicates, verdict.proof.discs);
     if (certificate.vertex != kNone) certificate.flaw = Flaw::vertexMisplaced;
   }
   return certificate.certified() ? judgeSides(diagram, links, visible) : certificate;
@@ -171,10 +162,10 @@ Result<Certificate> certify(const Diagram& diagram) {
     if (diagram.metric == Metric::power) {
       return Error{ErrorCode::badOption, -1, "There is no certificate for a power diagram."};
     }
-    auto scaled = validate(diagram.circles, diagram.weights);
-    if (!scaled) return scaled.error();
-    if (diagram.metric == Metric::centers) scaled = validate(pointsOf(diagram.circles));
-    Certificate certificate = judgeDiagram(scaled.value().circles, scaled.value().unit, diagram);
+    const auto circles = validate(diagram.circles, diagram.weights);
+    if (!circles) return circles.error();
+    Certificate certificate =
+        judgeDiagram(diagram.metric == Metric::centers ? pointsOf(circles.value()) : circles.value(), diagram);
     certificate.message = messageOf(certificate, diagram);
     return certificate;
   });

@@ -9,15 +9,14 @@ namespace circle_voronoi {
 /// The largest relative error of one operation on doubles.
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-/// Circles are scaled by a power of two, at most 2^1000, so that their largest number lies below 2^80.
-inline constexpr int kScaledExponent = 80;
-inline constexpr int kLargestScaling = 1000;
-
-/// An upper bound on what underflow adds to any estimate. Each underflow is wrong by at most 2^-1074 and is then
-/// multiplied by at most six other numbers. Validated coordinates stay below 2^81, so the result is at most
-/// 2^(6 * 82 - 1074). It is negligible where lengths exceed about 2^-40, that is 1e-36 of the whole. Shorter lengths
-/// are scaled first (short_lengths.h). If only some lengths of an estimate are shorter, integers may have to decide.
-inline constexpr double kUnderflowError = 0x1p-500;
+/// An upper bound on what underflow adds to any estimate.
+///
+/// Numbers are multiples of 2^-96 (limits.h), and rounding keeps multiples. So a product of ten differences is 0 or at
+/// least 2^-960, and a sum of such products is a multiple of 2^-960. A root is as large as what it stands for. Only a
+/// sum of which one term is a root can cancel further, to 2^-53 of its smallest term. The product of two such sums, as
+/// in crossOf, and its error bound are the only numbers that may then underflow, each by at most 2^-1075, and they are
+/// not multiplied again.
+inline constexpr double kUnderflowError = 0x1p-1060;
 
 /// The error of a value that was not computed.
 inline constexpr double kUnknownError = kInfinite;

@@ -134,15 +134,13 @@ bool hasDisc(const Face& face) {
          }) > 0;
 }
 
-std::optional<Vertex> disc(const Face& face, double unit) {
+std::optional<Vertex> disc(const Face& face) {
   const Circle& o = *smallestOf(face);
   const auto [x, y, offset, size, exponent] = inverseLineOf(face, o);
   if (!offset.isPositive()) return std::nullopt;
-  const int scaling = exponent - 1 + std::ilogb(unit);
-  const Vertex vertex = {o.x * unit + (x / offset).times(scaling), o.y * unit + (y / offset).times(scaling),
-                         (size / offset).times(scaling) - o.r * unit};
-  if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.r)) return std::nullopt;
-  return vertex;
+  const int scaling = exponent - 1;
+  return Vertex{o.x + (x / offset).times(scaling), o.y + (y / offset).times(scaling),
+                (size / offset).times(scaling) - o.r};
 }
 
 std::optional<DiscPoint> discPoint(const Face& face) {

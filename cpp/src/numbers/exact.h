@@ -39,11 +39,10 @@ inline constexpr int kAxisY = 613;
 /// Returns whether the face has a disc: radius + r >= 0 for its smallest circle. Always true for a face at infinity.
 bool hasDisc(const Face& face);
 
-/// Computes the disc of a face without the point at infinity, times `unit`, a power of two. Each number is right to 48
-/// bits of itself. Where it cancels against the smallest circle's number, it is right to 48 bits of the distance
-/// between the centers of that circle and the disc. Returns nothing if the face has no disc or a number exceeds the
-/// largest double.
-std::optional<Vertex> disc(const Face& face, double unit = 1);
+/// Computes the disc of a face without the point at infinity. Each number is right to 48 bits of itself. Where it
+/// cancels against the smallest circle's number, it is right to 48 bits of the distance between the centers of that
+/// circle and the disc. Returns nothing if the face has no disc.
+std::optional<Vertex> disc(const Face& face);
 
 /// A disc as a homogeneous point (v : w) relative to the center of its smallest circle. The disc's center
 /// lies |v| / w from there, with |v| about 1.

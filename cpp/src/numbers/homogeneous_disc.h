@@ -3,10 +3,10 @@
 // The disc of a face in floating point, and the quantities derived from it, each with an error bound.
 //
 // u is the unit roundoff. Products of (1 + u) are rounded up generously instead of being followed to the last term.
-// Validation brought the largest coordinate near 2^80, so nothing overflows: the highest power of a length is 6 under a
-// root and 10 in a cross product, 2^(81 * 10) < 2^1024. kUnderflowError covers underflow. Differences that are all
-// short are multiplied by a power of two first (short_lengths.h): signs and directions stay the same, and the error
-// bounds hold for the new unit.
+// The components of a difference are 0 or between 2^-96 and 2^97 (limits.h), and its length is below 2^98. So nothing
+// overflows: the highest power of a length is 6 under a root and 10 in a cross product, where the directions of discOf
+// are below 4 2^(98 * 5), so that their cross product is below 2^(5 + 98 * 10) = 2^985. kUnderflowError covers
+// underflow.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,6 @@
 #include "circle_voronoi/circle.h"
 #include "estimate.h"
 #include "exact.h"
-#include "short_lengths.h"
 
 namespace circle_voronoi {
 
@@ -30,10 +29,6 @@ struct Difference {
   Difference operator-() const { return {-x, -y, -s}; }
 };
 
-inline Difference operator*(const Difference& u, double scale) { return {u.x * scale, u.y * scale, u.s * scale}; }
-
-inline double largestPart(const Difference& u) { return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.s)}); }
-
 inline double cone(const Difference& u, const Difference& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
 
 inline Difference cross(const Difference& u, const Difference& v) {
@@ -42,16 +37,7 @@ inline Difference cross(const Difference& u, const Difference& v) {
 
 inline double sizeSquared(const Difference& u) { return u.x * u.x + u.y * u.y + u.s * u.s; }
 
-/// Returns the length, too small by no more than rounding even where the squares underflow.
-inline double size(const Difference& u) { return std::sqrt(sizeSquared(u)) + kUnderflowError; }
-
-/// Returns whether a difference with this squared length is shorter than kShortLength.
-inline bool isShort(double sizeSquared) { return sizeSquared < kShortLength * kShortLength; }
-
-/// Returns the difference, multiplied by a power of two if it is short.
-inline Difference scaledIfShort(const Difference& u) {
-  return isShort(sizeSquared(u)) ? u * scaleOf(largestPart(u)) : u;
-}
+inline double size(const Difference& u) { return std::sqrt(sizeSquared(u)); }
 
 /// The disc of a face as a homogeneous point (x, y : w), w >= 0, relative to a circle o of the face. Seen from any
 /// circle c of the face, the direction to the center of the disc is (x, y) + w (o - c), each component within `error`.
@@ -70,7 +56,7 @@ struct HomogeneousDisc {
 /// of the root; together under 20 u l^3 / sqrt(g).
 inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
   constexpr double u = kUnitRoundoff;
-  const Difference d = scaledIfShort(Difference(b, a));
+  const Difference d(b, a);
   const double g = cone(d, d);
   HomogeneousDisc disc;
   const double l = size(d);
@@ -170,30 +156,9 @@ inline CornerDisc discOfSides(const Difference& d01, const Difference& d12, cons
   return result;
 }
 
-/// Computes the disc of three circles in counter-clockwise order. At least one side should not be short: otherwise the
-/// error may be mostly kUnderflowError.
+/// Computes the disc of three circles in counter-clockwise order.
 inline CornerDisc discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   return discOfSides(Difference(c1, c0), Difference(c2, c1), Difference(c0, c2));
-}
-
-/// Returns whether a disc from `discOf` may have only short sides; false if its error is unknown. With short
-/// sides, a b T is below 2^-95 and T / S below 2^24, so the error is below 2^-118.
-inline bool mayBeOfShortSides(const HomogeneousDisc& disc) { return disc.error < 0x1p-110; }
-
-/// Returns the disc that `discOf` gave or, if all sides are short, the disc from scaled sides. The w of the latter is
-/// multiplied by the scale, so that w times a difference equals the scaled w times the scaled difference. Hence the
-/// error bound for scaled sides applies.
-[[gnu::noinline, gnu::cold]] inline CornerDisc scaledIfShort(const CornerDisc& disc, const Circle& c0, const Circle& c1,
-                                                             const Circle& c2) {
-  const Difference d01(c1, c0);
-  const Difference d12(c2, c1);
-  const Difference d20(c0, c2);
-  const double largest = std::max({largestPart(d01), largestPart(d12), largestPart(d20)});
-  if (largest >= kShortLength) return disc;
-  const double scale = scaleOf(largest);
-  CornerDisc result = discOfSides(d01 * scale, d12 * scale, d20 * scale);
-  result.disc.w *= scale;
-  return result;
 }
 
 /// A direction seen from a circle, of any length, with each component right within `error`.
@@ -223,16 +188,15 @@ inline Estimate distanceOf(const Circle& circle, const HomogeneousDisc& disc, co
   return {disc.rho + disc.w * (circle.r - corner.r), disc.error};
 }
 
-/// Returns the squared length of the common tangents of two circles; negative if one strictly contains the other. If
-/// the difference of the circles is short, the result is that of the scaled difference.
+/// Returns the squared length of the common tangents of two circles; negative if one strictly contains the other.
 inline Estimate tangentLengthSquared(const Circle& a, const Circle& b) {
-  const Difference d = scaledIfShort(Difference(a, b));
+  const Difference d(a, b);
   const double l = size(d);
   return {cone(d, d), 8 * kUnitRoundoff * l * l + kUnderflowError};
 }
 
 /// Returns how far circle c reaches beyond the tangent line to the left of a -> b, times |d|^2, d = b - a, with the
-/// normal of discAtInfinity. The differences b - a and c - a are scaled separately if they are short.
+/// normal of discAtInfinity.
 ///
 /// Error: let l = |d|, m = |c - a|. e.s times l^2 at most, d.s times l m at most, both within 8 u; the cross product of
 /// at most l m within 4 u, and sqrt(g) <= l within 4 u l^2 / sqrt(g) + u l, their product within 4 u l^2 m (l /
@@ -240,8 +204,8 @@ inline Estimate tangentLengthSquared(const Circle& a, const Circle& b) {
 /// used.
 inline Estimate reachBeyond(const Circle& a, const Circle& b, const Circle& c) {
   constexpr double u = kUnitRoundoff;
-  const Difference d = scaledIfShort(Difference(b, a));
-  const Difference e = scaledIfShort(Difference(c, a));
+  const Difference d(b, a);
+  const Difference e(c, a);
   const double g = cone(d, d);
   const double l = size(d);
   if (g <= 12 * u * l * l) return {};

@@ -6,7 +6,6 @@
 
 #include "exact.h"
 #include "short_differences.h"
-#include "short_lengths.h"
 
 namespace circle_voronoi {
 namespace {
@@ -16,16 +15,12 @@ int signOf(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 }  // namespace
 
 int orientation(Point a, Point b, Point c) {
-  Estimate estimate = orientationOf(a, b, c);
+  const Estimate estimate = orientationOf(a, b, c);
   if (const int sign = estimate.sign(); sign != 0) return sign;
   // Both products are exactly zero, as on a line along an axis.
   if ((a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x)) return 0;
   const double largest =
       std::max(std::max(std::abs(a.x - c.x), std::abs(a.y - c.y)), std::max(std::abs(b.x - c.x), std::abs(b.y - c.y)));
-  if (largest < kShortLength) {
-    estimate = orientationOf(a, b, c, scaleOf(largest));
-    if (const int sign = estimate.sign(); sign != 0) return sign;
-  }
   if (haveShortDifferences<26>({a, b, c}, largest)) return signOf(estimate.value);
   return exact::orientation(a, b, c);
 }
@@ -33,7 +28,7 @@ int orientation(Point a, Point b, Point c) {
 int inCircle(Point a, Point b, Point c, Point d) {
   const double largest = std::max({std::abs(a.x - d.x), std::abs(a.y - d.y), std::abs(b.x - d.x), std::abs(b.y - d.y),
                                    std::abs(c.x - d.x), std::abs(c.y - d.y)});
-  const InCircleEstimate estimate(a, b, c, d, largest < kShortLength ? scaleOf(largest) : 1);
+  const InCircleEstimate estimate(a, b, c, d);
   if (const int sign = estimate.coarse().sign(); sign != 0) return sign;
   // The determinant is at most 12 times the fourth power of the largest difference.
   if (haveShortDifferences<12>({a, b, c, d}, largest)) return signOf(estimate.coarse().value);

@@ -23,25 +23,17 @@ int inCircle(Point a, Point b, Point c, Point d);
 inline constexpr double kOrientationError = (3 + 16 * kUnitRoundoff) * kUnitRoundoff;
 inline constexpr double kInCircleError = (10 + 96 * kUnitRoundoff) * kUnitRoundoff;
 
-// `scale` is a power of two that multiplies all differences. If they are short (short_lengths.h), their products would
-// underflow otherwise.
-
-inline Estimate orientationOf(Point a, Point b, Point c, double scale = 1) {
-  const double left = (a.x - c.x) * scale * ((b.y - c.y) * scale);
-  const double right = (a.y - c.y) * scale * ((b.x - c.x) * scale);
+inline Estimate orientationOf(Point a, Point b, Point c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
   return {left - right, kOrientationError * (std::abs(left) + std::abs(right)) + kUnderflowError};
 }
 
 /// The in-circle determinant with two error bounds. The second is smaller and takes longer to compute.
 class InCircleEstimate {
  public:
-  InCircleEstimate(Point a, Point b, Point c, Point d, double scale = 1)
-      : ax_((a.x - d.x) * scale),
-        ay_((a.y - d.y) * scale),
-        bx_((b.x - d.x) * scale),
-        by_((b.y - d.y) * scale),
-        cx_((c.x - d.x) * scale),
-        cy_((c.y - d.y) * scale) {}
+  InCircleEstimate(Point a, Point b, Point c, Point d)
+      : ax_(a.x - d.x), ay_(a.y - d.y), bx_(b.x - d.x), by_(b.y - d.y), cx_(c.x - d.x), cy_(c.y - d.y) {}
 
   /// Returns the determinant with a coarse bound. Shewchuk's bound is in aa (|bx cy| + |by cx|) + ..., which is at most
   /// aa sqrt(bb cc) + ... and so at most aa bb + bb cc + cc aa <= (aa + bb + cc)^2 / 3. This is rarely too coarse for

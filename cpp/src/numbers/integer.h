@@ -13,8 +13,6 @@ struct LeadingBits {
   int exponent = 0;
 };
 
-/// Arithmetic on integers of any size. A number is an array of limbs, the least significant first and no leading zeros.
-/// Its size is the count of limbs, negated for a negative number.
 namespace limbs {
 
 using Limb = std::uint64_t;
@@ -22,80 +20,12 @@ __extension__ using Wide = unsigned __int128;
 __extension__ using SignedWide = __int128;
 inline constexpr int kBits = 64;
 
-/// Writes a + b to `out`, which has room for one limb more than either has and overlaps neither. Returns its size.
-int sum(const Limb* a, int aSize, const Limb* b, int bSize, Limb* out);
-
-/// Writes a * b to `out`, which has room for the limbs of both and overlaps neither. Returns its size.
-int product(const Limb* a, int aSize, const Limb* b, int bSize, Limb* out);
-
-/// Writes value * 2^shift to `out`, with shift >= 0. Returns its size.
-int assign(std::int64_t value, int shift, Limb* out);
-
-LeadingBits leading(const Limb* a, int size);
-
 }  // namespace limbs
 
-// Each class below is an integer that is a polynomial of the given degree in numbers that share a unit, without
-// rounding. It allocates no memory and does not overflow. Only integers of equal degree are added, which is enough for
-// every sign that does not depend on the unit.
-
-/// An integer for values of any doubles. It has memory for the largest such value but takes time for the actual one.
-template <int kDegree>
-class Integer {
- public:
-  Integer() = default;
-  Integer(const Integer& other) : size_(other.size_) { copy(other); }
-  Integer& operator=(const Integer& other) {
-    size_ = other.size_;
-    copy(other);
-    return *this;
-  }
-
-  /// Makes value * 2^shift, with shift >= 0.
-  explicit Integer(std::int64_t value, int shift = 0) { size_ = limbs::assign(value, shift, limbs_.data()); }
-
-  int sign() const { return size_ > 0 ? 1 : size_ < 0 ? -1 : 0; }
-  LeadingBits leading() const { return limbs::leading(limbs_.data(), size_); }
-
-  friend Integer operator-(const Integer& a) {
-    Integer result = a;
-    result.size_ = -a.size_;
-    return result;
-  }
-  friend Integer operator+(const Integer& a, const Integer& b) { return a.plus(b, b.size_); }
-  friend Integer operator-(const Integer& a, const Integer& b) { return a.plus(b, -b.size_); }
-
-  template <int kOther>
-  Integer<kDegree + kOther> operator*(const Integer<kOther>& other) const {
-    Integer<kDegree + kOther> result;
-    result.size_ = limbs::product(limbs_.data(), size_, other.limbs_.data(), other.size_, result.limbs_.data());
-    return result;
-  }
-
- private:
-  template <int>
-  friend class Integer;
-  /// The number of limbs for degree 1: doubles reach from 2^-1074 to 2^1024.
-  static constexpr int kLimbsOfOne = (1024 + 1074) / limbs::kBits + 1;
-  /// Room for constants and sums.
-  static constexpr int kLimbsToSpare = 2;
-
-  void copy(const Integer& other) {
-    for (int i = 0; i < (size_ < 0 ? -size_ : size_); ++i) limbs_[i] = other.limbs_[i];
-  }
-
-  Integer plus(const Integer& other, int otherSize) const {
-    Integer result;
-    result.size_ = limbs::sum(limbs_.data(), size_, other.limbs_.data(), otherSize, result.limbs_.data());
-    return result;
-  }
-
-  int size_ = 0;
-  std::array<limbs::Limb, kDegree * kLimbsOfOne + kLimbsToSpare> limbs_;  // limbs beyond size_ are not set
-};
-
-/// An integer in two's complement with kLimbs limbs, several times faster than Integer. For numbers of at most 64 n - 3
-/// bits, take n limbs times the degree. The spare bits leave room for the sums of the formulas' terms.
+/// An integer in two's complement with kLimbs limbs. Its value is a polynomial in numbers that share a unit, without
+/// rounding and without overflow. For numbers of at most 64 n - 3 bits, take n limbs times the degree. The spare bits
+/// leave room for the sums of the formulas' terms. Only integers of equal degree are added, which is enough for every
+/// sign that does not depend on the unit.
 template <int kLimbs>
 class FixedInteger {
  public:
@@ -104,6 +34,15 @@ class FixedInteger {
     limbs_[0] = static_cast<Limb>(value);
     if constexpr (kLimbs > 1) limbs_[1] = static_cast<Limb>(value >> limbs::kBits);
     for (int i = 2; i < kLimbs; ++i) limbs_[i] = value < 0 ? ~Limb{0} : 0;
+  }
+
+  /// Makes value * 2^shift, with shift >= 0.
+  FixedInteger(std::int64_t value, int shift) {
+    const int zeros = shift / limbs::kBits;
+    const auto shifted = static_cast<limbs::SignedWide>(value) * (limbs::SignedWide{1} << shift % limbs::kBits);
+    limbs_[zeros] = static_cast<Limb>(shifted);
+    if (zeros + 1 < kLimbs) limbs_[zeros + 1] = static_cast<Limb>(shifted >> limbs::kBits);
+    for (int i = zeros + 2; i < kLimbs; ++i) limbs_[i] = value < 0 ? ~Limb{0} : 0;
   }
 
   int sign() const {

@@ -63,20 +63,15 @@ FaceDisc Predicates::disc(const Triple& face) {
     return faceDisc(circles, {line, 0}, true);
   }
   const CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
-  if (const int sign = filteredExistence(circles, placed); sign != 0 && !mayBeOfShortSides(placed.disc)) {
+  if (const int sign = filteredExistence(circles, placed); sign != 0) {
     ++counts_.filtered;
     return faceDisc(circles, placed, sign > 0, true);
   }
-  return rareDisc(circles, placed);
+  return nearTie(circles);
 }
 
-/// Computes the disc for circles near one another and for near ties.
-FaceDisc Predicates::rareDisc(const exact::Face& circles, const CornerDisc& placed) {
-  const CornerDisc scaled = scaledIfShort(placed, *circles[0], *circles[1], *circles[2]);
-  if (const int sign = filteredExistence(circles, scaled); sign != 0) {
-    ++counts_.filtered;
-    return faceDisc(circles, scaled, sign > 0);
-  }
+/// Computes the disc where rounding hides whether it exists.
+FaceDisc Predicates::nearTie(const exact::Face& circles) {
   const CornerDisc refined = refinedDiscOf(*circles[0], *circles[1], *circles[2]);
   if (const int sign = filteredExistence(circles, refined); sign != 0) {
     ++counts_.refined;
@@ -93,15 +88,15 @@ FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed,
   return {{disc.x, disc.y}, disc.w, disc.rho, disc.error, origin, exists, isFiltered};
 }
 
-std::optional<Vertex> Predicates::vertex(const Triple& face, const FaceDisc& disc, double unit) const {
+std::optional<Vertex> Predicates::vertex(const Triple& face, const FaceDisc& disc) const {
   const auto& [i, j, k] = face;
   if (disc.isFiltered) {
     const int corner = disc.origin == i ? 0 : disc.origin == j ? 1 : 2;
     const CornerDisc placed = {{disc.v.x, disc.v.y, disc.w, disc.rho, disc.error}, corner};
-    if (const auto vertex = vertexAt(placed, {&circles_[i], &circles_[j], &circles_[k]}, unit)) return vertex;
-    return vertexOfRareDisc(circles_[i], circles_[j], circles_[k], unit);
+    if (const auto vertex = vertexAt(placed, {&circles_[i], &circles_[j], &circles_[k]})) return vertex;
+    return refinedVertexOf(circles_[i], circles_[j], circles_[k]);
   }
-  return vertexOf(circles_[i], circles_[j], circles_[k], unit);
+  return vertexOf(circles_[i], circles_[j], circles_[k]);
 }
 
 int Predicates::exactCross(int from, const Triple& first, const Triple& second) {

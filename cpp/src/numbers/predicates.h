@@ -45,7 +45,7 @@ struct FaceDisc {
   double error = 0;
   int origin = kPointAtInfinity;
   bool exists = false;
-  /// True if unscaled double arithmetic decided whether the disc exists. Then vertexOf tries these numbers first.
+  /// True if double arithmetic decided whether the disc exists. Then vertexOf tries these numbers first.
   bool isFiltered = false;
 
   friend bool operator==(const FaceDisc& a, const FaceDisc& b) {
@@ -70,7 +70,7 @@ class Predicates {
   FaceDisc disc(const Triple& face);
 
   /// Returns the vertex of a face of circles that has this disc, with the same bits as vertexOf.
-  std::optional<Vertex> vertex(const Triple& face, const FaceDisc& disc, double unit) const;
+  std::optional<Vertex> vertex(const Triple& face, const FaceDisc& disc) const;
 
   /// Returns the direction to a disc from circle `from`, a corner of its face.
   Direction direction(int from, const FaceDisc& disc) const {
@@ -147,7 +147,7 @@ class Predicates {
   }
 
  private:
-  [[gnu::noinline]] FaceDisc rareDisc(const exact::Face& circles, const CornerDisc& placed);
+  [[gnu::noinline]] FaceDisc nearTie(const exact::Face& circles);
   FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered = false) const;
   bool isLowerExactly(int from, const Triple& face);
   Point center(int i) const { return {circles_[i].x, circles_[i].y}; }

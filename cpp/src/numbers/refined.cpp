@@ -14,15 +14,19 @@
 // that of <M, M> times that of a - b sqrt(d). The norm <M, M> cancels too, but no more than the circles' doubles let
 // it: in the form of exact.cpp it needs nothing but tangent lengths.
 //
-// If all differences of the circles are short, they are multiplied by a power of two first (short_lengths.h).
+// g is 0 or between 2^-192 and 2^196, and D is below 2^295 (homogeneous_disc.h). The norm is below 2^(8 + 196 * 4), and
+// all parts of it are multiples of 2^-768, so that nothing overflows or underflows. Only the cross product of two
+// directions e |D|^2 would be beyond the doubles: it has twelve factors. So directions are divided by a power of two.
 #include "refined.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <tuple>
 
+#include "bit_cast.h"
 #include "two_part.h"
 
 namespace circle_voronoi {
@@ -42,9 +46,9 @@ Relative operator*(const Relative& a, const Relative& b) {
 
 /// Returns g of two circles, or 1 if one of them is the point at infinity. The error is unknown unless the value alone
 /// is right within 2 u.
-Relative tangentSquareOf(const Circle* a, const Circle* b, double scale) {
+Relative tangentSquareOf(const Circle* a, const Circle* b) {
   if (a == nullptr || b == nullptr) return {};
-  const TangentSquare g = tangentSquare(*a, *b, scale);
+  const TangentSquare g = tangentSquare(*a, *b);
   const bool isRight = g.error <= u / 2 * g.square.value;
   return {g.square, isRight ? g.error / g.square.value : kUnknownError};
 }
@@ -55,23 +59,17 @@ struct Sight {
   double size = 0;
   Relative square;
 
-  Sight(const Circle* circle, const Circle& from, double scale) {
+  Sight(const Circle* circle, const Circle& from) {
     if (circle == nullptr) return;
-    v = Difference(*circle, from) * scale;
+    v = Difference(*circle, from);
     size = circle_voronoi::size(v);
-    square = tangentSquareOf(circle, &from, scale);
+    square = tangentSquareOf(circle, &from);
   }
   double g() const { return square.number.value; }
 };
 
-/// Returns the factor for the differences of circles. Any difference is at most twice the largest one from `from`.
-double scaleOf(const Circle& from, std::initializer_list<const Circle*> circles) {
-  double largest = 0;
-  for (const Circle* c : circles) {
-    if (c != nullptr) largest = std::max(largest, largestPart(Difference(*c, from)));
-  }
-  return largest < kShortLength ? circle_voronoi::scaleOf(largest) : 1;
-}
+/// Returns the largest power of two that is not above a positive number.
+double powerOfTwoIn(double x) { return bitCast<double>(bitCast<std::uint64_t>(x) & 0x7ff0000000000000u); }
 
 bool areKnown(std::initializer_list<Relative> squares) {
   return std::all_of(squares.begin(), squares.end(),
@@ -93,14 +91,20 @@ struct Axis {
         root(std::sqrt(p.g() * q.g() * square.number.value)),
         size(p.size * q.g() + q.size * p.g()) {}
 
-  /// Returns e |D|^2.
+  /// Directions are divided by this. It changes no bit, as they are not below 2^(-96 * 6 - 53), and the largest is
+  /// below 2^(295 + 2).
+  double magnitude() const { return powerOfTwoIn(size); }
+
+  /// Returns e |D|^2 / magnitude().
   ///
   /// Error: let l = |D| and k be `size`. Each component is a sum of two products, of factors that are together at most
   /// (sqrt(3) + 1) l: within 6 u k times that, 17 u k l. The products and the sum add 3 u l^2, and l <= k. The computed
   /// l may be 14 u k too small.
   Direction direction() const {
     const double length = std::sqrt(x * x + y * y + s * s);
-    return {-s * x - root * y, -s * y + root * x, 20 * u * size * (length + 20 * u * size) + kUnderflowError};
+    const double error = 20 * u * size * (length + 20 * u * size);
+    return {(-s * x - root * y) / magnitude(), (-s * y + root * x) / magnitude(),
+            error / magnitude() + kUnderflowError};
   }
 };
 
@@ -152,16 +156,15 @@ Estimate factorOf(const Sight& p, const Sight& q, const Sight& n, const Axis& d)
 
 Direction refinedDirection(const exact::Face& face, const Circle& from) {
   const auto [first, second] = exact::othersOf(face, &from);
-  const double scale = scaleOf(from, {first, second});
-  const Sight p(first, from, scale);
-  const Sight q(second, from, scale);
-  const Relative pq = tangentSquareOf(first, second, scale);
+  const Sight p(first, from);
+  const Sight q(second, from);
+  const Relative pq = tangentSquareOf(first, second);
   if (!areKnown({p.square, q.square, pq})) return {0, 0, kUnknownError};
   return Axis(p, q, pq).direction();
 }
 
 // The disc is seen from the smallest circle, which it touches if it touches any. With w = 2 t |D|^2,
-// the point (e |D|^2 : w) has the distance |D|^2 / w.
+// the point (e |D|^2 : w) has the distance |D|^2 / w. All three are divided by the magnitude of the axis.
 //
 // Error: let k be the axis's size, P the sum g_p + g_q + g_pq, `whole`.
 // - Twice the differences of g_p and g_q from <P, Q> are sums of the three g, at most P and within 4 u P, so that alpha
@@ -176,10 +179,9 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   const Circle& o = *circles[result.corner];
   const Circle& first = *circles[(result.corner + 1) % 3];
   const Circle& second = *circles[(result.corner + 2) % 3];
-  const double scale = scaleOf(o, {&first, &second});
-  const Sight p(&first, o, scale);
-  const Sight q(&second, o, scale);
-  const Relative pq = tangentSquareOf(&first, &second, scale);
+  const Sight p(&first, o);
+  const Sight q(&second, o);
+  const Relative pq = tangentSquareOf(&first, &second);
   if (!areKnown({p.square, q.square, pq})) return result;
   const Axis d(p, q, pq);
   const double g = pq.number.value;
@@ -196,10 +198,11 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   const double turn = w.sign();
   result.disc.x = turn * toDisc.x;
   result.disc.y = turn * toDisc.y;
-  result.disc.rho = turn * (d.x * d.x + d.y * d.y);
-  result.disc.error =
-      1.1 * toDisc.error + std::max(p.size, q.size) * (w.error + 4 * u * std::abs(w.value)) + kUnderflowError;
-  result.disc.w = scale * std::abs(w.value);
+  result.disc.rho = turn * (d.x * d.x + d.y * d.y) / d.magnitude();
+  result.disc.error = 1.1 * toDisc.error +
+                      std::max(p.size, q.size) * (w.error + 4 * u * std::abs(w.value)) / d.magnitude() +
+                      kUnderflowError;
+  result.disc.w = std::abs(w.value) / d.magnitude();
   return result;
 }
 
@@ -213,10 +216,9 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
 // - d x e is at most |d| |e|, within 4 u, its double times the root within 7 u of twice that.
 // The sums add 2 u to all. One more u covers terms of higher order.
 Estimate refinedReach(const Circle& a, const Circle& b, const Circle& c) {
-  const double scale = scaleOf(a, {&b, &c});
-  const Sight d(&b, a, scale);
-  const Sight e(&c, a, scale);
-  const Relative bc = tangentSquareOf(&b, &c, scale);
+  const Sight d(&b, a);
+  const Sight e(&c, a);
+  const Relative bc = tangentSquareOf(&b, &c);
   if (!areKnown({d.square, e.square, bc})) return {};
   const double root = std::sqrt(d.g());
   const double whole = d.g() + e.g() + bc.number.value;
@@ -236,20 +238,19 @@ RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, con
   result.added = secondOthers[isSharedFirst ? 1 : 0];
   result.side = isSharedFirst ? -1 : 1;
 
-  const double scale = scaleOf(from, {firstOthers[0], firstOthers[1], result.added});
-  const Sight p(firstOthers[0], from, scale);
-  const Sight q(firstOthers[1], from, scale);
-  const Sight n(result.added, from, scale);
+  const Sight p(firstOthers[0], from);
+  const Sight q(firstOthers[1], from);
+  const Sight n(result.added, from);
   const Sight& w = shared == firstOthers[0] ? p : q;
-  const Relative pq = tangentSquareOf(firstOthers[0], firstOthers[1], scale);
-  const Relative wn = tangentSquareOf(shared, result.added, scale);
+  const Relative pq = tangentSquareOf(firstOthers[0], firstOthers[1]);
+  const Relative wn = tangentSquareOf(shared, result.added);
   if (!areKnown({p.square, q.square, n.square, pq, wn})) return result;
 
   const Axis d(p, q, pq);
   const Axis e = isSharedFirst ? Axis(w, n, wn) : Axis(n, w, wn);
   const Direction toFirst = d.direction();
   result.cross = crossOf(toFirst, e.direction());
-  const Relative on = tangentSquareOf(other, result.added, scale);
+  const Relative on = tangentSquareOf(other, result.added);
   if (!areKnown({on})) return result;
   result.left = crossOf({e.x, e.y, 6 * u * e.size}, toFirst);
   result.factor = factorOf(p, q, n, d);

@@ -114,9 +114,10 @@ auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
   constexpr int kOneLimb = 61;
   constexpr int kTwoLimbs = 125;
   if (unit.bits() >= kTwoLimbs) {
-    return seenAs(differencesFrom<Integer<1>>(o, circles, [&](double value) {
+    // Numbers are multiples of 2^-96 up to 2^96, those of boxes up to 2^100 (limits.h).
+    return seenAs(differencesFrom<FixedInteger<4>>(o, circles, [&](double value) {
       const OddPart part = unit.in(value);
-      return Integer<1>(part.odd, part.exponent);
+      return FixedInteger<4>(part.odd, part.exponent);
     }));
   }
   const auto differences = differencesFrom<SignedWide>(o, circles, [&](double value) {

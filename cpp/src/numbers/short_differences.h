@@ -14,11 +14,10 @@ namespace circle_voronoi {
 /// Returns whether the differences of points are exact and below 2^kBits times a power of two that divides them all.
 /// `largest` is the largest coordinate of the differences. Then their products and sums are exact in double arithmetic
 /// as long as the results fit in 53 bits. This decides the ties of grids and other short numbers, which no error bound
-/// does. If lengths are short, compute with scaled differences (short_lengths.h).
+/// does.
 template <int kBits>
 bool haveShortDifferences(std::initializer_list<Point> points, double largest) {
-  // A subnormal number has no leading bit in its exponent.
-  if (!(largest >= 0x1p-1000)) return false;
+  if (!(largest > 0)) return false;
   const double leading = bitCast<double>(bitCast<std::uint64_t>(largest) & 0x7ff0000000000000u);
   // Adding this to a number below a third of it rounds the sum to a multiple of leading * 2^(1 - kBits).
   const double rounder = leading * (1.5 * static_cast<double>(std::uint64_t{1} << (53 - kBits)));

@@ -8,28 +8,16 @@
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "refined.h"
-#include "short_lengths.h"
 
 namespace circle_voronoi {
-namespace {
-
-std::optional<Vertex> vertexIn(const exact::Face& circles, double unit) {
-  const auto& [a, b, c] = circles;
-  if (const auto vertex = vertexAt(discOf(*a, *b, *c), circles, unit)) return vertex;
-  if (const auto vertex = vertexAt(refinedDiscOf(*a, *b, *c), circles, unit)) return vertex;
-  return exact::disc(circles, unit);
-}
-
-}  // namespace
-
-std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit) {
+std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles) {
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
   // The bound includes the error of w times the longer side, so w has at least this relative accuracy, too.
   const Vector u = between(o, *circles[(corner + 1) % 3]);
   const Vector v = between(o, *circles[(corner + 2) % 3]);
   if (!(disc.error * disc.error <= 0x1p-72 * disc.w * disc.w * std::max(dot(u, u), dot(v, v)))) return std::nullopt;
-  return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
+  return Vertex{o.x + disc.x / disc.w, o.y + disc.y / disc.w, disc.rho / disc.w - o.r};
 }
 
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c) {
@@ -75,31 +63,14 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   return result;
 }
 
-std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit) {
-  // Without short sides a change of scale changes no bit.
-  const CornerDisc placed = discOf(a, b, c);
-  if (!mayBeOfShortSides(placed.disc)) {
-    if (const auto vertex = vertexAt(placed, {&a, &b, &c}, unit)) return vertex;
-  }
-  return vertexOfRareDisc(a, b, c, unit);
+std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c) {
+  if (const auto vertex = vertexAt(discOf(a, b, c), {&a, &b, &c})) return vertex;
+  return refinedVertexOf(a, b, c);
 }
 
-std::optional<Vertex> vertexOfRareDisc(const Circle& a, const Circle& b, const Circle& c, double unit) {
-  double largest = 0;
-  for (const Circle* circle : {&a, &b, &c}) {
-    largest = std::max({largest, std::abs(circle->x), std::abs(circle->y), std::abs(circle->r)});
-  }
-  // Underflow depends on the scale, so the circles get one of their own, as in validate.
-  const int unitExponent = exponentOf(unit);
-  const int scaling = std::min(kScaledExponent - 1 - exponentOf(largest), kLargestScaling + unitExponent);
-  // Two factors: their product may be beyond the doubles.
-  const double half = powerOfTwo(scaling / 2);
-  const double rest = powerOfTwo(scaling - scaling / 2);
-  const auto scaled = [&](const Circle& circle) {
-    return Circle{circle.x * half * rest, circle.y * half * rest, circle.r * half * rest};
-  };
-  const std::array circles = {scaled(a), scaled(b), scaled(c)};
-  return vertexIn({&circles[0], &circles[1], &circles[2]}, powerOfTwo(unitExponent - scaling));
+std::optional<Vertex> refinedVertexOf(const Circle& a, const Circle& b, const Circle& c) {
+  if (const auto vertex = vertexAt(refinedDiscOf(a, b, c), {&a, &b, &c})) return vertex;
+  return exact::disc({&a, &b, &c});
 }
 
 }  // namespace circle_voronoi

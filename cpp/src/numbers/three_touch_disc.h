@@ -27,18 +27,20 @@ struct ThreeTouchDisc {
 /// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCenter, bit for bit unless radii are equal.
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c);
 
-/// Computes the disc of three circles in counter-clockwise order, times `unit`, a power of two. However near the
-/// circles come to having no disc, or an infinitely large one, it is right to 36 bits of their distances from each
-/// other and from its center. Returns nothing if a number exceeds the largest double. If the circles have no disc, the
-/// result is nothing or arbitrary. Its bits depend on the three circles alone: the same circles in another unit that
-/// rounds none of them have the same vertex.
-std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit = 1);
+/// Computes the disc of three circles in counter-clockwise order. However near the circles come to having no disc, or
+/// an infinitely large one, it is right to 36 bits of their distances from each other and from its center. If the
+/// circles have no disc, the result is nothing or arbitrary. Its bits depend on the three circles alone.
+///
+/// The center lies within 2^876 of the circles. With the letters of exact.cpp, its distance from one of them is 1 / (2
+/// t), and t |D|^2 is some p + q root whose norm is |D|^2 <N, N>. As N is a product of two differences, <N, N> is an
+/// integer in units of 2^-384, so that t is at least 2^-384 / |p - q root|, and |p - q root| is at most 3 |N| |D| < 3
+/// 2^(196 + 295). Where p and q do not cancel, the disc is smaller.
+std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c);
 
-/// Returns the result of vertexOf for the case that its first disc is not accurate enough. Double arithmetic computes
-/// this first disc, without scaling.
-std::optional<Vertex> vertexOfRareDisc(const Circle& a, const Circle& b, const Circle& c, double unit);
+/// Returns the result of vertexOf for the case that its first disc, that of discOf, is not accurate enough.
+std::optional<Vertex> refinedVertexOf(const Circle& a, const Circle& b, const Circle& c);
 
-/// Returns the center and the radius of a disc, times `unit`; nothing if its error bound is too large for vertexOf.
-std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit);
+/// Returns the center and the radius of a disc; nothing if its error bound is too large for vertexOf.
+std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles);
 
 }  // namespace circle_voronoi

@@ -12,9 +12,6 @@ struct TwoPart {
   double rest = 0;
 };
 
-/// Returns the product with a power of two, exactly.
-inline TwoPart operator*(const TwoPart& a, double scale) { return {a.value * scale, a.rest * scale}; }
-
 /// Returns a + b exactly. D. E. Knuth, "The Art of Computer Programming", volume 2, section 4.2.2.
 inline TwoPart sum(double a, double b) {
   const double value = a + b;
@@ -64,18 +61,17 @@ struct TangentSquare {
   double error = 0;
 };
 
-/// Computes the squared length of the common tangents of circles p and o. Their differences are multiplied by `scale`,
-/// a power of two (short_lengths.h). This is exact.
+/// Computes the squared length of the common tangents of circles p and o.
 ///
 /// Error: let l be the length of the difference in (x, y, s) space. The squares of the rounded differences and their
 /// two sums are exact in two parts; what remains, twice the differences' products with their rests and the rests of the
 /// squares and the sums, is at most 2 u l^2 + u l^2 + 2 u l^2, within 8 u of that; the squares of the rests are at most
 /// u^2 l^2. Together this is within 41 u^2 l^2.
-inline TangentSquare tangentSquare(const Circle& p, const Circle& o, double scale) {
+inline TangentSquare tangentSquare(const Circle& p, const Circle& o) {
   constexpr double u = kUnitRoundoff;
-  const TwoPart x = sum(p.x, -o.x) * scale;
-  const TwoPart y = sum(p.y, -o.y) * scale;
-  const TwoPart s = sum(p.r, -o.r) * scale;
+  const TwoPart x = sum(p.x, -o.x);
+  const TwoPart y = sum(p.y, -o.y);
+  const TwoPart s = sum(p.r, -o.r);
   const TwoPart xx = square(x.value);
   const TwoPart yy = square(y.value);
   const TwoPart ss = square(s.value);

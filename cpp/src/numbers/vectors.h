@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "arithmetic.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/point.h"
-#include "short_lengths.h"
 
 namespace circle_voronoi {
 
@@ -21,29 +19,16 @@ inline double pseudoAngle(Vector v) {
   return v.y >= 0 ? 1 - along : 3 + along;
 }
 
-/// Returns the length of a vector, right to a few units of rounding at any scale.
-inline double length(Vector v) {
-  const double square = dot(v, v);
-  if (square >= kShortLength * kShortLength) return std::sqrt(square);
-  const double scale = scaleOf(std::max(std::abs(v.x), std::abs(v.y)));
-  const Vector scaled = {v.x * scale, v.y * scale};
-  return std::sqrt(dot(scaled, scaled)) / scale;
-}
+/// Returns the length of a vector. It is right to a few units of rounding for differences of circles, whose squares are
+/// 0 or between 2^-192 and 2^194 (limits.h), and wherever no square overflows or underflows.
+inline double length(Vector v) { return std::sqrt(dot(v, v)); }
 
 /// Returns whether a vector is certainly longer than `reach`, which must not be negative. Returns true for every vector
 /// that is longer by 2e-12 of the reach, and for none that is not longer, rounding of the arguments included.
 ///
-/// Error: the square of a reach that is not short is right within u, and that of the vector within 3 u or, where it
-/// underflows, far below the other. With a short reach, the longer of the two is scaled into [1, 2) and the other one
-/// likewise, so the same holds or the reach is far below the vector.
-inline bool isLonger(Vector v, double reach) {
-  if (reach < kShortLength) [[unlikely]] {
-    const double scale = scaleOf(std::max({std::abs(v.x), std::abs(v.y), reach}));
-    v = {v.x * scale, v.y * scale};
-    reach *= scale;
-  }
-  return dot(v, v) > reach * reach * (1 + 1e-12);
-}
+/// Error: both are differences of circles, so that nothing underflows (limits.h). The square of the reach is right
+/// within u, and that of the vector within 3 u.
+inline bool isLonger(Vector v, double reach) { return dot(v, v) > reach * reach * (1 + 1e-12); }
 
 /// Returns the vector from the center of one circle to the center of another.
 inline Vector between(const Circle& from, const Circle& to) { return {to.x - from.x, to.y - from.y}; }

@@ -16,6 +16,7 @@
 #include "circle_voronoi/limits.h"
 #include "guarded.h"
 #include "in_circle.h"
+#include "rounded.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -288,9 +289,9 @@ class Noder {
                     within(y, std::max(first.minY, second.minY), std::min(first.maxY, second.maxY))});
   }
 
-  /// Adding zero turns -0 into +0.
+  /// Adding zero turns -0 into +0. Without a grid, numbers are rounded as those of a region.
   Point rounded(Point p) const {
-    if (grid_ == 0) return {p.x + 0.0, p.y + 0.0};
+    if (grid_ == 0) return {circle_voronoi::rounded(p.x) + 0.0, circle_voronoi::rounded(p.y) + 0.0};
     return {std::floor(p.x / grid_ + 0.5) * grid_ + 0.0, std::floor(p.y / grid_ + 0.5) * grid_ + 0.0};
   }
 
@@ -331,7 +332,7 @@ class Noder {
   void coarsen() {
     double size = 0;
     for (const Point& p : points_) size = std::max({size, std::abs(p.x), std::abs(p.y)});
-    grid_ = grid_ == 0 ? kFirstGrid * powerOfTwoIn(size) : kCoarser * grid_;
+    grid_ = grid_ == 0 ? std::max(kFirstGrid * powerOfTwoIn(size), kCoordinateStep) : kCoarser * grid_;
     const std::vector<Point> before = std::move(points_);
     const std::vector<Piece> pieces = std::move(pieces_);
     points_.clear();

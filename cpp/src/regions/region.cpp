@@ -9,13 +9,13 @@
 
 #include "arithmetic.h"
 #include "at.h"
-#include "circle_voronoi/limits.h"
 #include "compensated_sum.h"
 #include "dissolve.h"
 #include "guarded.h"
 #include "in_circle.h"
 #include "ring_sweep.h"
 #include "scale.h"
+#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -24,7 +24,9 @@ namespace {
 constexpr std::size_t kSidesOfRun = 8;
 constexpr std::size_t kRunsOfRun = 4;
 
-[[noreturn]] void refuse(std::string message) { throw ThrownError{{ErrorCode::badOption, kNone, std::move(message)}}; }
+[[noreturn]] void refuse(std::string message, ErrorCode code = ErrorCode::badOption) {
+  throw ThrownError{{code, kNone, std::move(message)}};
+}
 
 /// The way out of an error about several polygons.
 constexpr const char* kAdvice = " Set `dissolve` to merge them.";
@@ -34,6 +36,7 @@ struct Given {
   std::span<const Point> points;
   std::span<const std::int32_t> ringOffsets;
   std::span<const std::int32_t> polygonOffsets;
+  double limit = kCoordinateLimit;  ///< of coordinates
 };
 
 bool areOffsets(std::span<const std::int32_t> offsets, std::size_t count) {
@@ -104,15 +107,22 @@ Cleaned cleaned(const Given& given, const Names& names, bool leavesOut = false) 
   points.reserve(given.points.size());
   result.inputIndex.reserve(given.points.size());
   offsets.push_back(0);
+  double largest = 0;
   for (std::size_t r = 0; r + 1 < given.ringOffsets.size(); ++r) {
     const std::size_t first = points.size();
     const std::size_t begin = at(given.ringOffsets[r]);
     for (std::size_t k = begin; k < at(given.ringOffsets[r + 1]); ++k) {
-      const Point p = {given.points[k].x + 0.0, given.points[k].y + 0.0};
-      if (!(std::abs(p.x) <= kRegionLimit && std::abs(p.y) <= kRegionLimit)) {
-        refuse("Point " + std::to_string(k - begin) + " of " + names.ofRing(r) +
-               " of the region is not finite, or beyond " + kRegionLimitText + ".");
+      const Point exact = given.points[k];
+      const auto who = [&] {
+        return "Point " + std::to_string(k - begin) + " of " + names.ofRing(r) + " of the region ";
+      };
+      if (!std::isfinite(exact.x) || !std::isfinite(exact.y)) refuse(who() + "is not finite.");
+      if (largestOf({exact.x, exact.y}) > given.limit) {
+        refuse(who() + "has a coordinate beyond " + kCoordinateLimitText + ".", ErrorCode::coordinateTooLarge);
       }
+      largest = std::max(largest, largestOf({exact.x, exact.y}));
+      // Adding zero turns -0 into +0.
+      const Point p = {rounded(exact.x) + 0.0, rounded(exact.y) + 0.0};
       const auto index = static_cast<std::int32_t>(k - begin);
       if (points.size() > first && points.back() == p) {
         result.inputIndex.back() = index;
@@ -138,6 +148,7 @@ Cleaned cleaned(const Given& given, const Names& names, bool leavesOut = false) 
     offsets.push_back(static_cast<std::int32_t>(points.size()));
     result.inputRing.push_back(r);
   }
+  if (auto error = refusalOfSmall(largest, "The points of the region")) throw ThrownError{*std::move(error)};
   return result;
 }
 
@@ -283,8 +294,8 @@ Rings ringsAround(const Given& given) {
 }  // namespace
 
 Region Region::valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
-                     std::span<const std::int32_t> polygonOffsets) {
-  const Given given = {points, ringOffsets, polygonOffsets};
+                     std::span<const std::int32_t> polygonOffsets, double limit) {
+  const Given given = {points, ringOffsets, polygonOffsets, limit};
   const Names names(given);
   const auto clean = cleaned(given, names);
   // Clang 14 captures no structured bindings.
@@ -363,7 +374,12 @@ Result<Region> Region::fromRings(std::span<const Ring> rings, const RegionOption
 }
 
 Result<Region> Region::from(const ConvexPolygon& polygon) {
-  return guarded([&]() -> Result<Region> { return fromRings(std::vector<Ring>{closedOnce(polygon.corners())}); });
+  return guarded([&]() -> Result<Region> {
+    Flat flat;
+    flat.add(closedOnce(polygon.corners()));
+    checkArrays({flat.points, flat.ringOffsets, {}});
+    return valid(flat.points, flat.ringOffsets, {}, kRegionLimit);
+  });
 }
 
 Result<Region> Region::from(const Box& box) {

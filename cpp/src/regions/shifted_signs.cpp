@@ -93,7 +93,8 @@ int exactLead(const Circle& own, const Circle& other, Point corner) {
   });
 }
 
-/// The numbers of a diagram of straight edges, in which a circle counts with a weight.
+/// The numbers of a diagram of straight edges, in which a circle counts with a weight: a squared radius, rounded, so a
+/// multiple of 2^-192 (limits.h).
 class Weighted {
  public:
   Weighted(std::initializer_list<Point> points, std::initializer_list<double> weights) {
@@ -111,18 +112,18 @@ class Weighted {
   }
 
   struct Difference {
-    Integer<1> x, y;
+    FixedInteger<4> x, y;
   };
   Difference between(Point from, Point to) const { return {in(to.x) - in(from.x), in(to.y) - in(from.y)}; }
-  Integer<2> square(double weight) const {
+  FixedInteger<8> square(double weight) const {
     const OddPart part(weight);
-    return Integer<2>(part.odd, part.odd == 0 ? 0 : part.exponent - 2 * exponent_);
+    return FixedInteger<8>(part.odd, part.odd == 0 ? 0 : part.exponent - 2 * exponent_);
   }
 
  private:
-  Integer<1> in(double value) const {
+  FixedInteger<4> in(double value) const {
     const OddPart part(value);
-    return Integer<1>(part.odd, part.odd == 0 ? 0 : part.exponent - exponent_);
+    return FixedInteger<4>(part.odd, part.odd == 0 ? 0 : part.exponent - exponent_);
   }
 
   CommonUnit unit_;
@@ -131,8 +132,8 @@ class Weighted {
 };
 
 using Difference2 = Weighted::Difference;
-Integer<2> dotOf(const Difference2& u, const Difference2& v) { return u.x * v.x + u.y * v.y; }
-Integer<2> crossOf(const Difference2& u, const Difference2& v) { return u.x * v.y - u.y * v.x; }
+FixedInteger<8> dotOf(const Difference2& u, const Difference2& v) { return u.x * v.x + u.y * v.y; }
+FixedInteger<8> crossOf(const Difference2& u, const Difference2& v) { return u.x * v.y - u.y * v.x; }
 
 Point centerPointOf(const Circle& c) { return {c.x, c.y}; }
 
@@ -434,7 +435,7 @@ double ShiftedSigns::shareOfCrossing(CircleIndex from, CircleIndex to, const Lin
     const auto direction = numbers.between(line.from, line.to);
     const auto half = dotOf(start, across);
     const auto way = dotOf(direction, across);
-    const auto weights = isCurved_ ? Integer<2>() : numbers.square(weight(c)) - numbers.square(weight(d));
+    const auto weights = isCurved_ ? FixedInteger<8>() : numbers.square(weight(c)) - numbers.square(weight(d));
     return (exact::floating(dotOf(across, across) + weights - half - half) / exact::floating(way + way)).times(0);
   }
   const bool isToInner = d.r < c.r;

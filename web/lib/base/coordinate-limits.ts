@@ -1,18 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The range of numbers, as in circle_voronoi/limits.h, whose names the constants have.
+import type { Float64s } from './types.ts'
 
-/** The largest coordinate or radius of a circle, in absolute value (kCoordinateLimit of circle_voronoi/limits.h). */
-export const COORDINATE_LIMIT = 1e150
+/** The largest coordinate, radius or weight of a circle, in absolute value. */
+export const COORDINATE_LIMIT = 2 ** 96
 /** The limit in error messages. */
-export const COORDINATE_LIMIT_TEXT = '1e150'
+export const COORDINATE_LIMIT_TEXT = '7.9e28 (2^96)'
+/** Numbers are rounded to multiples of this. */
+export const COORDINATE_STEP = 2 ** -96
+/** The largest number of an input is 0, or not below this. */
+export const SMALLEST_INPUT = 2 ** -56
+/** The smallest input in error messages. */
+export const SMALLEST_INPUT_TEXT = '1.4e-17 (2^-56)'
 
 /**
- * The largest coordinate of a region, in absolute value. It is a hundred times the limit of circles and keeps areas
- * finite.
+ * The largest coordinate of a box or a convex polygon and the largest `maxDistance`, in absolute value. It is sixteen
+ * times the limit of circles, so that there is a box around any circles.
  *
  * @category Cells
  * @example
- * REGION_LIMIT // 1e+152
+ * REGION_LIMIT // 1.2676506002282294e+30
  */
-export const REGION_LIMIT = 1e152
+export const REGION_LIMIT = 2 ** 100
 /** The limit in error messages. */
-export const REGION_LIMIT_TEXT = '1e152'
+export const REGION_LIMIT_TEXT = '1.2e30 (2^100)'
+
+/** Returns a number rounded to a multiple of the step, ties to even. The sign stays, also that of zero. */
+export function rounded(x: number): number {
+  const whole = 2 ** 52 // numbers from here on are integers
+  const size = Math.abs(x)
+  if (!(size < whole * COORDINATE_STEP)) return x
+  const result = (size / COORDINATE_STEP + whole - whole) * COORDINATE_STEP
+  return x < 0 || Object.is(x, -0) ? -result : result
+}
+
+/** Rounds all numbers in place. */
+export function roundAll(numbers: Float64s): Float64s {
+  for (let k = 0; k < numbers.length; k += 1) numbers[k] = rounded(numbers[k] as number)
+  return numbers
+}
+
+/** Returns what to say of an input whose largest number is not 0 and too small; nothing if it is right. */
+export function problemOfSmall(largest: number, what: string): string | undefined {
+  if (largest === 0 || largest >= SMALLEST_INPUT) return undefined
+  let [exponent, size] = [0, largest]
+  for (; size < 0.5; exponent -= 1) size *= 2
+  const power = Math.trunc((-exponent * 30103 + 99999) / 100000)
+  return `${what} have no number from ${SMALLEST_INPUT_TEXT} up; multiply all numbers by 1e${power}.`
+}

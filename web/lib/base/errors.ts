@@ -11,6 +11,7 @@ export const ERROR_CODES = [
   'nonFinite',
   'negativeRadius',
   'coordinateTooLarge',
+  'coordinateTooSmall',
   'tooManyCircles',
   'badOption',
   'notCertified',
@@ -27,8 +28,8 @@ export const ERROR_CODES = [
  *
  * - `nonFinite`: a coordinate or a radius is NaN or infinite
  * - `negativeRadius`: a radius is negative
- * - `coordinateTooLarge`: a coordinate or a radius exceeds 1e150, or a vertex is too far away for a floating-point
- *   number
+ * - `coordinateTooLarge`: a number exceeds 2^96 (7.9e28) in absolute value
+ * - `coordinateTooSmall`: the largest number of the input is not 0 and below 2^-56 (1.4e-17)
  * - `tooManyCircles`: the input, or the requested number of candidates, does not fit in memory
  * - `badOption`: an option is invalid
  * - `notCertified`: no construction led to a certified diagram

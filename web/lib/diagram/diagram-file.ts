@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON format of the command line (circle_voronoi/io.h) as JavaScript values.
 import { shown } from '../base/check.ts'
-import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
+import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT, problemOfSmall, roundAll } from '../base/coordinate-limits.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
-import type { Certificate, Circle, Counts, DiagramData, HiddenCircle, Seconds, Stats } from '../base/types.ts'
+import type { Certificate, Circle, Counts, DiagramData, Float64s, HiddenCircle, Seconds, Stats } from '../base/types.ts'
 import { CANDIDATES, METHODS, METRICS, type Metric, WAYS } from '../base/types.ts'
 import { linkSides } from './link-sides.ts'
 
@@ -90,7 +90,7 @@ export function dataFrom(json: unknown): DiagramData {
   const parts = {
     metric: metric as Metric,
     weights,
-    circles: Float64Array.from(listOf(circles, 'circles').flatMap((item, i) => circleOf(item, i, weights))),
+    circles: circlesOf(listOf(circles, 'circles'), weights),
     vertices: Float64Array.from(
       listOf(vertices, 'vertices').flatMap((item, v) => {
         const { x, y, r } = itemOf(item, `vertices[${v}]`)
@@ -166,11 +166,21 @@ function numberOf(value: unknown, name: string, list: string, i: number): number
   return value
 }
 
+function circlesOf(items: readonly unknown[], weights: boolean): Float64s {
+  const numbers = Float64Array.from(items.flatMap((item, i) => circleOf(item, i, weights)))
+  const problem = problemOfSmall(
+    numbers.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0),
+    'The circles',
+  )
+  if (problem !== undefined) refuse(problem, 'coordinateTooSmall')
+  return roundAll(numbers)
+}
+
 function circleOf(item: unknown, i: number, weights: boolean): number[] {
   const circle = itemOf(item, `circles[${i}]`)
   const numbers = ['x', 'y', 'r'].map((name) => numberOf(circle[name], name, 'circles', i))
   if (numbers.some((value) => Math.abs(value) > COORDINATE_LIMIT)) {
-    refuse(`Circle ${i} has a coordinate or a radius over ${COORDINATE_LIMIT}.`, 'coordinateTooLarge', i)
+    refuse(`Circle ${i} has a coordinate or a radius beyond ${COORDINATE_LIMIT_TEXT}.`, 'coordinateTooLarge', i)
   }
   if ((numbers[2] as number) < 0 && !weights) refuse(`Circle ${i} has a negative radius.`, 'negativeRadius', i)
   return numbers

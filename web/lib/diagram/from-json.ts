@@ -7,7 +7,7 @@ import { dataFrom } from './diagram-file.ts'
  * `JSON.parse` returns. Numbers round-trip exactly. The diagram is not checked; use `certify` of the library for that.
  *
  * @throws CircleVoronoiError `badInput`, if the text is not such a diagram or an index is out of range;
- *   `negativeRadius`, `coordinateTooLarge`
+ *   `negativeRadius`, `coordinateTooLarge`, `coordinateTooSmall`
  *
  * @category Diagrams
  * @example

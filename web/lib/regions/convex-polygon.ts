@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkOptionNames, refuseOption, shown } from '../base/check.ts'
-import { REGION_LIMIT, REGION_LIMIT_TEXT } from '../base/coordinate-limits.ts'
+import { REGION_LIMIT, REGION_LIMIT_TEXT, rounded } from '../base/coordinate-limits.ts'
 import { between, cross } from '../base/point.ts'
 import { facing, turn } from '../base/scale.ts'
 import type { Box, Point, Vector } from '../base/types.ts'
@@ -37,7 +37,7 @@ export function boundsOf(options: ConvexBoundsOptions, caller: string): ConvexPo
  * diagram.cellArea(0, { bounds: triangle }) // 12
  */
 export class ConvexPolygon {
-  /** The corners, counter-clockwise. */
+  /** The corners, counter-clockwise, rounded to multiples of 2^-96 like all numbers. */
   readonly corners: readonly Point[]
   /** The bounding box. */
   readonly box: Box
@@ -68,7 +68,7 @@ export class ConvexPolygon {
     if (!corners.every((corner) => isInRange(corner?.x) && isInRange(corner?.y))) {
       refuseOption(`A corner of the polygon is not finite, or beyond ${REGION_LIMIT_TEXT}.`)
     }
-    const polygon = new ConvexPolygon(corners.map(({ x, y }) => ({ x, y })))
+    const polygon = new ConvexPolygon(corners.map(({ x, y }) => ({ x: rounded(x), y: rounded(y) })))
     const sides = polygon.corners.map((corner, k) => between(corner, polygon.cornerAfter(k)))
     let halfTurns = 0
     sides.forEach((out, k) => {
@@ -92,7 +92,7 @@ export class ConvexPolygon {
    */
   static of(bounds: Bounds): ConvexPolygon {
     if (bounds instanceof ConvexPolygon) return bounds
-    const [minX, minY, maxX, maxY] = sidesOf(bounds)
+    const [minX, minY, maxX, maxY] = sidesOf(bounds).map(rounded) as [number, number, number, number]
     if (!(minX < maxX && minY < maxY && [minX, minY, maxX, maxY].every(isInRange))) {
       refuseOption(`The box is empty, or a coordinate is not finite, or beyond ${REGION_LIMIT_TEXT}.`)
     }

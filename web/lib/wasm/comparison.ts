@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
+import { COORDINATE_LIMIT, roundAll } from '../base/coordinate-limits.ts'
 import { type Circles, coordinatesOf } from '../base/coordinates.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import type { Metric } from '../base/types.ts'
@@ -50,7 +50,8 @@ export async function comparisonOf(
     computeComparison(circles, metric) {
       const coordinates = coordinatesOf(circles)
       if (metric === 'power') {
-        return new Diagram({ metric, circles: coordinates, ...unwrap(module.powerDiagram(coordinates)) })
+        const data = unwrap(module.powerDiagram(coordinates))
+        return new Diagram({ metric, circles: roundAll(coordinates), ...data })
       }
       // The diagram of the centers ignores radii, so invalid radii are refused here.
       const isRefused = coordinates.some((value, k) => k % 3 === 2 && !(value >= 0 && value <= COORDINATE_LIMIT))
@@ -59,7 +60,7 @@ export async function comparisonOf(
         throw new CircleVoronoiError('badOption', 'Unknown metric: the choice is circles, centers or power.')
       }
       const centers = compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
-      return new Diagram({ ...centers, metric, circles: coordinates })
+      return new Diagram({ ...centers, metric, circles: roundAll(coordinates) })
     },
   }
 }

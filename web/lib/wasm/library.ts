@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkNoOptions, refuseInput, refuseOption } from '../base/check.ts'
+import { roundAll } from '../base/coordinate-limits.ts'
 import { type Accessors, type Circles, coordinatesOf } from '../base/coordinates.ts'
 import type { Box, Certificate, DiagramData, Float64s } from '../base/types.ts'
 import { ComputedDiagram } from '../diagram/computed-diagram.ts'
@@ -138,7 +139,8 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
 
   const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
     const result = told(options, (chosen) => module.compute(coordinates, chosen))
-    return { metric: 'circles', circles: coordinates, ...unwrap(result) }
+    const data = unwrap(result)
+    return { metric: 'circles', circles: roundAll(coordinates), ...data }
   }
 
   return {
@@ -176,7 +178,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       const method = options.method ?? 'touching-disc'
       const run = (chosen: WasmOptions) => module.trace(coordinates, { ...chosen, method })
       const { diagram, events } = unwrap(told(others, run))
-      return new Trace(new Diagram({ metric: 'circles', circles: coordinates, ...diagram }), events)
+      return new Trace(new Diagram({ metric: 'circles', circles: roundAll(coordinates), ...diagram }), events)
     },
     edit: (circles, options = {}) => edit(editorStart(circles, options)),
     certify,
