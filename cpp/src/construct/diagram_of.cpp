@@ -2,6 +2,7 @@
 #include "diagram_of.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -15,16 +16,15 @@ namespace {
 
 using Triple = Predicates::Triple;
 
-/// The place of the smallest input index among the circles of a vertex. With this one first, a vertex has the same bits
-/// however it was found.
-std::ptrdiff_t firstOf(const Triple& corners, const std::vector<int>& indices) {
-  const auto isBefore = [&](int a, int b) { return indices[a] < indices[b]; };
-  return std::min_element(corners.begin(), corners.end(), isBefore) - corners.begin();
-}
-
-template <class Item>
-void beginAt(std::array<Item, 3>& items, std::ptrdiff_t first) {
-  std::rotate(items.begin(), items.begin() + first, items.end());
+/// Rotates the circles of a vertex so that the one with the smallest input index comes first. Then a vertex has the
+/// same bits however it was found.
+Triple fromFirst(const Triple& corners, const std::vector<int>& indices) {
+  const int a = indices[corners[0]];
+  const int b = indices[corners[1]];
+  const int c = indices[corners[2]];
+  const std::size_t firstOfTwo = b < a ? 1 : 0;
+  const std::size_t first = c < std::min(a, b) ? 2 : firstOfTwo;
+  return {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
 }
 
 }  // namespace
@@ -35,9 +35,8 @@ Diagram diagramOf(std::span<const Circle> circles, Construction construction, Si
   Links links;
   const Predicates predicates(sites.circles);
   // A diagram that is not certified may have triples without a disc, whose vertex may be anything.
-  const auto vertexOf = [&](Triple corners, const FaceDisc& disc) {
-    beginAt(corners, firstOf(corners, sites.indices));
-    return predicates.vertex(corners, disc);
+  const auto vertexOf = [&](const Triple& corners, const FaceDisc& disc) {
+    return predicates.vertex(fromFirst(corners, sites.indices), disc);
   };
   if (construction.unfit) {
     const Misfit& misfit = construction.unfit->misfit;
@@ -72,7 +71,9 @@ Diagram diagramOf(std::span<const Circle> circles, Construction construction, Si
           vertexOf(cornersOf(dual, 3 * static_cast<int>(face)), discs.empty() ? FaceDisc{} : discs[face]);
       diagram.vertices[vertices[face]] = vertex.value_or(Vertex{});
     });
-    verdict.proof = {};  // frees memory before more is needed
+    // Frees memory before more is needed.
+    verdict.proof = {};
+    sites.circles = std::vector<Circle>();
     threads.forEach(dual.origin.size(), [&](std::size_t h) {
       if (int& corner = dual.origin[h]; corner != kPointAtInfinity) corner = sites.indices[corner];
     });

@@ -57,8 +57,9 @@ struct Dual {
     link(bc, ad);
   }
 
-  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  // The processor would often predict branches wrongly here.
+  static int next(int h) { return h + 1 - 3 * static_cast<int>(h % 3 == 2); }
+  static int previous(int h) { return h - 1 + 3 * static_cast<int>(h % 3 == 0); }
 };
 
 /// The corners of the face of half-edge h, its origin first.

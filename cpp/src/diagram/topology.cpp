@@ -23,9 +23,16 @@ std::int32_t numbered(std::size_t items, Threads threads, Condition condition, N
     std::partial_sum(first.begin(), first.end(), first.begin());
   }
   threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
+    // The conditions cannot be predicted, so the items are chosen without branches, some at a time.
     std::int32_t next = first[range];
-    for (std::size_t i = begin; i < end; ++i) {
-      if (condition(i)) number(i, next++);
+    std::array<std::size_t, 256> chosen;
+    for (std::size_t from = begin; from < end; from += chosen.size()) {
+      std::size_t count = 0;
+      for (std::size_t i = from; i < std::min(from + chosen.size(), end); ++i) {
+        chosen[count] = i;
+        count += condition(i) ? 1 : 0;
+      }
+      for (std::size_t k = 0; k < count; ++k) number(chosen[k], next++);
     }
     if (first.size() == 2) first[1] = next;
   });
@@ -37,11 +44,14 @@ std::int32_t numbered(std::size_t items, Threads threads, Condition condition, N
 ///
 /// The side of half-edge h ends at the vertex that is the face of h, and the next one around the same circle begins
 /// there: it lies one half-edge on, counter-clockwise around the origin, or two where that one goes to infinity.
-void linkFace(int face, VertexIndex vertex, const Dual& dual, const std::vector<SideIndex>& sideOf, Links& links) {
+///
+/// The sides of a vertex begin with that of the corner `first`, from 0 to 2.
+void linkFace(int face, VertexIndex vertex, const Dual& dual, const std::vector<SideIndex>& sideOf, Links& links,
+              std::size_t first = 0) {
   const int h = 3 * face;
   if (vertex != kNone) {
-    const std::array sides = {sideOf[dual.around(h)], sideOf[dual.around(h + 1)], sideOf[dual.around(h + 2)]};
-    links.vertexSides[vertex] = sides;
+    const std::array sides = {sideOf[dual.twin[h + 2]], sideOf[dual.twin[h]], sideOf[dual.twin[h + 1]]};
+    links.vertexSides[vertex] = {sides[first], sides[(first + 1) % 3], sides[(first + 2) % 3]};
     for (int k = 0; k < 3; ++k) links.nextSide[sideOf[h + k]] = sides[k];
   } else {
     const int between = h + (dual.origin[h] == kPointAtInfinity ? 1 : dual.origin[h + 1] == kPointAtInfinity ? 2 : 0);
@@ -50,12 +60,11 @@ void linkFace(int face, VertexIndex vertex, const Dual& dual, const std::vector<
 }
 
 void linkFirstSides(std::span<const Edge> edges, Links& links) {
-  SideIndex side = 0;
-  for (const Edge& edge : edges) {
-    for (const CircleIndex circle : {edge.left, edge.right}) {
-      if (SideIndex& first = links.firstSide[circle]; first == kNone) first = side;
-      ++side;
-    }
+  // The loop runs backwards, so that the first side of a circle is set last.
+  auto side = static_cast<std::int32_t>(2 * edges.size());
+  for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
+    links.firstSide[edge->right] = --side;
+    links.firstSide[edge->left] = --side;
   }
 }
 
@@ -210,7 +219,10 @@ Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, 
       sideOf.size(), threads,
       [&](std::size_t i) {
         const int t = dual.twin[i];
-        return static_cast<int>(i) < t && dual.origin[i] != kPointAtInfinity && dual.origin[t] != kPointAtInfinity;
+        const int isFirst = static_cast<int>(i) < t ? 1 : 0;
+        const int startsAtCircle = dual.origin[i] != kPointAtInfinity ? 1 : 0;
+        const int endsAtCircle = dual.origin[t] != kPointAtInfinity ? 1 : 0;
+        return (isFirst & startsAtCircle & endsAtCircle) != 0;
       },
       [&](std::size_t i, std::int32_t edge) {
         const int t = dual.twin[i];
@@ -221,18 +233,13 @@ Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, 
   if (links != nullptr) *links = emptyLinks(edgeCount, vertexCount, circleCount);
   threads.forEach(vertexOf.size(), [&](std::size_t i) {
     const auto face = static_cast<int>(i);
-    if (links != nullptr) linkFace(face, vertexOf[i], dual, sideOf, *links);
-    if (!isVertex(vertexOf[i])) return;
+    const auto corners = cornersOf(dual, 3 * face);
     // The smallest circle first, so that the triple does not depend on how the face was found.
-    int first = 3 * face;
-    for (int h = 3 * face + 1; h < 3 * face + 3; ++h) {
-      if (dual.origin[h] < dual.origin[first]) first = h;
-    }
-    const auto [a, b, c] = cornersOf(dual, first);
-    topology.vertexCircles[vertexOf[i]] = {a, b, c};
-    if (links == nullptr) return;
-    auto& sides = links->vertexSides[vertexOf[i]];
-    std::rotate(sides.begin(), sides.begin() + first % 3, sides.end());
+    const std::size_t firstOfTwo = corners[1] < corners[0] ? 1 : 0;
+    const std::size_t first = corners[2] < std::min(corners[0], corners[1]) ? 2 : firstOfTwo;
+    if (links != nullptr) linkFace(face, vertexOf[i], dual, sideOf, *links, first);
+    if (!isVertex(vertexOf[i])) return;
+    topology.vertexCircles[vertexOf[i]] = {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
   });
   if (links != nullptr) linkFirstSides(topology.edges, *links);
   const auto atInfinity =

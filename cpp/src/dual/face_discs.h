@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -26,15 +29,26 @@ class FaceDiscs {
         predicates_(predicates),
         discs_(dual.faceCount()),
         orders_(dual.origin.size(), kUnknownOrder) {
-    // Each edge once both its faces have a disc; between two ranges, once both ranges are done.
+    // Each edge once both its faces have a disc; between two ranges, once both ranges are done. A few faces at a time
+    // stay in the cache. Which half of an edge comes first cannot be predicted, so the halves are collected without
+    // branches.
     std::vector<std::vector<int>> across(threads.rangesOf(discs_.size()));
     predicates.forRanges(threads, discs_.size(),
                          [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
-                           for (auto face = static_cast<int>(begin); face < static_cast<int>(end); ++face) {
-                             discs_[face] = own.disc(cornersOf(dual, 3 * face));
-                             for (int t = 3 * face; t < 3 * face + 3; ++t) {
-                               const int h = dual.twin[t];
-                               if (h > t || h < 0) continue;  // an edge may be open
+                           std::array<int, 3 * kFacesAtATime> halves;
+                           for (std::size_t from = begin; from < end; from += kFacesAtATime) {
+                             const auto first = static_cast<int>(from);
+                             const auto last = static_cast<int>(std::min(from + kFacesAtATime, end));
+                             for (int face = first; face < last; ++face)
+                               discs_[face] = own.disc(cornersOf(dual, 3 * face));
+                             std::size_t count = 0;
+                             for (int t = 3 * first; t < 3 * last; ++t) {
+                               halves[count] = dual.twin[t];
+                               count += dual.twin[t] < t ? 1 : 0;
+                             }
+                             for (std::size_t k = 0; k < count; ++k) {
+                               const int h = halves[k];
+                               if (h < 0) continue;  // an edge may be open
                                if (h < 3 * static_cast<int>(begin)) {
                                  across[range].push_back(h);
                                } else {
@@ -89,6 +103,9 @@ class FaceDiscs {
     return {x, y};
   }
 
+  /// Returns whether an edge is known to have no flaw.
+  bool isKnownRight(int h) const { return !orders_.empty() && orders_[h] >= 0; }
+
   /// Returns the same flaw as `flawOf`, but caches the order of the ends of an edge until a face beside the edge
   /// changes.
   Flaw look(int h) {
@@ -141,6 +158,8 @@ class FaceDiscs {
   }
 
  private:
+  static constexpr std::size_t kFacesAtATime = 128;
+
   Flaw noteOrder(int h, Predicates& predicates) {
     std::int8_t order = 1;
     const Flaw flaw = flawOf(h, predicates, &order);

@@ -25,7 +25,7 @@ class Flipper {
     // that exceeds the limit is left to insertion.
     const std::int64_t limit = 1000 + 2 * static_cast<std::int64_t>(dual_.faceCount());
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
-      if (first > dual_.twin[first] || discs_.look(first) == Flaw::none) continue;
+      if (discs_.isKnownRight(first) || first > dual_.twin[first] || discs_.look(first) == Flaw::none) continue;
       stack_.push_back(first);
       settle(limit);
       if (flips_ == limit) return {flips_, wrongFaces(discs_)};

@@ -9,7 +9,6 @@
 #include "construct.h"
 #include "hide.h"
 #include "order.h"
-#include "three_touch_disc.h"
 #include "triangulate.h"
 #include "validate.h"
 
@@ -54,8 +53,7 @@ std::array<int, 3> slotsOfVertex(const EditState& state, int face) {
 }
 
 Vertex vertexOfFace(const EditState& state, int face) {
-  const auto [i, j, k] = slotsOfVertex(state, face);
-  return vertexOf(state.circles[i], state.circles[j], state.circles[k]).value_or(Vertex{});
+  return state.predicates.vertex(slotsOfVertex(state, face), state.discs[face]).value_or(Vertex{});
 }
 
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,

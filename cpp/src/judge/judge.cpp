@@ -2,6 +2,7 @@
 #include "judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -50,6 +51,8 @@ class Judge {
   };
   using FaceProver = Prover<std::vector<FaceDisc>>;
 
+  static constexpr std::size_t kFacesAtATime = 128;
+
   static bool isFinite(int corner) { return corner != kPointAtInfinity; }
 
   Verdict checkAdjacency() const {
@@ -63,7 +66,7 @@ class Judge {
   }
 
   /// The disc of each face, and each edge once both its faces have one: in the order of the faces, so that the verdict
-  /// is about the first that is wrong.
+  /// is about the first that is wrong. A few faces at a time stay in the cache.
   Verdict checkFaces() {
     proof_.halfEdges.resize(dual_.origin.size());
     proof_.discs.resize(dual_.origin.size() / 3);
@@ -72,9 +75,10 @@ class Judge {
     predicates_.forRanges(
         threads_, faceCount, [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
           FaceProver prover = proverBy(own);
-          for (std::size_t face = begin; face < end && findings[range].verdict.isRight(); ++face) {
-            prefetchCircles(face + kPrefetchAhead);
-            checkFace(static_cast<int>(face), static_cast<int>(3 * begin), own, prover, findings[range]);
+          Findings& found = findings[range];
+          for (std::size_t from = begin; from < end && found.verdict.isRight(); from += kFacesAtATime) {
+            const std::size_t to = std::min(from + kFacesAtATime, end);
+            checkSome(static_cast<int>(from), static_cast<int>(to), static_cast<int>(3 * begin), own, prover, found);
           }
         });
     // The first flaw, and then the edges between ranges before it.
@@ -98,24 +102,47 @@ class Judge {
 
   FaceProver proverBy(Predicates& predicates) { return {dual_, circles_, predicates, proof_.discs, proof_.halfEdges}; }
 
-  void checkFace(int face, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
-    const int hidden = hiddenCorner(face, predicates);
-    if (!hasDiscs_ && !isFinite(hidden)) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
-    if (isFinite(hidden) || !prover.proveFace(face)) {
-      found.check = 4 * static_cast<std::size_t>(face);
-      found.verdict =
-          isFinite(hidden) ? Verdict{Flaw::cellNotClosed, hidden} : Verdict{Flaw::vertexWithoutDisc, kNone, face};
-      return;
+  /// Checks some faces, and the edges of which one of these is the second face. Which half of an edge comes first
+  /// cannot be predicted, so the halves are collected without branches.
+  void checkSome(int first, int last, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
+    std::array<int, 3 * kFacesAtATime> halves;
+    std::size_t count = 0;
+    for (int h = 3 * first; h < 3 * last; ++h) {
+      halves[count] = h;
+      count += dual_.twin[h] > h ? 1 : 0;
     }
-    for (int t = 3 * face; t < 3 * face + 3; ++t) {
-      const int h = dual_.twin[t];
-      if (h > t) continue;
-      if (h < firstHalfEdge) {
+    // Each edge is looked at before the first of its faces gets its disc.
+    int hidden = kPointAtInfinity;
+    for (std::size_t k = 0; k < count && !isFinite(hidden); ++k) {
+      if (!hasDiscs_) prefetchCircles(static_cast<std::size_t>(halves[k] / 3) + kPrefetchAhead);
+      hidden = hiddenBeside(halves[k], predicates);
+      if (isFinite(hidden)) last = halves[k] / 3;
+    }
+    if (isFinite(hidden)) note(4 * static_cast<std::size_t>(last), {Flaw::cellNotClosed, hidden}, found);
+    for (int face = first; face < last; ++face) {
+      if (!hasDiscs_) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
+      if (prover.proveFace(face)) continue;
+      note(4 * static_cast<std::size_t>(face), {Flaw::vertexWithoutDisc, kNone, face}, found);
+      last = face;
+    }
+    count = 0;
+    for (int t = 3 * first; t < 3 * last; ++t) {
+      halves[count] = t;
+      count += dual_.twin[t] < t ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const int t = halves[k];
+      if (dual_.twin[t] < firstHalfEdge) {
         found.across.push_back(t);
       } else {
         checkEdge(t, prover, found);
       }
     }
+  }
+
+  static void note(std::size_t check, const Verdict& verdict, Findings& found) {
+    found.check = check;
+    found.verdict = verdict;
   }
 
   /// A diagram from outside has its circles in any order. Inlined, as a compiler may take a function that only does
@@ -127,17 +154,11 @@ class Judge {
     }
   }
 
-  /// Returns a corner of a face that another hides, or kPointAtInfinity. Each edge is looked at once, before the first
-  /// of its faces gets its disc.
-  int hiddenCorner(int face, Predicates& predicates) const {
-    for (int h = 3 * face; h < 3 * face + 3; ++h) {
-      if (dual_.twin[h] < h) continue;
-      const int a = dual_.origin[h];
-      const int b = dual_.target(h);
-      if (!isFinite(a) || !isFinite(b)) continue;
-      if (const int hidden = predicates.hiddenOf(a, b); isFinite(hidden)) return hidden;
-    }
-    return kPointAtInfinity;
+  /// Returns the circle of an edge that the other one hides, or kPointAtInfinity.
+  int hiddenBeside(int h, Predicates& predicates) const {
+    const int a = dual_.origin[h];
+    const int b = dual_.target(h);
+    return isFinite(a) && isFinite(b) ? predicates.hiddenOf(a, b) : kPointAtInfinity;
   }
 
   /// Proves an edge, given by its second half. Edges after the first wrong one are not examined.
@@ -147,8 +168,7 @@ class Judge {
     const int h = dual_.twin[t];
     const int order = prover.proveEdge(h, proof_.orders.empty() ? kUnknownOrder : proof_.orders[h]);
     if (order < 0) {
-      found.verdict = {Flaw::edgeOutOfOrder, kNone, h / 3, h};
-      found.check = check;
+      note(check, {Flaw::edgeOutOfOrder, kNone, h / 3, h}, found);
       return;
     }
     if (order == 0) found.ties.push_back(h);
@@ -156,15 +176,17 @@ class Judge {
 
   /// One full turn of every region, and of the hull.
   Verdict checkWindings() const {
-    std::vector<int> windings(static_cast<std::size_t>(circleCount_));
+    // Nothing passes around infinity, whose number precedes the circles' numbers. Branches would be mispredicted.
+    static_assert(kPointAtInfinity == -1);
+    std::vector<int> windings(static_cast<std::size_t>(circleCount_) + 1);
     int hullTurns = 0;
     for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
-      if (!proof_.halfEdges[h].passes) continue;
-      ++windings[dual_.origin[h]];
-      if (!isFinite(dual_.target(h))) ++hullTurns;
+      const int passes = proof_.halfEdges[h].passes ? 1 : 0;
+      windings[dual_.origin[h] + 1] += passes;
+      hullTurns += isFinite(dual_.target(h)) ? 0 : passes;
     }
     for (int circle = 0; circle < circleCount_; ++circle) {
-      if (windings[circle] != 1) return {Flaw::cellNotClosed, circle};
+      if (windings[circle + 1] != 1) return {Flaw::cellNotClosed, circle};
     }
     return {hullTurns == 1 ? Flaw::none : Flaw::hullNotClosed};
   }

@@ -65,9 +65,18 @@ class Prover {
     if (isBounded) {
       if (order == kUnknownOrder) order = orderOfEnds(dual_, h, discs_, predicates_);
       if (order < 0) return order;
-      // From the larger circle the turn is less than half a turn, and from both if they are equal.
-      passesAtOrigin = circles_[a].r >= circles_[b].r ? passesInOrder(h) : passes(h);
-      passesAtTarget = circles_[b].r >= circles_[a].r ? passesInOrder(t) : passes(t);
+      // Seen from the larger circle, the turn is less than half a turn; from both if they are equal. Seen from the
+      // smaller one, a turn that ends in the half where it begins may be nearly a full one. The smaller circle is
+      // chosen without a branch, which the processor would often predict wrongly.
+      passesAtOrigin = passesInOrder(h);
+      passesAtTarget = passesInOrder(t);
+      if (circles_[a].r != circles_[b].r) {
+        const int isTarget = circles_[b].r < circles_[a].r ? 1 : 0;
+        const int smaller = h + isTarget * (t - h);
+        if (proof_[dual_.aroundClockwise(smaller)].isLower == proof_[smaller].isLower && isLong(smaller)) {
+          (isTarget != 0 ? passesAtTarget : passesAtOrigin) = true;
+        }
+      }
     } else {
       order = 1;
       passesAtOrigin = a != kPointAtInfinity && passes(h);
@@ -80,12 +89,21 @@ class Prover {
 
  private:
   /// Returns whether a turn passes that is less than half a turn.
-  bool passesInOrder(int h) const { return proof_[dual_.aroundClockwise(h)].isLower && !proof_[h].isLower; }
+  bool passesInOrder(int h) const {
+    const bool wasLower = proof_[dual_.aroundClockwise(h)].isLower;
+    const bool isLower = proof_[h].isLower;
+    return wasLower > isLower;
+  }
 
   /// Returns whether any turn passes: one within a half passes if it is nearly a full one.
   bool passes(int h) {
     const int before = dual_.aroundClockwise(h);
-    if (proof_[before].isLower != proof_[h].isLower) return proof_[before].isLower;
+    return proof_[before].isLower != proof_[h].isLower ? proof_[before].isLower : isLong(h);
+  }
+
+  /// Returns whether a turn is more than half a turn.
+  bool isLong(int h) {
+    const int before = dual_.aroundClockwise(h);
     return predicates_.turn(dual_.origin[h], cornersOf(dual_, before), discs_[before / 3], cornersOf(dual_, h),
                             discs_[h / 3]) < 0;
   }

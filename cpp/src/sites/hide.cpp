@@ -52,14 +52,20 @@ bool lookClear(std::span<const Circle> circles, double smallest) {
   return true;
 }
 
-/// Returns the triangulation of the centers if it shows that no circle hides another; otherwise nothing.
-std::optional<Dual> proofOfClearance(std::span<const Circle> circles, Threads threads) {
+/// The triangulation of the centers, if it was computed.
+struct Centers {
+  std::optional<Delaunay> delaunay;
+  bool areClear = false;  ///< whether it shows that no circle hides another
+};
+
+/// Triangulates the centers if circles look clear.
+Centers centersIfClear(std::span<const Circle> circles, Threads threads) {
   double smallest = kInfinite;
   for (const Circle& c : circles) smallest = std::min(smallest, c.r);
-  if (!lookClear(circles, smallest)) return std::nullopt;
+  if (!lookClear(circles, smallest)) return {};
   Delaunay centers = delaunay(centersOf(circles), threads);
-  if (!areClear(circles, smallest, centers, threads)) return std::nullopt;
-  return std::move(centers.dual);
+  const bool isClear = areClear(circles, smallest, centers, threads);
+  return {std::move(centers), isClear};
 }
 
 Sites withoutHidden(const OrderedCircles& ordered, const Hiders& found) {
@@ -176,22 +182,29 @@ std::optional<Sites> hideByInsertion(const OrderedCircles& ordered, Threads thre
 }  // namespace
 
 Sites hide(OrderedCircles ordered, std::int64_t mostStepsACircle, Threads threads) {
-  if (auto centers = proofOfClearance(ordered.circles, threads)) {
+  Centers centers = centersIfClear(ordered.circles, threads);
+  if (centers.areClear) {
     Sites sites;
     sites.circles = std::move(ordered.circles);
     sites.indices = std::move(ordered.indices);
-    sites.centers = *std::move(centers);
+    sites.centers = std::move(centers.delaunay->dual);
     return sites;
   }
+  const auto visible = [&](const Hiders& found) {
+    Sites sites = withoutHidden(ordered, found);
+    // Some circles are near one another, but none is hidden.
+    if (centers.delaunay && sites.hidden.empty()) sites.centers = std::move(centers.delaunay->dual);
+    return sites;
+  };
   const NumberedCircles all{ordered.circles, ordered.indices};
   const auto count = static_cast<std::int64_t>(ordered.circles.size());
   const Hiders found = findHiders(all, all, kFewSteps + mostStepsACircle * count, threads);
-  if (!found.hider.empty()) return withoutHidden(ordered, found);
-  if (auto visible = hideByInsertion(ordered, threads)) {
-    visible->steps += found.steps;
-    return *std::move(visible);
+  if (!found.hider.empty()) return visible(found);
+  if (auto inserted = hideByInsertion(ordered, threads)) {
+    inserted->steps += found.steps;
+    return *std::move(inserted);
   }
-  return withoutHidden(ordered, findHiders(all, all, kNoLimit, threads));
+  return visible(findHiders(all, all, kNoLimit, threads));
 }
 
 }  // namespace circle_voronoi
