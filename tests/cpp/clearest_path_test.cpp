@@ -134,6 +134,22 @@ TEST(ClearestPaths, GoThroughTheWiderGap) {
               1e-12);
 }
 
+TEST(ClearestPaths, StartAnywhere) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {8, 0, 1}, {0, 8, 1}, {-8, 0, 1}, {0, -8, 1}};
+  const Diagram diagram = compute(circles).value();
+  const ClearestPath path = clearestPath(diagram, {0, 0}, {30, 1});
+  // Squares of these lengths would be 0 or infinite.
+  for (const Point p : {Point{-1e-300, 0}, Point{0, 1e-160}}) {
+    EXPECT_EQ(clearestPath(diagram, p, {30, 1}).edges, path.edges);
+    const ClearestPath far = clearestPath(diagram, p, {1e300, 1e299});
+    ASSERT_TRUE(far.entry.has_value());
+    EXPECT_EQ(far.entry->x, 4);
+    EXPECT_EQ(far.entry->y, 0);
+    EXPECT_EQ(far.clearance, -1);
+  }
+  EXPECT_FALSE(clearestPath(diagram, {-1e300, 0}, {30, 1}).entry.has_value());
+}
+
 TEST(ClearestPaths, EndAmongTheSmallestCircles) {
   const std::vector<Circle> circles = {
       {0, 0, 1e-28}, {1e-27, 0, 2e-28}, {0, 1e-27, 3e-28}, {9e-28, 9e-28, 5e-29}, {1, 0, 0}};

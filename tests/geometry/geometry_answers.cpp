@@ -117,8 +117,7 @@ class Questions {
   void askEdge(EdgeIndex e) const {
     const EdgeCurve curve = edgeCurve(diagram_, e);
     const Bisector& b = curve.bisector;
-    Answer(question("bisector", e)) << b.left << b.right << b.unit << b.a << b.b << b.origin << b.along << b.across
-                                    << b.apex;
+    Answer(question("bisector", e)) << b.left << b.right << b.a << b.b << b.origin << b.along << b.across << b.apex;
     {
       Answer answer(question("edgeCurve", e));
       answer << curve.from << curve.to;

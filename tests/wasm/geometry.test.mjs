@@ -196,8 +196,8 @@ function answersOf(diagram, box, maxDistance) {
   }
   for (let e = 0; e < edges.length / 4; e++) {
     const curve = edgeCurve(diagram, e)
-    const { left, right, unit, a, b, origin, along, across, apex } = curve.bisector
-    say(`bisector ${e}`, ...of(left), ...of(right), unit, a, b, ...of(origin), ...of(along), ...of(across), apex)
+    const { left, right, a, b, origin, along, across, apex } = curve.bisector
+    say(`bisector ${e}`, ...of(left), ...of(right), a, b, ...of(origin), ...of(along), ...of(across), apex)
     say(`edgeCurve ${e}`, curve.from, curve.to, ...[curve.start, curve.end].filter(Boolean).flatMap(of))
     for (const s of [0.3, 1, 5]) {
       const p = pointAt(curve.bisector, s)

@@ -185,6 +185,16 @@ it('starts at a center as beside it, and goes straight to the right there', () =
   const to = { x: 30, y: 1 }
   const [path, beside] = [clearestPath(diagram, { x: 0, y: 0 }, to), clearestPath(diagram, { x: 1e-9, y: 0 }, to)]
   expect([path.entry, path.edges, path.clearance]).toEqual([{ x: 4, y: 0 }, beside.edges, -1])
+  // Squares of these lengths would be 0 or infinite.
+  for (const p of [
+    { x: -1e-300, y: 0 },
+    { x: 0, y: 1e-160 },
+  ]) {
+    expect(clearestPath(diagram, p, to)).toEqual(path)
+    expect(clearestPath(diagram, p, { x: 1e300, y: 1e299 })).toMatchObject({ entry: { x: 4, y: 0 }, clearance: -1 })
+  }
+  expect(clearestPath(diagram, { x: -1e300, y: 0 }, to).entry).toBeUndefined()
+  expect(clearestPath(diagram, { x: 0, y: 4.5 }, { x: 1e200, y: 1e200 }).clearance).toBeCloseTo(2.5, 12)
 })
 
 it('ends among circles too small for squares', () => {

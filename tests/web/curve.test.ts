@@ -2,7 +2,6 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { bezierPointAt } from '../../web/lib/curves/bezier.ts'
-import { movedApart } from '../../web/lib/curves/bisector.ts'
 import { carlson } from '../../web/lib/curves/carlson.ts'
 import { reversed, segment } from '../../web/lib/curves/curve.ts'
 import {
@@ -102,19 +101,31 @@ describe('bisector', () => {
     expect(Number.isFinite(parameterAt(branch, 2, 0))).toBe(true)
   })
 
-  it('stays where it is, if it is straight, when circles too near to tell apart are moved apart', () => {
-    const near = bisector(Float64Array.of(0, 0, 0, 2 ** -1000, 0, 0), 0, 1)
-    const apart = movedApart(near, 1)
-    expect(apart.unit).toBeGreaterThan(near.unit)
-    expect(apart.unit * apart.apex).toBe(near.unit * near.apex)
-    expect(movedApart(near, 2 ** -1000)).toBe(near)
+  it('has parameters for vertices as far from circles as any, and circles as near to each other as any', () => {
+    const step = 2 ** -96
+    const pairs = [
+      [0, 0, 0, step, 0, 0],
+      [0, 0, step, 2 * step, 0, 0],
+      [0, 0, 2 ** 30 * step, 2 ** 30 * step, step, 0],
+    ]
+    for (const pair of pairs) {
+      const branch = bisector(Float64Array.from(pair), 0, 1)
+      for (const distance of [2 ** 100, 2 ** 876]) {
+        const s = distance / (branch.apex + Math.abs(branch.a))
+        for (const parameter of [s, 1 / s]) {
+          const { x, y } = pointAt(branch, parameter)
+          expect(Math.hypot(x, y) / distance).toBeCloseTo(0.5, 9)
+          expect(parameterAt(branch, x, y) / parameter).toBeCloseTo(1, 9)
+        }
+      }
+    }
   })
 
   it('tells the sides of a needle thinner than rounding apart', () => {
-    for (const scale of [1e-120, 1, 1e149]) {
-      const branch = bisector(Float64Array.of(-1e-100 * scale, 0, scale, scale, 0, 0), 0, 1)
+    for (const scale of [2 ** -6, 1, 2 ** 90]) {
+      const branch = bisector(Float64Array.of(-(2 ** -90) * scale, 0, scale, scale, 0, 0), 0, 1)
       for (const side of [-1, 1]) {
-        const p = { x: 50 * scale, y: side * 1e-48 * scale }
+        const p = { x: 50 * scale, y: side * 2 ** -43 * scale }
         const s = parameterAt(branch, p.x, p.y)
         expect(Math.sign(s - 1)).toBe(Math.sign(pointAt(branch, 2).y) * side)
         expect(pointAt(branch, s).x / p.x).toBeCloseTo(1, 12)

@@ -23,15 +23,11 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// is the usual (|a| cosh t, b sinh t), but without cancellation near the smaller circle and without functions that
 /// differ between platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
 ///
-/// a, b and apex are measured in `unit`. It is 1 unless the circles are so near or so far that products of lengths
-/// would leave the range of doubles. So curves are right up to rounding for all circles that `compute` takes.
-///
 /// Multiplying s by a number is an affine map of the branch onto itself. So the ratio of the parameters of its ends
 /// determines how curved an arc is, wherever it lies.
 struct Bisector {
   Point left;       ///< the focus of the left circle: its center
   Point right;      ///< the focus of the right circle
-  double unit = 1;  ///< the unit of a, b and apex: 1 or a power of two
   double a = 0;     ///< (r_left - r_right) / 2
   double b = 0;     ///< positive, with a^2 + b^2 = c^2, where c is half the distance of the centers
   Point origin;     ///< the focus of the smaller circle; the left one if the radii are equal
@@ -68,9 +64,7 @@ struct EdgeCurve {
   [[nodiscard]] bool isBounded() const { return !startsAtInfinity() && !endsAtInfinity(); }
 };
 
-/// Returns the curve of an edge. If the edge ends more than 2^900 times as far away as the two centers are from each
-/// other, the centers are moved apart to 2^-900 of that distance. The difference is too small to matter there, and
-/// parameters stay in the range of doubles.
+/// Returns the curve of an edge.
 [[nodiscard]] EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge);
 
 /// Returns the curve of a side, with its cell on the left.

@@ -36,7 +36,7 @@ double stiffness(const EdgeCurve& arc) {
   const double rise = (product - 1) / product * (product - 1) / 2;
   const double c2 = bisector.a * bisector.a + bisector.b * bisector.b;
   const double curved = c2 / bisector.b * (sinhExcess(ratio) + sine * rise) / 4;
-  return bisector.unit * (bisector.b * logarithm(ratio) / 2 + curved);
+  return bisector.b * logarithm(ratio) / 2 + curved;
 }
 
 }  // namespace circle_voronoi

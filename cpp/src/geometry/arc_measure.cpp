@@ -13,7 +13,7 @@ namespace {
 /// sinhExcess divided by the ratio, which may be beyond all numbers.
 double sinhExcessShare(double ratio) { return ratio < 1e300 ? sinhExcess(ratio) / ratio : 0.5; }
 
-/// The length from parameter 1 <= from to `to`, in the bisector's unit; a branch is alike on both sides of its apex.
+/// The length from parameter 1 <= from to `to`; a branch is alike on both sides of its apex.
 ///
 /// With Y = sinh t as the variable and m = 1 + (a / b)^2 it is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)),
 /// or with y = Y^2 half of that of (1 + m y) / sqrt(y (1 + y) (1 + m y)): between any limits
@@ -79,7 +79,7 @@ double arcLength(const EdgeCurve& curve) {
   const double span = (to - from) / middle;
   const double straight =
       span * lengthOf({bisector.a * (middle - 1 / middle) / 2, bisector.b * (middle + 1 / middle) / 2});
-  return chord + bisector.unit * std::max(length - straight, 0.0);
+  return chord + std::max(length - straight, 0.0);
 }
 
 // In the frame of the middle of the hyperbola and of conjugate half-diameters along the arc's middle parameter, the
@@ -95,7 +95,7 @@ Moments momentsOverChord(const EdgeCurve& curve, Point reference, double unit) {
   const double sine = (to - from) / to / 2;
   const double shift = 2.0 / 3 * (sine / share * sine) * sine * root;
 
-  const double scale = bisector.unit / unit;
+  const double scale = 1 / unit;
   const double a = std::abs(bisector.a) * scale;
   const double middle = std::sqrt(from) * std::sqrt(to);
   const double along = bisector.apex * scale + a - a * shift * (middle + 1 / middle) / 2;

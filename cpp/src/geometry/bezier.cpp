@@ -21,11 +21,11 @@ double excessOf(double from, double to) {
   return difference / std::sqrt(from) * (difference / std::sqrt(to)) / 2;
 }
 
-/// The largest distance of an arc from its chord, or a bound; as all lengths of a bisector, in its unit. On one side of
-/// the apex the arc turns by less than a right angle, so the distance is largest at the middle parameter, where the
-/// tangent is parallel to the chord: w - 1 times the distance of that tangent from the middle of the hyperbola. An arc
-/// around the apex may be a needle, nearer to the line of its chord than to its chord: what counts there is the way
-/// parallel to the axis, at most w - 1 times |a|.
+/// The largest distance of an arc from its chord, or a bound. On one side of the apex the arc turns by less than a
+/// right angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1
+/// times the distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer
+/// to the line of its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times
+/// |a|.
 double chordError(const Bisector& bisector, double from, double to) {
   if (bisector.a == 0) return 0;
   const double along = excessOf(from, to) * std::abs(bisector.a);
@@ -73,15 +73,14 @@ double farthest(const Bisector& bisector, double from, double to, double toleran
   return good > from ? good : bad;
 }
 
-/// A tolerance in the unit of the bisector, and not below a share of the arc's extent.
+/// A tolerance, and not below a share of the arc's extent.
 double atLeast(double share, const EdgeCurve& curve, double tolerance) {
-  const double unit = curve.bisector.unit;
-  const double chord = lengthOf({curve.end.x - curve.start.x, curve.end.y - curve.start.y}) / unit;
+  const double chord = lengthOf({curve.end.x - curve.start.x, curve.end.y - curve.start.y});
   const double least = share * (chord + chordError(curve.bisector, curve.from, curve.to));
-  return tolerance / unit > least ? tolerance / unit : least;
+  return tolerance > least ? tolerance : least;
 }
 
-/// Whether an arc is nearer to its chord than a tolerance in the unit of the bisector, quickly; not so if that is not
+/// Whether an arc is nearer to its chord than a tolerance, quickly; not so if that is not
 /// plain. The error is at most w - 1 times |a| but for rounding.
 bool isPlainlyStraight(const EdgeCurve& curve, double tolerance) {
   constexpr double kShare = 1 - 0x1p-40;
@@ -94,8 +93,8 @@ Point mix(Point p, Point q, double share) { return {p.x + share * (q.x - p.x), p
 Point control(const Bisector& bisector, double from, double to) {
   const double along = bisector.apex - std::abs(bisector.a) * ((from - 1) / (from + to) * (to - 1));
   const double across = bisector.b * (from / (from + to) * to - 1 / (from + to));
-  return {bisector.origin.x + bisector.unit * (along * bisector.along.x + across * bisector.across.x),
-          bisector.origin.y + bisector.unit * (along * bisector.along.y + across * bisector.across.y)};
+  return {bisector.origin.x + (along * bisector.along.x + across * bisector.across.x),
+          bisector.origin.y + (along * bisector.along.y + across * bisector.across.y)};
 }
 
 RationalBezier rationalBezier(const Bisector& bisector, double from, double to, Point start, Point end) {
@@ -147,7 +146,7 @@ std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance) 
 
 bool isNearChord(const EdgeCurve& curve, double tolerance) {
   // Most arcs are short.
-  if (curve.isStraight() || isPlainlyStraight(curve, tolerance / curve.bisector.unit)) return true;
+  if (curve.isStraight() || isPlainlyStraight(curve, tolerance)) return true;
   return !(chordError(curve.bisector, curve.from, curve.to) > atLeast(kFinestPolyline, curve, tolerance));
 }
 

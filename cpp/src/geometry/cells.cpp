@@ -43,11 +43,11 @@ double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point
   if (diagram.metric == Metric::power) size += c.r + d.r;
   if (size == 0) return -difference;
   const Vector sum = {fromCircle.x + fromOther.x, fromCircle.y + fromOther.y};
-  const double unit = unitFor(largestOf(between(d, c)));
-  const double sumUnit = unitFor(std::max(largestOf(sum), size));
-  const double product = dot(measuredIn(unit, between(d, c)), measuredIn(sumUnit, sum));
-  if (diagram.metric != Metric::power) return product / (size / sumUnit) * unit - difference;
-  return (product - difference / unit * ((c.r + d.r) / sumUnit)) / (size / sumUnit) * unit;
+  // The point may lie anywhere.
+  const double unit = unitFor(std::max(largestOf(sum), size));
+  const double product = dot(between(d, c), measuredIn(unit, sum));
+  if (diagram.metric != Metric::power) return product / (size / unit) - difference;
+  return (product - difference * ((c.r + d.r) / unit)) / (size / unit);
 }
 
 bool contains(const Diagram& diagram, CircleIndex circle, Point p) {

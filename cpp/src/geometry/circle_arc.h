@@ -25,7 +25,7 @@ double arcLength(const CircleArc& arc);
 /// The region between an arc and its chord, as that of an EdgeCurve.
 Moments momentsOverChord(const CircleArc& arc, Point reference, double unit);
 
-/// Returns at least two points that divide an arc evenly and form a polyline within `tolerance` of it. A tolerance
+/// Returns at least two points that divide an arc evenly and form a polyline within `tolerance` of the arc. A tolerance
 /// below 1e-9 of the radius counts as that. The library of files takes it from this one.
 CIRCLE_VORONOI_API std::vector<Point> polyline(const CircleArc& arc, double tolerance);
 

@@ -6,6 +6,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/finder.h"
+#include "circle_voronoi/limits.h"
 #include "clip.h"
 #include "scale.h"
 
@@ -21,8 +22,10 @@ struct Exit {
 
 Exit exitOf(const Diagram& diagram, CircleIndex circle, Point p) {
   const Circle& c = diagram.circles[static_cast<std::size_t>(circle)];
-  Vector direction = {p.x - c.x, p.y - c.y};
-  if (direction.x == 0 && direction.y == 0) direction = {1, 0};
+  // The point may lie anywhere. If it is nearer to the center than the step of all numbers, every direction is right.
+  const Vector toPoint = vectorTo({c.x, c.y}, p);
+  const double size = largestOf(toPoint);
+  const Vector direction = size < kCoordinateStep ? Vector{1, 0} : measuredIn(unitFor(size), toPoint);
   // One side is crossed; which one rounding may leave open where two meet.
   constexpr double kTolerance = 1 + 1e-9;
   double leastMiss = kTolerance;

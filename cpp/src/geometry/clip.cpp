@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "far_view.h"
+#include "parameter_at_distance.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -61,12 +61,12 @@ double reachFrom(Point p, const ConvexPolygon& region) {
 
 CurvePart boundedPart(const EdgeCurve& whole, const ConvexPolygon& region) {
   const double reach = std::max(reachFrom(whole.bisector.left, region), reachFrom(whole.bisector.right, region));
-  CurvePart part = {seenFrom(whole, reach)};
+  CurvePart part = {whole};
   EdgeCurve& curve = part.curve;
   if (curve.isBounded()) return part;
   const auto& bisector = curve.bisector;
   const double apex = std::abs(bisector.apex);
-  const double most = parameterAtDistance(bisector, kFar * std::max(reach / bisector.unit, apex));
+  const double most = parameterAtDistance(bisector, kFar * std::max(reach, apex));
   if (curve.startsAtInfinity()) {
     part.cutFrom = kFarCut;
     curve.from = std::min(1 / most, curve.to);
@@ -157,11 +157,10 @@ std::vector<CurvePart> partsInside(const CurvePart& part, const ConvexPolygon& r
 }
 
 // The distance grows from the apex to both sides: the part is from 1 / s to s.
-std::optional<CurvePart> partNear(const EdgeCurve& whole, double reach) {
-  const EdgeCurve curve = seenFrom(whole, reach);
+std::optional<CurvePart> partNear(const EdgeCurve& curve, double reach) {
   const auto& bisector = curve.bisector;
-  if (!(reach / bisector.unit > bisector.apex)) return std::nullopt;
-  const double most = parameterAtDistance(bisector, reach / bisector.unit);
+  if (!(reach > bisector.apex)) return std::nullopt;
+  const double most = parameterAtDistance(bisector, reach);
   CurvePart part = {curve};
   if (curve.from < 1 / most) {
     part.cutFrom = kCircleCut;
@@ -179,20 +178,12 @@ std::optional<CurvePart> partNear(const EdgeCurve& whole, double reach) {
 
 // With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
 // (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex
-// along). Only the ratios of A, B and k count. The direction is made short, since k is large where the circles are near
-// one another.
+// along). Only the ratios of A, B and k count.
 LineCrossing::LineCrossing(const Bisector& bisector, Point p, Vector direction) {
-  const double largest = largestOf(direction);
-  const Vector along = measuredIn(largest > 0 ? powerOfTwoIn(largest) : 1, direction);
-  const Vector normal = {along.y, -along.x};
-  double a = -std::abs(bisector.a) * dot(normal, bisector.along);
-  double b = bisector.b * dot(normal, bisector.across);
-  double k = dot(normal, measuredIn(bisector.unit, {p.x - bisector.origin.x, p.y - bisector.origin.y})) -
-             bisector.apex * dot(normal, bisector.along);
-  const double unit = unitFor(std::max({std::abs(a), std::abs(b), std::abs(k)}));
-  a /= unit;
-  b /= unit;
-  k /= unit;
+  const Vector normal = {direction.y, -direction.x};
+  const double a = -std::abs(bisector.a) * dot(normal, bisector.along);
+  const double b = bisector.b * dot(normal, bisector.across);
+  const double k = dot(normal, vectorTo(bisector.origin, p)) - bisector.apex * dot(normal, bisector.along);
   growth_ = a + b;
   half_ = a + k;
   decay_ = a - b;

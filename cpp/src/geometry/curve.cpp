@@ -4,22 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "far_view.h"
+#include "parameter_at_distance.h"
 #include "scale.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// Finite parameters stay above this limit, because 0 stands for infinity.
+/// Finite parameters stay above this limit, because 0 stands for infinity. No edge reaches it: vertices lie within
+/// 2^876 of circles (three_touch_disc.h), whose centers are 2^-96 apart, so parameters lie between 2^-974 and 2^974.
 constexpr double kSmallestParameter = 1e-300;
 constexpr double kLargestParameter = 1e300;
 /// Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray.
 constexpr double kSmallestB = 0x1p-50;
-/// Points closer to each other than this fraction of their distance from the viewpoint count as one.
-constexpr double kFinest = 0x1p-900;
-/// The line of equal power may lie beyond all numbers.
-constexpr double kFarthestApex = 1e300;
-
 /// Parameters with a larger quotient belong to two points.
 constexpr double kFarApart = 0x1p10;
 
@@ -33,22 +29,9 @@ double exponentialOf(double sine) {
 /// The parameter s >= 1 at which the distance is apex + c rise, rise = cosh t - 1.
 double parameterAtRise(double rise) { return exponentialOf(std::sqrt(rise) * std::sqrt(rise + 2)); }
 
-double distanceAlongAxis(Point p, Point q) { return largestOf({q.x - p.x, q.y - p.y}); }
-
-/// Moves two circles apart that are too near to each other to be told apart from a distance of `reach`, and returns
-/// whether they were. A straight branch stays where it is.
-bool moveApart(Bisector& bisector, double reach) {
-  const double least = kFinest * reach / (std::abs(bisector.a) + bisector.b);
-  if (!(least > bisector.unit)) return false;
-  const double unit = powerOfTwoIn(least);
-  if (bisector.a == 0) bisector.apex *= bisector.unit / unit;
-  bisector.unit = unit;
-  return true;
-}
-
 /// Returns whether rounding of a point hides on which side of the axis it lies, as far out on a narrow branch.
 bool isSideHidden(const Bisector& bisector, Point p) {
-  const Vector toPoint = measuredIn(bisector.unit, {p.x - bisector.origin.x, p.y - bisector.origin.y});
+  const Vector toPoint = vectorTo(bisector.origin, p);
   return std::abs(dot(toPoint, bisector.across)) <= kRounding * lengthOf(toPoint);
 }
 
@@ -56,7 +39,7 @@ bool isSideHidden(const Bisector& bisector, Point p) {
 void setParameters(EdgeCurve& curve, bool hasStart, bool hasEnd) {
   if (hasStart) curve.from = parameterAt(curve.bisector, curve.start);
   if (hasEnd) curve.to = parameterAt(curve.bisector, curve.end);
-  // Two ends far from each other in the wrong order: one of them is on the other side of the axis.
+  // Two ends far from each other in the wrong order: one end is on the other side of the axis.
   if (curve.from > kFarApart * curve.to) {
     if (curve.to < 1 && isSideHidden(curve.bisector, curve.end)) {
       curve.to = 1 / curve.to;
@@ -75,17 +58,14 @@ Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
   const double difference = isCurved ? left.r - right.r : 0;
   const bool originIsLeft = difference <= 0;
   const Circle& origin = originIsLeft ? left : right;
-  const Vector between = circle_voronoi::between(origin, originIsLeft ? right : left);
-  const double unit = unitFor(largestOf(between));
-  const Vector toOther = measuredIn(unit, between);
+  const Vector toOther = between(origin, originIsLeft ? right : left);
   const double d = length(toOther);
-  const double size = std::abs(difference) / unit;
+  const double size = std::abs(difference);
 
   Bisector result;
-  result.unit = unit;
   result.left = {left.x, left.y};
   result.right = {right.x, right.y};
-  result.a = difference / unit / 2;
+  result.a = difference / 2;
   // Not c^2 - a^2, which cancels for a circle almost inside the other.
   result.b = std::max(std::sqrt(std::max((d - size) * (d + size), 0.0)), d * kSmallestB) / 2;
   result.origin = {origin.x, origin.y};
@@ -93,8 +73,8 @@ Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
   result.across = originIsLeft ? Vector{-result.along.y, result.along.x} : Vector{result.along.y, -result.along.x};
   result.apex = (d - size) / 2;
   if (metric == Metric::power) {
-    const double apex = result.apex + (left.r - right.r) / unit * ((left.r + right.r) / unit / (2 * d));
-    result.apex = std::clamp(apex, -kFarthestApex, kFarthestApex);
+    // Below 2^290: the radii are below 2^97, and the centers 2^-96 apart.
+    result.apex += (left.r - right.r) * ((left.r + right.r) / (2 * d));
   }
   return result;
 }
@@ -102,12 +82,12 @@ Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
 Point pointAt(const Bisector& bisector, double s) {
   const double along = bisector.apex - std::abs(bisector.a) * ((s - 1) / s * (s - 1) / 2);
   const double across = bisector.b * (s - 1 / s) / 2;
-  return {bisector.origin.x + bisector.unit * (along * bisector.along.x + across * bisector.across.x),
-          bisector.origin.y + bisector.unit * (along * bisector.along.y + across * bisector.across.y)};
+  return {bisector.origin.x + (along * bisector.along.x + across * bisector.across.x),
+          bisector.origin.y + (along * bisector.along.y + across * bisector.across.y)};
 }
 
 double parameterAt(const Bisector& bisector, Point p) {
-  const Vector toPoint = measuredIn(bisector.unit, {p.x - bisector.origin.x, p.y - bisector.origin.y});
+  const Vector toPoint = vectorTo(bisector.origin, p);
   const double sine = dot(toPoint, bisector.across) / bisector.b;
   if (bisector.a == 0) return exponentialOf(sine);
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
@@ -138,16 +118,8 @@ EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
     const Vertex& vertex = diagram.vertices[static_cast<std::size_t>(v)];
     return Point{vertex.x, vertex.y};
   };
-  double reach = 0;
-  if (start != kNone) {
-    curve.start = vertexAt(start);
-    reach = distanceAlongAxis(curve.bisector.origin, curve.start);
-  }
-  if (end != kNone) {
-    curve.end = vertexAt(end);
-    reach = std::max(reach, distanceAlongAxis(curve.bisector.origin, curve.end));
-  }
-  moveApart(curve.bisector, reach);
+  if (start != kNone) curve.start = vertexAt(start);
+  if (end != kNone) curve.end = vertexAt(end);
   setParameters(curve, start != kNone, end != kNone);
   return curve;
 }
@@ -155,12 +127,6 @@ EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
 EdgeCurve sideCurve(const Diagram& diagram, SideIndex side) {
   const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
   return side % 2 == 0 ? curve : reversed(curve);
-}
-
-EdgeCurve seenFrom(const EdgeCurve& curve, double reach) {
-  EdgeCurve result = curve;
-  if (moveApart(result.bisector, reach)) setParameters(result, !curve.startsAtInfinity(), !curve.endsAtInfinity());
-  return result;
 }
 
 EdgeCurve reversed(const EdgeCurve& curve) {
@@ -175,17 +141,15 @@ EdgeCurve reversed(const EdgeCurve& curve) {
 }
 
 EdgeCurve segment(Point start, Point end) {
-  const Vector between = {end.x - start.x, end.y - start.y};
+  const Vector chord = vectorTo(start, end);
   EdgeCurve curve;
   Bisector& line = curve.bisector;
-  line.unit = unitFor(largestOf(between));
-  const Vector chord = measuredIn(line.unit, between);
-  const double size = length(chord);
+  const double size = lengthOf(chord);  // vertices may lie far apart (scale.h)
   line.across = {chord.x / size, chord.y / size};
   line.along = {line.across.y, -line.across.x};
   line.b = line.apex = size / 2;
-  const Point middle = {start.x + between.x / 2, start.y + between.y / 2};
-  const double half = lengthOf(between) / 2;
+  const Point middle = {start.x + chord.x / 2, start.y + chord.y / 2};
+  const double half = size / 2;
   line.left = line.origin = {middle.x - half * line.along.x, middle.y - half * line.along.y};
   line.right = {middle.x + half * line.along.x, middle.y + half * line.along.y};
   curve.from = exponentialOf(-1);

@@ -169,18 +169,16 @@ class Search {
       if (std::max(radiusAt(start), radiusAt(end)) <= radius()) continue;
       for (const CurvePart& part : partsInside(boundedPart(edgeCurve(diagram_, e), region_), region_)) {
         const Bisector& bisector = part.curve.bisector;
-        const double r = std::min(circle(left).r, circle(right).r) / bisector.unit;
+        const double r = std::min(circle(left).r, circle(right).r);
         const double a = std::abs(bisector.a);
         const double c = bisector.apex + a;
         for (const Side& side : sides_) {
           const double along = dot(side.inward, bisector.along);
           const double p = c + a * along;
           const double q = bisector.b * dot(side.inward, bisector.across);
-          const double reach = side.depth(bisector.origin) / bisector.unit + r;
+          const double reach = side.depth(bisector.origin) + r;
           const double bend = c * along + a;
-          const double unit = unitFor(std::max({std::abs(reach), std::abs(p), std::abs(q)}));
-          const double discriminant = reach / unit * ((reach + 2 * bend) / unit);
-          for (const double s : rootsOf((p - q) / unit, (reach + bend) / unit, (p + q) / unit, discriminant)) {
+          for (const double s : rootsOf(p - q, reach + bend, p + q, reach * (reach + 2 * bend))) {
             if (s >= part.curve.from * (1 - kRounding) && s <= part.curve.to * (1 + kRounding)) {
               offer(pointAt(bisector, s), left, right);
             }
@@ -199,15 +197,12 @@ class Search {
       const auto& [x, y, r] = circle(index);
       const Vector toFrom = {ridge.from.x - x, ridge.from.y - y};
       const Vector step = {ridge.to.x - ridge.from.x, ridge.to.y - ridge.from.y};
-      const double unit = unitFor(std::max({largestOf(toFrom), largestOf(step), std::abs(r)}));
-      const Vector w = measuredIn(unit, toFrom);
-      const Vector v = measuredIn(unit, step);
-      const double reach = (ridge.depthFrom + r) / unit;
-      const double rise = (ridge.depthTo - ridge.depthFrom) / unit;
-      const double size = length(v);
-      const double distance = length(w);
+      const double reach = ridge.depthFrom + r;
+      const double rise = ridge.depthTo - ridge.depthFrom;
+      const double size = length(step);
+      const double distance = length(toFrom);
       const double growth = (size - rise) * (size + rise);
-      const double half = reach * rise - dot(w, v);
+      const double half = reach * rise - dot(toFrom, step);
       const double decay = (distance - reach) * (distance + reach);
       for (const double u : rootsOf(growth, half, decay, half * half - growth * decay)) {
         if (!(u >= -kRounding && u <= 1 + kRounding)) continue;

@@ -6,7 +6,6 @@
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/queries.h"
 #include "clip.h"
-#include "far_view.h"
 #include "scale.h"
 #include "tangent.h"
 
@@ -98,8 +97,7 @@ std::optional<EmptyDisc> largestEmptyDiscCenteredInHull(const Diagram& diagram) 
     while (!pending.empty()) {
       const SideIndex side = pending.back();
       pending.pop_back();
-      const EdgeCurve whole = sideCurve(diagram, side);
-      const EdgeCurve curve = seenFrom(whole, largestOf(vectorTo(whole.bisector.origin, touch)));
+      const EdgeCurve curve = sideCurve(diagram, side);
       const LineCrossing crossing(curve.bisector, touch, {-normal.y, normal.x});
       std::vector<double> crossings(crossing.parameters().begin(), crossing.parameters().end());
       std::erase_if(crossings, [&](double s) { return s <= curve.from || s >= curve.to; });

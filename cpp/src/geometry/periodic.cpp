@@ -52,9 +52,7 @@ CircleImage PeriodicFinder::find(Point p) const {
   const Diagram& diagram = periodic_->diagram;
   if (periodic_->circleCount == 0) return {kNone, {}};
   const auto& [a, b] = shortest_;
-  const double unit = unitFor(std::max(largestOf(a), largestOf(b)));
-  const Vector toPoint = measuredIn(unit, {p.x - diagram.circles[0].x, p.y - diagram.circles[0].y});
-  const Vector place = ReducedLattice{measuredIn(unit, a), measuredIn(unit, b)}.placeOf(toPoint);
+  const Vector place = ReducedLattice{a, b}.placeOf({p.x - diagram.circles[0].x, p.y - diagram.circles[0].y});
   const Vector steps = {std::floor(place.x + 0.5), std::floor(place.y + 0.5)};
   p = {p.x - steps.x * a.x - steps.y * b.x, p.y - steps.x * a.y - steps.y * b.y};
   std::array<double, 2> shift = {steps.x * ofGiven_[0].x + steps.y * ofGiven_[1].x,

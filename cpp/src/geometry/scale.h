@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lengths from the smallest to the largest double, whose products neither overflow nor vanish.
+// Lengths whose products must not overflow: circles and regions keep the range of numbers (limits.h), but vertices lie
+// up to 2^876 away (three_touch_disc.h), and points that are asked for anywhere.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +18,8 @@ inline constexpr double kFinestPolyline = 1e-9;
 
 inline Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
 
-/// Whether a sum of two products has neither overflown nor lost what counts.
-inline bool isSafe(double product) { return 0x1p-900 < std::abs(product) && std::abs(product) < 0x1p1000; }
+/// Whether a sum of two products has not overflown.
+inline bool isSafe(double product) { return std::abs(product) < 0x1p1000; }
 
 /// The largest power of two up to `size` > 0.
 inline double powerOfTwoIn(double size) {
@@ -29,10 +30,7 @@ inline double powerOfTwoIn(double size) {
 
 /// A unit to measure lengths of about `size` in, so that products of up to four are safe: 1 for most, else a power of
 /// two next to `size`. To divide by it is exact.
-inline double unitFor(double size) {
-  if ((0x1p-200 < size && size < 0x1p200) || !(size > 0) || std::isinf(size)) return 1;
-  return powerOfTwoIn(size);
-}
+inline double unitFor(double size) { return size >= 0x1p200 && size < kInfinite ? powerOfTwoIn(size) : 1; }
 
 inline double largestOf(Vector v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 inline Vector measuredIn(double unit, Vector v) { return unit == 1 ? v : Vector{v.x / unit, v.y / unit}; }

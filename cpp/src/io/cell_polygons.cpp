@@ -28,14 +28,13 @@ bool hasArea(const std::vector<Point>& ring) {
   double length = 0;
   double size = 0;
   for (const Point& p : ring) size = std::max({size, std::abs(p.x), std::abs(p.y)});
-  const double unit = unitFor(size);
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vector p = measuredIn(unit, vectorTo(ring.front(), ring[k]));
-    const Vector q = measuredIn(unit, vectorTo(ring.front(), ring[(k + 1) % ring.size()]));
+    const Vector p = vectorTo(ring.front(), ring[k]);
+    const Vector q = vectorTo(ring.front(), ring[(k + 1) % ring.size()]);
     twice += cross(p, q);
     length += std::abs(q.x - p.x) + std::abs(q.y - p.y);
   }
-  return twice > kRoundingError * (size / unit) * length;
+  return twice > kRoundingError * size * length;
 }
 
 /// Whether a ring neither crosses nor touches itself.

@@ -12,7 +12,7 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 /// An upper bound on what underflow adds to any estimate.
 ///
 /// Numbers are multiples of 2^-96 (limits.h), and rounding keeps multiples. So a product of ten differences is 0 or at
-/// least 2^-960, and a sum of such products is a multiple of 2^-960. A root is as large as what it stands for. Only a
+/// least 2^-960, and a sum of such products is a multiple of 2^-960. A root replaces a product of the same size. Only a
 /// sum of which one term is a root can cancel further, to 2^-53 of its smallest term. The product of two such sums, as
 /// in crossOf, and its error bound are the only numbers that may then underflow, each by at most 2^-1075, and they are
 /// not multiplied again.

@@ -97,8 +97,8 @@ inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d
 ///
 /// Let A and B be the differences from the corner o, C = B - A, <.,.> the cone product, ' negate the third component,
 /// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The center, with
-/// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. Of the two
-/// solutions, the one of the counter-clockwise disc is
+/// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. There are
+/// two solutions. The counter-clockwise disc is
 ///   -sign(k) (g22 (g11 - g12) A' + g11 (g22 - g12) B' + N S) / w,  w = 2 |k|.
 ///
 /// Error: let a = |A|, b = |B|, c = |C| >= a, b in (x, y, s) space, T = a b c, Q = a b T. Differences are right within

@@ -66,7 +66,7 @@ class Predicates {
 
   using Triple = std::array<int, 3>;
 
-  /// Computes the disc of three circles in counter-clockwise order; one of them may be kPointAtInfinity.
+  /// Computes the disc of three circles in counter-clockwise order. One circle may be kPointAtInfinity.
   FaceDisc disc(const Triple& face);
 
   /// Returns the vertex of a face of circles that has this disc, with the same bits as vertexOf.

@@ -15,8 +15,8 @@
 // it: in the form of exact.cpp it needs nothing but tangent lengths.
 //
 // g is 0 or between 2^-192 and 2^196, and D is below 2^295 (homogeneous_disc.h). The norm is below 2^(8 + 196 * 4), and
-// all parts of it are multiples of 2^-768, so that nothing overflows or underflows. Only the cross product of two
-// directions e |D|^2 would be beyond the doubles: it has twelve factors. So directions are divided by a power of two.
+// its terms are multiples of 2^-768, so that nothing overflows or underflows. Only the cross product of two directions
+// e |D|^2 would be beyond the doubles: it has twelve factors. That is why directions are divided by a power of two.
 #include "refined.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Relative operator*(const Relative& a, const Relative& b) {
   return {product(a.number, b.number), (a.error + b.error) * (1 + 0x1p-40) + 9 * u * u};
 }
 
-/// Returns g of two circles, or 1 if one of them is the point at infinity. The error is unknown unless the value alone
+/// Returns g of two circles, or 1 if one is the point at infinity. The error is unknown unless the value alone
 /// is right within 2 u.
 Relative tangentSquareOf(const Circle* a, const Circle* b) {
   if (a == nullptr || b == nullptr) return {};
@@ -91,8 +91,8 @@ struct Axis {
         root(std::sqrt(p.g() * q.g() * square.number.value)),
         size(p.size * q.g() + q.size * p.g()) {}
 
-  /// Directions are divided by this. It changes no bit, as they are not below 2^(-96 * 6 - 53), and the largest is
-  /// below 2^(295 + 2).
+  /// Directions are divided by this. The division changes no bit, because directions lie between 2^(-96 * 6 - 53) and
+  /// 2^(295 + 2).
   double magnitude() const { return powerOfTwoIn(size); }
 
   /// Returns e |D|^2 / magnitude().

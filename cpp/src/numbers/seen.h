@@ -114,7 +114,7 @@ auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
   constexpr int kOneLimb = 61;
   constexpr int kTwoLimbs = 125;
   if (unit.bits() >= kTwoLimbs) {
-    // Numbers are multiples of 2^-96 up to 2^96, those of boxes up to 2^100 (limits.h).
+    // Numbers are multiples of 2^-96 up to 2^96, numbers of boxes up to 2^100 (limits.h).
     return seenAs(differencesFrom<FixedInteger<4>>(o, circles, [&](double value) {
       const OddPart part = unit.in(value);
       return FixedInteger<4>(part.odd, part.exponent);

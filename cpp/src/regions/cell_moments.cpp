@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_moments.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -31,8 +30,6 @@ class Adder {
         diagram_(parts.diagram),
         moments_(diagram_.circles.size()),
         references_(diagram_.circles.size()) {
-    const Box& box = parts.bounds;
-    unit_ = unitFor(std::max(box.maxX - box.minX, box.maxY - box.minY));
     chooseReferences();
     addEdges(visit);
     addArcs(visit);
@@ -44,7 +41,7 @@ class Adder {
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       if (parts_.placeOf(static_cast<std::int32_t>(i)) == Place::outside) moments_[i] = {};
     }
-    return {unit_, std::move(moments_), std::move(references_)};
+    return {std::move(moments_), std::move(references_)};
   }
 
  private:
@@ -70,14 +67,14 @@ class Adder {
     }
   }
 
-  Vector seen(CircleIndex cell, Point p) const { return measuredIn(unit_, vectorTo(references_[at(cell)], p)); }
+  Vector seen(CircleIndex cell, Point p) const { return vectorTo(references_[at(cell)], p); }
 
   Vector seen(CircleIndex cell, const Crossing& crossing) const {
     Point from = parts_.pointOf(crossing.side);
     Point to = parts_.pointOf(parts_.sideAfter(crossing.side));
     if (to.x < from.x || (to.x == from.x && to.y < from.y)) std::swap(from, to);
     const Vector u = seen(cell, from);
-    const Vector along = measuredIn(unit_, vectorTo(from, to));
+    const Vector along = vectorTo(from, to);
     return {u.x + crossing.share * along.x, u.y + crossing.share * along.y};
   }
 
@@ -119,7 +116,7 @@ class Adder {
       return crossing == kNone ? seen(cell, placeOf(diagram_.vertices[at(vertex)]))
                                : seen(cell, parts_.crossings.all[at(crossing)]);
     };
-    const Moments beyond = curve.isStraight() ? Moments() : momentsOverChord(curve, curve.start, unit_);
+    const Moments beyond = curve.isStraight() ? Moments() : momentsOverChord(curve, curve.start);
     for (const CircleIndex cell : {edge.left, edge.right}) {
       const double factor = cell == edge.left ? 1 : -1;
       const Vector start = seenEnd(cell, arc.start, edge.start);
@@ -176,7 +173,6 @@ class Adder {
 
   const Parts& parts_;
   const Diagram& diagram_;
-  double unit_ = 1;
   std::vector<Moments> moments_;
   std::vector<Point> references_;
 };
@@ -187,7 +183,7 @@ Point CellMoments::centroid(std::size_t cell) const {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const auto& [area, x, y] = moments[cell];
   if (!(area > 0)) return {kNaN, kNaN};
-  return {references[cell].x + unit * (x / area), references[cell].y + unit * (y / area)};
+  return {references[cell].x + x / area, references[cell].y + y / area};
 }
 
 CellMoments momentsOf(const ClippedDiagram::Parts& parts, const VisitArc& visit) { return Adder(parts, visit).run(); }

@@ -15,11 +15,10 @@ using VisitArc = std::function<void(const Edge&, const EdgeCurve&)>;
 
 /// The moments of the parts of all cells in a region, each relative to a point of its own.
 struct CellMoments {
-  double unit = 1;  ///< of lengths
   std::vector<Moments> moments;
   std::vector<Point> references;
 
-  double area(std::size_t cell) const { return moments[cell].area * unit * unit; }
+  double area(std::size_t cell) const { return moments[cell].area; }
   /// Returns the center of mass; NaN for a cell without a part.
   Point centroid(std::size_t cell) const;
 };

@@ -41,11 +41,7 @@ struct Line {
     along = vectorTo(from, to);
   }
 
-  double shareOf(Point p) const {
-    const double unit = unitFor(largestOf(along));
-    const Vector direction = measuredIn(unit, along);
-    return dot(measuredIn(unit, vectorTo(from, p)), direction) / dot(direction, direction);
-  }
+  double shareOf(Point p) const { return dot(vectorTo(from, p), along) / dot(along, along); }
 
   Point at(double share) const {
     if (share <= 0) return from;
@@ -67,7 +63,7 @@ struct BranchCrossing {
     const double scale = powerOfTwoIn(largestOf(line.along));
     const Vector direction = measuredIn(scale, line.along);
     const Vector normal = {direction.y, -direction.x};
-    const Vector toLine = measuredIn(bisector.unit, vectorTo(bisector.origin, line.from));
+    const Vector toLine = vectorTo(bisector.origin, line.from);
     const double a = -std::abs(bisector.a) * dot(normal, bisector.along);
     const double b = bisector.b * dot(normal, bisector.across);
     const double k = dot(normal, toLine) - bisector.apex * dot(normal, bisector.along);
@@ -83,7 +79,7 @@ struct BranchCrossing {
     // The height has an error of a rounding of `size`. It grows along the line by at least the ratio of root and size.
     const double size = std::abs(bisector.a) + bisector.b + bisector.apex + std::abs(toLine.x) + std::abs(toLine.y);
     const double steepness = root / size;
-    isCertain = kHeightRounding * size * bisector.unit < kCertainShare * scale * steepness * steepness;
+    isCertain = kHeightRounding * size < kCertainShare * scale * steepness * steepness;
   }
 };
 

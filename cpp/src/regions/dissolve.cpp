@@ -273,11 +273,10 @@ class Noder {
     const Point q = point(s.b);
     const Point u = point(t.a);
     const Point v = point(t.b);
-    const double unit = unitFor(std::max(largestOf(vectorTo(p, q)), largestOf(vectorTo(u, v))));
-    const Vector along = measuredIn(unit, vectorTo(p, q));
-    const Vector across = measuredIn(unit, vectorTo(u, v));
+    const Vector along = vectorTo(p, q);
+    const Vector across = vectorTo(u, v);
     const double slope = cross(along, across);
-    const double share = slope == 0 ? 0.5 : cross(measuredIn(unit, vectorTo(p, u)), across) / slope;
+    const double share = slope == 0 ? 0.5 : cross(vectorTo(p, u), across) / slope;
     const Box first = boxAround(p, q);
     const Box second = boxAround(u, v);
     const auto within = [](double value, double low, double high) {

@@ -38,8 +38,8 @@ bool isBeyondChord(const EdgeCurve& curve, Point p) {
   const auto height = [&](Point q) { return dot(vectorTo(bisector.origin, q), bisector.across); };
   const auto [low, high] = std::minmax({height(curve.start), height(curve.end)});
   if (!(low < height(p) && height(p) < high)) return false;
-  const double toLeft = lengthOf(vectorTo(bisector.left, p)) / bisector.unit;
-  const double toRight = lengthOf(vectorTo(bisector.right, p)) / bisector.unit;
+  const double toLeft = lengthOf(vectorTo(bisector.left, p));
+  const double toRight = lengthOf(vectorTo(bisector.right, p));
   return bisector.a < 0 ? toRight - toLeft > -2 * bisector.a : toLeft - toRight > 2 * bisector.a;
 }
 

@@ -28,19 +28,18 @@ struct Chord {
 std::optional<Chord> chordOf(Point from, Point to, bool hasFrom, bool hasTo, const Circle& disc) {
   Chord chord = {from, to};
   if (hasFrom && hasTo) return chord;
-  const double unit = unitFor(disc.r);
-  const double size = lengthOf(vectorTo(from, to)) / unit;
-  const Vector along = measuredIn(size, measuredIn(unit, vectorTo(from, to)));
-  const Vector toCenter = measuredIn(unit, vectorTo(from, Point{disc.x, disc.y}));
+  const double size = lengthOf(vectorTo(from, to));
+  const Vector along = measuredIn(size, vectorTo(from, to));
+  const Vector toCenter = vectorTo(from, Point{disc.x, disc.y});
   const double foot = dot(along, toCenter);
   const double height = cross(along, toCenter);
-  const double r = disc.r / unit;
+  const double r = disc.r;
   const double half = std::sqrt(std::max((r - std::abs(height)) * (r + std::abs(height)), 0.0));
   const auto isCutAt = [&](double place) { return 0 < place && place < size; };
   // Seen from the center, since the ends may be far away.
   const auto pointAt = [&](double beside) {
     const Vector v = {beside * along.x + height * along.y, beside * along.y - height * along.x};
-    return Point{from.x == to.x ? from.x : disc.x + unit * v.x, from.y == to.y ? from.y : disc.y + unit * v.y};
+    return Point{from.x == to.x ? from.x : disc.x + v.x, from.y == to.y ? from.y : disc.y + v.y};
   };
   if (!hasFrom) {
     if (foot - half >= size) chord.from = to;
@@ -68,7 +67,7 @@ class Rim {
 
   double placeNear(Point p) const {
     const Vector v = vectorTo({disc_.x, disc_.y}, p);
-    return pseudoAngle(measuredIn(unitFor(largestOf(v)), v));
+    return pseudoAngle(v);
   }
   Point at(double place) const {
     const double quarter = std::floor(place);

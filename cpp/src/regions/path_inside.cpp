@@ -13,6 +13,7 @@
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/finder.h"
+#include "circle_voronoi/limits.h"
 #include "circle_voronoi/region_queries.h"
 #include "clip.h"
 #include "guarded.h"
@@ -78,7 +79,7 @@ class PathGraph {
   std::optional<Point> shoot(CircleIndex circle, Point from, double least) {
     const Point center = centerOf(circle);
     const Vector toPoint = vectorTo(center, from);
-    const bool isCenter = toPoint.x == 0 && toPoint.y == 0;
+    const bool isCenter = largestOf(toPoint) < kCoordinateStep;
     const Vector direction = isCenter ? Vector{1, 0} : measuredIn(lengthOf(toPoint), toPoint);
     std::optional<Hit> first;
     double nearest = kInfinite;

@@ -501,18 +501,15 @@ void Region::addSidesIn(std::size_t level, std::size_t run, const Box& box, std:
 }
 
 double Region::area() const {
-  const Box box = bounds();
-  const double unit = unitFor(std::max(box.maxX - box.minX, box.maxY - box.minY));
   CompensatedSum twice;
   for (std::size_t r = 0; r < ringCount(); ++r) {
     const std::size_t begin = at(ringOffsets_[r]);
     const std::size_t end = at(ringOffsets_[r + 1]);
     for (std::size_t k = begin + 1; k + 1 < end; ++k) {
-      twice += cross(measuredIn(unit, vectorTo(points_[begin], points_[k])),
-                     measuredIn(unit, vectorTo(points_[begin], points_[k + 1])));
+      twice += cross(vectorTo(points_[begin], points_[k]), vectorTo(points_[begin], points_[k + 1]));
     }
   }
-  return twice.value() / 2 * unit * unit;
+  return twice.value() / 2;
 }
 
 double Region::perimeter() const {

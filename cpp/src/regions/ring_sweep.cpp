@@ -277,12 +277,10 @@ class Sweep {
     const Point u = startOf(b);
     const Point v = endOf(b);
     if (orientation(p, q, u) * orientation(p, q, v) >= 0 || orientation(u, v, p) * orientation(u, v, q) >= 0) return;
-    const double unit = unitFor(std::max(largestOf(vectorTo(p, q)), largestOf(vectorTo(u, v))));
-    const Vector along = measuredIn(unit, vectorTo(p, q));
-    const Vector across = measuredIn(unit, vectorTo(u, v));
+    const Vector along = vectorTo(p, q);
+    const Vector across = vectorTo(u, v);
     const double slope = cross(along, across);
-    const double share =
-        slope == 0 ? 0.5 : std::clamp(cross(measuredIn(unit, vectorTo(p, u)), across) / slope, 0.0, 1.0);
+    const double share = slope == 0 ? 0.5 : std::clamp(cross(vectorTo(p, u), across) / slope, 0.0, 1.0);
     refuse(a, b, "cross at", {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)});
   }
 

@@ -28,10 +28,10 @@ using exact::Seen;
 using exact::seenFrom;
 using exact::signOf;
 
-/// Generous bounds on rounding, relative to the sizes of the summands.
+/// Generous bounds on rounding, relative to the sizes of the summands. Nothing overflows or underflows: all numbers are
+/// multiples of 2^-96 up to 2^100 (limits.h), at most six are multiplied, and vertices, of which there is one at most
+/// in a product, lie within 2^876.
 constexpr double kSignRounding = 0x1p-48;
-/// Added where products of tiny numbers underflow.
-constexpr double kSignUnderflow = 0x1p-1000;
 /// Vertices are right to 36 bits of the distances from and between their circles (vertexOf), vertices of power diagrams
 /// to 21 bits (radicalCenter).
 constexpr double kVertexRounding = 0x1p-34;
@@ -174,7 +174,7 @@ ShiftedSigns::Comparison ShiftedSigns::compare(CircleIndex own, CircleIndex othe
   const double far = std::sqrt(dot(toOther, toOther));
   const double difference = c.r - d.r;
   const double value = (far - near) + difference;
-  const double error = kSignRounding * (near + far + std::abs(difference)) + kSignUnderflow;
+  const double error = kSignRounding * (near + far + std::abs(difference));
   if (value > error) return {1, (value - error) / 2};
   if (value < -error) return {-1, -1};
   return {-exactLead(c, d, corner), -1};
@@ -185,8 +185,7 @@ ShiftedSigns::Comparison ShiftedSigns::compareStraight(const Circle& c, const Ci
   const Vector across = between(c, d);
   const double square = dot(across, across);
   const double value = square - 2 * dot(p, across) + (weight(c) - weight(d));
-  const double error =
-      kSignRounding * (square + 2 * sizeOf(p) * sizeOf(across) + weight(c) + weight(d)) + kSignUnderflow;
+  const double error = kSignRounding * (square + 2 * sizeOf(p) * sizeOf(across) + weight(c) + weight(d));
   if (value > error) return {1, (value - error) / (2 * std::sqrt(square)) * (1 - kSignRounding)};
   if (value < -error) return {-1, -1};
   const Weighted numbers({corner, centerPointOf(c), centerPointOf(d)}, {weight(c), weight(d)});
@@ -220,14 +219,13 @@ int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) con
     }
     const HomogeneousDisc end = isTarget ? discAtInfinity(own, other) : discAtInfinity(other, own);
     const double value = along.x * end.y - along.y * end.x;
-    const double error =
-        sizeOf(along) * (end.error + kSignRounding * (std::abs(end.x) + std::abs(end.y))) + kSignUnderflow;
+    const double error = sizeOf(along) * (end.error + kSignRounding * (std::abs(end.x) + std::abs(end.y)));
     if (std::abs(value) > error) return signOfNumber(value);
   } else {
     const Vertex& v = diagram_.vertices[static_cast<std::size_t>(vertex)];
     const Vector toVertex = {v.x - line.from.x, v.y - line.from.y};
     const double value = along.x * toVertex.y - along.y * toVertex.x;
-    const double error = sizeOf(along) * (errorOf(vertex) + kSignRounding * sizeOf(toVertex)) + kSignUnderflow;
+    const double error = sizeOf(along) * (errorOf(vertex) + kSignRounding * sizeOf(toVertex));
     if (std::abs(value) > error) return signOfNumber(value);
   }
   const exact::Face face = faceOf(side, isTarget);
@@ -278,8 +276,7 @@ int ShiftedSigns::sideOfApex(SideIndex side, const Line& line) const {
   const double apart = 2 * cross(along, toOwn) + cross(along, across);
   const double value = distance * apart + difference * cross(along, across);
   const double error =
-      4 * kSignRounding * sizeOf(along) * (2 * sizeOf(toOwn) + sizeOf(across)) * (distance + std::abs(difference)) +
-      kSignUnderflow;
+      4 * kSignRounding * sizeOf(along) * (2 * sizeOf(toOwn) + sizeOf(across)) * (distance + std::abs(difference));
   if (std::abs(value) > error) return signOfNumber(value);
   const Circle from = circleAt(line.from, own);
   const Circle to = circleAt(line.to, own);
@@ -313,8 +310,7 @@ int ShiftedSigns::turnFromEnd(SideIndex side, bool isTarget, Point corner) const
     error = errorOf(vertex);
   }
   const double value = cross(toEnd, toCorner);
-  if (std::abs(value) > sizeOf(toCorner) * (error + kSignRounding * sizeOf(toEnd)) + kSignUnderflow)
-    return signOfNumber(value);
+  if (std::abs(value) > sizeOf(toCorner) * (error + kSignRounding * sizeOf(toEnd))) return signOfNumber(value);
   const auto [u, v] = exact::othersOf(faceOf(side, isTarget), &own);
   const Circle p = circleAt(corner, own);
   return seenFrom(own, std::array{u, v, &p}, []<class Number>(const std::array<Seen<Number>, 3>& seen, int) {
@@ -358,13 +354,13 @@ bool ShiftedSigns::crossesTwice(SideIndex side, const Line& line, int center) co
   const double square = dot(along, along);
   const double bound = s * s * square - dot(along, across) * dot(along, across);
   const double whole = square * (s * s + dot(across, across));
-  if (bound < -8 * kSignRounding * whole - kSignUnderflow) return false;
+  if (bound < -8 * kSignRounding * whole) return false;
   const double height = cross(along, {own.x - line.from.x, own.y - line.from.y}) +
                         cross(along, {other.x - line.from.x, other.y - line.from.y});
   const double size = sizeOf(along) * (sizeOf({own.x - line.from.x, own.y - line.from.y}) +
                                        sizeOf({other.x - line.from.x, other.y - line.from.y}));
-  if (height * center < -4 * kSignRounding * size - kSignUnderflow) return false;
-  if (height * height - bound < -8 * kSignRounding * (whole + size * size) - kSignUnderflow) return false;
+  if (height * center < -4 * kSignRounding * size) return false;
+  if (height * height - bound < -8 * kSignRounding * (whole + size * size)) return false;
   const Circle from = circleAt(line.from, own);
   const Circle to = circleAt(line.to, own);
   return seenFrom(from, std::array<const Circle*, 3>{&own, &other, &to}, [&](const auto& seen, int) {

@@ -50,9 +50,6 @@ struct BoxOfCircles {
 /// r - u . center >= c.r - u . c.center for any unit vector u. With the direction in which the circles grow, this
 /// decides where a box does not: if most circles almost hide one another, as circles do that touch one common circle.
 class Slope {
-  /// An upper bound on the loss of the products of a reach to underflow.
-  static constexpr double kUnderflow = 0x1p-1070;
-
  public:
   Slope() = default;
 
@@ -69,7 +66,7 @@ class Slope {
   /// Returns whether one of the circles may contain c. The result is false only if none does, rounding included.
   bool mayHide(const Circle& c) const {
     const double size = std::abs(c.r) + std::abs(c.x - origin_.x) + std::abs(c.y - origin_.y) + std::abs(most_);
-    return reach(c) <= most_ + (1e-14 * size + kUnderflow);
+    return reach(c) <= most_ + 1e-14 * size;
   }
 
  private:

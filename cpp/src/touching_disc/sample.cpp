@@ -12,8 +12,6 @@ namespace circle_voronoi {
 namespace {
 
 Vector unit(Vector v) {
-  // The squares of very short vectors would underflow.
-  if (std::max(std::abs(v.x), std::abs(v.y)) < 0x1p-400) v = {v.x * 0x1p600, v.y * 0x1p600};
   const double size = length(v);
   return {v.x / size, v.y / size};
 }

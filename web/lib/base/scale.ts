@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arithmetic with lengths of any size, whose products neither overflow nor underflow.
+// Arithmetic with lengths whose products may overflow. Circles and regions keep the range of numbers
+// (coordinate-limits.ts), but vertices lie up to 2^876 away, and a query may take any point.
 import { cross, dot, length } from './point.ts'
 import type { Vector } from './types.ts'
 
@@ -8,15 +9,13 @@ export const ROUNDING = 2 ** -40
 
 const view = new DataView(new ArrayBuffer(8))
 
-/** Whether a sum of two products has neither overflowed nor lost significant digits. */
+/** Whether a sum of two products has not overflowed. */
 function isSafe(product: number): boolean {
-  const size = Math.abs(product)
-  return 2 ** -900 < size && size < 2 ** 1000
+  return Math.abs(product) < 2 ** 1000
 }
 
 /** Returns the largest power of two that is not above `size` > 0. */
 export function powerOfTwoIn(size: number): number {
-  if (size < 2 ** -1022) return powerOfTwoIn(size * 2 ** 100) * 2 ** -100
   view.setFloat64(0, size)
   view.setUint32(0, view.getUint32(0) & 0x7ff00000)
   view.setUint32(4, 0)
@@ -28,8 +27,7 @@ export function powerOfTwoIn(size: number): number {
  * sizes, otherwise a power of two near `size`, so division by it is exact.
  */
 export function unitFor(size: number): number {
-  const isSafe = 2 ** -200 < size && size < 2 ** 200
-  return isSafe || !(size > 0 && size < Number.POSITIVE_INFINITY) ? 1 : powerOfTwoIn(size)
+  return size >= 2 ** 200 && size < Number.POSITIVE_INFINITY ? powerOfTwoIn(size) : 1
 }
 
 export function largestOf({ x, y }: Vector): number {

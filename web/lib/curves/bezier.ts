@@ -126,7 +126,7 @@ export function traceArc(
 export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: BoundedCurve, tolerance: number): void {
   const { bisector, to: last } = curve
   let { from, start } = curve
-  if (isNearlyStraight(bisector.a, from, last, tolerance / bisector.unit)) {
+  if (isNearlyStraight(bisector.a, from, last, tolerance)) {
     sink.lineTo(curve.end.x, curve.end.y)
     return
   }
@@ -186,7 +186,7 @@ export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
 /** Does what `polyline` does, for arguments that have been checked. */
 export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, from: first, to, start, end } = curve
-  if (isNearlyStraight(bisector.a, first, to, tolerance / bisector.unit)) return [start, end]
+  if (isNearlyStraight(bisector.a, first, to, tolerance)) return [start, end]
   const limit = effectiveTolerance(1e-9, curve, chordError(bisector.a, bisector.b, first, to), tolerance)
   const points = [start]
   let from = farthest(bisector, first, to, limit, chordError)
@@ -212,11 +212,11 @@ function excessOf(from: number, to: number): number {
 }
 
 /**
- * Returns the largest distance of an arc from its chord, or an upper bound, in the unit of the bisector. On one side of
- * the apex the arc turns by less than a right angle, so the distance is largest at the middle parameter, where the
- * tangent is parallel to the chord: w - 1 times the distance of that tangent from the middle of the hyperbola. An arc
- * around the apex may be a needle, nearer to the line of its chord than to the chord itself. Its bound is the distance
- * parallel to the axis, at most w - 1 times |a|.
+ * Returns the largest distance of an arc from its chord, or an upper bound. On one side of the apex the arc turns by
+ * less than a right angle, so the distance is largest at the middle parameter, where the tangent is parallel to the
+ * chord: w - 1 times the distance of that tangent from the middle of the hyperbola. An arc around the apex may be a
+ * needle, nearer to the line of its chord than to the chord itself. Its bound is the distance parallel to the axis, at
+ * most w - 1 times |a|.
  */
 function chordError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   if (a === 0) return 0
@@ -283,19 +283,10 @@ function farthest(
   return good > from ? good : bad
 }
 
-/**
- * Returns a tolerance in the unit of the bisector, not below a share of the arc's extent. `error` is the error of the
- * chord.
- */
-function effectiveTolerance(
-  share: number,
-  { bisector, start, end }: BoundedCurve,
-  error: number,
-  tolerance: number,
-): number {
-  const { unit } = bisector
-  const least = share * (hypotenuse(end.x - start.x, end.y - start.y) / unit + error)
-  return tolerance / unit > least ? tolerance / unit : least
+/** Returns a tolerance that is not below a share of the arc's extent. `error` is the error of the chord. */
+function effectiveTolerance(share: number, { start, end }: BoundedCurve, error: number, tolerance: number): number {
+  const least = share * (hypotenuse(end.x - start.x, end.y - start.y) + error)
+  return tolerance > least ? tolerance : least
 }
 
 function mix(p: Point, q: Point, share: number): Point {

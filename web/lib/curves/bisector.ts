@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkCircles, checkIndex, checkNumber, checkThing, refuseInput, shown } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
-import { hypotenuse, powerOfTwoIn, unitFor } from '../base/scale.ts'
+import { hypotenuse } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { METRICS, type Metric } from '../base/types.ts'
 
@@ -16,9 +16,6 @@ import { METRICS, type Metric } from '../base/types.ts'
  * usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ between
  * platforms. For equal radii, and for the other metrics, a is 0 and the branch is a straight line.
  *
- * a, b and apex are measured in `unit`, which is 1 unless products of lengths would overflow or underflow. So the
- * curves of all circles that `compute` accepts are correct up to rounding.
- *
  * Multiplying s by a number is an affine map of the branch onto itself. So the shape of an arc depends only on the
  * ratio of the parameters at its ends.
  *
@@ -29,14 +26,9 @@ export interface Bisector {
   readonly left: Point
   /** The center of the right circle, one of the two foci. */
   readonly right: Point
-  /** The unit of length in which `a`, `b` and `apex` are measured: 1 or a power of two. */
-  readonly unit: number
-  /** Half the difference of the radii, (r_left - r_right) / 2; 0 for a straight bisector. In `unit`. */
+  /** Half the difference of the radii, (r_left - r_right) / 2; 0 for a straight bisector. */
   readonly a: number
-  /**
-   * The other half-axis of the hyperbola, above 0: a^2 + b^2 = c^2, where c is half the distance of the centers. In
-   * `unit`.
-   */
+  /** The other half-axis of the hyperbola, above 0: a^2 + b^2 = c^2, where c is half the distance of the centers. */
   readonly b: number
   /** The center of the smaller circle, or of the left circle if the radii are equal. */
   readonly origin: Point
@@ -45,13 +37,16 @@ export interface Bisector {
   /** Unit vector at right angles to `along`, with the left circle on its left. */
   readonly across: Vector
   /**
-   * The distance c - |a| from the origin to the apex, in `unit`. For the metric `power` it is where the radical axis
-   * crosses the line of centers, and may be negative.
+   * The distance c - |a| from the origin to the apex. For the metric `power` it is where the radical axis crosses the
+   * line of centers, and may be negative.
    */
   readonly apex: number
 }
 
-/** The smallest parameter of a finite point: 0 and infinity are reserved for ends at infinity. */
+/**
+ * The smallest parameter of a finite point: 0 and infinity are reserved for ends at infinity. No edge reaches it. Vertices
+ * lie within 2^876 of circles whose centers are 2^-96 apart, so parameters lie between 2^-974 and 2^974.
+ */
 const SMALLEST_PARAMETER = 1e-300
 const LARGEST_PARAMETER = 1e300
 /**
@@ -59,10 +54,6 @@ const LARGEST_PARAMETER = 1e300
  * the branch is a folded ray.
  */
 const SMALLEST_B = 2 ** -50
-/** Points closer to each other than this fraction of their distance from the viewpoint count as one. */
-const FINEST = 2 ** -900
-/** The largest apex, because the line of equal power may lie farther away than any number. */
-const FARTHEST_APEX = 1e300
 
 /**
  * Returns the bisector of two circles that both have cells. `circles` has x, y, r of each circle.
@@ -99,7 +90,7 @@ export type Mutable<T> = { -readonly [Key in keyof T]: T[Key] extends Point ? { 
 export function blankBisector(): Mutable<Bisector> {
   const point = () => ({ x: 0.5, y: 0.5 })
   const left = point()
-  return { left, right: point(), unit: 1, a: 0.5, b: 0.5, origin: left, along: point(), across: point(), apex: 0.5 }
+  return { left, right: point(), a: 0.5, b: 0.5, origin: left, along: point(), across: point(), apex: 0.5 }
 }
 
 /** Sets `target` to the bisector of two circles and returns it. */
@@ -119,15 +110,13 @@ export function measureBisector(
   const originIsLeft = metric !== 'circles' || leftRadius <= rightRadius
   const origin = originIsLeft ? target.left : target.right
   const other = originIsLeft ? target.right : target.left
-  const unit = unitFor(Math.max(Math.abs(other.x - origin.x), Math.abs(other.y - origin.y)))
-  const x = (other.x - origin.x) / unit
-  const y = (other.y - origin.y) / unit
+  const x = other.x - origin.x
+  const y = other.y - origin.y
   const d = Math.sqrt(x * x + y * y)
-  const difference = metric === 'circles' ? (leftRadius - rightRadius) / unit : 0
+  const difference = metric === 'circles' ? leftRadius - rightRadius : 0
   const size = Math.abs(difference)
-  const shift =
-    metric === 'power' ? ((leftRadius - rightRadius) / unit) * ((leftRadius + rightRadius) / unit / (2 * d)) : 0
-  target.unit = unit
+  // Below 2^290: the radii are below 2^97, and the centers 2^-96 apart.
+  const shift = metric === 'power' ? (leftRadius - rightRadius) * ((leftRadius + rightRadius) / (2 * d)) : 0
   target.a = difference / 2
   // The product avoids c^2 - a^2, which cancels if one circle is almost inside the other.
   target.b = Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2
@@ -136,7 +125,7 @@ export function measureBisector(
   target.along.y = y / d
   target.across.x = originIsLeft ? -target.along.y : target.along.y
   target.across.y = originIsLeft ? target.along.x : -target.along.x
-  target.apex = Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX)
+  target.apex = (d - size) / 2 + shift
   return target
 }
 
@@ -163,9 +152,9 @@ export function pointOf(bisector: Bisector, s: number): Point {
   return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
 }
 
-/** Returns the point at u along and v across from the origin, in the bisector's unit. */
-export function inPlane({ origin, unit, along, across }: Bisector, u: number, v: number): Point {
-  return { x: origin.x + unit * (u * along.x + v * across.x), y: origin.y + unit * (u * along.y + v * across.y) }
+/** Returns the point at u along and v across from the origin. */
+export function inPlane({ origin, along, across }: Bisector, u: number, v: number): Point {
+  return { x: origin.x + (u * along.x + v * across.x), y: origin.y + (u * along.y + v * across.y) }
 }
 
 /**
@@ -186,9 +175,9 @@ export function parameterAt(bisector: Bisector, x: number, y: number): number {
 
 /** Does what `parameterAt` does, for arguments that have been checked. */
 export function parameterOf(bisector: Bisector, x: number, y: number): number {
-  const { origin, unit, across, apex, a, b } = bisector
-  const dx = (x - origin.x) / unit
-  const dy = (y - origin.y) / unit
+  const { origin, across, apex, a, b } = bisector
+  const dx = x - origin.x
+  const dy = y - origin.y
   const sine = (dx * across.x + dy * across.y) / b
   if (a === 0) return exponentialOf(sine)
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both determine t. Rounding matters less in the
@@ -208,25 +197,13 @@ function parameterAtRise(rise: number): number {
 }
 
 /**
- * Returns the parameter s >= 1 at which a branch has a distance from its origin, in its unit. The distance is at least
- * that of the apex. It is apex + c (cosh t - 1) for a hyperbola, and the hypotenuse of apex and b sinh t for a line.
+ * Returns the parameter s >= 1 at which a branch has a distance from its origin, at least that of the apex. The distance
+ * is apex + c (cosh t - 1) for a hyperbola, and the hypotenuse of apex and b sinh t for a line.
  */
 export function parameterAtDistance(bisector: Bisector, distance: number): number {
   const apex = Math.abs(bisector.apex)
   if (bisector.a !== 0) return parameterAtRise((distance - apex) / (apex + Math.abs(bisector.a)))
   return exponentialOf(Math.sqrt(distance - apex) * (Math.sqrt(distance + apex) / bisector.b))
-}
-
-/**
- * Returns the bisector for drawing points up to `reach` away from its origin. If its centers cannot be distinguished
- * from that distance, they are moved apart; a straight branch keeps its place. Most bisectors are returned unchanged.
- */
-export function movedApart(bisector: Bisector, reach: number): Bisector {
-  const { a, b, apex } = bisector
-  const least = (FINEST * reach) / (Math.abs(a) + b)
-  if (!(least > bisector.unit)) return bisector
-  const unit = powerOfTwoIn(least)
-  return { ...bisector, unit, apex: a === 0 ? apex * (bisector.unit / unit) : apex }
 }
 
 /** e^t for t = arsinh(sine). */

@@ -2,18 +2,10 @@
 
 import { checkData, checkIndex } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
-import { between, dot, length } from '../base/point.ts'
-import { largestOf, lengthOf, measuredIn, ROUNDING, unitFor } from '../base/scale.ts'
+import { between, dot } from '../base/point.ts'
+import { lengthOf, ROUNDING } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
-import {
-  type Bisector,
-  blankBisector,
-  exponentialOf,
-  type Mutable,
-  measureBisector,
-  movedApart,
-  parameterOf,
-} from './bisector.ts'
+import { type Bisector, blankBisector, exponentialOf, type Mutable, measureBisector, parameterOf } from './bisector.ts'
 
 /**
  * An arc of a bisector, from parameter `from` to parameter `to` >= `from`. An end at infinity has the parameter 0 or
@@ -55,9 +47,7 @@ export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
 }
 
 /**
- * Returns the curve of edge `edge` of a diagram. If the edge ends more than 2^900 times as far away as the distance of
- * its two centers, the centers are moved apart to 2^-900 of that distance. This change is invisible from there, and it
- * keeps parameters in the range of numbers.
+ * Returns the curve of edge `edge` of a diagram.
  *
  * @throws CircleVoronoiError `badInput`, if there is no such edge
  *
@@ -82,8 +72,7 @@ export function curveOf(
   const start = placed(room.start, vertices, at(edges, 4 * edge + 2))
   const end = placed(room.end, vertices, at(edges, 4 * edge + 3))
   const whole = measureBisector(room.bisector, circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
-  const reach = Math.max(reachOf(whole.origin, start), reachOf(whole.origin, end))
-  return arcBetween(movedApart(whole, reach), start, end)
+  return arcBetween(whole, start, end)
 }
 
 function roomForCurve() {
@@ -122,17 +111,12 @@ export function returnCurve(): void {
   borrowers -= 1
 }
 
-/** Returns the larger coordinate difference of an end from the origin; 0 at infinity. */
-function reachOf(origin: Point, end: Point | undefined): number {
-  return end === undefined ? 0 : Math.max(Math.abs(end.x - origin.x), Math.abs(end.y - origin.y))
-}
-
 /** Parameters with a larger quotient belong to different points. */
 const FAR_APART = 2 ** 10
 
 /** Returns whether rounding hides on which side of the axis a point lies, for example far out on a narrow branch. */
-function isSideHidden({ origin, unit, across }: Bisector, { x, y }: Point): boolean {
-  const toPoint = { x: (x - origin.x) / unit, y: (y - origin.y) / unit }
+function isSideHidden({ origin, across }: Bisector, p: Point): boolean {
+  const toPoint = between(origin, p)
   return Math.abs(dot(toPoint, across)) <= ROUNDING * lengthOf(toPoint)
 }
 
@@ -150,23 +134,16 @@ function arcBetween(curve: Bisector, start: Point | undefined, end: Point | unde
   return { bisector: curve, from, to, start, end }
 }
 
-/** Returns a curve for drawing points up to `reach` away from its origin (`movedApart`). */
-export function seenFrom(curve: EdgeCurve, reach: number): EdgeCurve {
-  const bisector = movedApart(curve.bisector, reach)
-  return bisector === curve.bisector ? curve : arcBetween(bisector, curve.start, curve.end)
-}
-
 /** Returns the arc in the opposite direction, with left and right exchanged. */
 export function reversed(curve: BoundedCurve): BoundedCurve
 export function reversed(curve: EdgeCurve): EdgeCurve
 export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCurve {
-  const { left, right, unit, a, b, origin, along, across, apex } = bisector
+  const { left, right, a, b, origin, along, across, apex } = bisector
   return {
     // A spread would take longer.
     bisector: {
       left: right,
       right: left,
-      unit,
       a: -a,
       b,
       origin,
@@ -185,17 +162,16 @@ export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCur
 /** Returns the straight segment between two different points. */
 export function segment(start: Point, end: Point): BoundedCurve {
   const chord = between(start, end)
-  const unit = unitFor(largestOf(chord))
-  const { x, y } = measuredIn(unit, chord)
-  const size = length({ x, y })
-  const across = { x: x / size, y: y / size }
+  // Vertices may lie far apart (scale.ts).
+  const size = lengthOf(chord)
+  const across = { x: chord.x / size, y: chord.y / size }
   const along = { x: across.y, y: -across.x }
-  const half = lengthOf(chord) / 2
+  const half = size / 2
   const middle = { x: start.x + chord.x / 2, y: start.y + chord.y / 2 }
   const left = { x: middle.x - half * along.x, y: middle.y - half * along.y }
   const right = { x: middle.x + half * along.x, y: middle.y + half * along.y }
   return {
-    bisector: { left, right, unit, a: 0, b: size / 2, origin: left, along, across, apex: size / 2 },
+    bisector: { left, right, a: 0, b: size / 2, origin: left, along, across, apex: size / 2 },
     from: exponentialOf(-1),
     to: exponentialOf(1),
     start,

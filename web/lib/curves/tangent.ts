@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { between, length } from '../base/point.ts'
-import { largestOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { Circle, Point, Vector } from '../base/types.ts'
 
 /**
@@ -9,10 +8,9 @@ import type { Circle, Point, Vector } from '../base/types.ts'
  * to j and has both circles on its left: n . c_i + r_i = n . c_j + r_j. Neither circle contains the other.
  */
 export function tangentNormal(i: Circle, j: Circle): Vector {
-  const unit = unitFor(largestOf(between(i, j)))
-  const v = measuredIn(unit, between(i, j))
+  const v = between(i, j)
   const d = length(v)
-  const difference = (i.r - j.r) / unit
+  const difference = i.r - j.r
   const along = difference / d
   const across = Math.sqrt(Math.max((d - difference) * (d + difference), 0)) / d
   return { x: (v.x * along + v.y * across) / d, y: (v.y * along - v.x * across) / d }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric, checkOptionNames, checkPoint, refuseInput } from '../base/check.ts'
+import { COORDINATE_STEP } from '../base/coordinate-limits.ts'
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
 import { between } from '../base/point.ts'
-import { facing } from '../base/scale.ts'
+import { facing, largestOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, curveOf, type EdgeCurve } from '../curves/curve.ts'
@@ -125,8 +126,10 @@ interface Exit {
 /** Returns the exit of the ray through p, or `undefined` if the ray never leaves the cell. */
 function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
   const c = circleOf(diagram.circles, circle)
+  // The point may lie anywhere. If it is nearer to the center than the step of all numbers, every direction is right.
   const toPoint = between(c, p)
-  const direction = toPoint.x === 0 && toPoint.y === 0 ? { x: 1, y: 0 } : toPoint
+  const size = largestOf(toPoint)
+  const direction = size < COORDINATE_STEP ? { x: 1, y: 0 } : measuredIn(unitFor(size), toPoint)
   // The ray crosses one side. Near a vertex, rounding may hide which side.
   let leastMiss = 1 + 1e-9
   let exit: Exit | undefined

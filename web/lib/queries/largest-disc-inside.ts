@@ -4,7 +4,7 @@ import { checkDiagram, checkMetric, checkOptionNames } from '../base/check.ts'
 import { at, circleOf, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
-import { largestOf, lengthOf, measuredIn, ROUNDING, turn, unitFor } from '../base/scale.ts'
+import { lengthOf, ROUNDING, turn } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
 import { curveOf } from '../curves/curve.ts'
@@ -185,11 +185,9 @@ function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sid
       const along = dot(side.inward, bisector.along)
       const p = c + a * along
       const q = bisector.b * dot(side.inward, bisector.across)
-      const reach = depth(side, bisector.origin) / bisector.unit + radius / bisector.unit
+      const reach = depth(side, bisector.origin) + radius
       const bend = c * along + a
-      const unit = unitFor(Math.max(Math.abs(reach), Math.abs(p), Math.abs(q)))
-      const discriminant = (reach / unit) * ((reach + 2 * bend) / unit)
-      return rootsOf((p - q) / unit, (reach + bend) / unit, (p + q) / unit, discriminant)
+      return rootsOf(p - q, reach + bend, p + q, reach * (reach + 2 * bend))
         .filter((s) => s >= from * (1 - ROUNDING) && s <= to * (1 + ROUNDING))
         .map((s) => pointOf(bisector, s))
     }),
@@ -201,14 +199,11 @@ function placesAlongRidge({ circles }: Diagram, circle: number, { from, to, dept
   const c = circleOf(circles, circle)
   const toFrom = between(c, from)
   const step = between(from, to)
-  const unit = unitFor(Math.max(largestOf(toFrom), largestOf(step), Math.abs(c.r)))
-  const w = measuredIn(unit, toFrom)
-  const v = measuredIn(unit, step)
-  const reach = (depthFrom + c.r) / unit
-  const rise = (depthTo - depthFrom) / unit
-  const growth = (length(v) - rise) * (length(v) + rise)
-  const half = reach * rise - dot(w, v)
-  const decay = (length(w) - reach) * (length(w) + reach)
+  const reach = depthFrom + c.r
+  const rise = depthTo - depthFrom
+  const growth = (length(step) - rise) * (length(step) + rise)
+  const half = reach * rise - dot(toFrom, step)
+  const decay = (length(toFrom) - reach) * (length(toFrom) + reach)
   return rootsOf(growth, half, decay, half * half - growth * decay)
     .filter((u) => u >= -ROUNDING && u <= 1 + ROUNDING)
     .map((u) => Math.min(Math.max(u, 0), 1))

@@ -4,10 +4,9 @@ import { checkDiagram, checkMetric, checkNoOptions, checkOptionNames } from '../
 import { at, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
-import { largestOf } from '../base/scale.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { curveOf, seenFrom } from '../curves/curve.ts'
+import { curveOf } from '../curves/curve.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { boundedPart, LineCrossing, partsInside } from '../regions/clip.ts'
@@ -118,8 +117,7 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram, ...others: read
     largest.offerTouch(touch, growth, i)
     const pending = [top]
     for (let side = pending.pop(); side !== undefined; side = pending.pop()) {
-      const whole = cells.curveOf(side)
-      const { bisector, from, to } = seenFrom(whole, largestOf(between(whole.bisector.origin, touch)))
+      const { bisector, from, to } = cells.curveOf(side)
       const line = new LineCrossing(bisector, touch, { x: -normal.y, y: normal.x })
       const crossings = line.parameters.filter((s) => from < s && s < to)
       const target = cells.targetOf(side)

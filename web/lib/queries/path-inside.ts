@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { COORDINATE_STEP } from '../base/coordinate-limits.ts'
 import { circleOf, NONE } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
 import { between, cross, dot } from '../base/point.ts'
-import { facing, lengthOf, measuredIn, turn } from '../base/scale.ts'
+import { facing, largestOf, lengthOf, measuredIn, turn } from '../base/scale.ts'
 import type { Circle, Point, Vector } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, reversed, segment } from '../curves/curve.ts'
@@ -132,7 +133,7 @@ class Graph {
   shoot(circle: number, from: Point, least: number): Hit | undefined {
     const center = circleOf(this.#diagram.circles, circle)
     const toPoint = between(center, from)
-    const isCenter = toPoint.x === 0 && toPoint.y === 0
+    const isCenter = largestOf(toPoint) < COORDINATE_STEP
     const direction = isCenter ? { x: 1, y: 0 } : measuredIn(lengthOf(toPoint), toPoint)
     let first: Hit | undefined
     let nearest = Infinity

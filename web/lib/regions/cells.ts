@@ -158,11 +158,11 @@ export class Cells {
     if (size === 0) return -difference
     const sumX = x - cx + (x - dx)
     const sumY = y - cy + (y - dy)
-    const unit = unitFor(Math.max(Math.abs(cx - dx), Math.abs(cy - dy)))
-    const sumUnit = unitFor(Math.max(Math.abs(sumX), Math.abs(sumY), size))
-    const product = ((cx - dx) / unit) * (sumX / sumUnit) + ((cy - dy) / unit) * (sumY / sumUnit)
-    if (metric !== 'power') return (product / (size / sumUnit)) * unit - difference
-    return ((product - (difference / unit) * ((cr + dr) / sumUnit)) / (size / sumUnit)) * unit
+    // The point may lie anywhere.
+    const unit = unitFor(Math.max(Math.abs(sumX), Math.abs(sumY), size))
+    const product = (cx - dx) * (sumX / unit) + (cy - dy) * (sumY / unit)
+    if (metric !== 'power') return product / (size / unit) - difference
+    return (product - difference * ((cr + dr) / unit)) / (size / unit)
   }
 
   /**

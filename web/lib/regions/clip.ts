@@ -3,10 +3,10 @@
 import { checkThing } from '../base/check.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { between, cross, dot } from '../base/point.ts'
-import { largestOf, measuredIn, powerOfTwoIn, turn, unitFor } from '../base/scale.ts'
+import { largestOf, measuredIn, powerOfTwoIn, turn } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { type Bisector, parameterAtDistance, pointOf } from '../curves/bisector.ts'
-import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from '../curves/curve.ts'
+import { type BoundedCurve, type EdgeCurve, isBoundedCurve } from '../curves/curve.ts'
 import { boundsOf, type ConvexBoundsOptions, type ConvexPolygon } from './convex-polygon.ts'
 
 /** Stands for a side of a polygon: the end lies on the circle that cuts a cell at the maximum distance. */
@@ -110,11 +110,10 @@ export function clipCurve(curve: EdgeCurve, options: ConvexBoundsOptions): Bound
 /** Returns a curve whose ends at infinity are moved to points far outside the bounds, where clipping removes them. */
 export function boundedPart(whole: EdgeCurve, bounds: ConvexPolygon): Part {
   const reach = Math.max(bounds.reachFrom(whole.bisector.left), bounds.reachFrom(whole.bisector.right))
-  const curve = seenFrom(whole, reach)
-  if (isBoundedCurve(curve)) return { curve, cutFrom: NONE, cutTo: NONE }
-  const { bisector } = curve
-  const most = parameterAtDistance(bisector, FAR * Math.max(reach / bisector.unit, Math.abs(bisector.apex)))
-  let { from, to, start, end } = curve
+  if (isBoundedCurve(whole)) return { curve: whole, cutFrom: NONE, cutTo: NONE }
+  const { bisector } = whole
+  const most = parameterAtDistance(bisector, FAR * Math.max(reach, Math.abs(bisector.apex)))
+  let { from, to, start, end } = whole
   if (start === undefined) {
     from = Math.min(1 / most, to)
     start = from === to ? (end as Point) : pointOf(bisector, from)
@@ -125,8 +124,8 @@ export function boundedPart(whole: EdgeCurve, bounds: ConvexPolygon): Part {
   }
   return {
     curve: { bisector, from, to, start, end },
-    cutFrom: curve.start === undefined ? FAR_CUT : NONE,
-    cutTo: curve.end === undefined ? FAR_CUT : NONE,
+    cutFrom: whole.start === undefined ? FAR_CUT : NONE,
+    cutTo: whole.end === undefined ? FAR_CUT : NONE,
   }
 }
 
@@ -190,11 +189,10 @@ export function partsInside(part: Part, bounds: ConvexPolygon): Part[] {
  * Returns the bounded part of a curve whose points are at most `reach` from the center of the smaller circle;
  * `undefined` if no point is. The distance grows from the apex to both sides, so the part is from 1 / s to s.
  */
-export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
-  const curve = seenFrom(whole, reach)
+export function partNear(curve: EdgeCurve, reach: number): Part | undefined {
   const { bisector } = curve
-  if (!(reach / bisector.unit > bisector.apex)) return undefined
-  const most = parameterAtDistance(bisector, reach / bisector.unit)
+  if (!(reach > bisector.apex)) return undefined
+  const most = parameterAtDistance(bisector, reach)
   const isCutFrom = curve.from < 1 / most
   const isCutTo = curve.to > most
   const from = isCutFrom ? 1 / most : curve.from
@@ -226,18 +224,10 @@ export class LineCrossing {
   readonly #decay: number
 
   constructor(bisector: Bisector, p: Point, direction: Vector) {
-    // The normal is short, because k is large if the circles are near each other.
-    const largest = largestOf(direction)
-    const along = measuredIn(largest > 0 ? powerOfTwoIn(largest) : 1, direction)
-    const normal = { x: along.y, y: -along.x }
-    let a = -Math.abs(bisector.a) * dot(normal, bisector.along)
-    let b = bisector.b * dot(normal, bisector.across)
-    const toPoint = measuredIn(bisector.unit, between(bisector.origin, p))
-    let k = dot(normal, toPoint) - bisector.apex * dot(normal, bisector.along)
-    const unit = unitFor(Math.max(Math.abs(a), Math.abs(b), Math.abs(k)))
-    a /= unit
-    b /= unit
-    k /= unit
+    const normal = { x: direction.y, y: -direction.x }
+    const a = -Math.abs(bisector.a) * dot(normal, bisector.along)
+    const b = bisector.b * dot(normal, bisector.across)
+    const k = dot(normal, between(bisector.origin, p)) - bisector.apex * dot(normal, bisector.along)
     const half = a + k
     this.#growth = a + b
     this.#decay = a - b

@@ -173,7 +173,7 @@ export function lengthOfPiece(piece: OutlinePiece): number {
  * duplication with a few dozen square roots.
  */
 export function curveLength({ bisector, from, to, start, end }: BoundedCurve): number {
-  const { unit, a, b } = bisector
+  const { a, b } = bisector
   const chord = lengthOf(between(start, end))
   if (a === 0 || !(to > from)) return chord
   let length = 0
@@ -184,7 +184,7 @@ export function curveLength({ bisector, from, to, start, end }: BoundedCurve): n
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const span = (to - from) / middle
   const straight = span * lengthOf({ x: (a * (middle - 1 / middle)) / 2, y: (b * (middle + 1 / middle)) / 2 })
-  return chord + unit * Math.max(length - straight, 0)
+  return chord + Math.max(length - straight, 0)
 }
 
 /** Returns the start of the first piece, the reference point of moments. */
@@ -247,7 +247,7 @@ function momentsOverChord({ bisector, from, to }: BoundedCurve, reference: Point
   const sine = (to - from) / to / 2
   const shift = (2 / 3) * ((sine / share) * sine) * sine * root
 
-  const scale = bisector.unit / unit
+  const scale = 1 / unit
   const a = Math.abs(signed) * scale
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const u = apex * scale + a - (a * shift * (middle + 1 / middle)) / 2
@@ -286,7 +286,7 @@ function sinhExcessShare(ratio: number): number {
 }
 
 /**
- * Returns the length from parameter `from` >= 1 to `to`, in the bisector's unit. A branch is symmetric about its apex.
+ * Returns the length from parameter `from` >= 1 to `to`. A branch is symmetric about its apex.
  *
  * With Y = sinh t and m = 1 + (a / b)^2, the length is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)) over Y.
  * With y = Y^2, this is half the integral of (1 + m y) / sqrt(y (1 + y) (1 + m y)), which is between any limits

@@ -4,11 +4,10 @@ import { CircleVoronoiError } from '../base/errors.ts'
 import { between, cross, dot } from '../base/point.ts'
 import { facing, largestOf, lengthOf, measuredIn, ROUNDING, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
-import { type BoundedCurve, curveOf, reversed, seenFrom, segment } from '../curves/curve.ts'
+import { type BoundedCurve, curveOf, reversed, segment } from '../curves/curve.ts'
 import { isKeptWhole, type Limits, partAtDistance, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
 import { cutPart, HalfPlane, isPoint, isSame, movedOntoSides, type Part } from './clip.ts'
-import type { ConvexPolygon } from './convex-polygon.ts'
 import { middleOf, roundingOf } from './measure.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 
@@ -39,23 +38,21 @@ const NEAR = 2 ** -20
 /** Does what `Diagram.cellOutline` does, for arguments that have been checked. */
 export function outlineOf(cells: Cells, circle: number, limits: Limits): readonly (readonly SharedPiece[])[] {
   if (!cells.exists(circle)) return []
-  const { bounds, maxDistance } = limits
+  const { maxDistance } = limits
   const radius = maxDistance === undefined ? undefined : reachFrom(cells.diagram, circle, maxDistance)
   if (radius !== undefined && !(radius > 0)) return []
-  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return [wholeLoop(cells, circle, bounds)]
+  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return [wholeLoop(cells, circle)]
   return new LoopCutter(cells, circle, limits, radius).run()
 }
 
 /** Returns the outline of a cell that the bounds contain, without clipping it. */
-function wholeLoop(cells: Cells, circle: number, bounds: ConvexPolygon): SharedPiece[] {
+function wholeLoop(cells: Cells, circle: number): SharedPiece[] {
   const { diagram } = cells
   const pieces: SharedPiece[] = []
   const first = at(diagram.firstSide, circle)
   let side = first
   do {
-    const whole = curveOf(diagram, side >> 1)
-    const { left, right } = whole.bisector
-    const forward = seenFrom(whole, Math.max(bounds.reachFrom(left), bounds.reachFrom(right))) as BoundedCurve
+    const forward = curveOf(diagram, side >> 1) as BoundedCurve
     const curve = side & 1 ? reversed(forward) : forward
     pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), r: 0 })
     side = at(diagram.nextSide, side)

@@ -115,8 +115,8 @@ export function addEdge(boxes: Float64Array, k: number, diagram: Diagram, edge: 
 /** Extends box k by an edge, using the parameters of its curve. */
 function addCurve(boxes: Float64Array, k: number, diagram: Diagram, edge: number, reach: number): void {
   const { bisector, from, to } = curveOf(diagram, edge)
-  const { a, b, apex, unit } = bisector
-  const farthest = Math.max((2 * reach) / (b * unit), 2)
+  const { a, b, apex } = bisector
+  const farthest = Math.max((2 * reach) / b, 2)
   const ends = [Math.max(from, 1 / farthest), Math.min(to, farthest)]
   const u = ends.map((s) => apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)))
   const v = ends.map((s) => (b * (s - 1 / s)) / 2)

@@ -102,7 +102,7 @@ function arcsAlong(
     const isForward = entered !== undefined && left !== undefined ? entered <= left : start === node
     const comesBack = entered === undefined && node === NONE
     node = isForward ? end : start
-    const farthest = Math.max((2 * reach) / (bisector.b * bisector.unit), 2)
+    const farthest = Math.max((2 * reach) / bisector.b, 2)
     const low = (isForward ? entered : left) ?? (start === NONE ? 1 / farthest : undefined)
     const high = (isForward ? left : entered) ?? (end === NONE ? farthest : undefined)
     const part = {
