@@ -67,7 +67,7 @@ Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice) {
     largest = std::max(largest, largestOf({c.x, c.y}));
     radius = std::max(radius, c.r);
   }
-  if (auto error = refusalOfSmall(largest, "The circles and periods")) return *std::move(error);
+  if (auto error = tooSmallError(largest, "The circles and periods")) return *std::move(error);
   Torus torus;
   int exponent = 0;
   std::frexp(largest, &exponent);

@@ -20,7 +20,7 @@ std::optional<Objection> objectionTo(const Circle& c, bool weights) {
                    std::string("has a coordinate or a radius beyond ") + kCoordinateLimitText + "."};
 }
 
-std::optional<Error> refusalOfSmall(double largest, const std::string& what) {
+std::optional<Error> tooSmallError(double largest, const std::string& what) {
   if (largest == 0 || largest >= kSmallestInput) return std::nullopt;
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -56,7 +56,7 @@ Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weigh
   if (const auto valid = validatePart(circles, weights, 0); !valid) return valid.error();
   double largest = 0;
   for (const Circle& c : circles) largest = std::max(largest, largestNumber(c));
-  if (auto error = refusalOfSmall(largest, "The circles")) return *std::move(error);
+  if (auto error = tooSmallError(largest, "The circles")) return *std::move(error);
   return normalized(circles);
 }
 

@@ -24,7 +24,7 @@ std::optional<Objection> objectionTo(const Circle& circle, bool weights);
 
 /// Returns the error for an input whose largest number is not 0 and is below kSmallestInput: coordinateTooSmall.
 /// `what` begins the sentence, as "The circles".
-std::optional<Error> refusalOfSmall(double largest, const std::string& what);
+std::optional<Error> tooSmallError(double largest, const std::string& what);
 
 /// Returns a circle rounded (limits.h), without negative zeros: one number, one set of bits.
 inline Circle normalized(const Circle& given) {

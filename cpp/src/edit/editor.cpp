@@ -167,11 +167,11 @@ class DiagramEditor::Editor {
       return Error{objection->code, isNew ? CircleId() : edit.id, who + " " + objection->what,
                    static_cast<std::int64_t>(i)};
     }
-    return refusalOfSmallEdits(edits);
+    return tooSmallEditsError(edits);
   }
 
   /// Returns an error if the edits bring in circles that are too small, while there are no larger ones (limits.h).
-  std::optional<Error> refusalOfSmallEdits(std::span<const Edit> edits) const {
+  std::optional<Error> tooSmallEditsError(std::span<const Edit> edits) const {
     double largest = 0;
     for (const Edit& edit : edits) {
       if (edit.kind != Edit::Kind::remove) largest = std::max(largest, largestNumber(edit.circle));
@@ -183,7 +183,7 @@ class DiagramEditor::Editor {
     for (int slot = 0; slot < static_cast<int>(state_->sites.size()); ++slot) {
       if (isLarge(slot)) return std::nullopt;
     }
-    return refusalOfSmall(largest, "The circles");
+    return tooSmallError(largest, "The circles");
   }
 
   /// Returns nothing if the whole diagram must be computed again.

@@ -148,7 +148,7 @@ Cleaned cleaned(const Given& given, const Names& names, bool leavesOut = false) 
     offsets.push_back(static_cast<std::int32_t>(points.size()));
     result.inputRing.push_back(r);
   }
-  if (auto error = refusalOfSmall(largest, "The points of the region")) throw ThrownError{*std::move(error)};
+  if (auto error = tooSmallError(largest, "The points of the region")) throw ThrownError{*std::move(error)};
   return result;
 }
 
