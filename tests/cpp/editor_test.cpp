@@ -444,7 +444,7 @@ TEST(Editor, RefusesCirclesThatAreAllTooSmall) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::coordinateTooSmall);
   EXPECT_EQ(refused.error().message,
-            "The circles have no number from 1.4e-17 (2^-56) up; multiply all numbers by 1e20.");
+            "The circles are too small: all numbers are below 1.4e-17 (2^-56). Multiply them by 1e20.");
   EXPECT_EQ(editor.size(), 1U);
   EXPECT_TRUE(editor.apply(std::vector<Edit>{small, large}).ok());
   EXPECT_TRUE(editor.apply({&small, 1}).ok());

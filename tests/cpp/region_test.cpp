@@ -155,7 +155,7 @@ TEST(Region, RefusesInvalidInput) {
   const Error small = errorOf({{0, 0}, {1e-18, 0}, {0, 1e-18}});
   EXPECT_EQ(small.code, ErrorCode::coordinateTooSmall);
   EXPECT_EQ(small.message,
-            "The points of the region have no number from 1.4e-17 (2^-56) up; multiply all numbers by 1e18.");
+            "The points of the region are too small: all numbers are below 1.4e-17 (2^-56). Multiply them by 1e18.");
   EXPECT_NE(messageOf({{{0, 0}, {1, 1}, {2, 2}}}), "");
 }
 

@@ -74,7 +74,7 @@ TEST(Validate, InputsBelowTheLeastAreAnErrorThatSaysByWhatToMultiply) {
     EXPECT_LE(product, 20) << error.message;
   }
   EXPECT_EQ(errorOf(1e-20).message,
-            "The circles have no number from 1.4e-17 (2^-56) up; multiply all numbers by 1e20.");
+            "The circles are too small: all numbers are below 1.4e-17 (2^-56). Multiply them by 1e20.");
 }
 
 TEST(Validate, APartOfAnInputMayBeSmall) {

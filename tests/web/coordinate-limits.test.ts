@@ -77,7 +77,7 @@ describe('the circles of a diagram', () => {
     expect(library.compute([[0, 2 ** -56, 0]]).circles.length).toBe(3)
     expect(library.compute([[0, 0, 0]]).circles.length).toBe(3)
     for (const size of [2 ** -56 * (1 - 2 ** -53), 1e-20, 1e-300, 5e-324]) {
-      const message = limits.problemOfSmall(size, 'The circles')
+      const message = limits.tooSmallMessage(size, 'The circles')
       expect(message).toBeDefined()
       expect(problemOf(() => library.compute([[0, size, 0]]))).toBe(`coordinateTooSmall: ${message}`)
       const [, power] = /by 1e(\d+)\.$/.exec(message ?? '') ?? []

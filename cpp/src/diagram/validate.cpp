@@ -27,7 +27,7 @@ std::optional<Error> tooSmallError(double largest, const std::string& what) {
   // 10^power is at least 2^-exponent, so the product is at least 1/2.
   const int power = (-exponent * 30103 + 99999) / 100000;
   return Error{ErrorCode::coordinateTooSmall, kNone,
-               what + " have no number from " + kSmallestInputText + " up; multiply all numbers by 1e" +
+               what + " are too small: all numbers are below " + kSmallestInputText + ". Multiply them by 1e" +
                    std::to_string(power) + "."};
 }
 

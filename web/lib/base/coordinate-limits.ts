@@ -40,11 +40,11 @@ export function roundAll(numbers: Float64s): Float64s {
   return numbers
 }
 
-/** Returns what to say of an input whose largest number is not 0 and too small; nothing if it is right. */
-export function problemOfSmall(largest: number, what: string): string | undefined {
+/** Returns the error message for an input whose largest number is too small and not 0, or nothing if it is in the range. */
+export function tooSmallMessage(largest: number, what: string): string | undefined {
   if (largest === 0 || largest >= SMALLEST_INPUT) return undefined
   let [exponent, size] = [0, largest]
   for (; size < 0.5; exponent -= 1) size *= 2
   const power = Math.trunc((-exponent * 30103 + 99999) / 100000)
-  return `${what} have no number from ${SMALLEST_INPUT_TEXT} up; multiply all numbers by 1e${power}.`
+  return `${what} are too small: all numbers are below ${SMALLEST_INPUT_TEXT}. Multiply them by 1e${power}.`
 }
