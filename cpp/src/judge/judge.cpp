@@ -102,8 +102,8 @@ class Judge {
 
   FaceProver proverBy(Predicates& predicates) { return {dual_, circles_, predicates, proof_.discs, proof_.halfEdges}; }
 
-  /// Checks some faces, and the edges of which one of these is the second face. Which half of an edge comes first
-  /// cannot be predicted, so the halves are collected without branches.
+  /// Checks a range of faces, and the edges whose second face is in the range. The processor cannot predict the order
+  /// of an edge's two halves, so the halves are collected without branches.
   void checkSome(int first, int last, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
     std::array<int, 3 * kFacesAtATime> halves;
     std::size_t count = 0;

@@ -27,7 +27,7 @@ struct Verdict {
   bool isRight() const { return flaw == Flaw::none; }
 };
 
-/// Judges whether `dual` is the dual of the Voronoi diagram of `circles`, and none of these hides another. Linear time.
+/// Judges whether `dual` is the dual of the Voronoi diagram of `circles`, and no circle hides another. Linear time.
 ///
 /// Theorem. Let the plane be covered by regions V_i, one for each circle, such that f(p) = d_i(p) for p in V_i is well
 /// defined and continuous, and c_i lies in V_i. Then the V_i are the Voronoi cells.
