@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON format of the command line (circle_voronoi/io.h) as JavaScript values.
 import { shown } from '../base/check.ts'
-import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT, tooSmallMessage, roundAll } from '../base/coordinate-limits.ts'
+import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT, roundAll, tooSmallMessage } from '../base/coordinate-limits.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
 import type { Certificate, Circle, Counts, DiagramData, Float64s, HiddenCircle, Seconds, Stats } from '../base/types.ts'
