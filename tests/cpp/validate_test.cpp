@@ -64,7 +64,7 @@ TEST(Validate, InputsBelowTheLeastAreAnErrorThatSaysByWhatToMultiply) {
     const Error error = errorOf(size);
     EXPECT_EQ(error.code, ErrorCode::coordinateTooSmall) << size;
     EXPECT_EQ(error.circle, kNone) << size;
-    const std::string text = "multiply all numbers by 1e";
+    const std::string text = "Multiply them by 1e";
     const std::size_t at = error.message.find(text);
     ASSERT_NE(at, std::string::npos) << error.message;
     const int power = std::stoi(error.message.substr(at + text.size()));
