@@ -2,10 +2,10 @@
 #include "diagram_of.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "branchless.h"
 #include "certificate_message.h"
 #include "predicates.h"
 #include "validate.h"
@@ -19,12 +19,7 @@ using Triple = Predicates::Triple;
 /// Rotates the circles of a vertex so that the one with the smallest input index comes first. Then a vertex has the
 /// same bits however it was found.
 Triple fromFirst(const Triple& corners, const std::vector<int>& indices) {
-  const int a = indices[corners[0]];
-  const int b = indices[corners[1]];
-  const int c = indices[corners[2]];
-  const std::size_t firstOfTwo = b < a ? 1 : 0;
-  const std::size_t first = c < std::min(a, b) ? 2 : firstOfTwo;
-  return {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
+  return startingAt(corners, indexOfSmallest({indices[corners[0]], indices[corners[1]], indices[corners[2]]}));
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "branchless.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -23,15 +25,10 @@ std::int32_t numbered(std::size_t items, Threads threads, Condition condition, N
     std::partial_sum(first.begin(), first.end(), first.begin());
   }
   threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
-    // The conditions cannot be predicted, so the items are chosen without branches, some at a time.
     std::int32_t next = first[range];
     std::array<std::size_t, 256> chosen;
     for (std::size_t from = begin; from < end; from += chosen.size()) {
-      std::size_t count = 0;
-      for (std::size_t i = from; i < std::min(from + chosen.size(), end); ++i) {
-        chosen[count] = i;
-        count += condition(i) ? 1 : 0;
-      }
+      const std::size_t count = select(from, std::min(from + chosen.size(), end), chosen, condition);
       for (std::size_t k = 0; k < count; ++k) number(chosen[k], next++);
     }
     if (first.size() == 2) first[1] = next;
@@ -51,7 +48,7 @@ void linkFace(int face, VertexIndex vertex, const Dual& dual, const std::vector<
   const int h = 3 * face;
   if (vertex != kNone) {
     const std::array sides = {sideOf[dual.twin[h + 2]], sideOf[dual.twin[h]], sideOf[dual.twin[h + 1]]};
-    links.vertexSides[vertex] = {sides[first], sides[(first + 1) % 3], sides[(first + 2) % 3]};
+    links.vertexSides[vertex] = startingAt(sides, first);
     for (int k = 0; k < 3; ++k) links.nextSide[sideOf[h + k]] = sides[k];
   } else {
     const int between = h + (dual.origin[h] == kPointAtInfinity ? 1 : dual.origin[h + 1] == kPointAtInfinity ? 2 : 0);
@@ -235,11 +232,11 @@ Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, 
     const auto face = static_cast<int>(i);
     const auto corners = cornersOf(dual, 3 * face);
     // The smallest circle first, so that the triple does not depend on how the face was found.
-    const std::size_t firstOfTwo = corners[1] < corners[0] ? 1 : 0;
-    const std::size_t first = corners[2] < std::min(corners[0], corners[1]) ? 2 : firstOfTwo;
+    const std::size_t first = indexOfSmallest(corners);
     if (links != nullptr) linkFace(face, vertexOf[i], dual, sideOf, *links, first);
     if (!isVertex(vertexOf[i])) return;
-    topology.vertexCircles[vertexOf[i]] = {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
+    const auto [a, b, c] = startingAt(corners, first);
+    topology.vertexCircles[vertexOf[i]] = {a, b, c};
   });
   if (links != nullptr) linkFirstSides(topology.edges, *links);
   const auto atInfinity =

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "branchless.h"
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/circle.h"
 #include "dual.h"
@@ -30,33 +31,27 @@ class FaceDiscs {
         discs_(dual.faceCount()),
         orders_(dual.origin.size(), kUnknownOrder) {
     // Each edge once both its faces have a disc; between two ranges, once both ranges are done. A few faces at a time
-    // stay in the cache. Which half of an edge comes first cannot be predicted, so the halves are collected without
-    // branches.
+    // stay in the cache.
     std::vector<std::vector<int>> across(threads.rangesOf(discs_.size()));
-    predicates.forRanges(threads, discs_.size(),
-                         [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
-                           std::array<int, 3 * kFacesAtATime> halves;
-                           for (std::size_t from = begin; from < end; from += kFacesAtATime) {
-                             const auto first = static_cast<int>(from);
-                             const auto last = static_cast<int>(std::min(from + kFacesAtATime, end));
-                             for (int face = first; face < last; ++face)
-                               discs_[face] = own.disc(cornersOf(dual, 3 * face));
-                             std::size_t count = 0;
-                             for (int t = 3 * first; t < 3 * last; ++t) {
-                               halves[count] = dual.twin[t];
-                               count += dual.twin[t] < t ? 1 : 0;
-                             }
-                             for (std::size_t k = 0; k < count; ++k) {
-                               const int h = halves[k];
-                               if (h < 0) continue;  // an edge may be open
-                               if (h < 3 * static_cast<int>(begin)) {
-                                 across[range].push_back(h);
-                               } else {
-                                 noteOrder(h, own);
-                               }
-                             }
-                           }
-                         });
+    predicates.forRanges(
+        threads, discs_.size(), [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
+          std::array<int, 3 * kFacesAtATime> halves;
+          for (std::size_t from = begin; from < end; from += kFacesAtATime) {
+            const auto first = static_cast<int>(from);
+            const auto last = static_cast<int>(std::min(from + kFacesAtATime, end));
+            for (int face = first; face < last; ++face) discs_[face] = own.disc(cornersOf(dual, 3 * face));
+            const std::size_t count = select(3 * first, 3 * last, halves, [&](int t) { return dual.twin[t] < t; });
+            for (std::size_t k = 0; k < count; ++k) {
+              const int h = dual.twin[halves[k]];
+              if (h < 0) continue;  // an edge may be open
+              if (h < 3 * static_cast<int>(begin)) {
+                across[range].push_back(h);
+              } else {
+                noteOrder(h, own);
+              }
+            }
+          }
+        });
     for (const auto& edges : across) {
       for (const int h : edges) noteOrder(h, predicates);
     }

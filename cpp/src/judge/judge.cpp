@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "branchless.h"
 #include "certificate_message.h"
 #include "prefetch.h"
 
@@ -102,15 +103,10 @@ class Judge {
 
   FaceProver proverBy(Predicates& predicates) { return {dual_, circles_, predicates, proof_.discs, proof_.halfEdges}; }
 
-  /// Checks a range of faces, and the edges whose second face is in the range. The processor cannot predict the order
-  /// of an edge's two halves, so the halves are collected without branches.
+  /// Checks a range of faces, and the edges whose second face is in the range.
   void checkSome(int first, int last, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
     std::array<int, 3 * kFacesAtATime> halves;
-    std::size_t count = 0;
-    for (int h = 3 * first; h < 3 * last; ++h) {
-      halves[count] = h;
-      count += dual_.twin[h] > h ? 1 : 0;
-    }
+    std::size_t count = select(3 * first, 3 * last, halves, [&](int h) { return dual_.twin[h] > h; });
     // Each edge is looked at before the first of its faces gets its disc.
     int hidden = kPointAtInfinity;
     for (std::size_t k = 0; k < count && !isFinite(hidden); ++k) {
@@ -125,11 +121,7 @@ class Judge {
       note(4 * static_cast<std::size_t>(face), {Flaw::vertexWithoutDisc, kNone, face}, found);
       last = face;
     }
-    count = 0;
-    for (int t = 3 * first; t < 3 * last; ++t) {
-      halves[count] = t;
-      count += dual_.twin[t] < t ? 1 : 0;
-    }
+    count = select(3 * first, 3 * last, halves, [&](int t) { return dual_.twin[t] < t; });
     for (std::size_t k = 0; k < count; ++k) {
       const int t = halves[k];
       if (dual_.twin[t] < firstHalfEdge) {

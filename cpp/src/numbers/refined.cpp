@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <initializer_list>
 #include <tuple>
 
@@ -68,9 +67,6 @@ struct Sight {
   double g() const { return square.number.value; }
 };
 
-/// Returns the largest power of two that is not above a positive number.
-double powerOfTwoIn(double x) { return bitCast<double>(bitCast<std::uint64_t>(x) & 0x7ff0000000000000u); }
-
 bool areKnown(std::initializer_list<Relative> squares) {
   return std::all_of(squares.begin(), squares.end(),
                      [](const Relative& square) { return square.error < kUnknownError; });
@@ -93,7 +89,7 @@ struct Axis {
 
   /// Directions are divided by this. The division changes no bit, because directions lie between 2^(-96 * 6 - 53) and
   /// 2^(295 + 2).
-  double magnitude() const { return powerOfTwoIn(size); }
+  double magnitude() const { return leadingBit(size); }
 
   /// Returns e |D|^2 / magnitude().
   ///

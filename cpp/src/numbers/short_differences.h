@@ -18,7 +18,7 @@ namespace circle_voronoi {
 template <int kBits>
 bool haveShortDifferences(std::initializer_list<Point> points, double largest) {
   if (!(largest > 0)) return false;
-  const double leading = bitCast<double>(bitCast<std::uint64_t>(largest) & 0x7ff0000000000000u);
+  const double leading = leadingBit(largest);
   // If a number is below a third of `rounder`, the sum of both is rounded to a multiple of leading * 2^(1 - kBits).
   const double rounder = leading * (1.5 * static_cast<double>(std::uint64_t{1} << (53 - kBits)));
   const double limit = rounder / 3;
