@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
 import { cross, dot } from '../lib/base/point.ts'
+import { shortestPeriods } from '../lib/diagram/lattice.ts'
 import type { Box, Lattice, Point } from '../lib/index.ts'
 import { type RegionShape, ringArraysOf } from '../lib/regions/region-shape.ts'
 
@@ -59,14 +60,9 @@ function boxOfPeriods({ a, b }: Lattice): Box {
 }
 
 /** Returns a function that makes vectors as short as possible by adding periods. */
-export function shortestWith({ a, b }: Lattice): (x: number, y: number) => Point {
-  let [u, v] = [a, b].map(([x, y]) => ({ x, y })) as [Point, Point]
-  // Lagrange's reduction: a shortest vector then ends at a corner of its parallelogram.
-  for (let k = 1; k !== 0; ) {
-    if (dot(u, u) > dot(v, v)) [u, v] = [v, u]
-    k = Math.round(dot(u, v) / dot(u, u))
-    v = { x: v.x - k * u.x, y: v.y - k * u.y }
-  }
+export function shortestWith(lattice: Lattice): (x: number, y: number) => Point {
+  // The shortest vector ends at a corner of the parallelogram of the shortest periods around a vector.
+  const [u, v] = shortestPeriods(lattice).vectors
   const area = cross(u, v)
   return (x, y) => {
     const [k, l] = [Math.floor(cross({ x, y }, v) / area), Math.floor(cross(u, { x, y }) / area)]

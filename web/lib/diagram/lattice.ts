@@ -41,6 +41,8 @@ export function latticeNumbers(lattice: Lattice, caller: string): Float64Array<A
 
 /** The shortest periods of a lattice. */
 export interface Periods {
+  /** A shortest vector of the lattice, and a shortest one that is not parallel to it. */
+  readonly vectors: readonly [Point, Point]
   /** Returns a lattice vector that is nearest or almost nearest to (x, y), and its shift. */
   nearest(x: number, y: number): { readonly steps: Point; readonly shift: Shift }
 }
@@ -67,6 +69,10 @@ export function shortestPeriods({ a, b }: Lattice): Periods {
   }
   const area = cross(shorter.u, longer.u)
   return {
+    vectors: [
+      { x: shorter.x, y: shorter.y },
+      { x: longer.x, y: longer.y },
+    ],
     nearest(x, y) {
       const p = { x: x / unit, y: y / unit }
       const i = Math.floor(cross(p, longer.u) / area + 0.5)
