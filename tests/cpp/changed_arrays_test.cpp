@@ -183,6 +183,8 @@ TEST(ChangedArrays, AreNamedWhereTheyDoNotFitTogether) {
   EXPECT_EQ(messageOf([](Diagram& d) { d.vertices.pop_back(); }), misfit(" in their lengths"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.circles[5].x = std::numeric_limits<double>::infinity(); }),
             "nonFinite: Circle 5 has an x that is not a finite number.");
+  EXPECT_EQ(messageOf([](Diagram& d) { d.circles[5].y = 1e-20; }),
+            "badInput: Circle 5 has a number that is not a multiple of 2^-96.");
   const std::vector<CircleIndex> missing = {CircleIndex(30)};
   EXPECT_FALSE(ClippedDiagram::ofCells(diagram, region, missing));
 }

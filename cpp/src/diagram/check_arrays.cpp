@@ -125,9 +125,8 @@ Result<void> checkArrays(const Diagram& diagram) {
     }
     // Integers of fixed size hold multiples of the step alone.
     if (rounded(diagram.circles[i]) != diagram.circles[i]) {
-      return Error{
-          ErrorCode::badInput, static_cast<std::int64_t>(i),
-          "Circle " + std::to_string(i) + " has a number that is no multiple of 2^-96, as all are in a diagram."};
+      return Error{ErrorCode::badInput, static_cast<std::int64_t>(i),
+                   "Circle " + std::to_string(i) + " has a number that is not a multiple of 2^-96."};
     }
   }
   const bool fitsInLength = diagram.vertexCircles.size() == diagram.vertices.size() &&

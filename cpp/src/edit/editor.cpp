@@ -339,9 +339,9 @@ Result<void> DiagramEditor::observe(const Observer& observer) {
 CircleId DiagramEditor::nearest(Point p, CircleId hint) const {
   const EditState& state = editor_->state();
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return kNone;
-  // A point far beyond all circles is moved nearer in its direction, so that no product overflows.
-  const double nearer = std::max(std::abs(p.x), std::abs(p.y)) < 0x1p400 ? 1 : 0x1p-600;
-  return state.idOf(editor_->locator().locate(state, {nearer * p.x, nearer * p.y}, editor_->slotOf(hint)).slot);
+  // From farther off, all circles are equally near up to rounding. The point is moved so that no product overflows.
+  const double shrink = std::max(std::abs(p.x), std::abs(p.y)) < 0x1p400 ? 1 : 0x1p-600;
+  return state.idOf(editor_->locator().locate(state, {shrink * p.x, shrink * p.y}, editor_->slotOf(hint)).slot);
 }
 
 std::size_t DiagramEditor::size() const { return static_cast<std::size_t>(editor_->state().circleCount); }
