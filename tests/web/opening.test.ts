@@ -33,6 +33,17 @@ describe('what is opened', () => {
     expect([actions.hasOpened, circles(), view.layers.hull]).toEqual([true, [5, 5, 2], true])
   })
 
+  it('keeps a selection that is made before its edits are applied', async () => {
+    const { actions, editing, store } = editingSession({
+      async before() {
+        if (editing.circles.get(1)?.y === 5) actions.select([1])
+      },
+    })
+    const edits = [{ kind: 'replace' as const, id: 1, circle: { x: 5, y: 6, r: 2 } }]
+    await actions.open(async () => ({ ...opened(0, 0, 1, 5, 5, 2), edits }))
+    expect(store.get()).toMatchObject({ selection: [1], circle: { x: 5, y: 6, r: 2 } })
+  })
+
   it('keeps its edits and layers from what is opened after it', async () => {
     const { actions, store, view, circles } = started()
     const [first, second] = await Promise.all([actions.open(async () => FIRST), actions.open(async () => SECOND)])

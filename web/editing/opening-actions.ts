@@ -109,7 +109,6 @@ export class OpeningActions extends SelectionActions {
       if (layers !== undefined) this.view.setLayers(layersFrom(layers))
       else this.#forgetPlaces()
       this.useTool('select')
-      this.select([])
       const isPlayed = this.store.get().step !== undefined
       if ('step' in opened) this.store.update((state) => ({ ...state, step, method, stage: undefined }))
       else this.showStep(isPlayed ? 0 : undefined)
