@@ -9,7 +9,7 @@
 
 #include "circle_voronoi_families/families.h"
 #include "dual_edits.h"
-#include "hide.h"
+#include "find_sites.h"
 #include "judge.h"
 #include "order.h"
 #include "proof.h"
@@ -59,8 +59,9 @@ TEST(Flip, RightsRandomFlips) {
 TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
   for (const Family family : kFamilies) {
     SCOPED_TRACE(familyName(family));
-    Sites sites = triangulate(hide(order(validate(generate(family, 200, 1)).value())));
-    Dual& dual = sites.dual ? *sites.dual : sites.centers;
+    FoundSites found = findSites(order(validate(generate(family, 200, 1)).value()));
+    const Sites sites = triangulate(std::move(found.sites));
+    Dual dual = found.inserted ? found.inserted->dual : sites.centers;
     Predicates predicates(sites.circles);
     FaceDiscs discs(sites.circles, dual, predicates);
     flip(dual, discs);
@@ -90,8 +91,7 @@ TEST(Flip, KnowsTheOrdersThatTheJudgeFindsItself) {
   std::int64_t known = 0;
   for (const Family family : kFamilies) {
     SCOPED_TRACE(familyName(family));
-    Sites sites = triangulate(hide(order(validate(generate(family, 200, 2)).value())));
-    if (sites.dual) continue;
+    Sites sites = triangulate(findSites(order(validate(generate(family, 200, 2)).value())).sites);
     Dual& dual = sites.centers;
     Predicates predicates(sites.circles);
     FaceDiscs discs(sites.circles, dual, predicates);
@@ -136,7 +136,7 @@ TEST(Flip, DoesNothingToARightDual) {
 
 /// Flips from the triangulation of the centers, as for a diagram. They tell of all wrong faces, and keep the discs.
 Flips flipFromCenters(const std::vector<Circle>& circles) {
-  Sites sites = triangulate(hide(order(validate(circles).value())));
+  Sites sites = triangulate(findSites(order(validate(circles).value())).sites);
   Predicates predicates(sites.circles);
   FaceDiscs discs(sites.circles, sites.centers, predicates);
   Flips flips = flip(sites.centers, discs);

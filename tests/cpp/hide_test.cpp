@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hidden circles against the definition: every pair, in integers.
-#include "hide.h"
+#include "find_sites.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ void check(const std::vector<Circle>& circles, const std::string& what) {
   const std::vector<HiddenCircle> expected = test::hiddenByDefinition(circles);
   // By a search, and where it gives up at once by insertion.
   for (const std::int64_t mostSteps : {kMostStepsACircle, std::int64_t{-1000}}) {
-    const Sites visible = hide(order(circles), mostSteps);
+    const Sites visible = findSites(order(circles), mostSteps).sites;
     ASSERT_EQ(visible.hidden, expected) << what << test::describe(circles);
     EXPECT_EQ(visible.circles.size() + visible.hidden.size(), circles.size());
     for (std::size_t i = 0; i < visible.circles.size(); ++i) {
@@ -85,18 +85,18 @@ TEST(Hide, OfEqualCirclesTheFirstIsNamed) {
   for (int i = 99; i >= 0; --i) circles.push_back({static_cast<double>(i), 0, 1000});
   circles.push_back({50, 0, 1});
   check(circles, "equal");
-  EXPECT_EQ(hide(order(circles)).hidden, (std::vector<HiddenCircle>{{100, 0}}));
+  EXPECT_EQ(findSites(order(circles)).sites.hidden, (std::vector<HiddenCircle>{{100, 0}}));
 }
 
 TEST(Hide, InsertionLeavesTheDiagramOfTheVisibleCircles) {
   const std::uint64_t seed = test::seedOr(1);
   for (const FamilyInfo& family : families()) {
     const auto circles = validate(generate(family.family, 500, seed)).value();
-    const Sites visible = hide(order(circles), -1000);
+    const auto [visible, inserted] = findSites(order(circles), -1000);
     if (!visible.centers.origin.empty()) continue;  // the triangulation has shown that none is hidden
-    ASSERT_TRUE(visible.dual) << family.name;
+    ASSERT_TRUE(inserted) << family.name;
     Predicates predicates(visible.circles);
-    EXPECT_TRUE(judge(visible.circles, *visible.dual, predicates).isRight()) << family.name;
+    EXPECT_TRUE(judge(visible.circles, inserted->dual, predicates).isRight()) << family.name;
   }
 }
 
@@ -105,7 +105,7 @@ TEST(Hide, TakesNLogNSteps) {
   for (const FamilyInfo& family : families()) {
     for (const Variant& variant : variants()) {
       const auto steps = [&](std::size_t count) {
-        return hide(order(validate(variant.make(family.family, count, seed)).value())).steps;
+        return findSites(order(validate(variant.make(family.family, count, seed)).value())).sites.steps;
       };
       const std::string name = std::string(family.name) + std::string(variant.name) + ", seed " + std::to_string(seed);
       const auto few = static_cast<double>(steps(1'000));
@@ -119,7 +119,7 @@ TEST(Hide, TakesNLogNSteps) {
 
 TEST(Hide, TheTriangulationIsThatOfTheVisibleCenters) {
   for (const Family family : {Family::uniform, Family::hidden, Family::duplicates, Family::chaos}) {
-    const Sites sites = triangulate(hide(order(validate(generate(family, 500, 1)).value())));
+    const Sites sites = triangulate(findSites(order(validate(generate(family, 500, 1)).value())).sites);
     const int count = static_cast<int>(sites.circles.size());
     EXPECT_EQ(sites.centers.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
   }

@@ -7,7 +7,7 @@
 #include "circle_voronoi_families/families.h"
 #include "face_discs.h"
 #include "flip.h"
-#include "hide.h"
+#include "find_sites.h"
 #include "insert_cell.h"
 #include "judge.h"
 #include "random.h"
@@ -19,7 +19,7 @@ namespace circle_voronoi {
 namespace {
 
 std::vector<Circle> visibleCircles(const std::vector<Circle>& circles) {
-  return hide(order(validate(circles).value())).circles;
+  return findSites(order(validate(circles).value())).sites.circles;
 }
 
 /// Whether insertion, and the flips that follow it, lead to the right dual.

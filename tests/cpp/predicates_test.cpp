@@ -140,7 +140,7 @@ FilterCounts compare(std::span<const Circle> circles) {
   const auto rounded = validate(circles);
   EXPECT_TRUE(rounded.ok());
   if (!rounded) return {};
-  const Sites sites = triangulate(hide(order(rounded.value())));
+  const Sites sites = triangulate(findSites(order(rounded.value())).sites);
   Comparison comparison(sites.circles);
   comparison.run();
   return comparison.counts();

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "apollonius.h"
-#include "hide.h"
+#include "find_sites.h"
 #include "judge.h"
 #include "order.h"
 #include "pair.h"
@@ -14,7 +14,7 @@
 namespace circle_voronoi::test {
 
 std::vector<Circle> visibleCircles(Family family, std::size_t count, std::uint64_t seed) {
-  return hide(order(validate(generate(family, count, seed)).value())).circles;
+  return findSites(order(validate(generate(family, count, seed)).value())).sites.circles;
 }
 
 bool isRight(std::span<const Circle> circles, const Dual& dual) {

@@ -15,7 +15,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
 #include "delaunay.h"
-#include "hide.h"
+#include "find_sites.h"
 #include "order.h"
 #include "validate.h"
 
@@ -173,9 +173,9 @@ TEST(Delaunay, IsTheSameInAnyNumberOfThreads) {
 TEST(Hide, IsTheSameInAnyNumberOfThreads) {
   for (const Family family : {Family::hidden, Family::duplicates, Family::nearNested}) {
     const auto circles = validate(generate(family, 2 * kCircles, 1)).value();
-    const Sites expected = hide(order(circles));
+    const Sites expected = findSites(order(circles)).sites;
     for (const int count : {2, 8}) {
-      const Sites actual = hide(order(circles, Threads(count)), kMostStepsACircle, Threads(count));
+      const Sites actual = findSites(order(circles, Threads(count)), kMostStepsACircle, Threads(count)).sites;
       EXPECT_EQ(actual.indices, expected.indices);
       EXPECT_EQ(actual.hidden, expected.hidden);
       EXPECT_EQ(actual.steps, expected.steps);

@@ -8,8 +8,8 @@
 
 #include "construct.h"
 #include "diagram_of.h"
+#include "find_sites.h"
 #include "guarded.h"
-#include "hide.h"
 #include "order.h"
 #include "stopwatch.h"
 #include "triangulate.h"
@@ -74,13 +74,13 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
     const Stopwatch watch = journal.enter(Stage::order);
     ordered = order(rounded, threads);
   }
-  Sites sites;
+  FoundSites found;
+  Sites& sites = found.sites;
   {
     const Stopwatch watch = journal.enter(Stage::triangulate);
-    sites = hide(std::move(ordered), kMostStepsACircle, threads);
-    // Another method makes its own.
-    if (options.method != Method::automatic) sites.dual.reset();
-    sites = triangulate(std::move(sites), threads);
+    found = findSites(std::move(ordered), kMostStepsACircle, threads);
+    const bool hasDual = found.inserted && options.method == Method::automatic;
+    if (!hasDual) sites = triangulate(std::move(sites), threads);
     if (auto error = refusalOfHidden(rounded, sites.hidden)) return *std::move(error);
     rounded = std::vector<Circle>();  // the sites have them
   }
@@ -90,7 +90,7 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
   Construction construction;
   switch (options.method) {
     case Method::automatic:
-      construction = constructAutomatically(sites, observer, journal, threads);
+      construction = constructAutomatically(found, observer, journal, threads);
       break;
     case Method::flip:
       construction = constructByFlips(sites, observer, journal, threads);

@@ -265,13 +265,14 @@ Construction constructByFlips(Sites& sites, const Observer& observer, Journal& j
   return flippedFromCenters(sites, false, observer, journal, threads);
 }
 
-Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
-  if (sites.dual) {
+Construction constructAutomatically(FoundSites& found, const Observer& observer, Journal& journal, Threads threads) {
+  Sites& sites = found.sites;
+  if (found.inserted) {
     journal.stats.way = Way::insert;
-    journal.stats.counts.flips += sites.flips;
-    addCounts(sites.signs, journal.stats.counts);
-    Construction result = {*std::move(sites.dual), {}};
-    result.verdict.proof = std::move(sites.proof);
+    journal.stats.counts.flips += found.inserted->flips;
+    addCounts(found.inserted->signs, journal.stats.counts);
+    Construction result = {std::move(found.inserted->dual), {}};
+    result.verdict.proof = std::move(found.inserted->proof);
     FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(0);
     teller.tellChanges();

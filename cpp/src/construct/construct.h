@@ -5,6 +5,7 @@
 #include <span>
 
 #include "circle_voronoi/compute.h"
+#include "find_sites.h"
 #include "journal.h"
 #include "judge.h"
 #include "topology.h"
@@ -41,8 +42,8 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts
 
 /// Returns the first certified dual, made by flips, by local repair if the flips leave few wrong faces, or by
 /// insertion. If none is certified, returns the last one, with its verdict. Uses up the triangulation of the sites,
-/// because flips change it in place.
-Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal,
+/// because flips change it in place. A dual that insertion made is certified already.
+Construction constructAutomatically(FoundSites& found, const Observer& observer, Journal& journal,
                                     Threads threads = Threads());
 
 }  // namespace circle_voronoi

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "construct.h"
-#include "hide.h"
+#include "find_sites.h"
 #include "order.h"
 #include "triangulate.h"
 #include "validate.h"
@@ -62,12 +62,14 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   const std::vector<Circle> rounded = normalized(circles);
   const Progress silent;
   Journal journal(silent);
-  Sites sites = triangulate(hide(order(rounded)));
+  FoundSites found = findSites(order(rounded));
+  Sites& sites = found.sites;
+  if (!found.inserted) sites = triangulate(std::move(sites));
   if (auto error = refusalOfHidden(rounded, sites.hidden)) {
     if (error->circle != kNone) error->circle = ids[static_cast<std::size_t>(error->circle)];
     return *std::move(error);
   }
-  const Construction construction = constructAutomatically(sites, {}, journal);
+  const Construction construction = constructAutomatically(found, {}, journal);
   if (!construction.isRight()) {
     return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
   }

@@ -7,7 +7,7 @@
 namespace circle_voronoi {
 
 Sites triangulate(Sites sites, Threads threads) {
-  if (sites.centers.origin.empty() && !sites.dual) sites.centers = delaunay(centersOf(sites.circles), threads).dual;
+  if (sites.centers.origin.empty()) sites.centers = delaunay(centersOf(sites.circles), threads).dual;
   return sites;
 }
 

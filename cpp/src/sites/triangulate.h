@@ -5,7 +5,7 @@
 
 namespace circle_voronoi {
 
-/// Triangulates the centers of visible circles, unless their triangulation or the dual of their diagram is known.
+/// Triangulates the centers of visible circles, unless their triangulation is known.
 Sites triangulate(Sites sites, Threads threads = Threads());
 
 }  // namespace circle_voronoi

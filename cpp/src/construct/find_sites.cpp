@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "find_sites.h"
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "infinity.h"
+#include "insert.h"
+#include "judge.h"
+#include "settle_ties.h"
+
+namespace circle_voronoi {
+namespace {
+
+constexpr std::int64_t kFewSteps = 1000;
+constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
+
+/// A selection of the ordered circles.
+struct SomeCircles {
+  std::vector<Circle> circles;
+  std::vector<int> indices;
+  std::vector<int> places;  ///< the place of each circle in the order
+
+  SomeCircles(const OrderedCircles& ordered, std::vector<int> places_) : places(std::move(places_)) {
+    for (const int i : places) {
+      circles.push_back(ordered.circles[i]);
+      indices.push_back(ordered.indices[i]);
+    }
+  }
+  operator NumberedCircles() const { return {circles, indices}; }
+};
+
+/// The largest circle at each center. The first of equal circles hides the others.
+struct LargestOfEachCenter {
+  std::vector<int> places;
+  std::vector<int> which;  ///< for each circle, the index in `places` of the largest one at its center
+
+  explicit LargestOfEachCenter(std::span<const Circle> circles) {
+    for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
+      // Circles with the same center follow one another.
+      if (places.empty() || circles[i].x != circles[places.back()].x || circles[i].y != circles[places.back()].y) {
+        places.push_back(i);
+      } else if (circles[i].r > circles[places.back()].r) {
+        places.back() = i;
+      }
+      which.push_back(static_cast<int>(places.size()) - 1);
+    }
+  }
+};
+
+/// Finds the visible circles by insertion: they keep a cell. Returns nothing if this cannot be proven.
+std::optional<FoundSites> hideByInsertion(const OrderedCircles& ordered, Threads threads) {
+  const LargestOfEachCenter largest(ordered.circles);
+  const SomeCircles apart(ordered, largest.places);
+  Predicates predicatesApart(apart.circles);
+  auto inserted = insertAll(apart.circles, predicatesApart);
+  if (!inserted) return std::nullopt;
+
+  // Renumber the circles that have a cell, and collect the rest. A copy of another circle gets its hider from that one.
+  std::vector<int> numbers(apart.places.size(), kNone);
+  std::vector<int> seen;
+  std::vector<int> rest;
+  std::vector<std::pair<int, int>> copies;
+  for (int i = 0; i < static_cast<int>(ordered.circles.size()); ++i) {
+    const int k = largest.which[i];
+    if (const int original = apart.places[k]; i != original) {
+      if (ordered.circles[i].r == ordered.circles[original].r) {
+        copies.emplace_back(i, original);
+      } else {
+        rest.push_back(i);
+      }
+    } else if (inserted->isHidden[k]) {
+      rest.push_back(i);
+    } else {
+      numbers[k] = static_cast<int>(seen.size());
+      seen.push_back(i);
+    }
+  }
+  Dual& dual = inserted->dual;
+  for (int& corner : dual.origin) {
+    if (corner != kPointAtInfinity) corner = numbers[corner];
+  }
+  const SomeCircles visible(ordered, std::move(seen));
+  const SomeCircles hidden(ordered, std::move(rest));
+
+  Predicates predicates(visible.circles);
+  Verdict verdict = judge(visible.circles, dual, predicates, {}, threads);
+  if (!verdict.isRight()) return std::nullopt;
+  settleTies(dual, verdict, visible.circles, predicates);
+  const Hiders named = findHiders(visible, hidden, kNoLimit, threads);
+  Hiders all{std::vector<int>(ordered.circles.size(), kNone), named.steps + inserted->flips};
+  for (std::size_t j = 0; j < hidden.places.size(); ++j) {
+    const int i = named.hider[j];
+    if (i == kNone) return std::nullopt;
+    all.hider[hidden.places[j]] = visible.places[i];
+  }
+  for (const auto& [copy, original] : copies) {
+    all.hider[copy] = all.hider[original] == kNone ? original : all.hider[original];
+  }
+  FilterCounts signs = predicatesApart.counts();
+  signs += predicates.counts();
+  return FoundSites{withoutHidden(ordered, all),
+                    InsertedDual{std::move(dual), std::move(verdict.proof), inserted->flips, signs}};
+}
+
+}  // namespace
+
+FoundSites findSites(OrderedCircles ordered, std::int64_t mostStepsACircle, Threads threads) {
+  const std::int64_t mostSteps = kFewSteps + mostStepsACircle * static_cast<std::int64_t>(ordered.circles.size());
+  if (auto sites = hide(ordered, mostSteps, threads)) return {*std::move(sites), std::nullopt};
+  if (auto found = hideByInsertion(ordered, threads)) {
+    found->sites.steps += mostSteps;
+    return *std::move(found);
+  }
+  return {*hide(ordered, kNoLimit, threads), std::nullopt};
+}
+
+}  // namespace circle_voronoi
