@@ -66,7 +66,7 @@ TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
     FaceDiscs discs(sites.circles, dual, predicates);
     flip(dual, discs);
     const Verdict own = judge(sites.circles, dual, predicates);
-    const Verdict given = judge(sites.circles, dual, predicates, {discs.take(), discs.takeOrders(), {}});
+    const Verdict given = judge(sites.circles, dual, predicates, discs.takeProof());
     EXPECT_EQ(given.flaw, own.flaw);
     EXPECT_EQ(given.face, own.face);
     EXPECT_EQ(given.halfEdge, own.halfEdge);
@@ -86,8 +86,7 @@ TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
   }
 }
 
-// Flips keep the order of the ends of each edge until they change it; without a flaw they know all.
-TEST(Flip, KnowsTheOrdersThatTheJudgeFindsItself) {
+TEST(Flip, KnowsWhichEdgesAreRight) {
   std::int64_t known = 0;
   for (const Family family : kFamilies) {
     SCOPED_TRACE(familyName(family));
@@ -96,21 +95,38 @@ TEST(Flip, KnowsTheOrdersThatTheJudgeFindsItself) {
     Predicates predicates(sites.circles);
     FaceDiscs discs(sites.circles, dual, predicates);
     flip(dual, discs);
-    const std::vector<std::int8_t> orders = discs.takeOrders();
-    ASSERT_EQ(orders.size(), dual.origin.size());
     for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-      const auto order = orders[static_cast<std::size_t>(h)];
-      if (order == kUnknownOrder) {
-        EXPECT_NE(discs.flawOf(h), Flaw::none);
-        continue;
-      }
-      std::int8_t expected = 1;
-      discs.flawOf(h, predicates, &expected);
-      EXPECT_EQ(order, expected);
-      ++known;
+      EXPECT_EQ(discs.isKnownRight(h), discs.flawOf(h) == Flaw::none);
+      known += discs.isKnownRight(h);
     }
   }
   EXPECT_GT(known, 5000);
+}
+
+TEST(Flip, LeavesTheProofOfChangedFacesToTheJudge) {
+  Sites sites = triangulate(findSites(order(validate(generate(Family::logUniform, 200, 2)).value())).sites);
+  Dual& dual = sites.centers;
+  const Dual before = dual;
+  Predicates predicates(sites.circles);
+  FaceDiscs discs(sites.circles, dual, predicates);
+  flip(dual, discs);
+  const auto isChanged = [&](int face) { return cornersOf(dual, 3 * face) != cornersOf(before, 3 * face); };
+  int changed = 0;
+  for (int face = 0; face < dual.faceCount(); ++face) {
+    if (!isChanged(face)) continue;
+    discs.set(face, predicates.disc(cornersOf(before, 0)));  // as if a flip had not updated it
+    ++changed;
+  }
+  ASSERT_GT(changed, 20);
+  const Proof proof = discs.takeProof();
+  for (int face = 0; face < dual.faceCount(); ++face) {
+    EXPECT_TRUE(!isChanged(face) || !proof.discs[static_cast<std::size_t>(face)].exists);
+  }
+  const Verdict own = judge(sites.circles, dual, predicates);
+  const Verdict given = judge(sites.circles, dual, predicates, proof);
+  EXPECT_TRUE(given.isRight());
+  EXPECT_EQ(given.proof.discs, own.proof.discs);
+  EXPECT_EQ(given.proof.halfEdges, own.proof.halfEdges);
 }
 
 // Where two faces have the same corner opposite their edge, the flipped edge would go from that corner to itself.

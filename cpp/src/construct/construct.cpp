@@ -121,7 +121,7 @@ Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceTel
   const bool isToJudge = !mayRepair || repairAll(dual, discs, wrong, journal);
   addCounts(predicates, journal.stats.counts);
   if (!isToJudge) return {Flaw::notJudged};
-  Verdict verdict = judged(dual, {discs.take(), discs.takeOrders(), {}}, sites.circles, journal, threads);
+  Verdict verdict = judged(dual, discs.takeProof(), sites.circles, journal, threads);
   teller.tellChanges();
   return verdict;
 }
@@ -188,7 +188,7 @@ std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts
   if (result) {
     FaceDiscs discs(circles, result->dual, predicates);
     counts.flips += result->flips + flip(result->dual, discs).count;
-    proof = {discs.take(), discs.takeOrders(), {}};
+    proof = discs.takeProof();
   }
   addCounts(predicates, counts);
   if (!result) return std::nullopt;

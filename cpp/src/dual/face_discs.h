@@ -15,6 +15,7 @@
 #include "dual.h"
 #include "edge_order.h"
 #include "predicates.h"
+#include "proof.h"
 
 namespace circle_voronoi {
 
@@ -67,6 +68,7 @@ class FaceDiscs {
     if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
     discs_[face] = predicates_.disc(cornersOf(dual_, 3 * face));
     if (orders_.empty()) return;
+    changed_.push_back(face);
     for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[h] = orders_[dual_.twin[h]] = kUnknownOrder;
   }
 
@@ -87,10 +89,15 @@ class FaceDiscs {
 
   const FaceDisc& operator[](int face) const { return discs_[face]; }
 
-  std::vector<FaceDisc> take() { return std::move(discs_); }
-
-  /// Moves out the orders of all edges (Proof::orders). An order is unknown where the edge has a flaw of another kind.
-  std::vector<std::int8_t> takeOrders() { return std::move(orders_); }
+  /// Moves out the discs and orders of the faces that `update` has not changed. The judge finds the others itself, so
+  /// that its verdict does not depend on a face being updated after each change.
+  Proof takeProof() {
+    for (const int face : changed_) {
+      discs_[face] = {};
+      for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[h] = orders_[dual_.twin[h]] = kUnknownOrder;
+    }
+    return {std::move(discs_), std::move(orders_), {}};
+  }
 
   /// Returns the direction from the origin of a half-edge to the disc of its face.
   Vector direction(int h) const {
@@ -179,6 +186,7 @@ class FaceDiscs {
   Predicates& predicates_;
   std::vector<FaceDisc> discs_;
   std::vector<std::int8_t> orders_;
+  std::vector<int> changed_;  ///< the faces that were updated, if there are orders
 };
 
 }  // namespace circle_voronoi

@@ -116,7 +116,7 @@ class Judge {
     }
     if (isFinite(hidden)) note(4 * static_cast<std::size_t>(last), {Flaw::cellNotClosed, hidden}, found);
     for (int face = first; face < last; ++face) {
-      if (!hasDiscs_) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
+      if (!proof_.discs[face].exists) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
       if (prover.proveFace(face)) continue;
       note(4 * static_cast<std::size_t>(face), {Flaw::vertexWithoutDisc, kNone, face}, found);
       last = face;
@@ -188,7 +188,7 @@ class Judge {
   Predicates& predicates_;
   Threads threads_;
   int circleCount_;
-  bool hasDiscs_;  ///< whether the discs were given
+  bool hasDiscs_;  ///< whether most discs were given
   Proof proof_;
   std::vector<int> ties_;
 };

@@ -47,8 +47,8 @@ struct Verdict {
 /// faces in all, there are no others.
 ///
 /// A disc is a function of the corners of its face, and the order of the ends of an edge is one of its four circles.
-/// `proof` may have all discs, and with them all orders, as Predicates finds them: then the judge rests on these. It
-/// finds missing parts itself. With CIRCLE_VORONOI_CHECK_PROOFS it finds everything, too, and compares.
+/// `proof` may have discs and orders that Predicates found for this very dual: the judge rests on these. It finds
+/// missing parts itself, such as those of faces that a builder has changed. With CIRCLE_VORONOI_CHECK_PROOFS it finds everything, too, and compares.
 Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Proof proof = {},
               Threads threads = Threads());
 

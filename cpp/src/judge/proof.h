@@ -18,11 +18,11 @@ struct HalfEdgeProof {
   friend bool operator==(const HalfEdgeProof&, const HalfEdgeProof&) = default;
 };
 
-/// The data that prove a dual correct (judge.h). A builder fills in the values that it computes anyway, and the judge
-/// computes the rest.
+/// The data that prove a dual correct (judge.h). A builder fills in values of faces that it did not change, and the
+/// judge computes the rest.
 struct Proof {
-  std::vector<FaceDisc> discs;      ///< of each face
-  std::vector<std::int8_t> orders;  ///< of each half-edge: how the ends of its edge lie (orderOfEnds), 1 at infinity
+  std::vector<FaceDisc> discs;      ///< of each face; the judge finds one that does not exist
+  std::vector<std::int8_t> orders;  ///< of each half-edge: how the ends of its edge lie (orderOfEnds), or unknown
   std::vector<HalfEdgeProof> halfEdges;
 };
 
