@@ -72,9 +72,11 @@ Diagram diagramOf(std::span<const Circle> circles, Construction construction, Si
     threads.forEach(dual.origin.size(), [&](std::size_t h) {
       if (int& corner = dual.origin[h]; corner != kPointAtInfinity) corner = sites.indices[corner];
     });
-    topology = topologyOf(dual, vertices, static_cast<int>(circles.size()), &links, threads);
+    // The place of a flaw is known by its face and half-edge.
+    const Dual flawed = verdict.isRight() ? Dual{} : dual;
+    topology = topologyOf(std::move(dual), vertices, static_cast<int>(circles.size()), links, threads);
     if (sites.indices.size() == 1) topology.hull = {sites.indices[0]};
-    diagram.certificate = certificateOf(verdict, dual, topology);
+    diagram.certificate = certificateOf(verdict, flawed, topology);
   }
   construction = {};
   diagram.vertexCircles = std::move(topology.vertexCircles);

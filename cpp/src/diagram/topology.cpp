@@ -36,23 +36,25 @@ std::int32_t numbered(std::size_t items, Threads threads, Condition condition, N
   return first.back();
 }
 
-/// The links of a topology but for the first sides, given of each half-edge of its dual the side that it stands for:
-/// that of its origin, along the border with its target.
+/// Sets the links of a face, except the first sides of circles. `sideOf` gives the side of a half-edge between circles:
+/// that of its origin, along the border with its target. The side of the other half differs in the last bit.
 ///
 /// The side of half-edge h ends at the vertex that is the face of h, and the next one around the same circle begins
 /// there: it lies one half-edge on, counter-clockwise around the origin, or two where that one goes to infinity.
 ///
-/// The sides of a vertex begin with that of the corner `first`, from 0 to 2.
-void linkFace(int face, VertexIndex vertex, const Dual& dual, const std::vector<SideIndex>& sideOf, Links& links,
-              std::size_t first = 0) {
+/// The sides of a vertex begin with that of the corner `first`, from 0 to 2. Of the twins only those of edges to
+/// infinity are used.
+template <class SideOf>
+void linkFace(int face, VertexIndex vertex, const Dual& dual, SideOf sideOf, Links& links, std::size_t first = 0) {
   const int h = 3 * face;
   if (vertex != kNone) {
-    const std::array sides = {sideOf[dual.twin[h + 2]], sideOf[dual.twin[h]], sideOf[dual.twin[h + 1]]};
+    const std::array<SideIndex, 3> own = {sideOf(h), sideOf(h + 1), sideOf(h + 2)};
+    const std::array<SideIndex, 3> sides = {own[2] ^ 1, own[0] ^ 1, own[1] ^ 1};
     links.vertexSides[vertex] = startingAt(sides, first);
-    for (int k = 0; k < 3; ++k) links.nextSide[sideOf[h + k]] = sides[k];
+    for (int k = 0; k < 3; ++k) links.nextSide[own[k]] = sides[k];
   } else {
     const int between = h + (dual.origin[h] == kPointAtInfinity ? 1 : dual.origin[h + 1] == kPointAtInfinity ? 2 : 0);
-    links.nextSide[sideOf[between]] = sideOf[dual.around(dual.around(between))];
+    links.nextSide[sideOf(between)] = sideOf(Dual::previous(dual.around(between))) ^ 1;
   }
 }
 
@@ -95,7 +97,9 @@ class DualBuilder {
     if (links != nullptr) {
       *links = emptyLinks(topology_.edges.size(), topology_.vertexCircles.size(), circleCount_);
       for (int face = 0; face < dual_.faceCount(); ++face) {
-        linkFace(face, face < vertexCount_ ? VertexIndex(face) : VertexIndex(), dual_, sideOf_, *links);
+        linkFace(
+            face, face < vertexCount_ ? VertexIndex(face) : VertexIndex(), dual_, [&](int h) { return sideOf_[h]; },
+            *links);
       }
       linkFirstSides(topology_.edges, *links);
     }
@@ -198,11 +202,13 @@ std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads) {
   return vertexOf;
 }
 
-Topology topologyOf(const Dual& dual, int circleCount, Links* links, Threads threads) {
-  return topologyOf(dual, verticesOf(dual, threads), circleCount, links, threads);
+Topology topologyOf(Dual dual, int circleCount) {
+  const std::vector<VertexIndex> vertexOf = verticesOf(dual, Threads());
+  Links links;
+  return topologyOf(std::move(dual), vertexOf, circleCount, links, Threads());
 }
 
-Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links* links,
+Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links& links,
                     Threads threads) {
   const auto isVertex = [](VertexIndex vertex) { return vertex != kNone; };
   const auto vertexCount = static_cast<std::size_t>(std::count_if(vertexOf.begin(), vertexOf.end(), isVertex));
@@ -211,34 +217,39 @@ Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, 
   Topology topology;
   topology.edges.resize(edgeCount);
   topology.vertexCircles.resize(vertexCount);
-  std::vector<SideIndex> sideOf(dual.origin.size());
+  // The side of the first half of an edge takes the place of its twin, as the complement, which is negative.
+  std::vector<int>& sideOrTwin = dual.twin;
   numbered(
-      sideOf.size(), threads,
+      sideOrTwin.size(), threads,
       [&](std::size_t i) {
-        const int t = dual.twin[i];
+        const int t = sideOrTwin[i];
         const int isFirst = static_cast<int>(i) < t ? 1 : 0;
         const int startsAtCircle = dual.origin[i] != kPointAtInfinity ? 1 : 0;
         const int endsAtCircle = dual.origin[t] != kPointAtInfinity ? 1 : 0;
         return (isFirst & startsAtCircle & endsAtCircle) != 0;
       },
       [&](std::size_t i, std::int32_t edge) {
-        const int t = dual.twin[i];
-        sideOf[i] = 2 * edge;
-        sideOf[t] = 2 * edge + 1;
+        const int t = sideOrTwin[i];
         topology.edges[edge] = {dual.origin[i], dual.origin[t], vertexOf[t / 3], vertexOf[i / 3]};
+        sideOrTwin[i] = ~(2 * edge);
       });
-  if (links != nullptr) *links = emptyLinks(edgeCount, vertexCount, circleCount);
+  const auto sideOf = [&](int h) {
+    const int t = sideOrTwin[h];
+    const int isSecond = t >= 0 ? 1 : 0;
+    return SideIndex(~sideOrTwin[h + isSecond * (t - h)] + isSecond);
+  };
+  links = emptyLinks(edgeCount, vertexCount, circleCount);
   threads.forEach(vertexOf.size(), [&](std::size_t i) {
     const auto face = static_cast<int>(i);
     const auto corners = cornersOf(dual, 3 * face);
     // The smallest circle first, so that the triple does not depend on how the face was found.
     const std::size_t first = indexOfSmallest(corners);
-    if (links != nullptr) linkFace(face, vertexOf[i], dual, sideOf, *links, first);
+    linkFace(face, vertexOf[i], dual, sideOf, links, first);
     if (!isVertex(vertexOf[i])) return;
     const auto [a, b, c] = startingAt(corners, first);
     topology.vertexCircles[vertexOf[i]] = {a, b, c};
   });
-  if (links != nullptr) linkFirstSides(topology.edges, *links);
+  linkFirstSides(topology.edges, links);
   const auto atInfinity =
       static_cast<int>(std::find_if_not(vertexOf.rbegin(), vertexOf.rend(), isVertex).base() - vertexOf.begin()) - 1;
   if (circleCount == 1) topology.hull.push_back(0);

@@ -25,11 +25,12 @@ std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads);
 
 /// Returns the topology of a dual. The finite faces become the vertices, in the same order, and each triple starts with
 /// its smallest corner. The pairs of half-edges between circles become the edges, and the neighbors of infinity become
-/// the hull. If the dual has no faces, `circleCount` tells whether there is one circle. Fills `links`, if given.
-Topology topologyOf(const Dual& dual, int circleCount, Links* links = nullptr, Threads threads = Threads());
+/// the hull. If the dual has no faces, `circleCount` tells whether there is one circle.
+Topology topologyOf(Dual dual, int circleCount);
 
-/// Returns the topology of a dual, like the overload above, where `vertexOf` is verticesOf(dual).
-Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links* links,
+/// Returns the topology of a dual, like the overload above, where `vertexOf` is verticesOf(dual). Sets `links`. Uses the
+/// memory of the dual.
+Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links& links,
                     Threads threads);
 
 /// Rotates a hull so that it starts with its smallest pair of successive circles. Then the hull does not depend on how
