@@ -168,19 +168,20 @@ TEST(ChangedArrays, AreNamedWhereTheyDoNotFitTogether) {
     const auto clipped = ClippedDiagram::from(changed, region);
     return clipped ? "" : std::string(errorCodeName(clipped.error().code)) + ": " + clipped.error().message;
   };
-  const auto misfit = [](const std::string& where) {
+  const auto doNotFit = [](const std::string& where) {
     return "badInput: The arrays of the diagram do not fit together" + where + ". They must not be changed.";
   };
   EXPECT_EQ(messageOf([](Diagram&) {}), "");
-  EXPECT_EQ(messageOf([](Diagram& d) { std::ranges::fill(d.links.firstSide, SideIndex(1)); }), misfit(" at circle 0"));
-  EXPECT_EQ(messageOf([](Diagram& d) { d.links.nextSide[7] = 100'000; }), misfit(" at side 7"));
-  EXPECT_EQ(messageOf([](Diagram& d) { d.links.nextSide[7] = 7; }).substr(0, 20), misfit("").substr(0, 20));
-  EXPECT_EQ(messageOf([](Diagram& d) { d.edges[4].start = 100'000; }), misfit(" at edge 4"));
-  EXPECT_EQ(messageOf([](Diagram& d) { d.vertexCircles[2][1] = -1; }), misfit(" at vertex 2"));
+  EXPECT_EQ(messageOf([](Diagram& d) { std::ranges::fill(d.links.firstSide, SideIndex(1)); }),
+            doNotFit(" at circle 0"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.links.nextSide[7] = 100'000; }), doNotFit(" at side 7"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.links.nextSide[7] = 7; }).substr(0, 20), doNotFit("").substr(0, 20));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.edges[4].start = 100'000; }), doNotFit(" at edge 4"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.vertexCircles[2][1] = -1; }), doNotFit(" at vertex 2"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.vertices[3].x = std::numeric_limits<double>::quiet_NaN(); }),
-            misfit(" at vertex 3"));
-  EXPECT_EQ(messageOf([](Diagram& d) { d.hull.push_back(d.hull.front()); }), misfit(" at place of the hull 0"));
-  EXPECT_EQ(messageOf([](Diagram& d) { d.vertices.pop_back(); }), misfit(" in their lengths"));
+            doNotFit(" at vertex 3"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.hull.push_back(d.hull.front()); }), doNotFit(" at place of the hull 0"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.vertices.pop_back(); }), doNotFit(" in their lengths"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.circles[5].x = std::numeric_limits<double>::infinity(); }),
             "nonFinite: Circle 5 has an x that is not a finite number.");
   EXPECT_EQ(messageOf([](Diagram& d) { d.circles[5].y = 1e-20; }),

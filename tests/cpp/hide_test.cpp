@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hidden circles against the definition: every pair, in integers.
-#include "find_sites.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
+#include "find_sites.h"
 #include "judge.h"
 #include "report.h"
 #include "tie_inputs.h"

@@ -19,11 +19,11 @@ const Topology kTopology = {
     {{0, 1, kNone, 0}, {1, 2, kNone, 1}, {2, 0, kNone, 2}, {1, 3, 1, 0}, {2, 3, 2, 1}, {0, 3, 0, 2}},
     {0, 1, 2}};
 
-Misfit misfitOf(const Topology& topology, int circleCount = 4) {
+TopologyFlaw flawOf(const Topology& topology, int circleCount = 4) {
   const auto dual = dualOf(topology, circleCount);
-  const auto* misfit = std::get_if<Misfit>(&dual);
-  EXPECT_NE(misfit, nullptr);
-  return misfit == nullptr ? Misfit{Flaw::none} : *misfit;
+  const auto* found = std::get_if<TopologyFlaw>(&dual);
+  EXPECT_NE(found, nullptr);
+  return found == nullptr ? TopologyFlaw{Flaw::none} : *found;
 }
 
 TEST(Topology, GoesToTheDualAndBack) {
@@ -70,25 +70,25 @@ TEST(Topology, NamesWhatIsOutOfRangeOrTwice) {
   for (const std::int32_t bad : {-1, 4, 1}) {
     Topology topology = kTopology;
     topology.vertexCircles[1] = {bad, 1, 3};
-    EXPECT_EQ(misfitOf(topology).flaw, Flaw::badIndex) << bad;
-    EXPECT_EQ(misfitOf(topology).vertex, 1) << bad;
+    EXPECT_EQ(flawOf(topology).flaw, Flaw::badIndex) << bad;
+    EXPECT_EQ(flawOf(topology).vertex, 1) << bad;
     topology = kTopology;
     topology.edges[4].left = bad == 1 ? 3 : bad;  // 3 is its right
-    EXPECT_EQ(misfitOf(topology).flaw, Flaw::badIndex) << bad;
-    EXPECT_EQ(misfitOf(topology).edge, 4) << bad;
+    EXPECT_EQ(flawOf(topology).flaw, Flaw::badIndex) << bad;
+    EXPECT_EQ(flawOf(topology).edge, 4) << bad;
     topology = kTopology;
     topology.hull[2] = bad;
-    EXPECT_EQ(misfitOf(topology).flaw, Flaw::badIndex) << bad;
-    EXPECT_EQ(misfitOf(topology).circle, bad) << bad;
+    EXPECT_EQ(flawOf(topology).flaw, Flaw::badIndex) << bad;
+    EXPECT_EQ(flawOf(topology).circle, bad) << bad;
   }
-  EXPECT_EQ(misfitOf(kTopology, 3).flaw, Flaw::badIndex);
+  EXPECT_EQ(flawOf(kTopology, 3).flaw, Flaw::badIndex);
 }
 
 TEST(Topology, NamesTheEdgeThatDoesNotFit) {
   const auto change = [](auto edit) {
     Topology topology = kTopology;
     edit(topology);
-    return misfitOf(topology);
+    return flawOf(topology);
   };
   // Ends swapped, out of range, or of a vertex without this pair of circles.
   EXPECT_EQ(change([](Topology& t) { std::swap(t.edges[3].start, t.edges[3].end); }).edge, 3);
@@ -99,7 +99,7 @@ TEST(Topology, NamesTheEdgeThatDoesNotFit) {
   EXPECT_EQ(change([](Topology& t) { t.edges[3].end = kNone; }).edge, 3);
   // One edge twice, and one missing: the second of the two is named, or the vertex left open.
   EXPECT_EQ(change([](Topology& t) { t.edges.push_back(t.edges[3]); }).edge, 6);
-  const Misfit missing = change([](Topology& t) { t.edges.erase(t.edges.begin() + 3); });
+  const TopologyFlaw missing = change([](Topology& t) { t.edges.erase(t.edges.begin() + 3); });
   EXPECT_EQ(missing.flaw, Flaw::adjacency);
   EXPECT_EQ(missing.vertex, 0);
 }
@@ -107,9 +107,9 @@ TEST(Topology, NamesTheEdgeThatDoesNotFit) {
 TEST(Topology, RefusesAHullThatRepeatsAStep) {
   Topology topology = kTopology;
   topology.hull = {0, 1, 2, 0, 1, 2};
-  EXPECT_EQ(misfitOf(topology).flaw, Flaw::adjacency);
+  EXPECT_EQ(flawOf(topology).flaw, Flaw::adjacency);
   topology.hull.clear();
-  EXPECT_EQ(misfitOf(topology).flaw, Flaw::adjacency);
+  EXPECT_EQ(flawOf(topology).flaw, Flaw::adjacency);
 }
 
 TEST(RotateHull, StartsWithTheSmallestStep) {

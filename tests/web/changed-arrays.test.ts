@@ -154,25 +154,25 @@ it('an array that was changed in place is named', () => {
     change(diagram)
     return problemOf(() => call(diagram))
   }
-  const misfit = (thing: string) =>
+  const doesNotFit = (thing: string) =>
     `badInput: The arrays of the diagram do not fit together at ${thing}. They must not be changed.`
   const areas = (diagram: Diagram) => diagram.cellAreas({ region: hall })
   expect(messageOf(() => {}, areas)).toBe('no problem')
-  expect(messageOf((d) => d.firstSide.fill(1), areas)).toBe(misfit('circle 0'))
+  expect(messageOf((d) => d.firstSide.fill(1), areas)).toBe(doesNotFit('circle 0'))
   expect(
     messageOf(
       (d) => d.firstSide.fill(1),
       (d) => d.cellPath(2),
     ),
-  ).toBe(misfit('circle 2'))
+  ).toBe(doesNotFit('circle 2'))
   expect(messageOf((d) => d.edges.reverse(), areas)).toMatch(/^badInput: The arrays of the diagram do not fit together/)
   expect(
     messageOf(
       (d) => d.nextSide.fill(0),
       (d) => d.neighbors(3),
     ),
-  ).toBe(misfit('circle 3'))
-  expect(messageOf((d) => d.vertices.fill(Number.NaN), areas)).toBe(misfit('vertex 0'))
+  ).toBe(doesNotFit('circle 3'))
+  expect(messageOf((d) => d.vertices.fill(Number.NaN), areas)).toBe(doesNotFit('vertex 0'))
 })
 
 it('the arrays of a snapshot that an edit is applied to are a result or an error', () => {

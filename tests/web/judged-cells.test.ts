@@ -28,7 +28,7 @@ describe('cells in bounds', () => {
     expect(grid().cellAreas({ bounds, maxDistance: 0.2 })).toHaveLength(25)
   })
 
-  const misfit = /^badInput: The arrays of the diagram do not fit together at circle 12\./
+  const doNotFit = /^badInput: The arrays of the diagram do not fit together at circle 12\./
 
   it.each<[string, (diagram: Diagram) => void]>([
     ['a cell begins at a side of another', ({ firstSide }) => firstSide.set([firstSide[MIDDLE + 1] as number], MIDDLE)],
@@ -36,8 +36,8 @@ describe('cells in bounds', () => {
   ])('are refused where %s', (_, corrupt) => {
     const diagram = grid()
     corrupt(diagram)
-    expect(problemOf(() => diagram.cellAreas({ bounds }))).toMatch(misfit)
-    expect(problemOf(() => diagram.cellArea(MIDDLE, { bounds }))).toMatch(misfit)
+    expect(problemOf(() => diagram.cellAreas({ bounds }))).toMatch(doNotFit)
+    expect(problemOf(() => diagram.cellArea(MIDDLE, { bounds }))).toMatch(doNotFit)
   })
 
   // The remaining sides lead around their cells, so that only the enclosed area is wrong.

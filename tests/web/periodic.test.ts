@@ -159,7 +159,7 @@ describe('a periodic diagram', () => {
 
   it('says what is wrong', () => {
     const wrong = (lattice: unknown) => problemOf(() => library.computePeriodic([[0, 0, 1]], lattice as Lattice))
-    const misfit = 'badInput: computePeriodic takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.'
+    const message = 'badInput: computePeriodic takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.'
     for (const lattice of [
       undefined,
       {},
@@ -168,7 +168,7 @@ describe('a periodic diagram', () => {
       { a: [1, 0], b: ['0', 1] },
       [1, 0, 0, 1],
     ]) {
-      expect(wrong(lattice)).toBe(misfit)
+      expect(wrong(lattice)).toBe(message)
     }
     expect(wrong({ a: [1, 0], b: [-2, 0] })).toMatch(/^badOption: The periods must not be zero or parallel/)
     expect(wrong({ a: [1, 0], b: [0, Infinity] })).toMatch(/^badOption: The periods must be finite/)

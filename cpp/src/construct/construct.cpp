@@ -54,7 +54,7 @@ Construction judged(Topology topology, const Sites& sites, const Observer& obser
     teller.tellChanges();
     return {std::move(*fitting), std::move(verdict)};
   }
-  return {{}, {}, Unfit{std::move(topology), std::get<Misfit>(dual)}};
+  return {{}, {}, FlawedTopology{std::move(topology), std::get<TopologyFlaw>(dual)}};
 }
 
 void tellOfCenters(const Dual& centers, const Observer& observer) {
@@ -140,16 +140,16 @@ Construction flippedFromCenters(Sites& sites, bool mayRepair, const Observer& ob
 /// Returns the circles that the judge blames and their neighbors among the centers, or all circles if it blames none.
 std::vector<int> circlesAround(const Construction& construction, const Dual& centers) {
   std::set<int> named;
-  if (construction.unfit) {
-    const auto& [topology, misfit] = *construction.unfit;
-    if (misfit.circle != kNone) named.insert(misfit.circle);
-    if (misfit.vertex != kNone) {
-      const auto& triple = topology.vertexCircles[misfit.vertex];
+  if (construction.flawed) {
+    const auto& [topology, found] = *construction.flawed;
+    if (found.circle != kNone) named.insert(found.circle);
+    if (found.vertex != kNone) {
+      const auto& triple = topology.vertexCircles[found.vertex];
       named.insert(triple.begin(), triple.end());
     }
-    if (misfit.edge != kNone) named.insert({topology.edges[misfit.edge].left, topology.edges[misfit.edge].right});
+    if (found.edge != kNone) named.insert({topology.edges[found.edge].left, topology.edges[found.edge].right});
   } else {
-    const auto& [dual, verdict, unfit] = construction;
+    const auto& [dual, verdict, flawed] = construction;
     if (verdict.circle != kNone) named.insert(verdict.circle);
     if (verdict.face != kNone && dual.isFinite(verdict.face)) {
       const auto corners = cornersOf(dual, 3 * verdict.face);
@@ -245,7 +245,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     if (result.isRight() || !mayResample) return result;
     ++journal.stats.counts.resamplings;
     // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
-    if (!result.unfit) {
+    if (!result.flawed) {
       Dual dual = result.dual;
       FaceTeller teller(dual, sites.circles, observer);
       Verdict verdict = flippedAndJudged(dual, sites, false, teller, journal, threads);

@@ -14,18 +14,18 @@
 namespace circle_voronoi {
 
 /// A topology over sites that is not that of a triangulated sphere, and where.
-struct Unfit {
+struct FlawedTopology {
   Topology topology;
-  Misfit misfit;
+  TopologyFlaw flaw;
 };
 
 /// A dual over sites with the verdict of the judge, or a topology that forms no dual.
 struct Construction {
   Dual dual;
   Verdict verdict;
-  std::optional<Unfit> unfit = {};
+  std::optional<FlawedTopology> flawed = {};
 
-  bool isRight() const { return !unfit && verdict.isRight(); }
+  bool isRight() const { return !flawed && verdict.isRight(); }
 };
 
 /// Runs the touching disc method on the candidates of `options` and judges the result. With `options.resample`, tries

@@ -33,10 +33,10 @@ Diagram diagramOf(std::span<const Circle> circles, Construction construction, Si
   const auto vertexOf = [&](const Triple& corners, const FaceDisc& disc) {
     return predicates.vertex(fromFirst(corners, sites.indices), disc);
   };
-  if (construction.unfit) {
-    const Misfit& misfit = construction.unfit->misfit;
-    topology = std::move(construction.unfit->topology);
-    diagram.certificate = {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}};
+  if (construction.flawed) {
+    const TopologyFlaw& found = construction.flawed->flaw;
+    topology = std::move(construction.flawed->topology);
+    diagram.certificate = {found.flaw, found.circle, found.vertex, found.edge, {}};
     const auto ofInput = [&](CircleIndex& circle) { circle = sites.indices[circle]; };
     for (auto& triple : topology.vertexCircles) {
       const auto& [i, j, k] = triple;

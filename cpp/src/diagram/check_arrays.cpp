@@ -110,7 +110,7 @@ std::optional<Item> wronglyLinked(const Diagram& diagram) {
   return std::nullopt;
 }
 
-Error misfit(const std::string& where) {
+Error doNotFit(const std::string& where) {
   return {ErrorCode::badInput, kNone,
           "The arrays of the diagram do not fit together" + where + ". They must not be changed."};
 }
@@ -119,9 +119,8 @@ Error misfit(const std::string& where) {
 
 Result<void> checkArrays(const Diagram& diagram) {
   for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
-    if (const auto objection = objectionTo(diagram.circles[i], diagram.weights)) {
-      return Error{objection->code, static_cast<std::int64_t>(i),
-                   "Circle " + std::to_string(i) + " " + objection->what};
+    if (const auto error = errorOf(diagram.circles[i], diagram.weights)) {
+      return Error{error->code, static_cast<std::int64_t>(i), "Circle " + std::to_string(i) + " " + error->what};
     }
     // Integers of fixed size hold multiples of the step alone.
     if (rounded(diagram.circles[i]) != diagram.circles[i]) {
@@ -133,10 +132,10 @@ Result<void> checkArrays(const Diagram& diagram) {
                             diagram.links.nextSide.size() == 2 * diagram.edges.size() &&
                             diagram.links.vertexSides.size() == diagram.vertices.size() &&
                             diagram.links.firstSide.size() == diagram.circles.size();
-  if (!fitsInLength) return misfit(" in their lengths");
+  if (!fitsInLength) return doNotFit(" in their lengths");
   auto place = outsideRange(diagram);
   if (!place) place = wronglyLinked(diagram);
-  if (place) return misfit(std::string(" at ") + place->thing + " " + std::to_string(place->index));
+  if (place) return doNotFit(std::string(" at ") + place->thing + " " + std::to_string(place->index));
   return {};
 }
 

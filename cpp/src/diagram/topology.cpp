@@ -80,19 +80,19 @@ class DualBuilder {
   DualBuilder(const Topology& topology, int circleCount)
       : topology_(topology), circleCount_(circleCount), vertexCount_(static_cast<int>(topology.vertexCircles.size())) {}
 
-  std::variant<Dual, Misfit> build(Links* links) {
-    if (const auto misfit = addVertices()) return *misfit;
-    if (const auto misfit = addHull()) return *misfit;
+  std::variant<Dual, TopologyFlaw> build(Links* links) {
+    if (const auto flaw = addVertices()) return *flaw;
+    if (const auto flaw = addHull()) return *flaw;
     dual_.twin.assign(dual_.origin.size(), kNone);
     sideOf_.resize(dual_.origin.size());
     linkHull();
     for (int edge = 0; edge < static_cast<int>(topology_.edges.size()); ++edge) {
-      if (const auto misfit = link(edge)) return *misfit;
+      if (const auto flaw = link(edge)) return *flaw;
     }
     const auto open = std::find(dual_.twin.begin(), dual_.twin.end(), kNone);
     if (open != dual_.twin.end()) {
       const int face = static_cast<int>(open - dual_.twin.begin()) / 3;
-      return Misfit{Flaw::adjacency, kNone, face < vertexCount_ ? face : kNone};
+      return TopologyFlaw{Flaw::adjacency, kNone, face < vertexCount_ ? face : kNone};
     }
     if (links != nullptr) {
       *links = emptyLinks(topology_.edges.size(), topology_.vertexCircles.size(), circleCount_);
@@ -109,12 +109,12 @@ class DualBuilder {
  private:
   bool isCircle(int i) const { return i >= 0 && i < circleCount_; }
 
-  std::optional<Misfit> addVertices() {
+  std::optional<TopologyFlaw> addVertices() {
     dual_.origin.reserve(3 * (topology_.vertexCircles.size() + topology_.hull.size()));
     for (int vertex = 0; vertex < vertexCount_; ++vertex) {
       const auto& [i, j, k] = topology_.vertexCircles[vertex];
       if (!isCircle(i) || !isCircle(j) || !isCircle(k) || i == j || j == k || k == i) {
-        return Misfit{Flaw::badIndex, kNone, vertex};
+        return TopologyFlaw{Flaw::badIndex, kNone, vertex};
       }
       dual_.origin.insert(dual_.origin.end(), {i, j, k});
     }
@@ -122,18 +122,18 @@ class DualBuilder {
   }
 
   /// The hull goes counter-clockwise, so the face at infinity lies to the left of each of its steps reversed.
-  std::optional<Misfit> addHull() {
+  std::optional<TopologyFlaw> addHull() {
     const auto& hull = topology_.hull;
     for (const int i : hull) {
-      if (!isCircle(i)) return Misfit{Flaw::badIndex, i};
+      if (!isCircle(i)) return TopologyFlaw{Flaw::badIndex, i};
     }
     if (hull.size() < 2) return std::nullopt;
     for (std::size_t step = 0; step < hull.size(); ++step) {
       const int i = hull[step];
       const int j = hull[(step + 1) % hull.size()];
-      if (i == j) return Misfit{Flaw::badIndex, i};
+      if (i == j) return TopologyFlaw{Flaw::badIndex, i};
       const auto face = static_cast<int>(dual_.origin.size() / 3);
-      if (!hullFaces_.emplace(key(j, i), face).second) return Misfit{Flaw::adjacency, i};
+      if (!hullFaces_.emplace(key(j, i), face).second) return TopologyFlaw{Flaw::adjacency, i};
       dual_.origin.insert(dual_.origin.end(), {j, i, kPointAtInfinity});
     }
     return std::nullopt;
@@ -151,14 +151,14 @@ class DualBuilder {
   }
 
   /// The half-edge left -> right bounds the face of the end of an edge, right -> left that of its start.
-  std::optional<Misfit> link(int index) {
+  std::optional<TopologyFlaw> link(int index) {
     const Edge& edge = topology_.edges[index];
     if (!isCircle(edge.left) || !isCircle(edge.right) || edge.left == edge.right)
-      return Misfit{Flaw::badIndex, kNone, kNone, index};
+      return TopologyFlaw{Flaw::badIndex, kNone, kNone, index};
     const int h = halfEdge(edge.left, edge.right, edge.end);
     const int t = halfEdge(edge.right, edge.left, edge.start);
     if (h == kNone || t == kNone || h == t || dual_.twin[h] != kNone || dual_.twin[t] != kNone) {
-      return Misfit{Flaw::adjacency, kNone, kNone, index};
+      return TopologyFlaw{Flaw::adjacency, kNone, kNone, index};
     }
     dual_.twin[h] = t;
     dual_.twin[t] = h;
@@ -274,7 +274,7 @@ void rotateHull(std::vector<CircleIndex>& hull) {
   std::rotate(hull.begin(), hull.begin() + static_cast<std::ptrdiff_t>(start), hull.end());
 }
 
-std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount, Links* links) {
+std::variant<Dual, TopologyFlaw> dualOf(const Topology& topology, int circleCount, Links* links) {
   return DualBuilder(topology, circleCount).build(links);
 }
 

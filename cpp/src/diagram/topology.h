@@ -28,8 +28,8 @@ std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads);
 /// the hull. If the dual has no faces, `circleCount` tells whether there is one circle.
 Topology topologyOf(Dual dual, int circleCount);
 
-/// Returns the topology of a dual, like the overload above, where `vertexOf` is verticesOf(dual). Sets `links`. Uses the
-/// memory of the dual.
+/// Returns the topology of a dual, like the overload above, where `vertexOf` is verticesOf(dual). Sets `links`. Uses
+/// the memory of the dual.
 Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links& links,
                     Threads threads);
 
@@ -38,16 +38,16 @@ Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int cir
 void rotateHull(std::vector<CircleIndex>& hull);
 
 /// The reason why a topology is not that of a triangulated sphere, and the place.
-struct Misfit {
+struct TopologyFlaw {
   Flaw flaw = Flaw::adjacency;
   CircleIndex circle = {};
   VertexIndex vertex = {};
   EdgeIndex edge = {};
 };
 
-/// Returns the dual of a topology, or the misfit if there is none. Face i is vertex i, for i below the number of
+/// Returns the dual of a topology, or the flaw if there is none. Face i is vertex i, for i below the number of
 /// vertices. Faces at infinity follow in the order of the hull. Indices of circles must be below `circleCount`. Fills
 /// `links`, if given, where the topology fits.
-std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount, Links* links = nullptr);
+std::variant<Dual, TopologyFlaw> dualOf(const Topology& topology, int circleCount, Links* links = nullptr);
 
 }  // namespace circle_voronoi

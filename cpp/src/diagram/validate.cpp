@@ -10,14 +10,14 @@
 
 namespace circle_voronoi {
 
-std::optional<Objection> objectionTo(const Circle& c, bool weights) {
-  if (!std::isfinite(c.x)) return Objection{ErrorCode::nonFinite, "has an x that is not a finite number."};
-  if (!std::isfinite(c.y)) return Objection{ErrorCode::nonFinite, "has a y that is not a finite number."};
-  if (!std::isfinite(c.r)) return Objection{ErrorCode::nonFinite, "has a radius that is not a finite number."};
-  if (c.r < 0 && !weights) return Objection{ErrorCode::negativeRadius, "has a negative radius."};
+std::optional<CircleError> errorOf(const Circle& c, bool weights) {
+  if (!std::isfinite(c.x)) return CircleError{ErrorCode::nonFinite, "has an x that is not a finite number."};
+  if (!std::isfinite(c.y)) return CircleError{ErrorCode::nonFinite, "has a y that is not a finite number."};
+  if (!std::isfinite(c.r)) return CircleError{ErrorCode::nonFinite, "has a radius that is not a finite number."};
+  if (c.r < 0 && !weights) return CircleError{ErrorCode::negativeRadius, "has a negative radius."};
   if (largestNumber(c) <= kCoordinateLimit) return std::nullopt;
-  return Objection{ErrorCode::coordinateTooLarge,
-                   std::string("has a coordinate or a radius beyond ") + kCoordinateLimitText + "."};
+  return CircleError{ErrorCode::coordinateTooLarge,
+                     std::string("has a coordinate or a radius beyond ") + kCoordinateLimitText + "."};
 }
 
 std::optional<Error> tooSmallError(double largest, const std::string& what) {
@@ -43,10 +43,10 @@ Result<void> validatePart(std::span<const Circle> circles, bool weights, std::si
                  "that is linked with -ffast-math."};
   }
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (const auto objection = objectionTo(circles[i], weights)) {
+    if (const auto error = errorOf(circles[i], weights)) {
       const std::size_t circle = first + i;
-      return Error{objection->code, static_cast<std::int64_t>(circle),
-                   "Circle " + std::to_string(circle) + " " + objection->what};
+      return Error{error->code, static_cast<std::int64_t>(circle),
+                   "Circle " + std::to_string(circle) + " " + error->what};
     }
   }
   return {};

@@ -14,13 +14,14 @@
 namespace circle_voronoi {
 
 /// The reason why a circle is invalid: a code, and the rest of a sentence that begins with the name of the circle.
-struct Objection {
+struct CircleError {
   ErrorCode code;
   std::string what;
 };
 
-/// Returns the objection to a circle, if any: nonFinite, negativeRadius unless radii are weights, coordinateTooLarge.
-std::optional<Objection> objectionTo(const Circle& circle, bool weights);
+/// Returns the error of a circle, if any: nonFinite, negativeRadius unless radii are weights, coordinateTooLarge.
+/// Exported like `validate`.
+CIRCLE_VORONOI_API std::optional<CircleError> errorOf(const Circle& circle, bool weights);
 
 /// Returns the error for an input whose largest number is not 0 and is below kSmallestInput: coordinateTooSmall.
 /// `what` begins the sentence, as "The circles".

@@ -160,12 +160,11 @@ class DiagramEditor::Editor {
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
       if (edit.kind == Edit::Kind::remove) continue;
-      const auto objection = objectionTo(edit.circle, state_->weights);
-      if (!objection) continue;
+      const auto error = errorOf(edit.circle, state_->weights);
+      if (!error) continue;
       const bool isNew = edit.kind == Edit::Kind::insert;
       const std::string who = isNew ? "The new circle" : "Circle " + std::to_string(edit.id);
-      return Error{objection->code, isNew ? CircleId() : edit.id, who + " " + objection->what,
-                   static_cast<std::int64_t>(i)};
+      return Error{error->code, isNew ? CircleId() : edit.id, who + " " + error->what, static_cast<std::int64_t>(i)};
     }
     return tooSmallEditsError(edits);
   }

@@ -309,8 +309,8 @@ void CsvRowReader::readCircle(const CsvTable& table, FieldOf fieldOf, ParsedCirc
   }
   const Circle circle = {values[0], values[1], values[2]};
   if (skipsInvalid_) {  // otherwise `validate` reports it, with the index in the whole text
-    if (const auto objection = objectionTo(circle, weights_)) {
-      fail("Circle " + std::to_string(next_) + " " + objection->what, objection->code);
+    if (const auto error = errorOf(circle, weights_)) {
+      fail("Circle " + std::to_string(next_) + " " + error->what, error->code);
     }
   }
   if (isOfTile_) readNames(table, fieldOf, circles);

@@ -45,8 +45,8 @@ class ItemReader {
       const JsonReader before = reader;
       try {
         readItem(item);
-        if (const auto objection = objectionTo(item.circle, weights_)) {
-          throw ReadError{reader.offset(), "Circle " + std::to_string(index) + " " + objection->what, objection->code};
+        if (const auto error = errorOf(item.circle, weights_)) {
+          throw ReadError{reader.offset(), "Circle " + std::to_string(index) + " " + error->what, error->code};
         }
         add(std::move(item), reader.offset());
       } catch (ReadError& failure) {

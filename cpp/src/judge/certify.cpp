@@ -137,11 +137,11 @@ Certificate judgeDiagram(std::span<const Circle> circles, const Diagram& diagram
   if (count < 2 && topology.hull.size() != visible.circles.size()) return {Flaw::eulerCount, kNone, kNone, kNone, {}};
   Links links;
   auto dual = dualOf(topology, count, &links);
-  if (const auto* misfit = std::get_if<Misfit>(&dual)) {
-    return {misfit->flaw,
-            misfit->circle == kNone ? CircleIndex() : visible.indices[misfit->circle],
-            misfit->vertex,
-            misfit->edge,
+  if (const auto* wrong = std::get_if<TopologyFlaw>(&dual)) {
+    return {wrong->flaw,
+            wrong->circle == kNone ? CircleIndex() : visible.indices[wrong->circle],
+            wrong->vertex,
+            wrong->edge,
             {}};
   }
   Predicates predicates(visible.circles);

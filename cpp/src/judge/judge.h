@@ -48,7 +48,8 @@ struct Verdict {
 ///
 /// A disc is a function of the corners of its face, and the order of the ends of an edge is one of its four circles.
 /// `proof` may have discs and orders that Predicates found for this very dual: the judge rests on these. It finds
-/// missing parts itself, such as those of faces that a builder has changed. With CIRCLE_VORONOI_CHECK_PROOFS it finds everything, too, and compares.
+/// missing parts itself, such as those of faces that a builder has changed. With CIRCLE_VORONOI_CHECK_PROOFS it finds
+/// everything, too, and compares.
 Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Proof proof = {},
               Threads threads = Threads());
 

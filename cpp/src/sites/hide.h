@@ -20,7 +20,7 @@ struct Sites {
   std::vector<int> indices;          ///< the index of each visible circle in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
   Dual centers;                      ///< the Delaunay triangulation of their centers if it is known; otherwise empty
-  std::int64_t steps = 0;            ///< steps of the search for hidden circles: boxes and circles visited, edges flipped
+  std::int64_t steps = 0;  ///< steps of the search for hidden circles: boxes and circles visited, edges flipped
 };
 
 /// Removes the hidden circles. This is exact: of identical circles the first stays, and a circle that touches another
