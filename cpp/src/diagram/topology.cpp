@@ -42,8 +42,8 @@ std::int32_t numbered(std::size_t items, Threads threads, Condition condition, N
 /// The side of half-edge h ends at the vertex that is the face of h, and the next one around the same circle begins
 /// there: it lies one half-edge on, counter-clockwise around the origin, or two where that one goes to infinity.
 ///
-/// The sides of a vertex begin with that of the corner `first`, from 0 to 2. Of the twins only those of edges to
-/// infinity are used.
+/// The sides of a vertex begin with that of the corner `first`, from 0 to 2. This function uses only the
+/// twins of edges to infinity.
 template <class SideOf>
 void linkFace(int face, VertexIndex vertex, const Dual& dual, SideOf sideOf, Links& links, std::size_t first = 0) {
   const int h = 3 * face;
