@@ -9,7 +9,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 // The range of numbers. Coordinates, radii, weights and corners of regions are at most 2^96 in absolute value. Each is
 // rounded once, where it enters, to a multiple of 2^-96 (1.3e-29); every number from 2^-44 (5.7e-14) up is one already.
-// An input whose largest number is not 0 and is below 2^-56 (1.4e-17) is an error, because rounding could be felt.
+// An input whose largest number is not 0 and is below 2^-56 (1.4e-17) is an error, because rounding would distort it.
 // Differences are then 0 or between 2^-96 and 2^97, so that products of ten of them neither overflow nor underflow.
 
 /// The largest coordinate, radius or weight of a circle and the largest coordinate of a region, in absolute value:
