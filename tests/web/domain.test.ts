@@ -201,8 +201,12 @@ describe('areas inside a region', () => {
       close(picture.diagram, (i) => picture.areas().valueOf(i))
       const [id = 0] = picture.editor.ids()
       const circle = { x: 8 * random(), y: 8 * random(), r: random() }
-      const edit: Edit = k % 3 === 0 ? { kind: 'remove', id } : { kind: k % 3 === 1 ? 'insert' : 'replace', id, circle }
-      picture.apply(picture.editor.apply([edit]))
+      const edits: Edit[] = [
+        { kind: 'remove', id },
+        { kind: 'insert', circle },
+        { kind: 'replace', id, circle },
+      ]
+      picture.apply(picture.editor.apply([edits[k % 3] as Edit]))
     }
   })
 
