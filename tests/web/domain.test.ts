@@ -261,9 +261,9 @@ async function started(circles = CIRCLES, domain = {}) {
     get circles() {
       return table
     },
-    async setCircles(given, change) {
-      const opened = scene.open(given, change, regions)
-      table = new CircleTable(opened.circles?.slice() ?? Float64Array.from(given))
+    async setCircles(given, change, kept) {
+      const opened = scene.open(given, change, regions, kept)
+      table = new CircleTable(opened.circles?.slice() ?? Float64Array.from(given), 0, kept)
       return edited(NO_CHANGE, opened.fitted?.error)
     },
     async apply(edits, change) {
