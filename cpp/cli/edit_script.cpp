@@ -41,6 +41,7 @@ class LineReader {
   }
 
   Edit read() const {
+    if (fields_[0] == "insert" && fields_.size() == 5) return {Edit::Kind::insert, id(5), circle(2)};
     if (fields_[0] == "insert") return {Edit::Kind::insert, kNone, circle(1)};
     if (fields_[0] == "remove") return {Edit::Kind::remove, id(2), {}};
     if (fields_[0] == "replace") return {Edit::Kind::replace, id(5), circle(2)};
@@ -62,7 +63,7 @@ class LineReader {
     std::int32_t value = 0;
     const char* end = field.data() + field.size();
     const auto [stop, code] = std::from_chars(field.data(), end, value);
-    if (code != std::errc() || stop != end) fail(quoted(field) + " is no id.");
+    if (code != std::errc() || stop != end || value < 0) fail(quoted(field) + " is no id.");
     return value;
   }
 

@@ -15,9 +15,9 @@ struct ScriptEdit {
   int line = 0;
 };
 
-/// Returns the edits of a script, one a line: `insert,x,y,r`, `remove,id` or `replace,id,x,y,r`. The script is UTF-8,
-/// which may begin with a byte-order mark. It may have blanks anywhere, blank lines and lines that begin with #. Errors
-/// call it `name`. Throws CommandError. The editor checks the circles.
+/// Returns the edits of a script, one a line: `insert,x,y,r`, `remove,id` or `replace,id,x,y,r`; `insert,id,x,y,r` for
+/// a removed circle. The script is UTF-8, which may begin with a byte-order mark. It may have blanks anywhere, blank
+/// lines and lines that begin with #. Errors call it `name`. Throws CommandError. The editor checks the circles.
 std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name);
 
 }  // namespace circle_voronoi::cli

@@ -66,9 +66,11 @@ val replyTo(Session& session, const Result<Change>& change) {
   return change.ok() ? changeValue(session.reply, change.value()) : errorValue(change.error());
 }
 
-val createEditor(const val& coordinates, bool weights) {
+val createEditor(const val& coordinates, bool weights, const val& ids, std::int32_t nextId) {
   return valueOf([&] {
-    auto editor = DiagramEditor::from(itemsFrom<double, Circle>(coordinates), {.weights = weights});
+    const auto given = itemsFrom<std::int32_t, CircleId>(ids);
+    auto editor = DiagramEditor::from(itemsFrom<double, Circle>(coordinates),
+                                      {.weights = weights, .ids = given, .nextId = nextId});
     if (!editor.ok()) return errorValue(editor.error());
     val result = val::object();
     result.set("editor", reinterpret_cast<std::uintptr_t>(new Session{std::move(editor).value(), {}}));

@@ -197,7 +197,7 @@ TEST(Allocation, MayFailInEdits) {
       {{Edit::Kind::remove, 25, {}}},
       {{Edit::Kind::insert, kNone, hider}, moved(21, 0.1)},
       {{Edit::Kind::remove, 37, {}}},
-      {moved(26, 1e-3), moved(27, -2)},
+      {moved(26, 1e-3), {Edit::Kind::insert, 25, circles[25]}, moved(27, -2)},
       std::vector<Edit>(50, {Edit::Kind::insert, kNone, {0.25, 0.75, 0.1}})};
   const auto editorAfter = [&](std::size_t count) {
     DiagramEditor editor = std::move(DiagramEditor::from(circles)).value();

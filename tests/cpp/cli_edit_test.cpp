@@ -67,6 +67,11 @@ TEST_F(CliEdit, EndsWithTheDiagramOfTheCirclesThatAreLeft) {
       textOf("convert - --format svg --bounds=-20,-20,20,20", out));
 }
 
+TEST_F(CliEdit, InsertsARemovedCircleUnderItsId) {
+  const std::string edit = "edit " + circles_ + " --script -";
+  EXPECT_EQ(partsOf(textOf(edit, "remove,1\ninsert,1,3,4,1\n")), partsOf(textOf(edit, "replace,1,3,4,1\n")));
+}
+
 TEST_F(CliEdit, AScriptMayBeginWithAByteOrderMark) {
   const std::string edits = "insert,3,4,1\r\nremove,1\r\n";
   const std::string edit = "edit " + circles_ + " --format csv --script ";
@@ -144,6 +149,8 @@ TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
   expectRefusal("insert,0,\xFF\x1B,1\n", "standard input:1: \"??\" is not a finite number.");
   expectRefusal("\xFF\xFEr\n", "standard input:1: the text is UTF-16; it has to be UTF-8.");
   expectRefusal("insert,0,0\n", "standard input:1: insert takes 3 numbers, not 2.");
+  expectRefusal("insert,1,0,0,1\n", "standard input:1: There is no removed circle with id 1.");
+  expectRefusal("insert,-1,0,0,1\n", "standard input:1: \"-1\" is no id.");
   expectRefusal("remove,1,2\n", "standard input:1: remove takes 1 number, not 2.");
   expectRefusal("replace,x,0,0,1\n", "standard input:1: \"x\" is no id.");
   expectRefusal("move,0,1,1\n",

@@ -77,7 +77,23 @@ class Script {
 
   std::vector<Circle> start() const { return {supply_.begin(), supply_.begin() + static_cast<std::ptrdiff_t>(count_)}; }
 
+  /// Removed circles come back under their ids, about as often as new ones come.
   Edit next(const DiagramEditor& editor) {
+    Edit edit = any(editor);
+    if (edit.kind == Edit::Kind::insert && !removed_.empty() && random_.below(2) == 0) {
+      const auto id = removed_.begin() + static_cast<std::ptrdiff_t>(random_.below(removed_.size()));
+      edit.id = *id;
+      removed_.erase(id);
+    }
+    return edit;
+  }
+
+  void note(const Change& change) { removed_.insert(removed_.end(), change.removed.begin(), change.removed.end()); }
+
+  std::size_t below(std::size_t count) { return random_.below(count); }
+
+ private:
+  Edit any(const DiagramEditor& editor) {
     const std::vector<CircleId> ids = editor.ids();
     if (ids.empty()) return {Edit::Kind::insert, kNone, any()};
     const CircleId id = ids[random_.below(ids.size())];
@@ -111,9 +127,6 @@ class Script {
     }
   }
 
-  std::size_t below(std::size_t count) { return random_.below(count); }
-
- private:
   Circle any() { return supply_[random_.below(supply_.size())]; }
   static Circle between(const Circle& a, const Circle& b) {
     return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.r + b.r) / 2};
@@ -122,6 +135,7 @@ class Script {
   Random random_;
   std::size_t count_;
   std::vector<Circle> supply_;  ///< never empty
+  std::vector<CircleId> removed_;
 };
 
 std::string wholeProblem(const DiagramEditor& editor, const Mirror& mirror, bool isLast, const FamilyInfo& family) {
@@ -281,6 +295,7 @@ ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, s
     }
     ++result.edits;
     ++result.ways[static_cast<int>(change.value().way)];
+    script.note(change.value());
     result.problem = mirror.apply(change.value());
     const bool isLast = i + 1 == edits;
     if (result.problem.empty() && (isLast || i % 10 == 9))

@@ -46,7 +46,8 @@ struct ScriptResult {
 };
 
 /// Random edits of circles of a family: small moves, jumps, growing and shrinking back, copies of one another, circles
-/// that come and go. After each tenth the snapshot is certified and that of `compute`; at the end it is the exact one.
+/// that come, go and come back under their ids. After each tenth the snapshot is certified and that of `compute`; at
+/// the end it is the exact one.
 ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, std::uint64_t seed);
 
 /// The number of edits done in each way, by family, as a Markdown table.

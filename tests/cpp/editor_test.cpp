@@ -103,6 +103,123 @@ TEST(Editor, NeverGivesAnIdAgain) {
   expectRight(editor);
 }
 
+TEST(Editor, InsertsARemovedCircleUnderItsId) {
+  const std::vector<Circle> circles = generate(Family::uniform, 300, 1);
+  DiagramEditor editor = editorOf(circles);
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  const auto apply = [&](const std::vector<Edit>& edits) {
+    Change change = changeOf(editor.apply(edits));
+    EXPECT_EQ(mirror.apply(change), "");
+    EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+    expectRight(editor);
+    return change;
+  };
+  apply({{Edit::Kind::remove, 7, {}}, {Edit::Kind::remove, 3, {}}});
+  const Change local = apply({{Edit::Kind::insert, 7, circles[7]},
+                              {Edit::Kind::insert, kNone, {0.5, 0.25, 0}},
+                              {Edit::Kind::insert, 3, circles[3]},
+                              {Edit::Kind::replace, 3, circles[7]}});
+  EXPECT_EQ(local.way, EditWay::local);
+  EXPECT_EQ(local.inserted, (std::vector<CircleId>{7, 300, 3}));
+  // Of identical circles, the one with the lower id is visible.
+  EXPECT_TRUE(editor.isHidden(7));
+  EXPECT_FALSE(editor.isHidden(3));
+  // A circle that comes and goes in a batch may come again later.
+  apply({{Edit::Kind::remove, 300, {}}});
+  EXPECT_TRUE(apply({{Edit::Kind::insert, 300, {1, 1, 0}}, {Edit::Kind::remove, 300, {}}}).inserted.empty());
+  apply({{Edit::Kind::insert, 300, {1, 1, 0}}});
+  std::vector<Edit> removals;
+  std::vector<Edit> insertions;
+  for (CircleId id = 0; id < 300; ++id) {
+    if (id % 3 == 0) continue;
+    removals.push_back({Edit::Kind::remove, id, {}});
+    insertions.push_back({Edit::Kind::insert, id, circles[static_cast<std::size_t>(id)]});
+  }
+  std::ranges::reverse(insertions);
+  EXPECT_EQ(apply(removals).way, EditWay::whole);
+  insertions.push_back({Edit::Kind::insert, kNone, {0.5, 0.25, 0}});
+  const Change whole = apply(insertions);
+  EXPECT_EQ(whole.way, EditWay::whole);
+  EXPECT_EQ(whole.inserted.size(), insertions.size());
+  EXPECT_EQ(editor.ids().back(), 301);
+  EXPECT_EQ(*editor.circle(100), circles[100]);
+}
+
+TEST(Editor, RefusesAnIdThatIsNotOfARemovedCircle) {
+  const std::vector<Circle> circles = generate(Family::uniform, 40, 1);
+  const auto insertion = [](CircleId id) { return Edit{Edit::Kind::insert, id, {0.5, 0.5, 0.1}}; };
+  const Edit away = {Edit::Kind::remove, 7, {}};
+  DiagramEditor editor = editorOf(circles);
+  changeOf(editor.remove(3));
+  const auto expectRefusal = [&](std::vector<Edit> edits, CircleId id) {
+    // Large batches compute the whole diagram.
+    for (const std::size_t others : {0U, 100U}) {
+      edits.insert(edits.begin(), others, insertion(kNone));
+      const auto change = editor.apply(edits);
+      ASSERT_FALSE(change.ok());
+      EXPECT_EQ(change.error().code, ErrorCode::unknownCircle);
+      EXPECT_EQ(change.error().message, "There is no removed circle with id " + std::to_string(id) + ".");
+      EXPECT_EQ(change.error().circle, id);
+      EXPECT_EQ(change.error().edit, static_cast<std::int64_t>(edits.size()) - 1);
+      EXPECT_EQ(editor.size(), 39U);
+      EXPECT_FALSE(editor.circle(3));
+      expectRight(editor);
+    }
+  };
+  expectRefusal({insertion(5)}, 5);
+  expectRefusal({insertion(-2)}, -2);
+  expectRefusal({insertion(1000)}, 1000);
+  expectRefusal({insertion(3), insertion(3)}, 3);
+  expectRefusal({away, insertion(7)}, 7);
+  expectRefusal({insertion(3), {Edit::Kind::remove, 3, {}}, insertion(3)}, 3);
+  EXPECT_EQ(editor.apply({{{Edit::Kind::insert, 3, {0, 0, -1}}}}).error().message, "Circle 3 has a negative radius.");
+  EXPECT_EQ(changeOf(editor.apply(std::vector<Edit>{insertion(3), insertion(kNone)})).inserted,
+            (std::vector<CircleId>{3, 40}));
+  expectRight(editor);
+}
+
+TEST(Editor, StartsWithGivenIds) {
+  const std::vector<Circle> circles = generate(Family::hidden, 60, 1);
+  std::vector<CircleId> ids;
+  for (std::int32_t i = 0; i < 60; ++i) ids.push_back(1000 * i + 5);
+  DiagramEditor editor = DiagramEditor::from(circles, {.ids = ids, .nextId = 70'000}).value();
+  EXPECT_EQ(editor.ids(), ids);
+  EXPECT_EQ(editor.circles(), circles);
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  // Another editor may have removed circles with the ids between.
+  const Change change = changeOf(editor.apply(std::vector<Edit>{{Edit::Kind::insert, 69'999, circles[0]},
+                                                                {Edit::Kind::insert, 0, circles[0]},
+                                                                {Edit::Kind::remove, 5, {}},
+                                                                {Edit::Kind::insert, kNone, circles[1]}}));
+  EXPECT_EQ(change.inserted, (std::vector<CircleId>{69'999, 0, 70'000}));
+  EXPECT_EQ(mirror.apply(change), "");
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  expectRight(editor);
+  EXPECT_FALSE(editor.apply({{{Edit::Kind::insert, 70'001, circles[0]}}}).ok());
+  editor = DiagramEditor::from(circles, {.ids = ids}).value();
+  EXPECT_FALSE(editor.remove(99).ok());
+  EXPECT_EQ(changeOf(editor.insert(circles[0])).inserted.at(0), ids.back() + 1);
+}
+
+TEST(Editor, RefusesIdsThatDoNotFit) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {6, 0, 1}};
+  const auto messageFor = [&](const std::vector<CircleId>& ids, CircleId nextId = kNone) {
+    const auto editor = DiagramEditor::from(circles, {.ids = ids, .nextId = nextId});
+    EXPECT_FALSE(editor.ok());
+    EXPECT_EQ(editor.error().code, ErrorCode::badOption);
+    return editor.error().message;
+  };
+  EXPECT_EQ(messageFor({4}), "ids must be as many as there are circles: 2, not 1.");
+  EXPECT_EQ(messageFor({4, 4}), "ids must be whole numbers from 0 to 2147483646 in increasing order; 4 is not.");
+  EXPECT_EQ(messageFor({-1, 4}), "ids must be whole numbers from 0 to 2147483646 in increasing order; -1 is not.");
+  EXPECT_EQ(messageFor({4, 2147483647}),
+            "ids must be whole numbers from 0 to 2147483646 in increasing order; 2147483647 is not.");
+  EXPECT_EQ(messageFor({4, 7}, 7), "nextId must be above all ids: at least 8, not 7.");
+  EXPECT_EQ(messageFor({}, 1), "nextId must be above all ids: at least 2, not 1.");
+}
+
 TEST(Editor, RestoresTheCirclesThatAHugeCircleHid) {
   const std::vector<Circle> circles = generate(Family::uniform, 12'000, 1);
   DiagramEditor editor = editorOf(circles);

@@ -56,7 +56,7 @@ TEST(Step, ThatHidesOrShowsMostIsLeftToTheWhole) {
   const std::vector<Circle> circles = withHider(3000, 0.48);
   const std::vector<Circle> without(circles.begin(), circles.end() - 1);
   Steps hiding(without);
-  EXPECT_EQ(hiding.stepper.insert(circles.back(), kNone), std::nullopt);
+  EXPECT_EQ(hiding.stepper.insert(circles.back(), kNone, kNone), std::nullopt);
   // Before anything has changed.
   EXPECT_TRUE(hiding.state->faceLog.empty());
   Steps growing(without);

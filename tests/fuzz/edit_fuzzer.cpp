@@ -46,7 +46,7 @@ void check(const DiagramEditor& editor) {
   require(computed.ok() && contentOf(computed.value()) == contentOf(snapshot.value()), "compute makes another diagram");
 }
 
-/// The next edit that bytes stand for.
+/// The next edit that bytes stand for. Each fourth insertion is under an id that may be of a removed circle.
 circle_voronoi::Edit editOf(std::uint8_t byte, const DiagramEditor& editor, const Circle& circle) {
   using Kind = circle_voronoi::Edit::Kind;
   const std::vector<CircleId> ids = editor.ids();
@@ -56,6 +56,9 @@ circle_voronoi::Edit editOf(std::uint8_t byte, const DiagramEditor& editor, cons
       return {Kind::remove, id, {}};
     case 1:
       return {Kind::replace, id, circle};
+    case 2:
+      if (byte % 8 == 2) return {Kind::insert, byte / 8, circle};
+      [[fallthrough]];
     default:
       return {Kind::insert, kNone, circle};
   }

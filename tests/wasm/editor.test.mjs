@@ -125,6 +125,7 @@ describe('the same changes and bits as the native program', () => {
       const random = randomNumbers(4)
       const editor = library.edit(start)
       const script = []
+      const removed = []
       const changes = []
       editor.onchange = ({ revision: _, ...change }) =>
         changes.push(JSON.parse(JSON.stringify(change, (_, value) => (ArrayBuffer.isView(value) ? [...value] : value))))
@@ -136,7 +137,12 @@ describe('the same changes and bits as the native program', () => {
         const step = i % 3 === 0 ? [x, y, r] : [old.x + (x - old.x) / 64, old.y + (y - old.y) / 64, i % 2 ? old.r : r]
         if (i % 7 === 0 && ids.length > 4) {
           editor.remove(id)
+          removed.push(id)
           script.push(`remove,${id}`)
+        } else if (i % 14 === 2 && removed.length > 0) {
+          const former = removed.shift()
+          editor.apply([{ kind: 'insert', circle: [x, y, r], id: former }])
+          script.push(`insert,${[former, x, y, r]}`)
         } else if (i % 7 === 1) {
           editor.insert([x, y, r])
           script.push(`insert,${[x, y, r]}`)
@@ -186,12 +192,15 @@ describe('an editor in a worker', () => {
     const here = (await loadCircleVoronoi()).edit(THREE)
     const there = await worker.edit(THREE)
     const told = []
+    const back = { kind: 'insert', circle: [6, 0, 1], id: 1 }
     there.onchange = (change) => told.push(change)
     const diagram = await there.snapshot()
     const changes = [
       [here.insert([2, 2, 0.5]), await there.insert([2, 2, 0.5])],
       [here.replace(3, [0, 0, 3]), await there.replace(3, { x: 0, y: 0, r: 3 })],
       [here.apply([{ kind: 'remove', id: 1 }]), await there.apply([{ kind: 'remove', id: 1 }])],
+      [here.apply([back]), await there.apply([back])],
+      [here.remove(1), await there.remove(1)],
     ]
     for (const [one, other] of changes) assert.deepEqual(other, one)
     assert.deepEqual(
@@ -275,7 +284,8 @@ describe('an editor in a worker', () => {
 
   it('computes beside it, and ends with its worker or on its own', async () => {
     const mine = createWorker()
-    const [one, other] = [await mine.edit(THREE), await mine.edit([])]
+    const [one, other] = [await mine.edit(THREE, { ids: [4, 5, 9], nextId: 20 }), await mine.edit([])]
+    assert.deepEqual([...(await one.insert([2, 2, 1])).inserted], [20])
     assert.equal((await mine.compute(THREE)).certificate.certified, true)
     const pending = one.insert([1, 1, 1])
     one.dispose()

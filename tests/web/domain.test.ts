@@ -201,8 +201,12 @@ describe('areas inside a region', () => {
       close(picture.diagram, (i) => picture.areas().valueOf(i))
       const [id = 0] = picture.editor.ids()
       const circle = { x: 8 * random(), y: 8 * random(), r: random() }
-      const edit: Edit = k % 3 === 0 ? { kind: 'remove', id } : { kind: k % 3 === 1 ? 'insert' : 'replace', id, circle }
-      picture.apply(picture.editor.apply([edit]))
+      const edits: Edit[] = [
+        { kind: 'remove', id },
+        { kind: 'insert', circle },
+        { kind: 'replace', id, circle },
+      ]
+      picture.apply(picture.editor.apply([edits[k % 3] as Edit]))
     }
   })
 
@@ -257,9 +261,9 @@ async function started(circles = CIRCLES, domain = {}) {
     get circles() {
       return table
     },
-    async setCircles(given, change) {
-      const opened = scene.open(given, change, regions)
-      table = new CircleTable(opened.circles?.slice() ?? Float64Array.from(given))
+    async setCircles(given, change, kept) {
+      const opened = scene.open(given, change, regions, kept)
+      table = new CircleTable(opened.circles?.slice() ?? Float64Array.from(given), 0, kept)
       return edited(NO_CHANGE, opened.fitted?.error)
     },
     async apply(edits, change) {

@@ -8,12 +8,16 @@ export function someCircle(random: () => number, isOnGrid: boolean): Circle {
   return { x: place(), y: place(), r: isOnGrid ? Math.floor(3 * random()) / 2 : 2 * random() ** 4 }
 }
 
-/** A random edit: insertions, removals, jumps, small moves, and changes of radius. */
+/** A random edit: insertions, also under the ids of removed circles, removals, jumps, small moves, changes of radius. */
 export function someEdit(random: () => number, isOnGrid: boolean, editor: DiagramEditor): Edit {
   const ids = editor.ids()
   const id = ids[Math.floor(random() * ids.length)]
   const kind = Math.floor(6 * random())
-  if (id === undefined || kind < 2) return { kind: 'insert', circle: someCircle(random, isOnGrid) }
+  if (id === undefined || kind < 2) {
+    const former = Math.floor(random() * (ids.at(-1) ?? 0))
+    const isFormer = kind === 0 && editor.circle(former) === undefined
+    return { kind: 'insert', circle: someCircle(random, isOnGrid), ...(isFormer && { id: former }) }
+  }
   if (kind === 2) return { kind: 'remove', id }
   const { x, y, r } = editor.circle(id) as Circle
   if (kind === 3) return { kind: 'replace', id, circle: { x, y, r: random() < 0.2 ? 6 : r * random() } }
@@ -23,7 +27,7 @@ export function someEdit(random: () => number, isOnGrid: boolean, editor: Diagra
 
 /** Applies an edit. */
 export function edited(editor: DiagramEditor, edit: Edit) {
-  if (edit.kind === 'insert') return editor.insert(edit.circle)
+  if (edit.kind === 'insert') return edit.id === undefined ? editor.insert(edit.circle) : editor.apply([edit])
   return edit.kind === 'remove' ? editor.remove(edit.id) : editor.replace(edit.id, edit.circle)
 }
 

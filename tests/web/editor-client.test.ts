@@ -87,7 +87,7 @@ beforeEach(async () => {
   thread = threads.at(-1) as FakeThread
   changes = []
   client.onchange = (change) => changes.push(change)
-  const begun = client.begin(THREE)
+  const begun = client.begin({ circles: THREE })
   expect(thread.posted[0]).toEqual({ module: MODULE })
   expect(thread.isKeptAlive).toBe(true)
   thread.answer()
@@ -279,7 +279,7 @@ describe('the client of an editor', () => {
   it('ends where it cannot begin', async () => {
     const other = new EditorClient(MODULE, false, onEnd)
     const itsThread = threads.at(-1) as FakeThread
-    const begun = other.begin(Float64Array.of(0, 0, -1))
+    const begun = other.begin({ circles: Float64Array.of(0, 0, -1) })
     itsThread.answer()
     await expect(begun).rejects.toMatchObject({ code: 'negativeRadius', circle: 0 })
     await expect(other.size()).rejects.toMatchObject({ code: 'negativeRadius' })
@@ -290,7 +290,7 @@ describe('the client of an editor', () => {
   it('takes weights where it is told so', async () => {
     const other = new EditorClient(MODULE, true, onEnd)
     const itsThread = threads.at(-1) as FakeThread
-    const begun = other.begin(Float64Array.of(0, 0, -1))
+    const begun = other.begin({ circles: Float64Array.of(0, 0, -1) })
     itsThread.answer()
     await begun
     const edits = [

@@ -178,6 +178,47 @@ describe('an editor', () => {
     expect(editor.certificate().certified).toBe(true)
   })
 
+  it('brings a removed circle back under its id', () => {
+    using editor = library.edit(THREE)
+    const diagram = editor.snapshot()
+    diagram.apply(editor.remove(1))
+    const change = editor.apply([
+      { kind: 'insert', circle: [2, 2, 1] },
+      { kind: 'insert', circle: [6, 0, 1], id: 1 },
+    ])
+    expect([...change.inserted]).toEqual([3, 1])
+    expectSame(diagram.apply(change), editor.snapshot(), seededRandom(1))
+    for (const id of [1, 4, -1, -2, 0.5, Number.NaN, 2 ** 31]) {
+      expect(() => editor.apply([{ kind: 'insert', circle: [0, 0, 1], id }])).toThrow(
+        expect.objectContaining({ code: 'unknownCircle', message: `There is no removed circle with id ${id}.` }),
+      )
+    }
+    expect(() => editor.apply([{ kind: 'insert', circle: [0, 0, 1], id: '2' as never }])).toThrow(
+      expect.objectContaining({ code: 'badInput' }),
+    )
+  })
+
+  it('continues the ids of another editor', () => {
+    using editor = library.edit(THREE, { ids: [2, 5, 7], nextId: 9 })
+    expect([...editor.ids()]).toEqual([2, 5, 7])
+    const change = editor.apply([
+      { kind: 'insert', circle: [9, 9, 1], id: 8 },
+      { kind: 'insert', circle: [2, 2, 1] },
+    ])
+    expect([...change.inserted]).toEqual([8, 9])
+    const refusals: [message: string, options: object][] = [
+      ['ids must be as many as there are circles: 3, not 2.', { ids: [1, 2] }],
+      ['ids must be whole numbers from 0 to 2147483646 in increasing order; 1 is not.', { ids: [1, 1, 2] }],
+      ['ids must be whole numbers from 0 to 2147483646 in increasing order; 0.5 is not.', { ids: [0, 0.5, 2] }],
+      ['ids must be a list of whole numbers, not 3.', { ids: 3 }],
+      ['nextId must be above all ids: at least 3, not 2.', { nextId: 2 }],
+      ['nextId must be a whole number from 0 to 2147483647, not "3".', { nextId: '3' }],
+    ]
+    for (const [message, options] of refusals) {
+      expect(() => library.edit(THREE, options)).toThrow(expect.objectContaining({ code: 'badOption', message }))
+    }
+  })
+
   it('tells each change before its method returns', () => {
     using editor = library.edit([])
     const told: Change[] = []

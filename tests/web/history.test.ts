@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { namedAs } from '../../web/editing/attributes.ts'
-import { EMPTY_HISTORY, type History, idsOnceOpened, limited, record, renamed } from '../../web/editing/history.ts'
+import { EMPTY_HISTORY, type History, limited, record } from '../../web/editing/history.ts'
 import { PackedSteps } from '../../web/editing/packed-steps.ts'
-import type { UndoEdit } from '../../web/view/circle-table.ts'
+import type { Edit } from '../../web/lib/index.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 
 const CIRCLE = { x: 0, y: 0, r: 1 }
 /** Converts entries to plain objects. */
 const plain = (entries: History['done']) =>
   entries.map((entry) => (entry.kind === 'edits' ? { ...entry, steps: entry.steps.unpacked() } : entry))
-const back = (id: number, x: number): UndoEdit => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })
+const back = (id: number, x: number): Edit => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })
 
 describe('what goes back to before edits', () => {
   it('of one gesture is where each circle was at first, the newest before what is older', () => {
     const begun = record(EMPTY_HISTORY, [back(0, 1)], 7)
-    const gone: UndoEdit = { kind: 'insert', circle: CIRCLE, formerId: 0 }
+    const gone: Edit = { kind: 'insert', circle: CIRCLE, id: 0 }
     const { done } = record(record(begun, [back(0, 2), back(1, 5)], 7), [gone], 7)
     expect(plain(done)).toEqual([{ kind: 'edits', gesture: 7, steps: [gone, back(1, 5), back(0, 1)] }])
   })
@@ -28,17 +28,17 @@ describe('what goes back to before edits', () => {
   })
 
   it('goes back to a circle that the gesture removed and brought again under its id', () => {
-    const removed = record(EMPTY_HISTORY, [{ kind: 'insert', circle: CIRCLE, formerId: 0 }], 3)
+    const removed = record(EMPTY_HISTORY, [{ kind: 'insert', circle: CIRCLE, id: 0 }], 3)
     expect(plain(record(removed, [back(0, 4)], 3).done).at(-1)).toMatchObject({
-      steps: [back(0, 4), { kind: 'insert', formerId: 0 }],
+      steps: [back(0, 4), { kind: 'insert', id: 0 }],
     })
   })
 
   it('takes away what came in the place of a circle that the gesture moved before', () => {
     const moved = record(EMPTY_HISTORY, [back(0, 1)], 3)
-    const steps: UndoEdit[] = [
+    const steps: Edit[] = [
       { kind: 'remove', id: 0 },
-      { kind: 'insert', circle: CIRCLE, formerId: 0 },
+      { kind: 'insert', circle: CIRCLE, id: 0 },
     ]
     expect(plain(record(moved, steps, 3).done)).toEqual([{ kind: 'edits', gesture: 3, steps: [...steps, back(0, 1)] }])
   })
@@ -59,31 +59,6 @@ describe('what goes back to before edits', () => {
     expect(done.map((entry) => 'gesture' in entry && entry.gesture)).toEqual([1, 2])
     expect(left).toEqual([])
   })
-})
-
-it('names what came back as it is called now, up to other circles', () => {
-  const opening = {
-    kind: 'opening',
-    scene: { circles: new Float64Array(), dataSet: '', isEdited: false },
-    ids: Int32Array.of(0),
-    numbering: { numbers: new Map<number, number>(), shift: 0, end: 1 },
-  } as const
-  const steps: UndoEdit[] = [
-    { kind: 'remove', id: 1 },
-    { kind: 'insert', circle: CIRCLE, formerId: 2 },
-  ]
-  const bare: UndoEdit = { kind: 'insert', circle: CIRCLE }
-  const edits = { kind: 'edits', gesture: 1, steps: PackedSteps.of([...steps, bare]) } as const
-  const { done, undone } = renamed({ done: [edits, opening, edits], undone: [edits] }, (id) => id + 10)
-  const named = [{ kind: 'remove', id: 11 }, { kind: 'insert', circle: CIRCLE, formerId: 12 }, bare]
-  expect(plain(done)).toEqual([{ ...edits, steps: [...steps, bare] }, opening, { ...edits, steps: named }])
-  expect(plain(undone)).toEqual([{ ...edits, steps: named }])
-})
-
-it('calls the circles that are opened by their places, and each other one by a name of its own', () => {
-  let last = 0
-  const idOf = idsOnceOpened(Int32Array.of(2, 5, 9), () => --last)
-  expect([2, 5, 9, 0, 7, 10, 0].map(idOf)).toEqual([0, 1, 2, -1, -2, -3, -1])
 })
 
 describe('a history', () => {
@@ -116,14 +91,12 @@ describe('a history', () => {
   })
 
   it('counts the circles and the attributes of what was opened', () => {
-    const numbering = { numbers: new Map<number, number>(), shift: 0, end: 1000 }
+    const kept = { ids: new Int32Array(1000), nextId: 1000 }
     const opening = (names?: string[]) => {
       const circles = new Float64Array(3000)
       return {
         kind: 'opening' as const,
-        scene: { circles, dataSet: '', isEdited: false, attributes: names && namedAs(names) },
-        ids: new Int32Array(1000),
-        numbering,
+        scene: { circles, kept, dataSet: '', isEdited: false, attributes: names && namedAs(names) },
       }
     }
     const two = { done: [opening(), opening()], undone: [] }

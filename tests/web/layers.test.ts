@@ -108,9 +108,7 @@ describe('colors of which neighbors have different ones', () => {
     expect(other.colors()).toEqual(known)
     // A new painting thread gets them with its circles.
     const again = painted()
-    const restoring = backend.circles.restoring()
-    await again.backend.setCircles(restoring.circles)
-    await again.backend.apply(restoring.edits, { colors: editing.colors })
+    await again.backend.setCircles(backend.circles.circles(), { colors: editing.colors }, backend.circles.keptIds)
     expect(again.colors()).toEqual(known)
   })
 

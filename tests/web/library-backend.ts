@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { DiagramBackend } from '../../web/editing/editing.ts'
 import type { Change, DiagramEditor } from '../../web/lib/index.ts'
-import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import { CircleTable, type KeptIds, NO_CHANGE } from '../../web/view/circle-table.ts'
 import type { DomainChange } from '../../web/view/protocol.ts'
 import { library } from './library.ts'
 
@@ -15,10 +15,10 @@ export class LibraryBackend implements DiagramBackend {
     this.#before = before
   }
 
-  async setCircles(circles: Float64Array, { colors }: DomainChange = {}) {
+  async setCircles(circles: Float64Array, { colors }: DomainChange = {}, kept?: KeptIds) {
     await this.#before()
-    this.editor = library.edit(circles)
-    this.circles = new CircleTable(Float64Array.from(circles))
+    this.editor = library.edit(circles, kept)
+    this.circles = new CircleTable(Float64Array.from(circles), 0, kept)
     return { ...this.#edited(), colors }
   }
 

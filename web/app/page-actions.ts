@@ -60,7 +60,7 @@ export class PageActions extends EditorActions {
   pen: RegionPen | undefined
   /** The title, question and check of the last opened link; `undefined` if it had none. */
   frame: LinkFrame | undefined
-  /** The radii before areas were prescribed, by circle number. */
+  /** The radii before areas were prescribed, by id. */
   readonly #radii = new Map<number, number>()
 
   draw(how: SketchPhase, point: Point, within: number): void {
@@ -95,7 +95,7 @@ export class PageActions extends EditorActions {
     const all = Array.from(circles.ids(), (id) => ({ id, circle: circles.get(id) as Circle }))
     if (areas !== undefined && domain.areas === undefined) {
       this.#radii.clear()
-      for (const { id, circle } of all) this.#radii.set(this.editing.numberOf(id), circle.r)
+      for (const { id, circle } of all) this.#radii.set(id, circle.r)
     }
     return this.setDomain({ areas }, gesture, areas === undefined ? this.#withRadii() : [])
   }
@@ -172,7 +172,7 @@ export class PageActions extends EditorActions {
   colorBy(name: string): void {
     const { circles, attributes } = this.editing
     const column = attributes.columns.find((column) => column.name === name)
-    const valueAt = (id: number) => column?.values[this.editing.numberOf(id)]
+    const valueAt = (id: number) => column?.values[id]
     this.setLayers({ column: column && cellValues(column, circles, valueAt) })
   }
 
@@ -211,7 +211,7 @@ export class PageActions extends EditorActions {
   radii(): number[] {
     const { circles, domain } = this.editing
     return Array.from(circles.ids(), (id) => {
-      const known = domain.areas === undefined ? undefined : this.#radii.get(this.editing.numberOf(id))
+      const known = domain.areas === undefined ? undefined : this.#radii.get(id)
       return known ?? (circles.get(id) as Circle).r
     })
   }

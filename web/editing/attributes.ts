@@ -3,7 +3,7 @@
 // number loses a digit and no text becomes a number.
 import type { LinkAttributes, LinkState } from '../lib/link.ts'
 
-/** A column: the JSON text of a value for each circle by its number, empty where a circle has no value. */
+/** A column: the JSON text of a value for each circle by its id, empty where a circle has no value. */
 export interface DataColumn {
   readonly name: string
   readonly values: readonly string[]
@@ -99,21 +99,21 @@ export function namedAs(names: readonly string[]): Attributes {
   return { ...NO_ATTRIBUTES, columns: [{ name: 'name', values }] }
 }
 
-/** The attributes of some circles by their numbers, in the form of files and links. */
+/** The attributes of some circles, in the form of files and links. */
 export function attributesOf(
   { columns, ids, heights, collection }: Attributes,
-  numbers: readonly number[],
+  circles: readonly number[],
 ): LinkAttributes {
   const names = columns.map(({ name }) => JSON.stringify(name))
-  const propertiesOf = (number: number) => {
+  const propertiesOf = (id: number) => {
     const members = columns.flatMap(({ values }, k) => {
-      const value = values[number] ?? ''
+      const value = values[id] ?? ''
       return value === '' ? [] : [`${names[k]}:${value}`]
     })
     return `{${members.join()}}`
   }
-  const listOf = (list: readonly string[]) => (list.length === 0 ? [] : numbers.map((number) => list[number] ?? ''))
-  return { properties: numbers.map(propertiesOf), ids: listOf(ids), heights: listOf(heights), collection }
+  const listOf = (list: readonly string[]) => (list.length === 0 ? [] : circles.map((id) => list[id] ?? ''))
+  return { properties: circles.map(propertiesOf), ids: listOf(ids), heights: listOf(heights), collection }
 }
 
 /** The members of a JSON object, with the JSON texts of their values. */
@@ -148,12 +148,12 @@ export function membersOf(text: string): [name: string, value: string][] {
   return members
 }
 
-/** Sets the values of circles, by their numbers, in a column, which is added if there is none of this name. */
+/** Sets the values of circles, by their ids, in a column, which is added if there is none of this name. */
 export function withValues(attributes: Attributes, name: string, given: ReadonlyMap<number, string>): Attributes {
   const { columns } = attributes
   const known = columns.find((column) => column.name === name)
-  const count = [...given.keys()].reduce((most, number) => Math.max(most, number + 1), known?.values.length ?? 0)
-  const values = Array.from({ length: count }, (_, number) => given.get(number) ?? known?.values[number] ?? '')
+  const count = [...given.keys()].reduce((most, id) => Math.max(most, id + 1), known?.values.length ?? 0)
+  const values = Array.from({ length: count }, (_, id) => given.get(id) ?? known?.values[id] ?? '')
   const column = { name, values }
   return {
     ...attributes,

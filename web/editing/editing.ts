@@ -2,24 +2,13 @@
 import { NewestQueue } from '../lib/base/newest-queue.ts'
 import type { Circle, Edit, Float64s } from '../lib/index.ts'
 import type { LinkAttributes } from '../lib/link.ts'
-import type { CircleTable, UndoEdit } from '../view/circle-table.ts'
+import type { CircleTable, KeptIds } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { DomainChange, Shares } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { type Attributes, attributesOf, type DataColumn, NO_ATTRIBUTES, numberIn, withValues } from './attributes.ts'
-import { CircleNumbers } from './circle-numbers.ts'
-import {
-  type CircleSet,
-  EMPTY_HISTORY,
-  type History,
-  idsOnceOpened,
-  limited,
-  MOST_BYTES,
-  type Opening,
-  record,
-  renamed,
-} from './history.ts'
+import { type CircleSet, EMPTY_HISTORY, type History, limited, MOST_BYTES, type Opening, record } from './history.ts'
 import { namesBy } from './identity.ts'
 import { PackedSteps } from './packed-steps.ts'
 
@@ -27,8 +16,8 @@ import { PackedSteps } from './packed-steps.ts'
 export interface DiagramBackend {
   /** The current circles. */
   readonly circles: CircleTable
-  setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited>
-  apply(edits: readonly UndoEdit[], change?: DomainChange): Promise<Edited>
+  setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited>
+  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
 }
 
 /** The result of a request. */
@@ -36,17 +25,16 @@ export interface Outcome {
   readonly edited: Edited
   readonly history: History
   readonly domain: Domain
-  /** The attributes of circles, by their numbers. */
+  /** The attributes of circles, by their ids. */
   readonly attributes: Attributes
-  /** Whether the circles were replaced by others with new ids. */
+  /** Whether the circles were replaced by others. */
   readonly isOpened: boolean
 }
 
-/** A history that continues when its circles are opened again. */
+/** A history that continues when its circles are opened again under their ids. */
 export interface Past {
   readonly history: History
   readonly lastGesture: number
-  readonly lastAbsent: number
 }
 
 interface Job {
@@ -67,8 +55,6 @@ export class Editing {
   #scene: CircleSet | undefined
   #domain = NO_DOMAIN
   #attributes = NO_ATTRIBUTES
-  readonly #numbers = new CircleNumbers()
-  #lastAbsent = 0
   #colors: string | undefined
   #history = EMPTY_HISTORY
   readonly #mostBytes: number
@@ -97,31 +83,15 @@ export class Editing {
     return this.#backend.circles
   }
 
-  /**
-   * The history, for when the current circles are opened again as the k-th scene; `undefined` if areas use other
-   * numbers then.
-   */
-  get past(): Past | undefined {
-    const ids = this.circles.ids()
-    const { done, undone } = this.#history
-    const domains = [
-      this.#domain,
-      ...[...done, ...undone].map((entry) => (entry.kind === 'edits' ? entry.domain : undefined)),
-    ]
-    const hasLists = domains.some((domain) => Array.isArray(domain?.areas))
-    if (hasLists && ids.some((id, k) => this.numberOf(id) !== k)) return undefined
-    const history = renamed(
-      this.#history,
-      idsOnceOpened(ids, () => --this.#lastAbsent),
-    )
-    return { history, lastGesture: this.#lastGesture, lastAbsent: this.#lastAbsent }
+  /** The history, for when the current circles are opened again under their ids. */
+  get past(): Past {
+    return { history: this.#history, lastGesture: this.#lastGesture }
   }
 
   /** Continues the history of the circles that were opened, and returns it. */
-  takeUp({ history, lastGesture, lastAbsent }: Past): History {
+  takeUp({ history, lastGesture }: Past): History {
     this.#history = history
     this.#lastGesture = Math.max(this.#lastGesture, lastGesture)
-    this.#lastAbsent = Math.min(this.#lastAbsent, lastAbsent)
     return history
   }
 
@@ -137,7 +107,7 @@ export class Editing {
     return this.#scene
   }
 
-  /** The clipping region, and the areas by circle number. */
+  /** The clipping region, and the areas by id. */
   get domain(): Domain {
     return this.#domain
   }
@@ -146,23 +116,13 @@ export class Editing {
   get areas(): Areas | undefined {
     const { areas } = this.#domain
     if (areas === undefined || areas === 'equal') return areas
-    const known = Array.from(this.circles.ids(), (id) => areas[this.numberOf(id)])
+    const known = Array.from(this.circles.ids(), (id) => areas[id])
     const named = known.filter((share) => share !== undefined)
     const mean = named.reduce((sum, share) => sum + share, 0) / named.length
     return known.map((share) => share ?? mean)
   }
 
-  /**
-   * The id of a circle by its number. A circle's number is its first id; undo restores a removed circle under a new id.
-   */
-  idOf(number: number): number {
-    return this.#numbers.idOf(number)
-  }
-
-  /** The number of a circle. Undo restores a removed circle under its old number. */
-  readonly numberOf = (id: number): number => this.#numbers.numberOf(id)
-
-  /** The attributes of circles, by their numbers. */
+  /** The attributes of circles, by their ids. */
   get attributes(): Attributes {
     return this.#attributes
   }
@@ -170,26 +130,23 @@ export class Editing {
   /** The attributes of the current circles, in their order; `undefined` if there are none. */
   get fileAttributes(): LinkAttributes | undefined {
     if (this.#attributes === NO_ATTRIBUTES) return undefined
-    return attributesOf(
-      this.#attributes,
-      Array.from(this.circles.ids(), (id) => this.numberOf(id)),
-    )
+    return attributesOf(this.#attributes, [...this.circles.ids()])
   }
 
   /** The name of a circle, or an empty text. */
   nameOf(id: number): string {
-    return namesBy(this.#attributes.columns)(this.numberOf(id))
+    return namesBy(this.#attributes.columns)(id)
   }
 
   /** The JSON text of a circle's value in a column, empty if the circle has no value. */
   valueOf(id: number, column: string): string {
-    return this.#columnOf(column)?.values[this.numberOf(id)] ?? ''
+    return this.#columnOf(column)?.values[id] ?? ''
   }
 
   /** A column in the order of the circles, with NaN where there is no number. */
   valuesOf(name: string): Float64s {
     const values = this.#columnOf(name)?.values
-    return Float64Array.from(this.circles.ids(), (id) => numberIn(values?.[this.numberOf(id)]))
+    return Float64Array.from(this.circles.ids(), (id) => numberIn(values?.[id]))
   }
 
   #columnOf(name: string): DataColumn | undefined {
@@ -205,24 +162,11 @@ export class Editing {
     values: ReadonlyMap<number, string>,
     gesture = this.beginGesture(),
   ): Promise<Edited | undefined> {
-    const byNumber = new Map(Array.from(values, ([id, value]) => [this.numberOf(id), value]))
     return this.#ask(async () => {
       if (gesture <= this.#lastFormer) return undefined
-      const attributes = withValues(this.#attributes, column, byNumber)
+      const attributes = withValues(this.#attributes, column, values)
       return this.#apply([], gesture, undefined, attributes)
     })
-  }
-
-  /** Reopened circles get their former numbers, and so do removed circles that undo may restore. */
-  #restoreNumbers({ ids, numbering }: Opening): (id: number) => number {
-    const former = new CircleNumbers(numbering)
-    this.#numbers.restore(ids, former, numbering.end)
-    const idOf = idsOnceOpened(ids, () => --this.#lastAbsent)
-    return (id) => {
-      const next = idOf(id)
-      if (next < 0) this.#numbers.give(next, former.numberOf(id))
-      return next
-    }
   }
 
   /**
@@ -275,7 +219,7 @@ export class Editing {
     colors?: string,
   ): Promise<Edited> {
     const before = this.#domain
-    const domain = change === undefined ? before : { ...before, ...change, ...this.#byNumber(change.areas) }
+    const domain = change === undefined ? before : { ...before, ...change, ...this.#byId(change.areas) }
     const edited = await this.#backend.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits), colors))
     const former = { domain: change && before, attributes: attributes && this.#attributes }
     this.#history = record(this.#history, edited.back, gesture, former)
@@ -321,66 +265,60 @@ export class Editing {
     this.#domain = domain
     const attributes = this.#attributes
     this.#attributes = entry.attributes ?? attributes
-    const former = steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
-    const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
-    for (const [formerId, id] of ids) this.#numbers.give(id, this.numberOf(formerId))
     const back = {
       ...entry,
       steps: PackedSteps.of(edited.back),
       domain: entry.domain && before,
       attributes: entry.attributes && attributes,
     }
-    const history = {
+    this.#history = {
       ...this.#history,
       [from]: this.#history[from].slice(0, -1),
       [to]: [...this.#history[to], back],
     } as History
-    this.#history = ids.size === 0 ? history : renamed(history, (id) => ids.get(id) ?? id)
     return edited
   }
 
   async #openAgain(entry: Opening, from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
     const before = this.#before()
     const edited = await this.#replaceScene(entry.scene)
-    const idOf = this.#restoreNumbers(entry)
-    this.#domain = { ...this.#domain, ...this.#byNumber(this.#domain.areas) }
-    const left = this.#history[from].slice(0, -1)
-    const others = this.#history[to]
-    // The opposite side of the history refers to the circles that are being replaced.
-    const kept = renamed({ ...EMPTY_HISTORY, [from]: left }, idOf)[from]
-    this.#history = { ...EMPTY_HISTORY, [from]: kept, [to]: [...others, ...before] }
+    this.#history = {
+      ...EMPTY_HISTORY,
+      [from]: this.#history[from].slice(0, -1),
+      [to]: [...this.#history[to], ...before],
+    }
     return edited
   }
 
   /** `areAll`: no edits follow, so the scene's colors apply to its circles. */
   async #replaceScene(scene: CircleSet, areAll = true): Promise<Edited> {
-    const { circles, domain = NO_DOMAIN } = scene
+    const { circles, kept, domain = NO_DOMAIN } = scene
     const list = listIn(domain.areas)
     if (list !== undefined) checkCount(list, circles.length / 3)
-    const shares = { known: list && new Map(list.entries()), inserted: [] }
+    const shares = { known: list && new Map(list.map((share, k) => [kept?.ids[k] ?? k, share])), inserted: [] }
     const edited = await this.#backend.setCircles(
       circles,
       this.#changeTo(domain, shares, areAll ? scene.colors : undefined),
+      kept,
     )
     this.#scene = scene
     this.#colors = edited.colors
-    this.#domain = domain
+    this.#domain = list === undefined ? domain : { ...domain, ...this.#byId(list) }
     this.#attributes = scene.attributes ?? NO_ATTRIBUTES
     this.#lastFormer = this.#lastGesture
-    this.#numbers.clear()
     return edited
   }
 
-  /** Converts areas from the order of the circles to circle numbers. */
-  #byNumber(areas: Areas | undefined): Pick<Domain, 'areas'> | undefined {
+  /** Converts areas from the order of the circles to ids. */
+  #byId(areas: Areas | undefined): Pick<Domain, 'areas'> | undefined {
     const list = listIn(areas)
     if (list === undefined) return undefined
     checkCount(list, this.circles.count)
-    const byNumber: number[] = []
+    const byId: number[] = []
     this.circles.ids().forEach((id, k) => {
-      byNumber[this.numberOf(id)] = list[k] as number
+      byId[id] = list[k] as number
     })
-    return { areas: byNumber }
+    return { areas: byId }
   }
 
   /** The change of domain for the backend. It contains the region only if the region differs. */
@@ -397,31 +335,29 @@ export class Editing {
   }
 
   /** The areas of the current circles and of the circles that edits insert. */
-  #sharesOf({ areas }: Domain, edits: readonly UndoEdit[]): Shares {
+  #sharesOf({ areas }: Domain, edits: readonly Edit[]): Shares {
     const list = listIn(areas)
     if (list === undefined) return { known: undefined, inserted: [] }
-    const shareOf = (id: number | undefined) => (id === undefined ? undefined : list[this.numberOf(id)]) ?? Number.NaN
+    const shareOf = (id: number | undefined) => (id === undefined ? undefined : list[id]) ?? Number.NaN
     return {
       known: new Map(Array.from(this.circles.ids(), (id) => [id, shareOf(id)])),
-      inserted: edits.flatMap((edit) => (edit.kind === 'insert' ? [shareOf(edit.formerId)] : [])),
+      inserted: edits.flatMap((edit) => (edit.kind === 'insert' ? [shareOf(edit.id)] : [])),
     }
   }
 
   /** The entry that restores the current circles; empty before the first opening. */
   #before(): Opening[] {
     if (this.#scene === undefined) return []
-    const ids = this.circles.ids()
-    const isRecorded = this.#isRecorded
+    const kept = this.circles.keptIds
     // Animated changes are not recorded.
-    const numbering = this.#numbers.numbering(this.circles.size)
-    if (!isRecorded) return [{ kind: 'opening', scene: this.#scene, ids, numbering }]
+    if (!this.#isRecorded) return [{ kind: 'opening', scene: { ...this.#scene, kept } }]
     const circles = this.circles.circles()
     const attributes = this.#attributes === NO_ATTRIBUTES ? undefined : this.#attributes
     const domain = this.#domain === NO_DOMAIN ? undefined : { ...this.#domain, areas: this.areas }
     const isSameData = attributes === this.#scene.attributes
     const isEdited = this.#scene.isEdited || !isSameData || !isSame(circles, this.#scene.circles)
-    const scene = { ...this.#scene, circles, isEdited, attributes, domain, colors: this.#colors }
-    return [{ kind: 'opening', scene, ids, numbering }]
+    const scene = { ...this.#scene, circles, kept, isEdited, attributes, domain, colors: this.#colors }
+    return [{ kind: 'opening', scene }]
   }
 
   /** Whether the history has edits of the current circles. */

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Float64s } from '../lib/index.ts'
-import type { UndoEdit } from '../view/circle-table.ts'
+import type { Edit, Float64s } from '../lib/index.ts'
+import type { KeptIds } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
 import { type Attributes, bytesOfAttributes, NO_ATTRIBUTES } from './attributes.ts'
-import type { Numbering } from './circle-numbers.ts'
 import { PackedSteps } from './packed-steps.ts'
 
 /** A set of circles that are opened together. */
 export interface CircleSet {
   readonly circles: Float64s
+  /** The ids of the circles. Default: circle i gets id i. */
+  readonly kept?: KeptIds | undefined
   /** The name of a data set, or an empty text. */
   readonly dataSet: string
   /** Whether the circles differ from those of the data set. */
   readonly isEdited: boolean
-  /** The names and other attributes. */
+  /** The names and other attributes, by id. */
   readonly attributes?: Attributes | undefined
-  /** The clipping region and the areas, if any. */
+  /** The clipping region and the areas in the order of the circles, if any. */
   readonly domain?: Domain | undefined
   /** The colors of the circles, if they are not to be chosen anew (`LinkState.colors`). */
   readonly colors?: string | undefined
@@ -36,10 +37,6 @@ interface Edits {
 export interface Opening {
   readonly kind: 'opening'
   readonly scene: CircleSet
-  /** The former ids of the circles, in ascending order. */
-  readonly ids: Int32Array
-  /** The numbers of circles by their ids. Attributes, areas and older entries refer to these numbers. */
-  readonly numbering: Numbering
 }
 
 /** The entries that undo and redo apply, newest last. */
@@ -53,7 +50,7 @@ export const EMPTY_HISTORY: History = { done: [], undone: [] }
 /** Records the entry that reverts an edit. Edits of one gesture, such as a drag, share an entry. */
 export function record(
   { done }: History,
-  steps: readonly UndoEdit[],
+  steps: readonly Edit[],
   gesture: number,
   { domain, attributes }: Partial<Pick<Edits, 'domain' | 'attributes'>> = {},
 ): History {
@@ -72,16 +69,6 @@ export function record(
     attributes: last.attributes ?? attributes,
   }
   return { done: [...done.slice(0, -1), entry], undone: [] }
-}
-
-/** Translates the history to new ids of circles. Entries before an opening refer to other circles and stay. */
-export function renamed({ done, undone }: History, idOf: (id: number) => number): History {
-  const rename = (entries: History['done']): History['done'] => {
-    const from = entries.findLastIndex(({ kind }) => kind === 'opening') + 1
-    return [...entries.slice(0, from), ...(entries.slice(from) as Edits[]).map(renameEdits)]
-  }
-  const renameEdits = (entry: Edits): Edits => ({ ...entry, steps: entry.steps.renamed(idOf) })
-  return { done: rename(done), undone: rename(undone) }
 }
 
 /** Memory limit of a history in bytes: 46 moves of 100,000 circles. */
@@ -108,32 +95,6 @@ function bytesOf(entry: Edits | Opening): number {
   if (entry.kind === 'edits') {
     return ENTRY_BYTES + entry.steps.bytes + 8 * (entry.attributes?.columns[0]?.values.length ?? 0)
   }
-  const { circles, attributes = NO_ATTRIBUTES } = entry.scene
-  return ENTRY_BYTES + circles.byteLength + entry.ids.byteLength + bytesOfAttributes(attributes)
-}
-
-/**
- * Maps former ids to ids after the circles are opened again: the k-th circle gets k. Removed circles that undo may
- * restore get negative ids, which no circle has.
- */
-export function idsOnceOpened(ids: Int32Array, nextAbsent: () => number): (id: number) => number {
-  const absent = new Map<number, number>()
-  return (id) => {
-    const k = placeOf(ids, id)
-    if (k !== undefined) return k
-    const other = absent.get(id) ?? nextAbsent()
-    absent.set(id, other)
-    return other
-  }
-}
-
-/** The index of a number in an ascending list. */
-function placeOf(ids: Int32Array, id: number): number | undefined {
-  let [from, to] = [0, ids.length]
-  while (from < to) {
-    const middle = (from + to) >> 1
-    if ((ids[middle] as number) < id) from = middle + 1
-    else to = middle
-  }
-  return ids[from] === id ? from : undefined
+  const { circles, kept, attributes = NO_ATTRIBUTES } = entry.scene
+  return ENTRY_BYTES + circles.byteLength + (kept?.ids.byteLength ?? 0) + bytesOfAttributes(attributes)
 }

@@ -20,10 +20,10 @@ export function isIdentity(column: DataColumn, columns: readonly DataColumn[]): 
   return column === nameColumn(columns) || column === colorColumn(columns)
 }
 
-/** Returns the name of a circle by its number: that of its column, or else its id in a file, or an empty text. */
-export function namesBy(columns: readonly DataColumn[]): (number: number) => string {
-  const [own, id] = [nameColumn(columns)?.values, columns.find(({ name }) => /^id$/i.test(name.trim()))?.values]
-  return (number) => textIn(own?.[number]).trim() || textIn(id?.[number]).trim()
+/** Returns the name of a circle by its id: that of its column, or else its id in a file, or an empty text. */
+export function namesBy(columns: readonly DataColumn[]): (id: number) => string {
+  const [own, inFile] = [nameColumn(columns)?.values, columns.find(({ name }) => /^id$/i.test(name.trim()))?.values]
+  return (id) => textIn(own?.[id]).trim() || textIn(inFile?.[id]).trim()
 }
 
 /** The column that holds the colors of circles. */
@@ -31,32 +31,31 @@ export function colorColumn(columns: readonly DataColumn[]): DataColumn | undefi
   return columns.find(({ name }) => COLOR_COLUMN.test(name))
 }
 
-/** Circles whose values are found by their numbers (`Editing`). */
-interface Numbered {
+/** Circles with attributes (`Editing`). */
+interface Attributed {
   readonly circles: CircleTable
   readonly attributes: { readonly columns: readonly DataColumn[] }
-  numberOf(id: number): number
 }
 
 /** The names of circles, by decreasing radius. */
-export function namesOf({ circles, attributes, numberOf }: Numbered): Name[] {
+export function namesOf({ circles, attributes }: Attributed): Name[] {
   if (attributes.columns.length === 0) return []
   const nameOf = namesBy(attributes.columns)
   const named = Array.from(circles.ids()).flatMap((id) => {
-    const text = nameOf(numberOf(id))
+    const text = nameOf(id)
     return text === '' ? [] : [{ id, text, r: circles.get(id)?.r ?? 0 }]
   })
   return named.sort((one, other) => other.r - one.r || one.id - other.id)
 }
 
 /** The colors that circles have by a column; `undefined` if none has one. */
-export function ownColorsOf({ circles, attributes, numberOf }: Numbered): OwnColors | undefined {
+export function ownColorsOf({ circles, attributes }: Attributed): OwnColors | undefined {
   const column = colorColumn(attributes.columns)
   if (column === undefined) return undefined
   const places = new Map<string, number>()
   const values = new Float64Array(circles.size).fill(Number.NaN)
   for (const id of circles.ids()) {
-    const color = textIn(column.values[numberOf(id)]).trim()
+    const color = textIn(column.values[id]).trim()
     if (!isColor(color)) continue
     const place = places.get(color) ?? places.size
     places.set(color, place)

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
-import type { UndoEdit } from '../view/circle-table.ts'
+import type { Edit } from '../lib/index.ts'
 
 const KINDS = ['insert', 'remove', 'replace'] as const
-/** Marks a step without a former id. */
-const NO_ID = -(2 ** 31)
 
 /**
  * The steps that undo an edit, packed into arrays of numbers. As objects, the steps of 100,000 circles would take 35
@@ -12,7 +10,6 @@ const NO_ID = -(2 ** 31)
  */
 export class PackedSteps {
   readonly #kinds: Uint8Array
-  /** The former ids, for insertions. */
   readonly #ids: Int32Array
   /** x, y and r of each step, zeros for removals. */
   readonly #numbers: Float64Array
@@ -23,9 +20,9 @@ export class PackedSteps {
     this.#numbers = numbers
   }
 
-  static of(steps: readonly UndoEdit[]): PackedSteps {
+  static of(steps: readonly Edit[]): PackedSteps {
     const kinds = Uint8Array.from(steps, ({ kind }) => KINDS.indexOf(kind))
-    const ids = Int32Array.from(steps, (step) => (step.kind === 'insert' ? (step.formerId ?? NO_ID) : step.id))
+    const ids = Int32Array.from(steps, ({ id }) => id as number)
     const numbers = new Float64Array(3 * steps.length)
     steps.forEach((step, k) => {
       if (step.kind === 'remove') return
@@ -49,18 +46,17 @@ export class PackedSteps {
   }
 
   /** Returns the steps as objects. */
-  unpacked(): UndoEdit[] {
-    return Array.from(this.#kinds, (kind, k): UndoEdit => {
+  unpacked(): Edit[] {
+    return Array.from(this.#kinds, (kind, k): Edit => {
       const id = at(this.#ids, k)
       const circle = { x: at(this.#numbers, 3 * k), y: at(this.#numbers, 3 * k + 1), r: at(this.#numbers, 3 * k + 2) }
       if (kind === 1) return { kind: 'remove', id }
-      if (kind === 2) return { kind: 'replace', id, circle }
-      return { kind: 'insert', circle, ...(id !== NO_ID && { formerId: id }) }
+      return { kind: kind === 2 ? 'replace' : 'insert', id, circle }
     })
   }
 
   /** Prepends other steps. */
-  after(steps: readonly UndoEdit[]): PackedSteps {
+  after(steps: readonly Edit[]): PackedSteps {
     if (steps.length === 0) return this
     const first = PackedSteps.of(steps)
     const count = first.length + this.length
@@ -72,14 +68,5 @@ export class PackedSteps {
     numbers.set(first.#numbers)
     numbers.set(this.#numbers, 3 * first.length)
     return new PackedSteps(kinds, ids, numbers)
-  }
-
-  /** Translates the steps to other ids of circles. */
-  renamed(idOf: (id: number) => number): PackedSteps {
-    return new PackedSteps(
-      this.#kinds,
-      this.#ids.map((id) => (id === NO_ID ? id : idOf(id))),
-      this.#numbers,
-    )
   }
 }

@@ -16,7 +16,7 @@ export interface State {
   readonly edited: Edited | undefined
   readonly history: History
   readonly domain: Domain
-  /** The attributes of circles, by their numbers. */
+  /** The attributes of circles, by their ids. */
   readonly attributes: Attributes
   /** The current problem in one sentence, or an empty text. */
   readonly problem: string

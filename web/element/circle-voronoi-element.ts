@@ -33,7 +33,7 @@ import {
   parseStep,
   parseView,
 } from './attributes.ts'
-import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
+import { checkCircles, holds, idsOf, parseCheck } from './check.ts'
 import { mountControls, paddingBelow } from './controls.ts'
 import { circlesWithin, linkState, opened, openedFrom, openedState, openedText, regionFrom } from './data-of.ts'
 import { whenIdle } from './idle.ts'
@@ -408,8 +408,8 @@ export class CircleVoronoiElement extends Base {
    */
   get ids(): Int32Array {
     const editing = this.#figure?.editing
-    if (editing?.scene === undefined) return Int32Array.from({ length: this.circles.length / 3 }, (_, i) => i)
-    return editing.circles.ids().map((id) => editing.numberOf(id))
+    if (editing?.scene !== undefined) return editing.circles.ids()
+    return this.#own?.kept?.ids.slice() ?? Int32Array.from({ length: this.circles.length / 3 }, (_, i) => i)
   }
 
   /** The address of a file of circles (CSV, JSON or GeoJSON), or a link to the playground. */
@@ -669,7 +669,7 @@ export class CircleVoronoiElement extends Base {
     const next = this.#nextSelection
     if (next === undefined || figure?.editing.scene === undefined) return
     this.#nextSelection = undefined
-    figure.actions.select(next.map((id) => figure.editing.idOf(id)))
+    figure.actions.select(next)
   }
 
   /** A promise that resolves when everything that you set is computed, checked and painted. */
@@ -869,7 +869,7 @@ export class CircleVoronoiElement extends Base {
       if (selection === before) return
       before = selection
       const isSame = selection.length === 0 && this.#selection.length === 0
-      this.#selection = selection.map((id) => editing.numberOf(id))
+      this.#selection = selection.slice()
       if (!isSame) this.#tell('selectionchange', { selection: this.#selection })
     })
     if (!this.#wrong.has('layers')) this.#try('layers', () => this.#setLayers(this.#layers))
@@ -911,12 +911,11 @@ export class CircleVoronoiElement extends Base {
     if (figure.editing.scene !== undefined) {
       const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
       const { region = null, lattice = null } = figure.editing.domain
-      const { areas, colors, fileAttributes: attributes } = figure.editing
-      const rest = { view, layers, step, method, region, lattice, areas, colors, attributes }
-      const own = opened(figure.editing.circles.circles(), rest)
-      const { past } = figure.editing
+      const { circles, areas, colors, attributes, past } = figure.editing
+      const rest = { view, layers, step, method, region, lattice, areas, colors }
+      const own = { ...opened(circles.circles(), rest), kept: circles.keptIds, attributes }
       this.#own = own
-      this.#past = past && { own, past }
+      this.#past = { own, past }
     }
     this.#loading?.abort()
     figure.dispose()
@@ -1113,12 +1112,10 @@ export class CircleVoronoiElement extends Base {
   async #tellFormNow(): Promise<void> {
     const figure = this.#figure
     const check = this.#check
-    // Checks use circle numbers, the facts use ids.
-    const asked = check && figure && withIds(check, (number) => figure.editing.idOf(number))
-    const facts = asked && (await figure?.view.ask('tell', idsOf(asked)))
+    const facts = check && (await figure?.view.ask('tell', idsOf(check)))
     // The figure or the check may have been replaced in the meantime.
     if (figure !== this.#figure || check !== this.#check) return
-    const isMet = check && asked !== undefined && facts !== undefined && holds(asked, facts)
+    const isMet = check && facts !== undefined && holds(check, facts)
     const isOther = isMet !== this.#isMet
     if (isOther) {
       this.#isMet = isMet

@@ -259,7 +259,7 @@ class Client implements CircleVoronoiWorker {
     if (this.#isDisposed) throw disposed()
     const editor = new EditorClient(module, start.weights, () => this.#editors.delete(editor))
     this.#editors.add(editor)
-    await editor.begin(start.circles)
+    await editor.begin(start)
     return editor
   }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { DiagramBackend } from '../editing/editing.ts'
+import type { Edit } from '../lib/index.ts'
 import { loadRegions } from '../lib/regions.ts'
 import type { CircleVoronoi } from '../lib/wasm/library.ts'
-import { CircleTable, NO_CHANGE, type UndoEdit } from '../view/circle-table.ts'
+import { CircleTable, type KeptIds, NO_CHANGE } from '../view/circle-table.ts'
 import { PaintedScene } from '../view/painter/painted-scene.ts'
 import type { DomainChange, Fitted } from '../view/protocol.ts'
 import type { Edited } from '../view/scene-client.ts'
@@ -16,13 +17,13 @@ export class SceneBackend implements DiagramBackend {
     this.scene = new PaintedScene(library)
   }
 
-  async setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited> {
-    const { circles: fittedCircles, fitted, colors } = this.scene.open(circles, change, await regionsFor(change))
-    this.circles = new CircleTable(Float64Array.from(fittedCircles ?? circles))
-    return this.#edited(NO_CHANGE, fitted, colors)
+  async setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
+    const opened = this.scene.open(circles, change, await regionsFor(change), kept)
+    this.circles = new CircleTable(Float64Array.from(opened.circles ?? circles), 0, kept)
+    return this.#edited(NO_CHANGE, opened.fitted, opened.colors)
   }
 
-  async apply(edits: readonly UndoEdit[], domain?: DomainChange): Promise<Edited> {
+  async apply(edits: readonly Edit[], domain?: DomainChange): Promise<Edited> {
     const { change, fitted, colors } = this.scene.edit(edits, domain, await regionsFor(domain))
     return this.#edited(change, fitted, colors)
   }

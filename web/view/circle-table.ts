@@ -15,8 +15,11 @@ export const NO_CHANGE: CircleChange = {
   circles: new Float64Array(),
 }
 
-/** An edit that may restore a removed circle, with the circle's former id. */
-export type UndoEdit = Edit & { readonly formerId?: number }
+/** The ids of circles that continue in another editor (`EditorOptions`). */
+export interface KeptIds {
+  readonly ids: Int32Array
+  readonly nextId: number
+}
 
 /** The circle at a point, and the part that was hit: its rim, its disc, or only its cell. */
 export interface Hit {
@@ -40,9 +43,20 @@ export class CircleTable {
   #box: Box | undefined
   #core: Box | undefined
 
-  /** Circle i of `circles` (x, y and r each) gets id i. The array is not copied. */
-  constructor(circles: Float64s, opening = 0) {
+  /** Without `kept`, circle i of `circles` (x, y and r each) gets id i, and the array is not copied. */
+  constructor(circles: Float64s, opening = 0, kept?: KeptIds) {
     this.opening = opening
+    if (kept !== undefined) {
+      this.#numbers = new Float64Array(3 * kept.nextId)
+      this.#size = kept.nextId
+      this.#count = kept.ids.length
+      this.#isThere = new Uint8Array(this.#size)
+      kept.ids.forEach((id, k) => {
+        this.#isThere[id] = 1
+        this.#numbers.set(circles.subarray(3 * k, 3 * k + 3), 3 * id)
+      })
+      return
+    }
     this.#numbers = circles
     this.#size = circles.length / 3
     this.#count = this.#size
@@ -78,10 +92,10 @@ export class CircleTable {
   }
 
   /** Applies a change of the editor. Returns the edits that undo it. */
-  follow({ inserted, removed, replaced, circles }: CircleChange): UndoEdit[] {
+  follow({ inserted, removed, replaced, circles }: CircleChange): Edit[] {
     this.#box = undefined
     this.#core = undefined
-    const back: UndoEdit[] = []
+    const back: Edit[] = []
     const newCircle = (k: number): Circle => ({
       x: at(circles, 3 * k),
       y: at(circles, 3 * k + 1),
@@ -96,18 +110,16 @@ export class CircleTable {
       this.#put(id, newCircle(inserted.length + k))
     })
     for (const id of removed) {
-      back.push({ kind: 'insert', circle: this.get(id) as Circle, formerId: id })
+      back.push({ kind: 'insert', circle: this.get(id) as Circle, id })
       this.#isThere[id] = 0
       this.#count -= 1
     }
     return back.reverse()
   }
 
-  /** Returns circles to open and edits to apply, with which another editor gets the same circles under the same ids. */
-  restoring(): { readonly circles: Float64s; readonly edits: readonly Edit[] } {
-    const edits: Edit[] = []
-    for (let id = 0; id < this.#size; id++) if (this.#isThere[id] !== 1) edits.push({ kind: 'remove', id })
-    return { circles: this.#numbers.slice(0, 3 * this.#size), edits }
+  /** The ids for another editor of `circles()`; `undefined` if they are 0, 1 and so on, and no circle was removed. */
+  get keptIds(): KeptIds | undefined {
+    return this.#count === this.#size ? undefined : { ids: this.ids(), nextId: this.#size }
   }
 
   /** x, y and r of all circles, by ascending id. */

@@ -17,7 +17,7 @@ export interface Domain {
   readonly region: RegionShape | undefined
   /** The periods with which the circles repeat. `undefined`: circles do not repeat. */
   readonly lattice?: Lattice | undefined
-  /** The areas, by circle number. `undefined`: circles keep their own radii. */
+  /** The areas, by id. `undefined`: circles keep their own radii. */
   readonly areas: Areas | undefined
 }
 

@@ -6,6 +6,7 @@ import type {
   Certificate,
   Circle,
   DiagramData,
+  Edit,
   Float64s,
   Lattice,
   Options,
@@ -16,7 +17,7 @@ import type {
 import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
-import type { CircleChange, UndoEdit } from './circle-table.ts'
+import type { CircleChange, KeptIds } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { Measure, PaintedLayers } from './layers.ts'
 import type { OtherModules } from './load.ts'
@@ -127,7 +128,7 @@ export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm; readonly others: OtherModules }
   /** Adds a scene without circles. Messages for closed scenes are ignored. */
   | { readonly kind: 'add'; readonly scene: number }
-  /** Replaces the circles; circle i gets id i. */
+  /** Replaces the circles. Without `kept`, circle i gets id i. */
   | ({
       readonly kind: 'open'
       readonly scene: number
@@ -135,6 +136,7 @@ export type ToPainter =
       /** Identifies the circles. Their edits carry the same number. */
       readonly opening: number
       readonly circles: Float64Array
+      readonly kept?: KeptIds | undefined
     } & DomainChange)
   /** Applies all edits or none. */
   | ({
@@ -143,7 +145,7 @@ export type ToPainter =
       readonly revision: number
       /** Identifies the circles that the edits are for. Edits for other circles are ignored. */
       readonly opening: number
-      readonly edits: readonly UndoEdit[]
+      readonly edits: readonly Edit[]
     } & DomainChange)
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & PaintRequest)
   /** A question by name, with its arguments. */

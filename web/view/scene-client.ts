@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { receivedError } from '../lib/base/errors.ts'
-import type { Point } from '../lib/index.ts'
-import { CircleTable, type Hit, NO_CHANGE, type UndoEdit } from './circle-table.ts'
+import type { Edit, Point } from '../lib/index.ts'
+import { CircleTable, type Hit, type KeptIds, NO_CHANGE } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { PaintedLayers } from './layers.ts'
 import type {
@@ -26,7 +26,7 @@ export interface Edited {
   /** The ids of inserted circles, in the order of the edits. */
   readonly inserted: Int32Array
   /** The edits that undo the change. */
-  readonly back: readonly UndoEdit[]
+  readonly back: readonly Edit[]
   /** The accuracy of fitted areas; `undefined` if no areas were prescribed. */
   readonly fitted?: Fitted | undefined
   /** The colors that tell circles from their neighbors, by ascending id, if they have changed (`Coloring`). */
@@ -125,12 +125,12 @@ export class SceneClient {
   }
 
   /**
-   * Replaces the circles; circle i gets id i.
+   * Replaces the circles. Without `kept`, circle i gets id i.
    * @throws CircleVoronoiError as `compute`; the scene stays unchanged
    */
-  open(circles: Float64Array, change: DomainChange = {}): Promise<Edited> {
+  open(circles: Float64Array, change: DomainChange = {}, kept?: KeptIds): Promise<Edited> {
     const revision = this.#nextRevision()
-    return this.#edited({ kind: 'open', scene: this.#scene, revision, opening: revision, circles, ...change })
+    return this.#edited({ kind: 'open', scene: this.#scene, revision, opening: revision, circles, kept, ...change })
   }
 
   /**
@@ -138,7 +138,7 @@ export class SceneClient {
    * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
    * opened before the edits run. The scene stays unchanged
    */
-  edit(edits: readonly UndoEdit[], change: DomainChange = {}): Promise<Edited> {
+  edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
     const revision = this.#nextRevision()
     const { opening } = this.#circles
     return this.#edited({ kind: 'edit', scene: this.#scene, revision, opening, edits, ...change })
@@ -233,15 +233,13 @@ export class SceneClient {
 
   /** Sends the whole state to a new thread. */
   restore(): void {
-    const { colors, ...domain } = this.#domain
     const scene = this.#scene
-    const known = { scene, revision: RESTORED, opening: this.#circles.opening }
-    const { circles, edits } = this.#circles.restoring()
+    const { opening, keptIds: kept } = this.#circles
+    const circles = this.#circles.circles()
     const messages: readonly (ToPainter | undefined)[] = [
       { kind: 'add', scene },
       this.#layers,
-      { kind: 'open', circles, ...domain, ...known },
-      { kind: 'edit', edits, colors, ...known },
+      { kind: 'open', scene, revision: RESTORED, opening, circles, kept, ...this.#domain },
       this.#look,
       this.#mark,
     ]
@@ -272,7 +270,7 @@ export class SceneClient {
     if (done.kind === 'opened' && asked.kind === 'open') {
       // The highlighted ids belonged to former circles.
       this.#mark = undefined
-      this.#circles = new CircleTable(done.circles ?? asked.circles.slice(), asked.opening)
+      this.#circles = new CircleTable(done.circles ?? asked.circles.slice(), asked.opening, asked.kept)
     }
     const back = this.#circles.follow(change)
     return { counts, fitted, seconds, colors, inserted: change.inserted, back }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Box, Circle, Point } from '../lib/index.ts'
+import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, NO_PADDING, type Padding, type Size, toScreen } from './camera.ts'
-import type { CircleTable, Hit, UndoEdit } from './circle-table.ts'
+import type { CircleTable, Hit, KeptIds } from './circle-table.ts'
 import type { Name, Names } from './labels.ts'
 import {
   checkLayers,
@@ -149,12 +149,12 @@ export class View {
   }
 
   /**
-   * Replaces the circles; circle i gets id i.
+   * Replaces the circles. Without `kept`, circle i gets id i.
    * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; the view stays unchanged
    */
-  setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited> {
+  setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
     this.#picture.clear()
-    const opened = this.#scene.open(circles, change).then((edited) => {
+    const opened = this.#scene.open(circles, change, kept).then((edited) => {
       this.#touching = undefined
       this.#findingChanges(undefined)
       return edited
@@ -175,7 +175,7 @@ export class View {
    * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
    * opened first. The view stays unchanged
    */
-  apply(edits: readonly UndoEdit[], change?: DomainChange): Promise<Edited> {
+  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited> {
     return this.#told(this.#scene.edit(edits, change))
   }
 

@@ -19,7 +19,8 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// The id of a circle in an editor, from 0. A new circle gets the next id. Ids are never reused.
+/// The id of a circle in an editor, from 0. A new circle gets the next id. An id is never reused for another circle: a
+/// circle that was removed can be inserted again under its id (Edit).
 using CircleId = CircleIndex;
 
 /// The way in which an edit was done. The result is certified in each case.
@@ -86,12 +87,18 @@ struct SnapshotNumbers {
 struct Edit {
   enum class Kind { insert, remove, replace };
   Kind kind = Kind::insert;
-  CircleId id = {};  ///< for remove and replace
-  Circle circle;     ///< for insert and replace
+  /// For remove and replace; for insert, the id of a circle that was removed before the batch, or kNone for a new id.
+  CircleId id = {};
+  Circle circle;  ///< for insert and replace
 };
 
 struct EditorOptions {
   bool weights = false;  ///< whether radii are additive weights, which may be negative (Options::weights)
+  /// The ids of the circles, in increasing order. If there are none, circle i gets id i.
+  std::span<const CircleId> ids = {};
+  /// The number of ids given out: those below it that no circle has are the ids of removed circles. At least one more
+  /// than the largest id; kNone stands for that.
+  CircleId nextId = kNone;
 };
 
 /// A certified Voronoi diagram whose circles can be inserted, removed, moved and resized.
@@ -111,7 +118,7 @@ struct EditorOptions {
 /// Only one thread at a time may use an editor, except that several threads may call const functions.
 class DiagramEditor {
  public:
-  /// Makes an editor. Circle i gets id i. Errors: see `compute`.
+  /// Makes an editor. Errors: see `compute`; badOption if the ids or the next id do not fit.
   static Result<DiagramEditor> from(std::span<const Circle> circles, const EditorOptions& options = {});
 
   DiagramEditor(DiagramEditor&&) noexcept;

@@ -55,13 +55,15 @@ void EditState::willChangeSite(int slot) {
   savedSiteAt_[slot] = static_cast<int>(siteLog.size() - 1);
 }
 
-int EditState::addSite(const Circle& circle) {
+int EditState::addSite(const Circle& circle, CircleId id) {
   const int slot = sitePlaces.take();
   if (slot >= static_cast<int>(savedSiteAt_.size())) sizeToPlaces();
   willChangeSite(slot);
-  ids.add(nextId, slot);
-  sites[slot] = {nextId};
-  ++nextId;
+  const bool isNew = id == kNone;
+  if (isNew) id = nextId;
+  ids.add(id, slot);
+  sites[slot] = {id};
+  if (isNew) ++nextId;
   circles[slot] = circle;
   hasNoCell[slot] = 1;
   ++circleCount;

@@ -103,8 +103,10 @@ class EditState final : public DualKeeper {
 
   // A circle that is neither in a list nor in the dual counts as hidden.
 
-  /// Adds a circle with a new id. Returns its slot.
-  int addSite(const Circle& circle);
+  /// Returns whether an id belongs to a circle that was removed before the state was kept.
+  bool isFormer(CircleId id) const { return id >= 0 && id < nextId && ids.slotOf(id) == kNone; }
+  /// Adds a circle with a former id, or with a new one for kNone. Returns its slot.
+  int addSite(const Circle& circle, CircleId id);
   void removeSite(int slot);
   /// Puts a circle into the list of a visible circle that contains it.
   void attach(int slot, int hider);

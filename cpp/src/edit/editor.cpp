@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "build_state.h"
 #include "change_record.h"
@@ -22,6 +23,38 @@ namespace {
 Error unknownCircle(CircleId id, std::size_t edit) {
   return {ErrorCode::unknownCircle, id, "There is no circle with id " + std::to_string(id) + ".",
           static_cast<std::int64_t>(edit)};
+}
+
+Error notFormer(CircleId id, std::size_t edit) {
+  return {ErrorCode::unknownCircle, id, "There is no removed circle with id " + std::to_string(id) + ".",
+          static_cast<std::int64_t>(edit)};
+}
+
+/// Returns the ids of the circles that an editor starts with, or an error.
+Result<std::vector<CircleId>> startIds(std::size_t count, const EditorOptions& options) {
+  const auto& [weights, given, nextId] = options;
+  const auto error = [](const std::string& message) { return Error{ErrorCode::badOption, kNone, message}; };
+  std::vector<CircleId> ids(given.begin(), given.end());
+  if (ids.empty()) {
+    for (std::size_t i = 0; i < count; ++i) ids.push_back(static_cast<std::int32_t>(i));
+  }
+  if (ids.size() != count) {
+    return error("ids must be as many as there are circles: " + std::to_string(count) + ", not " +
+                 std::to_string(ids.size()) + ".");
+  }
+  CircleId least = 0;
+  for (const CircleId id : ids) {
+    if (id < least || id == std::numeric_limits<std::int32_t>::max()) {
+      return error("ids must be whole numbers from 0 to 2147483646 in increasing order; " + std::to_string(id) +
+                   " is not.");
+    }
+    least = id + 1;
+  }
+  if (nextId != kNone && nextId < least) {
+    return error("nextId must be above all ids: at least " + std::to_string(least) + ", not " + std::to_string(nextId) +
+                 ".");
+  }
+  return ids;
 }
 
 /// A batch of more than kFewEdits edits plus 1 / kManyShare of the circles computes the whole diagram.
@@ -162,7 +195,7 @@ class DiagramEditor::Editor {
       if (edit.kind == Edit::Kind::remove) continue;
       const auto error = errorOf(edit.circle, state_->weights);
       if (!error) continue;
-      const bool isNew = edit.kind == Edit::Kind::insert;
+      const bool isNew = edit.kind == Edit::Kind::insert && edit.id == kNone;
       const std::string who = isNew ? "The new circle" : "Circle " + std::to_string(edit.id);
       return Error{error->code, isNew ? CircleId() : edit.id, who + " " + error->what, static_cast<std::int64_t>(i)};
     }
@@ -194,14 +227,16 @@ class DiagramEditor::Editor {
       if (edit.kind != Edit::Kind::insert) {
         slot = slotOf(edit.id);
         if (slot == kNone) return unknownCircle(edit.id, i);
+      } else if (edit.id != kNone && !state_->isFormer(edit.id)) {
+        return notFormer(edit.id, i);
       }
       std::optional<EditWay> done;
       if (edit.kind == Edit::Kind::remove) {
         done = stepper_->remove(slot);
       } else {
         const Circle circle = normalized(edit.circle);
-        done =
-            edit.kind == Edit::Kind::insert ? stepper_->insert(circle, slotOf(hint)) : stepper_->replace(slot, circle);
+        done = edit.kind == Edit::Kind::insert ? stepper_->insert(circle, edit.id, slotOf(hint))
+                                               : stepper_->replace(slot, circle);
       }
       if (!done) return std::nullopt;
       tellRest();
@@ -211,48 +246,56 @@ class DiagramEditor::Editor {
   }
 
   Result<Change> applyWhole(std::span<const Edit> edits) {
-    std::vector<CircleId> ids;
-    std::vector<Circle> circles;
-    const CircleId firstNew = state_->nextId;
+    enum class Presence { awaited, present, removed };
+    struct Entry {
+      CircleId id;
+      Circle circle;
+      Presence presence;
+    };
+    std::vector<Entry> entries;
+    CircleId nextId = state_->nextId;
     state_->ids.forEach([&](CircleId id, int slot) {
-      ids.push_back(id);
-      circles.push_back(state_->circles[slot]);
+      entries.push_back({id, state_->circles[slot], Presence::present});
     });
-    const auto newOnes = static_cast<std::size_t>(
-        std::count_if(edits.begin(), edits.end(), [](const Edit& e) { return e.kind == Edit::Kind::insert; }));
-    std::vector<char> isThere(ids.size(), 1);
+    for (const Edit& edit : edits) {
+      if (edit.kind == Edit::Kind::insert && state_->isFormer(edit.id)) {
+        entries.push_back({edit.id, edit.circle, Presence::awaited});
+      }
+    }
+    const auto isBefore = [](const Entry& a, const Entry& b) { return a.id < b.id; };
+    const auto isSame = [](const Entry& a, const Entry& b) { return a.id == b.id; };
+    std::sort(entries.begin(), entries.end(), isBefore);
+    entries.erase(std::unique(entries.begin(), entries.end(), isSame), entries.end());
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
-      if (edit.kind == Edit::Kind::insert) {
-        ids.push_back(ids.empty() ? firstNew : std::max(firstNew, CircleId(ids.back() + 1)));
-        circles.push_back(edit.circle);
-        isThere.push_back(1);
-        tellEdit(edit, ids.back(), edit.circle);
+      const bool isInsertion = edit.kind == Edit::Kind::insert;
+      if (isInsertion && edit.id == kNone) {
+        entries.push_back({nextId, edit.circle, Presence::present});
+        tellEdit(edit, nextId, edit.circle);
+        ++nextId;
         continue;
       }
-      const auto found = static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), edit.id) - ids.begin());
-      if (found == ids.size() || ids[found] != edit.id || isThere[found] == 0) {
-        return unknownCircle(edit.id, i);
+      const auto found = std::lower_bound(entries.begin(), entries.end(), Entry{edit.id, {}, {}}, isBefore);
+      const Presence needed = isInsertion ? Presence::awaited : Presence::present;
+      if (found == entries.end() || found->id != edit.id || found->presence != needed) {
+        return isInsertion ? notFormer(edit.id, i) : unknownCircle(edit.id, i);
       }
-      tellEdit(edit, edit.id, edit.kind == Edit::Kind::remove ? circles[found] : edit.circle);
-      if (edit.kind == Edit::Kind::remove) {
-        isThere[found] = 0;
-      } else {
-        circles[found] = edit.circle;
-      }
+      const bool isRemoval = edit.kind == Edit::Kind::remove;
+      tellEdit(edit, edit.id, isRemoval ? found->circle : edit.circle);
+      found->presence = isRemoval ? Presence::removed : Presence::present;
+      if (!isRemoval) found->circle = edit.circle;
     }
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (isThere[i] == 0) continue;
-      ids[count] = ids[i];
-      circles[count++] = circles[i];
+    std::vector<CircleId> ids;
+    std::vector<Circle> circles;
+    for (const auto& [id, circle, presence] : entries) {
+      if (presence != Presence::present) continue;
+      ids.push_back(id);
+      circles.push_back(circle);
     }
-    ids.resize(count);
-    circles.resize(count);
     auto built = buildState(circles, ids, state_->weights);
     if (!built) return built.error();
     auto state = std::move(built).value();
-    state->nextId = firstNew + static_cast<std::int32_t>(newOnes);
+    state->nextId = nextId;
     state->keep();
     auto change = recorder_.recordWhole(*state_, *state);
     if (change) {
@@ -301,10 +344,12 @@ DiagramEditor::~DiagramEditor() = default;
 Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles, const EditorOptions& options) {
   return guarded([&]() -> Result<DiagramEditor> {
     if (const auto valid = validate(circles, options.weights); !valid) return valid.error();
-    std::vector<CircleId> ids;
-    for (std::size_t i = 0; i < circles.size(); ++i) ids.push_back(static_cast<std::int32_t>(i));
-    auto state = buildState(circles, ids, options.weights);
+    const auto ids = startIds(circles.size(), options);
+    if (!ids) return ids.error();
+    auto state = buildState(circles, *ids, options.weights);
     if (!state) return state.error();
+    state.value()->nextId = std::max((*state)->nextId, options.nextId);
+    state.value()->keep();
     return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
   });
 }

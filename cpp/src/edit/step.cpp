@@ -28,10 +28,10 @@ bool covers(const Circle& outer, const Circle& inner) {
 
 }  // namespace
 
-std::optional<EditWay> Stepper::insert(const Circle& circle, int hint) {
+std::optional<EditWay> Stepper::insert(const Circle& circle, CircleId id, int hint) {
   if (coversMany(circle)) return std::nullopt;
   begin();
-  const int slot = state_.addSite(circle);
+  const int slot = state_.addSite(circle, id);
   tellCircle(TraceKind::circleInserted, slot, circle);
   if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
   return certify(kNone);

@@ -22,7 +22,7 @@ class Stepper {
 
   // Each function returns how the edit was certified. It returns nothing if the whole diagram must be computed. Then
   // the caller must take the state back.
-  std::optional<EditWay> insert(const Circle& circle, int hint);
+  std::optional<EditWay> insert(const Circle& circle, CircleId id, int hint);
   std::optional<EditWay> remove(int slot);
   std::optional<EditWay> replace(int slot, const Circle& circle);
 

@@ -351,7 +351,7 @@ export class FileActions {
   /** A check names circles by their indices in the link. */
   #questionState(frame: LinkFrame): LinkInput {
     const { circles } = this.#editing
-    const check = frame.check && withIds(frame.check, (number) => circles.countBelow(this.#editing.idOf(number)))
+    const check = frame.check && withIds(frame.check, (id) => circles.countBelow(id))
     return { ...this.#wholeState(), ...frame, ...(check && { check }) }
   }
 

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit/html.js'
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
-import { holds, idsOf, numbersIn, withIds } from '../../element/check.ts'
+import { holds, idsOf, numbersIn } from '../../element/check.ts'
 import type { Check } from '../../lib/check-types.ts'
 import type { LinkFrame } from '../../lib/link.ts'
 import { icon } from '../../player/icon.ts'
@@ -252,11 +252,10 @@ export class QuestionForm {
       }`
   }
 
-  #circleField(number: number, label: string, set: (number: number) => void): TemplateResult {
-    const id = this.#editing.idOf(number)
+  #circleField(id: number, label: string, set: (id: number) => void): TemplateResult {
     const change = (event: Event) => {
       const input = event.target as HTMLInputElement
-      if (input.reportValidity()) set(this.#editing.numberOf(input.valueAsNumber))
+      if (input.reportValidity()) set(input.valueAsNumber)
       else input.value = String(id)
     }
     return html`<input type="number" min="0" step="1" required aria-label=${label} .value=${String(id)} @change=${change} autocomplete="off" />`
@@ -273,8 +272,7 @@ export class QuestionForm {
   #add(): void {
     const { selected } = this.#store.get()
     const first = this.#editing.circles.next(0, 1) ?? 0
-    const circle = this.#editing.numberOf(selected ?? first)
-    this.#set({ conditions: [...this.#draft.conditions, newCondition(circle)] })
+    this.#set({ conditions: [...this.#draft.conditions, newCondition(selected ?? first)] })
   }
 
   #remove(k: number): void {
@@ -294,7 +292,6 @@ export class QuestionForm {
     if ('conditions' in change || 'ownCheck' in change) this.#measure()
   }
 
-  /** The check, by circle numbers. */
   get #check(): Check | undefined {
     const { conditions, isAny, ownCheck } = this.#draft
     const check = checkOf(conditions, isAny)
@@ -304,12 +301,7 @@ export class QuestionForm {
 
   get #suggestion(): string {
     const { conditions, isAny, lang } = this.#draft
-    const shown = conditions.map((condition) => ({
-      ...condition,
-      circle: this.#editing.idOf(condition.circle),
-      other: this.#editing.idOf(condition.other),
-    }))
-    return sentenceOf(shown, isAny, lang)
+    return sentenceOf(conditions, isAny, lang)
   }
 
   get #frame(): LinkFrame {
@@ -334,8 +326,7 @@ export class QuestionForm {
   /** Requests the values for the conditions. */
   async #measure(): Promise<void> {
     const check = this.#check
-    const asked = check && withIds(check, (number) => this.#editing.idOf(number))
-    const facts = await this.#view.ask('tell', asked === undefined ? [] : idsOf(asked))
+    const facts = await this.#view.ask('tell', check === undefined ? [] : idsOf(check))
     if (check !== undefined && JSON.stringify(check) !== JSON.stringify(this.#check)) return
     this.#facts = facts
     this.#redraw()
@@ -345,7 +336,7 @@ export class QuestionForm {
   #valueNow({ circle }: Condition, kind: Kind): string {
     if (this.#facts === undefined) return ''
     if (kind.of === 'diagram') return `now ${this.#facts[kind.name]}`
-    const facts = this.#facts.cells.get(this.#editing.idOf(circle))
+    const facts = this.#facts.cells.get(circle)
     if (facts === undefined) return 'no such circle'
     const value = measureOf(facts, kind)
     return typeof value === 'number' ? `now ${Number.isFinite(value) ? short(value) : 'infinite'}` : `now ${value}`
@@ -354,10 +345,7 @@ export class QuestionForm {
   get #isMet(): boolean | undefined {
     const check = this.#check
     if (check === undefined || this.#facts === undefined) return undefined
-    return holds(
-      withIds(check, (number) => this.#editing.idOf(number)),
-      this.#facts,
-    )
+    return holds(check, this.#facts)
   }
 
   get #now(): string {
@@ -369,9 +357,8 @@ export class QuestionForm {
   get #warning(): string {
     const check = this.#check
     if (check === undefined) return ''
-    const isThere = (id: number) => this.#editing.circles.get(this.#editing.idOf(id)) !== undefined
-    const missing = [...new Set(numbersIn(check))].find((number) => !isThere(number))
-    if (missing !== undefined) return `There is no circle ${this.#editing.idOf(missing)}.`
+    const missing = numbersIn(check).find((id) => this.#editing.circles.get(id) === undefined)
+    if (missing !== undefined) return `There is no circle ${missing}.`
     if (this.#isMet === true) return 'The circles meet this already. Move them, so that there is something to do.'
     if (this.#draft.readonly) return 'Readers who may only look cannot solve this.'
     return ''

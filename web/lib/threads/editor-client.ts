@@ -5,10 +5,10 @@ import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { callListener, receivedError, workerFailure } from '../base/errors.ts'
 import { NewestQueue, type Queued } from '../base/newest-queue.ts'
-import type { Certificate, Circle, Float64s, Int32s, SnapshotData } from '../base/types.ts'
+import type { Certificate, Circle, Int32s, SnapshotData } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
 import { DiagramSnapshot } from '../diagram/diagram-snapshot.ts'
-import { checkedCircle, checkedEdits, checkId, type Edit } from '../wasm/editor.ts'
+import { checkedCircle, checkedEdits, checkId, type Edit, type EditorStart } from '../wasm/editor.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 import { startThread, type Thread } from './thread.ts'
 import type { AsyncEditorMethods } from './worker-editor.ts'
@@ -38,9 +38,9 @@ export class EditorClient implements AsyncEditorMethods {
   }
 
   /** Creates the editor. Must be the first call. */
-  async begin(circles: Float64s): Promise<void> {
+  async begin({ circles, ids, nextId }: Omit<EditorStart, 'weights'>): Promise<void> {
     try {
-      await this.#ask('edit', circles, { weights: this.#weights })
+      await this.#ask('edit', circles, { weights: this.#weights, ids, nextId })
     } catch (error) {
       this.#stop(error)
       throw error

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkMetric, checkNumber, checkOptionNames, refuseInput, shown } from '../base/check.ts'
+import { checkMetric, checkNumber, checkOptionNames, refuseInput, refuseOption, shown } from '../base/check.ts'
 import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from '../base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
@@ -16,7 +16,12 @@ import { checkWeights } from './options.ts'
  * @category Editing
  */
 export type Edit =
-  | { readonly kind: 'insert'; readonly circle: CircleLike }
+  | {
+      readonly kind: 'insert'
+      readonly circle: CircleLike
+      /** The id of a circle that was removed before the batch. Default: a new id. */
+      readonly id?: number | undefined
+    }
   | { readonly kind: 'remove'; readonly id: number }
   | { readonly kind: 'replace'; readonly id: number; readonly circle: CircleLike }
 
@@ -31,6 +36,13 @@ export interface EditorOptions {
    * or false for circles.
    */
   readonly weights?: boolean | undefined
+  /** The ids of the circles, in increasing order. Default: circle i gets the id i. */
+  readonly ids?: Iterable<number> | undefined
+  /**
+   * The id of the first new circle. Lower ids that no circle has are those of removed circles, which can be inserted
+   * again. Default: one more than the largest id.
+   */
+  readonly nextId?: number | undefined
 }
 
 /**
@@ -65,7 +77,8 @@ export interface EditorMethods {
   replace(id: number, circle: CircleLike): Change
   /**
    * Applies all edits in order, or no edit if one is invalid: `{ kind: 'insert', circle }`, `{ kind: 'remove', id }`,
-   * `{ kind: 'replace', id, circle }`. A circle that is both inserted and removed appears in no list of the change.
+   * `{ kind: 'replace', id, circle }`. A circle that is both inserted and removed appears in no list of the change. An
+   * insertion with the `id` of a removed circle brings it back under this id.
    *
    * @throws CircleVoronoiError as the methods above
    */
@@ -103,9 +116,9 @@ export interface EditorMethods {
  *
  * An edit changes only its surroundings and takes microseconds, regardless of the number of circles. Each edit is
  * certified by checking the parts that it changed. An edit that is refused changes nothing. Circles have ids, counted
- * from 0; an id stays with its circle and is never reused. A circle inside another circle is hidden. It gets a cell
- * again when the outer circle is removed. The diagram does not depend on the edits that led to it: it equals the result
- * of `compute`.
+ * from 0; an id stays with its circle and is never reused for another one. `apply` brings a removed circle back under
+ * its id. A circle inside another circle is hidden. It gets a cell again when the outer circle is removed. The diagram
+ * does not depend on the edits that led to it: it equals the result of `compute`.
  *
  * Errors contain the id of the circle as `circle`, or `undefined` for a new circle. After `dispose`, every method
  * throws `badInput`.
@@ -133,6 +146,8 @@ export type DiagramEditor = EditorMethods & Disposal
 export interface EditorStart {
   readonly circles: Float64s
   readonly weights: boolean
+  readonly ids?: Int32Array | undefined
+  readonly nextId?: number | undefined
 }
 
 /**
@@ -141,19 +156,37 @@ export interface EditorStart {
  * @throws CircleVoronoiError `badInput`, `badOption`
  */
 export function editorStart(circles: Circles | DiagramData, options: EditorOptions): EditorStart {
-  checkOptionNames(options, 'edit', ['weights'])
+  checkOptionNames(options, 'edit', ['weights', 'ids', 'nextId'])
   const isDiagram = typeof circles === 'object' && circles !== null && 'vertexCircles' in circles
-  const { weights = isDiagram && circles.weights === true } = options
+  const { weights = isDiagram && circles.weights === true, nextId } = options
   checkWeights(weights)
-  if (!isDiagram) return { circles: coordinatesOf(circles), weights }
-  checkMetric(circles, 'edit', 'circles')
-  return { circles: coordinatesOf(circles.circles), weights }
+  if (isDiagram) checkMetric(circles, 'edit', 'circles')
+  if (nextId !== undefined && !isId(nextId)) {
+    refuseOption(`nextId must be a whole number from 0 to 2147483647, not ${shown(nextId)}.`)
+  }
+  return { circles: coordinatesOf(isDiagram ? circles.circles : circles), weights, ids: idsFrom(options.ids), nextId }
+}
+
+/** Copies ids. The core checks their order. */
+function idsFrom(given: Iterable<number> | undefined): Int32Array | undefined {
+  if (given === undefined) return undefined
+  if (typeof (given as Partial<Iterable<number>> | null)?.[Symbol.iterator] !== 'function') {
+    refuseOption(`ids must be a list of whole numbers, not ${shown(given)}.`)
+  }
+  return Int32Array.from(given, (id) => {
+    if (isId(id)) return id
+    refuseOption(`ids must be whole numbers from 0 to 2147483646 in increasing order; ${shown(id)} is not.`)
+  })
+}
+
+function isId(id: unknown): boolean {
+  return Number.isInteger(id) && (id as number) >= 0 && (id as number) < 2 ** 31
 }
 
 /** A checked edit as plain data. */
 export interface CheckedEdit {
   readonly kind: string
-  readonly id?: number
+  readonly id?: number | undefined
   readonly circle?: Circle
 }
 
@@ -164,7 +197,10 @@ export function checkedEdits(edits: Iterable<Edit>, weights: boolean): CheckedEd
   }
   return Array.from(edits, (edit) => {
     const { kind, id, circle }: { kind?: Edit['kind']; id?: number; circle?: CircleLike } = Object(edit)
-    if (kind === 'insert') return { kind, circle: checkedCircle(circle as CircleLike, weights) }
+    if (kind === 'insert') {
+      if (id !== undefined) checkFormerId(id)
+      return { kind, id, circle: checkedCircle(circle as CircleLike, weights, id) }
+    }
     if (kind !== 'remove' && kind !== 'replace') {
       refuseInput(`An edit has a kind, insert, remove or replace, not ${shown(kind)}.`)
     }
@@ -176,9 +212,14 @@ export function checkedEdits(edits: Iterable<Edit>, weights: boolean): CheckedEd
 /** Checks an id, because embind would convert other values to numbers. */
 export function checkId(id: unknown, caller: string): asserts id is number {
   checkNumber(id, caller, 'the id of a circle')
-  if (!Number.isInteger(id) || (id as number) < NONE || (id as number) >= 2 ** 31) {
+  if (!isId(id) && id !== NONE) {
     refuse('unknownCircle', `There is no circle with id ${id}.`)
   }
+}
+
+function checkFormerId(id: unknown): void {
+  checkNumber(id, 'apply', 'the id of a circle')
+  if (!isId(id)) refuse('unknownCircle', `There is no removed circle with id ${id}.`)
 }
 
 /**

@@ -97,7 +97,8 @@ export interface CircleVoronoi {
    */
   trace(circles: Circles, options?: TraceOptions): Trace
   /**
-   * Creates an editor for the diagram of `circles`, or for the circles of a diagram. Circle i gets the id i.
+   * Creates an editor for the diagram of `circles`, or for the circles of a diagram. Circle i gets the id i, or the id
+   * that the options give.
    *
    * @throws CircleVoronoiError as `compute`; `badInput`, if the diagram has another metric
    */

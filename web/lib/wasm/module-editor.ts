@@ -36,12 +36,12 @@ type EditorModule = Pick<
   | 'certificateOfEditor'
 >
 
-/** A function that makes editors in a module; circle i gets id i. */
+/** A function that makes editors in a module. */
 export function editorsOf(module: EditorModule): (start: EditorStart) => Editor {
   // Frees editors that were not disposed of.
   const registry = new FinalizationRegistry((address: number) => module.deleteEditor(address))
-  return ({ circles, weights }) =>
-    new Editor(module, registry, weights, unwrap(module.createEditor(circles, weights)).editor)
+  return ({ circles, weights, ids = new Int32Array(), nextId = NONE }) =>
+    new Editor(module, registry, weights, unwrap(module.createEditor(circles, weights, ids, nextId)).editor)
 }
 
 /** The values of `Edit.kind`, by their numbers in the core. */
@@ -160,7 +160,7 @@ export class Editor implements EditorMethods {
   }
 }
 
-/** For each edit its kind, id, x, y and r. */
+/** For each edit its kind, id, x, y and r. `NONE` stands for a new id. */
 function numbersOf(edits: readonly CheckedEdit[]): Float64Array {
   const numbers = new Float64Array(5 * edits.length)
   let place = 0

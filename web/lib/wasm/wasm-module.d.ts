@@ -40,7 +40,13 @@ interface WasmModule {
   finalCells(diagram: JudgedArrays, box: Float64Array, maxRadius: number): WasmError | import('./library.ts').FinalCells
   errorCodeNames(): string[]
 
-  createEditor(circles: Float64Array, weights: boolean): WasmError | { readonly editor: number }
+  /** No ids stand for 0, 1 and so on; -1 as `nextId` for one more than the largest id. */
+  createEditor(
+    circles: Float64Array,
+    weights: boolean,
+    ids: Int32Array,
+    nextId: number,
+  ): WasmError | { readonly editor: number }
   deleteEditor(editor: number): void
   // cpp/wasm/editor_bindings.cpp describes the bytes of a change; they are valid until the next call.
   /** `kind`: 0 insert, 1 remove, 2 replace. */

@@ -46,15 +46,14 @@ export class Coloring {
     return this.#colors[id] ?? 0
   }
 
-  /** Colors inserted circles. One that had an id before, `formerIds[k]`, gets its color back. */
-  follow(diagram: DiagramSnapshot, { inserted, removed }: Change, formerIds: FormerIds): void {
+  /** Colors inserted circles. One that was removed before gets its color back. */
+  follow(diagram: DiagramSnapshot, { inserted, removed }: Change): void {
     if (inserted.length > 0 || removed.length > 0) this.#isTold = false
-    inserted.forEach((id, k) => {
+    for (const id of inserted) {
       if (id >= this.#colors.length) this.#grow(id)
-      const former = this.#colors[formerIds[k] ?? NONE] ?? UNCOLORED
-      const color = former === UNCOLORED ? freeColor(this.#takenBeside(diagram, diagram.indexOf(id)), id) : former
-      this.#colors[id] = color ?? id % MAP_COLORS
-    })
+      if (this.#colors[id] !== UNCOLORED) continue
+      this.#colors[id] = freeColor(this.#takenBeside(diagram, diagram.indexOf(id)), id) ?? id % MAP_COLORS
+    }
   }
 
   #takenBeside(diagram: Diagram, i: number): number {
@@ -72,9 +71,6 @@ export class Coloring {
     this.#colors = larger
   }
 }
-
-/** The former id of each inserted circle, if undo restores it. */
-export type FormerIds = readonly (number | undefined)[]
 
 const UNCOLORED = 255
 

@@ -78,7 +78,7 @@ export function fittedEdits(
     edits: [
       ...changed,
       ...edits.flatMap((edit): Edit[] => {
-        if (edit.kind === 'insert') return [{ kind: 'insert', circle: fittedCircle(k++) }]
+        if (edit.kind === 'insert') return [{ ...edit, circle: fittedCircle(k++) }]
         // The editor reports edits of missing circles.
         return edit.kind === 'remove' || !before.has(edit.id) ? [edit] : []
       }),

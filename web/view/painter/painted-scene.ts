@@ -5,7 +5,7 @@ import type { Comparison } from '../../lib/comparison.ts'
 import type { Box, Diagram, Edit, Float64s } from '../../lib/index.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
-import type { CircleChange, UndoEdit } from '../circle-table.ts'
+import type { CircleChange, KeptIds } from '../circle-table.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
 import {
   DEFAULT_LAYERS,
@@ -78,16 +78,19 @@ export class PaintedScene {
   }
 
   /**
-   * Replaces the circles. `regions` is required for a region or a fit.
+   * Replaces the circles. Without `kept`, circle i gets id i. `regions` is required for a region or a fit.
    * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; the scene stays unchanged
    */
-  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): OpenResult {
+  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions, kept?: KeptIds): OpenResult {
     const clip = this.#clipOf(change, regions)
     const torus = this.#torusOf(change, clip)
-    const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
+    const shares = Array.from(
+      { length: circles.length / 3 },
+      (_, i) => change.fit?.known?.get(kept?.ids[i] ?? i) ?? Number.NaN,
+    )
     const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
     const opened = fit?.diagram.circles ?? torus?.wrappedCircles(circles) ?? circles
-    const picture = new Picture(this.library.edit(opened), clip, torus)
+    const picture = new Picture(this.library.edit(opened, kept), clip, torus)
     const { areSites } = this.picture
     const layers = this.#layers
     picture.areSites = change.areSites ?? areSites
@@ -252,7 +255,7 @@ export class PaintedScene {
    * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; the scene stays unchanged
    */
   edit(
-    asked: readonly UndoEdit[],
+    asked: readonly Edit[],
     domain: DomainChange = {},
     regions?: Regions,
   ): {
@@ -269,14 +272,13 @@ export class PaintedScene {
       domain.fit === undefined
         ? { edits: this.#wrapped(asked, torus), fit: undefined }
         : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
-    const formerIds = asked.flatMap((edit) => (edit.kind === 'insert' ? [edit.formerId] : []))
     const change = this.picture.editor.apply(edits)
     const { areSites = this.picture.areSites, colors } = domain
     const isRepeatedOtherwise = torus !== this.picture.torus
     const isOtherwiseDrawn = areSites !== this.picture.areSites || colors !== undefined
     const isElsewhere = clip !== this.picture.clip || isOtherwiseDrawn || isRepeatedOtherwise
     this.picture.clip = clip
-    const { boxes, isEverywhere } = isRepeatedOtherwise ? this.#repeatIn(torus) : this.picture.apply(change, formerIds)
+    const { boxes, isEverywhere } = isRepeatedOtherwise ? this.#repeatIn(torus) : this.picture.apply(change)
     this.picture.areSites = areSites
     if (colors !== undefined) this.picture.recolor(colors)
     // Repaints all visible tiles together, so that no part of an animation lags behind.

@@ -64,7 +64,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
   switch (message.kind) {
     case 'open':
       try {
-        const opened = scene.open(message.circles, message, await regionsFor(message))
+        const opened = scene.open(message.circles, message, await regionsFor(message), message.kept)
         scene.opening = message.opening
         for (const waiting of measuring) if (waiting.scene === scene) waiting.steps = waiting.begin()
         post({

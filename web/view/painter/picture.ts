@@ -18,7 +18,7 @@ import { BoxIndex } from './box-index.ts'
 import { addAround, boxAt, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
 import type { Clip } from './clip.ts'
-import { Coloring, type FormerIds } from './coloring.ts'
+import { Coloring } from './coloring.ts'
 import { Measures } from './measures.ts'
 import type { MethodResult } from './method-layers.ts'
 import { RepeatedDiagram, type Torus } from './torus.ts'
@@ -286,8 +286,8 @@ export class Picture {
    * cell, a removed one nothing outside its former cell, and a moved one nothing outside both. If a layer depends on
    * whole cells, the neighbors' cells are added.
    */
-  apply(change: Change, formerIds: FormerIds = []): Difference {
-    if (this.torus !== undefined) return this.#repeat(this.torus, change, formerIds)
+  apply(change: Change): Difference {
+    if (this.torus !== undefined) return this.#repeat(this.torus, change)
     const { removed, replaced, inserted, cells, hidden, shown } = change
     const before = this.#lookOf([...removed, ...replaced, ...hidden, ...shown], cells)
     this.diagram.apply(change)
@@ -304,7 +304,7 @@ export class Picture {
     this.#measures?.forget(changed)
     this.#areas?.forget(changed)
     this.#gaps?.forget(changed)
-    this.#coloring?.follow(this.#snapshot, change, formerIds)
+    this.#coloring?.follow(this.#snapshot, change)
     const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown], cells)]
     boxes.push(...(this.centers?.apply(change).boxes ?? []))
     return {
@@ -314,7 +314,7 @@ export class Picture {
   }
 
   /** Rebuilds everything except the colors of cells. */
-  #repeat(torus: Torus, change: Change, formerIds: FormerIds): Difference {
+  #repeat(torus: Torus, change: Change): Difference {
     this.#snapshot.apply(change)
     this.diagram = torus.diagramOf(this.#snapshot)
     this.index = this.#indexed()
@@ -324,7 +324,7 @@ export class Picture {
     this.#gaps = undefined
     this.#measures = undefined
     this.layers = this.#layers
-    this.#coloring?.follow(this.#snapshot, change, formerIds)
+    this.#coloring?.follow(this.#snapshot, change)
     return { boxes: [], isEverywhere: true }
   }
 

@@ -23,24 +23,23 @@ export function traced(library: CircleVoronoi, { circles, numbers }: DiagramSnap
   const sorted = new Float64Array(3 * count)
   for (const [k, i] of order.entries()) sorted.set(circles.subarray(3 * i, 3 * i + 3), 3 * k)
   const ids = order.map(idOf)
-  // Inserted circles get indices after all existing ones.
-  const next = (ids.at(-1) ?? -1) + 1
-  const edits = options.edits && renamed(options.edits, ids, next)
+  const names = [...ids]
+  const edits = options.edits && byIndex(options.edits, names)
   const { diagram, kinds, discs, vertices, ...trace } = library.trace(sorted, { ...options, edits })
-  const named = trace.circles.map((i) => (i < 0 ? i : i < count ? at(ids, i) : next + i - count))
+  const named = trace.circles.map((i) => (i < 0 ? i : (names[i] as number)))
   return { circles: sorted, ids, diagram, events: { kinds, discs, vertices, circles: named, numbers: trace.numbers } }
 }
 
-/** Translates edits by id into edits by index. */
-function renamed(edits: Iterable<Edit>, ids: Int32Array, next: number): Edit[] {
-  let inserted = 0
+/** Translates edits by id into edits by index. Inserted circles get the next indices and are added to `names`. */
+function byIndex(edits: Iterable<Edit>, names: number[]): Edit[] {
+  let next = (names.at(-1) ?? -1) + 1
   return Array.from(edits, (edit) => {
     if (edit.kind === 'insert') {
-      inserted += 1
-      return edit
+      names.push(edit.id ?? next++)
+      return { kind: 'insert', circle: edit.circle }
     }
     const { id } = edit
-    const place = id < next ? ids.indexOf(id) : id < next + inserted ? ids.length + id - next : -1
+    const place = names.indexOf(id)
     if (place < 0) throw new CircleVoronoiError('unknownCircle', `There is no circle with id ${id}.`, { circle: id })
     return { ...edit, id: place }
   })
