@@ -19,8 +19,8 @@ namespace {
 /// gaps.
 void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
   state.faceCount = dual.faceCount();
-  state.facePlaces = NumberPool(state.faceCount);
-  state.sizeToPlaces();
+  state.faceNumbers = NumberPool(state.faceCount);
+  state.sizeToNumbers();
   std::vector<int> placeOf(static_cast<std::size_t>(dual.faceCount()));
   int place = 0;
   for (const bool isVertex : {true, false}) {
@@ -40,7 +40,7 @@ void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[state.dual.twin[h]] = edges++;
   }
-  state.edgePlaces = NumberPool(edges);
+  state.edgeNumbers = NumberPool(edges);
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   state->weights = weights;
   state->circleCount = static_cast<int>(circles.size());
   state->visibleCount = static_cast<int>(sites.circles.size());
-  state->sitePlaces = NumberPool(state->circleCount);
-  state->sizeToPlaces();
+  state->siteNumbers = NumberPool(state->circleCount);
+  state->sizeToNumbers();
   std::vector<int> slots(circles.size(), kNone);  // the slot of each index
   int slot = 0;
   for (; slot < state->visibleCount; ++slot) slots[sites.indices[slot]] = slot;

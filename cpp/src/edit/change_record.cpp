@@ -183,14 +183,14 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
         continue;
       }
       const EdgeIndex number =
-          reused < change.removedEdges.size() ? change.removedEdges[reused++] : EdgeIndex(state.edgePlaces.take());
+          reused < change.removedEdges.size() ? change.removedEdges[reused++] : EdgeIndex(state.edgeNumbers.take());
       state.edgeNumber[h] = state.edgeNumber[t] = number;
       addEdge(change, state, h);
       addCell(dual.origin[h]);
       addCell(dual.origin[t]);
     }
   }
-  for (; reused < change.removedEdges.size(); ++reused) state.edgePlaces.release(change.removedEdges[reused]);
+  for (; reused < change.removedEdges.size(); ++reused) state.edgeNumbers.release(change.removedEdges[reused]);
 }
 
 /// Records the steps of the hull that have changed. Each depends on its own face at infinity and on the one before.

@@ -3,8 +3,8 @@
 
 namespace circle_voronoi {
 
-void EditState::sizeToPlaces() {
-  const auto faces = static_cast<std::size_t>(facePlaces.count());
+void EditState::sizeToNumbers() {
+  const auto faces = static_cast<std::size_t>(faceNumbers.count());
   dual.twin.resize(3 * faces, kNone);
   proof.resize(3 * faces);
   edgeNumber.resize(3 * faces, kNone);
@@ -12,7 +12,7 @@ void EditState::sizeToPlaces() {
   // The size of `origin` counts the faces. So if memory runs out in between, the arrays above are no smaller.
   dual.origin.resize(3 * faces, kPointAtInfinity);
   savedFaceAt_.resize(faces, kNone);
-  const auto slots = static_cast<std::size_t>(sitePlaces.count());
+  const auto slots = static_cast<std::size_t>(siteNumbers.count());
   circles.resize(slots);
   predicates.setCircles(circles);
   discs.setCircles(circles);
@@ -23,9 +23,9 @@ void EditState::sizeToPlaces() {
 }
 
 int EditState::addFace() {
-  const int face = facePlaces.take();
+  const int face = faceNumbers.take();
   // This array of faces is resized last. If it has room, all have, even if memory ran out in between.
-  if (face >= static_cast<int>(savedFaceAt_.size())) sizeToPlaces();
+  if (face >= static_cast<int>(savedFaceAt_.size())) sizeToNumbers();
   willChange(face);
   ++faceCount;
   return face;
@@ -34,7 +34,7 @@ int EditState::addFace() {
 void EditState::removeFace(int face) {
   willChange(face);
   for (int h = 3 * face; h < 3 * face + 3; ++h) dual.twin[h] = kNone;
-  facePlaces.release(face);
+  faceNumbers.release(face);
   --faceCount;
 }
 
@@ -56,8 +56,8 @@ void EditState::willChangeSite(int slot) {
 }
 
 int EditState::addSite(const Circle& circle, CircleId id) {
-  const int slot = sitePlaces.take();
-  if (slot >= static_cast<int>(savedSiteAt_.size())) sizeToPlaces();
+  const int slot = siteNumbers.take();
+  if (slot >= static_cast<int>(savedSiteAt_.size())) sizeToNumbers();
   willChangeSite(slot);
   const bool isNew = id == kNone;
   if (isNew) id = nextId;
@@ -72,7 +72,7 @@ int EditState::addSite(const Circle& circle, CircleId id) {
 
 void EditState::removeSite(int slot) {
   willChangeSite(slot);
-  sitePlaces.release(slot);
+  siteNumbers.release(slot);
   sites[slot].id = kNone;  // if it still has a list, the judge rejects the step
   --circleCount;
 }
@@ -112,7 +112,7 @@ void EditState::detach(int slot) {
 EditState::Mark EditState::beginStep() {
   stepFaces_ = faceLog.size();
   stepSites_ = siteLog.size();
-  return {stepFaces_, stepSites_, facePlaces.mark(), sitePlaces.mark(), nextId, circleCount, visibleCount, faceCount};
+  return {stepFaces_, stepSites_, faceNumbers.mark(), siteNumbers.mark(), nextId, circleCount, visibleCount, faceCount};
 }
 
 void EditState::takeBack(const Mark& mark) noexcept {
@@ -140,8 +140,8 @@ void EditState::takeBack(const Mark& mark) noexcept {
   }
   for (std::size_t i = mark.faces; i < faceLog.size(); ++i) noteEdgesOf(faceLog[i].face);
   faceLog.resize(mark.faces);
-  facePlaces.takeBack(mark.facePlaces);
-  sitePlaces.takeBack(mark.sitePlaces);
+  faceNumbers.takeBack(mark.faceNumbers);
+  siteNumbers.takeBack(mark.siteNumbers);
   nextId = mark.nextId;
   circleCount = mark.circleCount;
   visibleCount = mark.visibleCount;
@@ -158,9 +158,9 @@ void EditState::noteEdges() {
 }
 
 void EditState::prepareToKeep() {
-  facePlaces.prepare();
-  sitePlaces.prepare();
-  edgePlaces.prepare();
+  faceNumbers.prepare();
+  siteNumbers.prepare();
+  edgeNumbers.prepare();
 }
 
 void EditState::keep() noexcept {
@@ -172,15 +172,15 @@ void EditState::keep() noexcept {
   for (const SavedFace& saved : faceLog) savedFaceAt_[saved.face] = kNone;
   siteLog.clear();
   faceLog.clear();
-  facePlaces.keep();
-  sitePlaces.keep();
-  edgePlaces.keep();
+  faceNumbers.keep();
+  siteNumbers.keep();
+  edgeNumbers.keep();
   kept_ = beginStep();
 }
 
 void EditState::takeAllBack() noexcept {
   takeBack(kept_);
-  edgePlaces.takeAllBack();
+  edgeNumbers.takeAllBack();
 }
 
 }  // namespace circle_voronoi

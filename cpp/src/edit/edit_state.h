@@ -64,9 +64,9 @@ class EditState final : public DualKeeper {
   int faceCount = 0;
   /// Reports the faces that change to an observer, if there is one.
   FaceTeller* teller = nullptr;
-  NumberPool facePlaces;
-  NumberPool sitePlaces;
-  NumberPool edgePlaces;
+  NumberPool faceNumbers;
+  NumberPool siteNumbers;
+  NumberPool edgeNumbers;
 
   bool isVisible(int slot) const { return sites[slot].id != kNone && !hasNoCell[slot]; }
   bool isInUse(int face) const { return dual.twin[3 * face] != kNone; }
@@ -149,8 +149,8 @@ class EditState final : public DualKeeper {
   struct Mark {
     std::size_t faces;
     std::size_t sites;
-    NumberPool::Mark facePlaces;
-    NumberPool::Mark sitePlaces;
+    NumberPool::Mark faceNumbers;
+    NumberPool::Mark siteNumbers;
     CircleId nextId;
     int circleCount;
     int visibleCount;
@@ -179,7 +179,7 @@ class EditState final : public DualKeeper {
   void takeAllBack() noexcept;
 
   /// Resizes the arrays to hold all faces and slots that the places count.
-  void sizeToPlaces();
+  void sizeToNumbers();
 
  private:
   void noteEdgesOf(int face) noexcept;
