@@ -43,14 +43,19 @@ describe('what goes back to before edits', () => {
     expect(plain(record(moved, steps, 3).done)).toEqual([{ kind: 'edits', gesture: 3, steps: [...steps, back(0, 1)] }])
   })
 
-  it('of one gesture is the region and the areas that were there at first', () => {
+  it('of one gesture is the region, the areas and the attributes that were there at first', () => {
+    const [names, others] = [namedAs(['a']), namedAs(['b'])]
     const [first, second] = [
       { ...NO_DOMAIN, areas: [1, 2] },
       { ...NO_DOMAIN, areas: [3, 4] },
     ] as const
     const begun = record(EMPTY_HISTORY, [back(0, 1)], 5)
-    const { done } = record(record(begun, [], 5, { domain: first }), [], 5, { domain: second })
-    expect(plain(done)).toEqual([{ kind: 'edits', gesture: 5, steps: [back(0, 1)], domain: first }])
+    const { done } = record(record(begun, [], 5, { domain: first, attributes: names }), [], 5, {
+      domain: second,
+      attributes: others,
+    })
+    const [entry] = plain(done)
+    expect(entry).toEqual({ kind: 'edits', gesture: 5, steps: [back(0, 1)], domain: first, attributes: names })
   })
 
   it('of another gesture is another entry, and nothing can be done again', () => {

@@ -62,6 +62,30 @@ function listening(state: Partial<State> = {}) {
   return { done, press, figure, actions: known }
 }
 
+describe('plus and minus', () => {
+  it.each([
+    ['=', 1, 1.04],
+    ['+', 1, 1.04],
+    ['-', -1, 1 / 1.04],
+    ['_', -1, 1 / 1.04],
+  ])('%s grows or shrinks what is selected, so that one undoes the other, and else zooms', (key, sign, factor) => {
+    const selected = listening({ selection: [3] })
+    selected.press(key)
+    selected.press(key, { shiftKey: true, repeat: true })
+    const bigger = sign > 0 ? 1.4 : 1 / 1.4
+    expect(selected.done).toEqual([
+      ['growSelected', sign, expect.closeTo(factor, 10), 1],
+      ['growSelected', 10 * sign, expect.closeTo(bigger, 10), 1],
+    ])
+    const [none, fixed] = [listening(), listening({ selection: [3] })]
+    fixed.actions.isReadonly = true
+    for (const { press, done } of [none, fixed]) {
+      press(key)
+      expect(done).toEqual([['zoomAtMiddle', sign]])
+    }
+  })
+})
+
 describe('an arrow key', () => {
   it('moves what is selected in one gesture for as long as it is held, by larger or finer steps', () => {
     const { done, press } = listening({ selection: [3] })

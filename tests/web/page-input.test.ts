@@ -5,6 +5,7 @@ import type { FileActions } from '../../web/app/files/file-actions.ts'
 import { listenToPresses } from '../../web/app/input/after-press.ts'
 import { listenToClipboard } from '../../web/app/input/clipboard.ts'
 import { listenToFiles } from '../../web/app/input/dropping.ts'
+import { restoreInvalidNumbers } from '../../web/app/input/invalid-numbers.ts'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
 import { mountInspector } from '../../web/app/panels/inspector.ts'
@@ -106,7 +107,43 @@ describe('what may move where a pointer is pressed', () => {
     vi.runAllTimers()
     expect(done).toEqual(['at once', 'after the press'])
     afterPress(() => done.push('again at once'))
+    send('pointerdown', {})
+    send(end, {})
+    vi.runAllTimers()
     expect(done).toHaveLength(3)
+  })
+})
+
+describe('a number field that is left with an invalid number', () => {
+  const field = (value: string) => {
+    const isValid = () => Number(added.value) >= 0
+    const added = Object.assign(new FakeElement(), { type: 'number', value, checkValidity: isValid })
+    return added
+  }
+  beforeEach(() => restoreInvalidNumbers(page as unknown as Document))
+
+  it.each([
+    ['the number at the start', ['focusin'], '3'],
+    ['the last valid change', ['focusin', '5', 'change'], '5'],
+    ['the last valid change, not an invalid one', ['focusin', '5', 'change', '-7', 'change'], '5'],
+  ])('gets %s back', (_, steps, restored) => {
+    const typed = field('3')
+    for (const step of steps) {
+      if (Number.isNaN(Number(step))) send(step, {}, typed)
+      else typed.value = step
+    }
+    typed.value = '-1'
+    send('focusout', {}, typed)
+    expect(typed.value).toBe(restored)
+  })
+
+  it('keeps a valid number, and each field has its own', () => {
+    const [first, second] = [field('1'), field('2')]
+    for (const each of [first, second]) send('focusin', {}, each)
+    first.value = '4'
+    second.value = '-1'
+    for (const each of [first, second]) send('focusout', {}, each)
+    expect([first.value, second.value]).toEqual(['4', '2'])
   })
 })
 
@@ -147,6 +184,18 @@ describe('the clipboard', () => {
     held.length = 0
     refused()
     expect(done).toEqual([])
+  })
+
+  it('keeps pasted circles from being opened as a file, and nothing else', () => {
+    listening()
+    const others: string[] = []
+    page.addEventListener('paste', (event) => others.push((event as ClipboardEvent).clipboardData?.getData(OWN) ?? ''))
+    for (const text of ['[[1,2,3]]', '[]']) {
+      const clipboardData = new Data()
+      clipboardData.setData(OWN, text)
+      send('paste', { clipboardData })
+    }
+    expect(others).toEqual(['[]'])
   })
 
   it('gives them back each time a little farther aside, from the first place after each copy', () => {

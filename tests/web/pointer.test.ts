@@ -865,7 +865,11 @@ describe('a pointer that is not pressed', () => {
     const stage = new Stage()
     stage.under = disc(0)
     await stage.send('pointermove', pixel(1, 2))
-    await stage.drag([pixel(1, 2), pixel(4, 6)])
+    await stage.press([pixel(1, 2), pixel(4, 6)])
+    stage.done.length = 0
+    stage.listeners.get('changed')?.()
+    expect(stage.of('hit', 'hover'), 'nothing during the drag').toEqual([])
+    await stage.send('pointerup', pixel(4, 6))
     stage.done.length = 0
     stage.listeners.get('changed')?.()
     expect(stage.of('hit', 'hover')).toEqual([

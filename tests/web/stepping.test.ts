@@ -22,7 +22,7 @@ async function played() {
   const store = createStore<State>({ ...INITIAL_STATE, step: 0, edited: {} as State['edited'] })
   const told: number[] = []
   let options: PlayerOptions | undefined
-  const [dispose, play] = [vi.fn(), vi.fn()]
+  const [dispose, play, onproblem] = [vi.fn(), vi.fn(), vi.fn()]
   vi.mocked(mountPlayer).mockImplementation((_, given: PlayerOptions) => {
     options = given
     const follow = () => given.onstep(Math.min(given.place().step as number, 8), 9)
@@ -37,11 +37,12 @@ async function played() {
     actions: { showStep } as unknown as EditorActions,
     options: () => ({}),
     onstep: (step) => told.push(step),
+    onproblem,
   })
   await stepping.whenReady()
   told.length = 0
   const { place, go } = options as unknown as PlayerOptions
-  return { stepOf: () => store.get().step, showStep, place, go, told, dispose, play, stepping }
+  return { stepOf: () => store.get().step, showStep, place, go, told, dispose, play, onproblem, stepping }
 }
 
 it('the step that the player goes to is the step of the state, and the player asks for no other', async () => {
@@ -92,4 +93,57 @@ it('a player that is closed while it plays does not play when it is opened again
   expect(play).toHaveBeenCalledOnce()
   stepping.play()
   expect(play).toHaveBeenCalledTimes(2)
+})
+
+it('a player that was disposed of is not opened again by the state', async () => {
+  const { stepping, showStep, dispose } = await played()
+  const mounted = vi.mocked(mountPlayer).mock.calls.length
+  stepping.dispose()
+  showStep(4)
+  frame()
+  await stepping.whenReady()
+  expect(dispose).toHaveBeenCalledOnce()
+  expect(mountPlayer).toHaveBeenCalledTimes(mounted)
+})
+
+it.each(['closed', 'disposed of'])(
+  'a player that loads after it was %s is neither mounted nor a problem',
+  async (how) => {
+    const { stepping, showStep, onproblem } = await played()
+    showStep(undefined)
+    frame()
+    await stepping.whenReady()
+    vi.mocked(mountPlayer).mockClear()
+    vi.mocked(mountPlayer).mockImplementation(() => {
+      throw new Error('too late')
+    })
+    showStep(2)
+    frame()
+    if (how === 'closed') showStep(undefined)
+    else stepping.dispose()
+    frame()
+    await stepping.whenReady()
+    expect(mountPlayer).not.toHaveBeenCalled()
+    expect(onproblem).not.toHaveBeenCalled()
+  },
+)
+
+it('a problem of a player that was closed meanwhile is not told', async () => {
+  const { stepping, showStep, onproblem } = await played()
+  showStep(undefined)
+  frame()
+  let fail = (_: Error) => {}
+  const ready = new Promise<void>((_, reject) => {
+    fail = reject
+  })
+  vi.mocked(mountPlayer).mockClear()
+  vi.mocked(mountPlayer).mockImplementation(() => ({ ready, dispose: () => {} }) as unknown as Player)
+  showStep(2)
+  frame()
+  await vi.waitFor(() => expect(mountPlayer).toHaveBeenCalledOnce())
+  showStep(undefined)
+  frame()
+  fail(new Error('late'))
+  await stepping.whenReady()
+  expect(onproblem).not.toHaveBeenCalled()
 })

@@ -56,7 +56,7 @@ export function ordered(
   if (isMeasured(column)) {
     const values = measured?.columns[0]
     measured?.ids.forEach((id, k) => {
-      if (id < keys.length) keys[id] = values?.[k] as number
+      keys[id] = values?.[k] as number
     })
   } else if (isFixed(column)) {
     for (const id of ids) keys[id] = circles.get(id)?.[column] as number
