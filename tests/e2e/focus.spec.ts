@@ -21,11 +21,11 @@ test('buttons that have nothing left to do give the focus to the picture, and a 
     await expect(app.canvas).toBeFocused()
   })
   await test.step('a circle that comes back is selected', async () => {
-    await expect(app.inspector).toContainText('Circle 678')
+    await expect(app.inspector).toContainText('Circle 650')
     // Pressed without pauses: each key waits for the previous one.
     await app.page.keyboard.press('Delete')
     await app.page.keyboard.press('Control+z')
-    await expect(app.inspector).toContainText('Circle 679')
+    await expect(app.inspector).toContainText('Circle 650')
     await expect(app.field('x')).toHaveValue(String(BRONZE[1950]))
     await app.page.keyboard.press('Delete')
     await expect(app.status).toContainText('677 circles')

@@ -14,6 +14,7 @@
 #include "circle_voronoi/certify.h"
 #include "guarded.h"
 #include "snapshot.h"
+#include "sort_unique.h"
 #include "step.h"
 #include "validate.h"
 
@@ -254,18 +255,21 @@ class DiagramEditor::Editor {
     };
     std::vector<Entry> entries;
     CircleId nextId = state_->nextId;
+    std::vector<int> restored;
+    for (const Edit& edit : edits) {
+      if (edit.kind == Edit::Kind::insert && state_->isFormer(edit.id)) restored.push_back(edit.id);
+    }
+    sortUnique(restored);
+    auto next = restored.begin();
+    const auto awaitBelow = [&](CircleId id) {
+      for (; next != restored.end() && *next < id; ++next) entries.push_back({*next, {}, Presence::awaited});
+    };
     state_->ids.forEach([&](CircleId id, int slot) {
+      awaitBelow(id);
       entries.push_back({id, state_->circles[slot], Presence::present});
     });
-    for (const Edit& edit : edits) {
-      if (edit.kind == Edit::Kind::insert && state_->isFormer(edit.id)) {
-        entries.push_back({edit.id, edit.circle, Presence::awaited});
-      }
-    }
+    awaitBelow(nextId);
     const auto isBefore = [](const Entry& a, const Entry& b) { return a.id < b.id; };
-    const auto isSame = [](const Entry& a, const Entry& b) { return a.id == b.id; };
-    std::sort(entries.begin(), entries.end(), isBefore);
-    entries.erase(std::unique(entries.begin(), entries.end(), isSame), entries.end());
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
       const bool isInsertion = edit.kind == Edit::Kind::insert;
