@@ -142,9 +142,9 @@ void addEditCommand(CLI::App& program) {
   addOutputOptions(*command, arguments->output);
   addProgressOption(*command, arguments->progress);
   command->footer(
-      "Circle i of the file has id i; each circle that is inserted gets the next one.\ninsert,id,x,y,r brings a "
-      "removed "
-      "circle back. The first edit that cannot be made\nends the program. Formats are those of compute.");
+      "Circle i of the file has id i; each circle that is inserted gets the next one.\n"
+      "insert,id,x,y,r brings a removed circle back. The first edit that cannot be made\nends the program. Formats are "
+      "those of compute.");
   command->callback([arguments, command] { runEdit(*command, *arguments); });
 }
 

@@ -122,7 +122,7 @@ TEST(Editor, InsertsARemovedCircleUnderItsId) {
                               {Edit::Kind::replace, 3, circles[7]}});
   EXPECT_EQ(local.way, EditWay::local);
   EXPECT_EQ(local.inserted, (std::vector<CircleId>{7, 300, 3}));
-  // Of identical circles, the one with the lower id is visible.
+  // Identical circles: the lower id is visible.
   EXPECT_TRUE(editor.isHidden(7));
   EXPECT_FALSE(editor.isHidden(3));
   // A circle that comes and goes in a batch may come again later.

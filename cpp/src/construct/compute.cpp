@@ -79,8 +79,9 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
   {
     const Stopwatch watch = journal.enter(Stage::triangulate);
     found = findSites(std::move(ordered), kMostStepsACircle, threads);
-    const bool hasDual = found.inserted && options.method == Method::automatic;
-    if (!hasDual) sites = triangulate(std::move(sites), threads);
+    // Another method makes a dual of its own.
+    if (options.method != Method::automatic) found.inserted.reset();
+    if (!found.inserted) sites = triangulate(std::move(sites), threads);
     if (auto error = refusalOfHidden(rounded, sites.hidden)) return *std::move(error);
     rounded = std::vector<Circle>();  // the sites have them
   }

@@ -57,7 +57,7 @@ Vertex vertexOfFace(const EditState& state, int face) {
 }
 
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
-                                              bool weights) {
+                                              CircleId nextId, bool weights) {
   if (const auto valid = validatePart(circles, weights, 0); !valid) return valid.error();
   const std::vector<Circle> rounded = normalized(circles);
   const Progress silent;
@@ -90,7 +90,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
     state->ids.add(ids[i], slots[i]);
   }
   for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
-  state->nextId = ids.empty() ? 0 : ids.back() + 1;
+  state->nextId = std::max(nextId, ids.empty() ? CircleId(0) : CircleId(ids.back() + 1));
   fillFaces(*state, construction.dual, construction.verdict.proof);
   state->prepareToKeep();
   state->keep();

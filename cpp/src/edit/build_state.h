@@ -11,11 +11,12 @@
 
 namespace circle_voronoi {
 
-/// Makes the state of an editor with these circles. Their ids must increase.
+/// Makes the state of an editor with these circles. Their ids must increase, and new circles get ids from `nextId` on,
+/// or from above the largest id for kNone.
 /// Errors: see `compute`, with ids instead of indices, except for vertices (vertexError) and without
 /// coordinateTooSmall, because removals may leave only small numbers.
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
-                                              bool weights);
+                                              CircleId nextId, bool weights);
 
 /// Returns the circles of a vertex, starting with the lowest id, so that its disc has the same bits however it was
 /// found.

@@ -178,7 +178,7 @@ class EditState final : public DualKeeper {
   void keep() noexcept;
   void takeAllBack() noexcept;
 
-  /// Resizes the arrays to hold all faces and slots that the places count.
+  /// Resizes the arrays to hold all faces and slots that have numbers.
   void sizeToNumbers();
 
  private:

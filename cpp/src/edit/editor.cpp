@@ -296,14 +296,11 @@ class DiagramEditor::Editor {
       ids.push_back(id);
       circles.push_back(circle);
     }
-    auto built = buildState(circles, ids, state_->weights);
-    if (!built) return built.error();
-    auto state = std::move(built).value();
-    state->nextId = nextId;
-    state->keep();
-    auto change = recorder_.recordWhole(*state_, *state);
+    auto state = buildState(circles, ids, nextId, state_->weights);
+    if (!state) return state.error();
+    auto change = recorder_.recordWhole(*state_, **state);
     if (change) {
-      take(std::move(state));
+      take(std::move(state).value());
       tellAnew();
     }
     return change;
@@ -350,10 +347,8 @@ Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles, const
     if (const auto valid = validate(circles, options.weights); !valid) return valid.error();
     const auto ids = startIds(circles.size(), options);
     if (!ids) return ids.error();
-    auto state = buildState(circles, *ids, options.weights);
+    auto state = buildState(circles, *ids, options.nextId, options.weights);
     if (!state) return state.error();
-    state.value()->nextId = std::max((*state)->nextId, options.nextId);
-    state.value()->keep();
     return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
   });
 }
