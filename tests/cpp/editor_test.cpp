@@ -203,6 +203,26 @@ TEST(Editor, StartsWithGivenIds) {
   EXPECT_EQ(changeOf(editor.insert(circles[0])).inserted.at(0), ids.back() + 1);
 }
 
+TEST(Editor, RefusesNewCirclesOnceAllIdsAreGivenOut) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {6, 0, 1}};
+  const std::vector<CircleId> ids = {3, 2147483645};
+  DiagramEditor editor = DiagramEditor::from(circles, {.ids = ids}).value();
+  const Edit insertion = {Edit::Kind::insert, kNone, {3, 5, 1}};
+  for (const std::size_t count : {2U, 100U}) {
+    const auto change = editor.apply(std::vector<Edit>(count, insertion));
+    ASSERT_FALSE(change.ok());
+    EXPECT_EQ(change.error().code, ErrorCode::tooManyCircles);
+    EXPECT_EQ(change.error().message, "There is no id left for the new circle.");
+    EXPECT_EQ(change.error().edit, 1);
+    EXPECT_EQ(editor.ids(), ids);
+  }
+  EXPECT_EQ(changeOf(editor.insert(insertion.circle)).inserted, (std::vector<CircleId>{2147483646}));
+  EXPECT_EQ(editor.insert({9, 9, 1}).error().code, ErrorCode::tooManyCircles);
+  EXPECT_EQ(changeOf(editor.apply(std::vector<Edit>{{Edit::Kind::insert, 5, {9, 9, 1}}})).inserted,
+            (std::vector<CircleId>{5}));
+  expectRight(editor);
+}
+
 TEST(Editor, RefusesIdsThatDoNotFit) {
   const std::vector<Circle> circles = {{0, 0, 1}, {6, 0, 1}};
   const auto messageFor = [&](const std::vector<CircleId>& ids, CircleId nextId = kNone) {

@@ -125,9 +125,9 @@ class DiagramEditor {
   DiagramEditor& operator=(DiagramEditor&&) noexcept;
   ~DiagramEditor();
 
-  // Errors of the edits below: unknownCircle, and the errors of `compute`. `Error::circle` is the id of the circle to
-  // blame, or kNone if the circle is new or no single circle is to blame. `Error::edit` is the index of the edit to
-  // blame, or kNone if no single edit is to blame.
+  // Errors of the edits below: unknownCircle, and the errors of `compute`; tooManyCircles also if no id is left.
+  // `Error::circle` is the id of the circle to blame, or kNone if the circle is new or no single circle is to blame.
+  // `Error::edit` is the index of the edit to blame, or kNone if no single edit is to blame.
 
   /// Inserts a circle. Its id is `inserted[0]`. `hint` is a circle nearby, if you know one. By default the search
   /// starts at the circle that was edited last.

@@ -191,12 +191,17 @@ class DiagramEditor::Editor {
 
   /// Returns the first error in an edit that does not depend on the other edits.
   std::optional<Error> refusalOf(std::span<const Edit> edits) const {
+    std::int32_t idsLeft = std::numeric_limits<std::int32_t>::max() - state_->nextId;
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
       if (edit.kind == Edit::Kind::remove) continue;
+      const bool isNew = edit.kind == Edit::Kind::insert && edit.id == kNone;
+      if (isNew && idsLeft-- == 0) {
+        return Error{ErrorCode::tooManyCircles, kNone, "There is no id left for the new circle.",
+                     static_cast<std::int64_t>(i)};
+      }
       const auto error = errorOf(edit.circle, state_->weights);
       if (!error) continue;
-      const bool isNew = edit.kind == Edit::Kind::insert && edit.id == kNone;
       const std::string who = isNew ? "The new circle" : "Circle " + std::to_string(edit.id);
       return Error{error->code, isNew ? CircleId() : edit.id, who + " " + error->what, static_cast<std::int64_t>(i)};
     }
