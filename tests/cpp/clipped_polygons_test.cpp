@@ -17,6 +17,7 @@
 #include "in_circle.h"
 #include "region_shapes.h"
 #include "report.h"
+#include "rounded.h"
 
 namespace circle_voronoi {
 namespace {
@@ -187,6 +188,24 @@ TEST(ClippedPolygons, AreAValidCoverageAtAnyTolerance) {
         expectCoverage(clipped.polygons(tolerance), region, 1e-12);
       }
     }
+  }
+}
+
+TEST(ClippedPolygons, HaveRoundedCornersAlsoAtCirclesOfTheSmallestNumbers) {
+  // The vertices of the smallest circles lie between the multiples of the step.
+  std::mt19937_64 random(test::seedOr(5));
+  const auto number = [&] {
+    return std::ldexp(static_cast<double>(random() % 8), static_cast<int>(random() % 94) - 96);
+  };
+  const Region region =
+      Region::fromRings(std::vector<Region::Ring>{{{-1, -1}, {1, -1}, {1, 1}, {0, 0.5}, {-1, 1}}}).value();
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(trial);
+    std::vector<Circle> circles = {{0, 0, 0}, {0.5, 0, number()}};
+    for (int i = 0; i < 6; ++i) circles.push_back({number(), number(), number()});
+    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const ClippedPolygons polygons = ClippedDiagram::from(diagram, region).value().polygons(1e-3);
+    for (const Point& p : polygons.points) ASSERT_EQ(p, rounded(p));
   }
 }
 

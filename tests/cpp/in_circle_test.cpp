@@ -108,6 +108,14 @@ TEST(InCircle, AgreesWithRationalArithmeticOverManyBits) {
   }
 }
 
+TEST(InCircle, OrientationTakesPointsBetweenTheMultiplesOfTheStep) {
+  for (const double tiny : {1e-40, 1e-100, 1e-300, 5e-324}) {
+    EXPECT_EQ(orientation({0, 0}, {1, 1}, {tiny, tiny}), 0) << tiny;
+    EXPECT_EQ(orientation({0, 0}, {0x1p100, 0x1p100}, {-tiny, -tiny}), 0) << tiny;
+    EXPECT_EQ(orientation({0, 0}, {1, 1}, {tiny, 0x1p-90}), 1) << tiny;
+  }
+}
+
 TEST(InCircle, KnowsTheInside) {
   const Point a = {0, 0}, b = {1, 0}, c = {0, 1};
   EXPECT_EQ(inCircle(a, b, c, {0.5, 0.5}), 1);

@@ -75,6 +75,24 @@ TEST(Region, ContainsItsBoundary) {
   }
 }
 
+TEST(Region, TellsWhetherItContainsAnyPoint) {
+  const Region region = Region::fromRings(std::vector<Ring>{{{0, 0}, {1, 1}, {0, 1}}}).value();
+  for (const double tiny : {0x1p-60, 0x1p-96, 0x1p-97, 1e-60, 1e-300, 5e-324, -5e-324}) {
+    EXPECT_TRUE(region.contains({tiny, tiny})) << tiny;
+    EXPECT_TRUE(region.contains({tiny, 1})) << tiny;
+  }
+  EXPECT_FALSE(region.contains({0x1p-95, 0x1p-96}));
+  constexpr double kHuge = std::numeric_limits<double>::max();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  for (const double far : {0x1p100, 1e60, 1e200, kHuge, kInfinite, std::numeric_limits<double>::quiet_NaN()}) {
+    for (const double sign : {-1.0, 1.0}) {
+      EXPECT_FALSE(region.contains({sign * far, 0.5})) << sign * far;
+      EXPECT_FALSE(region.contains({0.5, sign * far})) << sign * far;
+      EXPECT_FALSE(region.contains({sign * far, sign * far})) << sign * far;
+    }
+  }
+}
+
 TEST(Region, TakesPolygonsWithHoles) {
   const std::vector<std::vector<Ring>> polygons = {{square(0, 0, 10), square(1, 1, 2), square(4, 4, 2)},
                                                    {square(4.5, 4.5, 1)}};

@@ -8,6 +8,7 @@
 
 #include "circle_voronoi_families/families.h"
 #include "delaunay.h"
+#include "rounded.h"
 
 namespace circle_voronoi {
 namespace {
@@ -43,6 +44,13 @@ TEST(Samples, LieOnTheirCircleLessTheSmallestRadius) {
     const Vector v = {samples.points[i].x - c.x, samples.points[i].y - c.y};
     EXPECT_NEAR(length(v), c.r - smallest, 1e-14 * (10 + std::abs(c.x) + std::abs(c.y)));
   }
+}
+
+// The exact predicates of the triangulation rely on it.
+TEST(Samples, AreRoundedLikeCircles) {
+  const std::vector<Circle> circles = {{0, 0, 0}, {0x1p-60, 0x1p-70, 0x1p-62}, {0, 0x1p-59, 0x1p-96}, {1, 2, 0x1p-61}};
+  for (const Point p : sample(circles, 3).points) EXPECT_EQ(p, rounded(p));
+  for (const Point p : sampleUniformly(circles, 7).points) EXPECT_EQ(p, rounded(p));
 }
 
 // A triangle of centers has two Delaunay edges and one finite face at each; the infinite face is not subdivided.

@@ -84,8 +84,9 @@ class Region {
   /// Returns the polygon of a ring. Takes O(log p) steps for p polygons.
   [[nodiscard]] std::int32_t polygonOf(RegionRingIndex ring) const;
 
-  /// Returns whether the region, boundary included, contains a point. Exact. Skips runs of sides that lie on one side
-  /// of the point, so it takes O(log m) steps for most regions.
+  /// Returns whether the region, boundary included, contains a point. The point is rounded first, as the corners were
+  /// (limits.h); the result is exact. Skips runs of sides that lie on one side of the point, so it takes O(log m) steps
+  /// for most regions.
   [[nodiscard]] bool contains(Point p) const;
   /// Returns the sides whose bounding box meets a box, in increasing order. Takes O(log m) steps for each side found.
   [[nodiscard]] std::vector<RegionSideIndex> sidesIn(const Box& box) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "exact.h"
+#include "rounded.h"
 #include "short_differences.h"
 
 namespace circle_voronoi {
@@ -22,7 +23,8 @@ int orientation(Point a, Point b, Point c) {
   const double largest =
       std::max(std::max(std::abs(a.x - c.x), std::abs(a.y - c.y)), std::max(std::abs(b.x - c.x), std::abs(b.y - c.y)));
   if (haveShortDifferences<26>({a, b, c}, largest)) return signOf(estimate.value);
-  return exact::orientation(a, b, c);
+  // Computed points need not be rounded, but exact integers hold rounded numbers only.
+  return exact::orientation(rounded(a), rounded(b), rounded(c));
 }
 
 int inCircle(Point a, Point b, Point c, Point d) {

@@ -11,11 +11,13 @@ namespace circle_voronoi {
 /// Exact tests of points, fast for the coordinates that people draw: integers and short decimals, whose ties no
 /// floating-point filter decides.
 
-/// Returns 1 if points a, b, c are counter-clockwise, -1 if they are clockwise, 0 if they are collinear.
+/// Returns 1 if points a, b, c are counter-clockwise, -1 if they are clockwise, 0 if they are collinear. Coordinates
+/// are at most kRegionLimit. The sign is exact if they are rounded (rounded.h); otherwise it may be 0 for points that
+/// are collinear once rounded.
 int orientation(Point a, Point b, Point c);
 
 /// Returns 1 if point d lies inside the circle through a, b, c, which are counter-clockwise; 0 if it lies on the
-/// circle; -1 if it lies outside.
+/// circle; -1 if it lies outside. Coordinates are rounded.
 int inCircle(Point a, Point b, Point c, Point d);
 
 // Error bounds of the floating-point determinants, relative to their permanents: J. R. Shewchuk, "Adaptive precision

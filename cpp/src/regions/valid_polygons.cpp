@@ -11,6 +11,7 @@
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/region.h"
 #include "in_circle.h"
+#include "rounded.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -286,7 +287,10 @@ Polygons polygonsOf(const std::vector<PointLoop>& loops) {
 }  // namespace
 
 Polygons validPolygons(std::vector<PointLoop> loops) {
-  for (PointLoop& loop : loops) cleanRing(loop.points);
+  for (PointLoop& loop : loops) {
+    for (Point& p : loop.points) p = rounded(p);
+    cleanRing(loop.points);
+  }
   Polygons polygons = polygonsOf(loops);
   if (polygons.empty() || Region::fromPolygons(polygons)) return polygons;
   divideSteps(loops);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "guarded.h"
+#include "rounded.h"
 
 namespace circle_voronoi {
 namespace {
@@ -61,7 +62,8 @@ class Sampler {
     constexpr std::size_t kSamplesPerReport = 1 << 16;
     const Circle& c = circles_[i];
     const double r = c.r - smallest_;
-    samples_.points.push_back({c.x + r * direction.x, c.y + r * direction.y});
+    // The exact predicates take rounded points only.
+    samples_.points.push_back(rounded(Point{c.x + r * direction.x, c.y + r * direction.y}));
     samples_.circles.push_back(i);
     if (progress_ && samples_.circles.size() % kSamplesPerReport == 0) {
       progress_(static_cast<double>(samples_.circles.size()) / static_cast<double>(count_));
