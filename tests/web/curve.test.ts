@@ -287,6 +287,33 @@ describe('polyline', () => {
       }),
     )
   })
+
+  it('has as few points as the tolerance allows: no piece could be a tenth longer', () => {
+    fc.assert(
+      fc.property(arc, fc.constantFrom(1, 0.1, 1e-2), ({ curve }, tolerance) => {
+        const { bisector: branch, to: last } = curve
+        const points = polyline(curve, tolerance)
+        for (let k = 0; k < Math.min(points.length - 2, 10); k++) {
+          const [p, next] = [points[k], points[k + 1]] as [Point, Point]
+          const from = parameterAt(branch, p.x, p.y)
+          const to = from * (parameterAt(branch, next.x, next.y) / from) ** 1.1
+          // Around the apex the error is a bound only, which also keeps the tip of a needle.
+          if (to >= last || (from < 1 && 1 < to)) continue
+          const q = pointAt(branch, to)
+          const [x, y] = [
+            (q.x - p.x) / Math.hypot(q.x - p.x, q.y - p.y),
+            (q.y - p.y) / Math.hypot(q.x - p.x, q.y - p.y),
+          ]
+          const distances = Array.from({ length: 63 }, (_, i) => {
+            const between = pointAt(branch, from * (to / from) ** ((i + 1) / 64))
+            return Math.abs((between.x - p.x) * y - (between.y - p.y) * x)
+          })
+          expect(Math.max(...distances)).toBeGreaterThan(tolerance)
+        }
+      }),
+      { numRuns: 300 },
+    )
+  })
 })
 
 describe('a needle', () => {

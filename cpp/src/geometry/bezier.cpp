@@ -57,18 +57,51 @@ double cubicError(const Bisector& bisector, double from, double to) {
   return k * k * sine * sine > f ? std::min(error, bisector.b * f / (k * sine)) : error;
 }
 
-/// Returns the largest parameter, at most `to`, up to which an arc keeps the tolerance, but for a few hundredths of the
-/// way. Precondition: the error grows with the parameter.
-template <class Error>
-double farthest(const Bisector& bisector, double from, double to, double tolerance, Error error) {
-  if (!(error(bisector, from, to) > tolerance)) return to;
+/// Returns the quotient of the parameters at the ends of an arc with a given w - 1.
+double quotientOf(double excess) {
+  const double root = 1 + excess + std::sqrt(excess * (excess + 2));
+  return root * root;
+}
+
+/// Returns the largest parameter up to `to` at which an arc is still within the tolerance of its chord, except for a
+/// few percent of the way.
+double farthestByChord(const Bisector& bisector, double from, double to, double tolerance) {
+  if (!(chordError(bisector, from, to) > tolerance)) return to;
+  constexpr double kNearlyAll = 15.0 / 16;
+  constexpr int kMostSteps = 16;
+  // The error is w - 1 times a factor that is |a| around the apex, at most |a| elsewhere, and changes slowly.
+  double excess = tolerance / std::abs(bisector.a);
+  double next = from * quotientOf(excess);
+  double last = to;
+  if (from < 1 && 1 < to) {
+    if (next >= 1) return next;
+    if (!(chordError(bisector, from, 1) > tolerance)) return 1;
+    last = 1;
+  }
+  double good = next;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double error = chordError(bisector, from, next);
+    if (error <= tolerance) {
+      good = std::max(good, next);
+      if (error >= kNearlyAll * tolerance) break;
+    }
+    excess *= tolerance / error;
+    next = std::min(from * quotientOf(excess), last);
+  }
+  return good;
+}
+
+/// Returns the largest parameter up to `to` at which an arc is still within the tolerance of its cubic, except for a
+/// few percent of the way. The error grows with the parameter.
+double farthestByCubic(const Bisector& bisector, double from, double to, double tolerance) {
+  if (!(cubicError(bisector, from, to) > tolerance)) return to;
   constexpr int kHalvings = 50;
   constexpr double kNearEnough = 1.0 / 32;
   double good = from;
   double bad = to;
   for (int i = 0; i < kHalvings && bad - good > kNearEnough * (good - from); ++i) {
     const double middle = std::sqrt(good) * std::sqrt(bad);
-    (error(bisector, from, middle) <= tolerance ? good : bad) = middle;
+    (cubicError(bisector, from, middle) <= tolerance ? good : bad) = middle;
   }
   return good > from ? good : bad;
 }
@@ -131,9 +164,9 @@ std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance) 
   for (bool isLast = false; !isLast;) {
     const bool byOneCubic = chordError(curve.bisector, from, curve.to) > tolerance &&
                             !(cubicError(curve.bisector, from, curve.to) > tolerance);
-    const double byLine = byOneCubic ? from : farthest(curve.bisector, from, curve.to, tolerance, chordError);
+    const double byLine = byOneCubic ? from : farthestByChord(curve.bisector, from, curve.to, tolerance);
     const double byCubic =
-        byOneCubic || byLine == curve.to ? curve.to : farthest(curve.bisector, from, curve.to, tolerance, cubicError);
+        byOneCubic || byLine == curve.to ? curve.to : farthestByCubic(curve.bisector, from, curve.to, tolerance);
     const double to = std::max(byLine, byCubic);
     isLast = !(to < curve.to);
     const Point end = isLast ? curve.end : pointAt(curve.bisector, to);
@@ -154,10 +187,10 @@ std::vector<Point> polyline(const EdgeCurve& curve, double tolerance) {
   if (isNearChord(curve, tolerance)) return {curve.start, curve.end};
   tolerance = atLeast(kFinestPolyline, curve, tolerance);
   std::vector<Point> points = {curve.start};
-  double from = farthest(curve.bisector, curve.from, curve.to, tolerance, chordError);
+  double from = farthestByChord(curve.bisector, curve.from, curve.to, tolerance);
   while (from < curve.to) {
     points.push_back(pointAt(curve.bisector, from));
-    from = farthest(curve.bisector, from, curve.to, tolerance, chordError);
+    from = farthestByChord(curve.bisector, from, curve.to, tolerance);
   }
   points.push_back(curve.end);
   return points;

@@ -136,10 +136,10 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
   for (let isLast = false; !isLast; ) {
     // If one cubic is enough for the rest of the arc, no search for the longest line is needed.
     const byOneCubic = error > limit && cubicError(bisector.a, bisector.b, from, last, excess) <= limit
-    const byCubic = byOneCubic || !(error > limit) ? last : farthest(bisector, from, last, limit, cubicError)
+    const byCubic = byOneCubic || !(error > limit) ? last : farthestByCubic(bisector, from, last, limit)
     // Errors grow along the arc, so no search is needed if a line up to `byCubic` exceeds the limit.
     const isShorter = byOneCubic || (byCubic > from && chordError(bisector.a, bisector.b, from, byCubic) > 2 * limit)
-    const byLine = isShorter ? from : farthest(bisector, from, last, limit, chordError)
+    const byLine = isShorter ? from : farthestByChord(bisector, from, last, limit)
     const to = Math.max(byLine, byCubic)
     isLast = !(to < last)
     const end = isLast ? curve.end : pointOf(bisector, to)
@@ -189,10 +189,10 @@ export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   if (isNearlyStraight(bisector.a, first, to, tolerance)) return [start, end]
   const limit = effectiveTolerance(1e-9, curve, chordError(bisector.a, bisector.b, first, to), tolerance)
   const points = [start]
-  let from = farthest(bisector, first, to, limit, chordError)
+  let from = farthestByChord(bisector, first, to, limit)
   while (from < to) {
     points.push(pointOf(bisector, from))
-    from = farthest(bisector, from, to, limit, chordError)
+    from = farthestByChord(bisector, from, to, limit)
   }
   points.push(end)
   return points
@@ -260,24 +260,54 @@ function cubicError(a: number, b: number, from: number, to: number, excess = exc
 }
 
 /**
- * Returns the largest parameter up to `to` at which an arc is still within the tolerance, except for a few percent of
- * the way. The errors grow with the parameter.
+ * Returns the largest parameter up to `to` at which an arc is still within the tolerance of its chord, except for a few
+ * percent of the way.
  */
-function farthest(
-  { a, b }: Bisector,
-  from: number,
-  to: number,
-  tolerance: number,
-  error: (a: number, b: number, from: number, to: number) => number,
-): number {
-  if (!(error(a, b, from, to) > tolerance)) return to
+function farthestByChord({ a, b }: Bisector, from: number, to: number, tolerance: number): number {
+  if (!(chordError(a, b, from, to) > tolerance)) return to
+  const nearlyAll = 15 / 16
+  const mostSteps = 16
+  // The error is w - 1 times a factor that is |a| around the apex, at most |a| elsewhere, and changes slowly.
+  let excess = tolerance / Math.abs(a)
+  let next = from * quotientOf(excess)
+  let last = to
+  if (from < 1 && 1 < to) {
+    if (next >= 1) return next
+    if (!(chordError(a, b, from, 1) > tolerance)) return 1
+    last = 1
+  }
+  let good = next
+  for (let i = 0; i < mostSteps; i++) {
+    const error = chordError(a, b, from, next)
+    if (error <= tolerance) {
+      good = Math.max(good, next)
+      if (error >= nearlyAll * tolerance) break
+    }
+    excess *= tolerance / error
+    next = Math.min(from * quotientOf(excess), last)
+  }
+  return good
+}
+
+/** Returns the quotient of the parameters at the ends of an arc with a given w - 1. */
+function quotientOf(excess: number): number {
+  const root = 1 + excess + Math.sqrt(excess * (excess + 2))
+  return root * root
+}
+
+/**
+ * Returns the largest parameter up to `to` at which an arc is still within the tolerance of its cubic, except for a few
+ * percent of the way. The error grows with the parameter.
+ */
+function farthestByCubic({ a, b }: Bisector, from: number, to: number, tolerance: number): number {
+  if (!(cubicError(a, b, from, to) > tolerance)) return to
   const halvings = 50
   const nearEnough = 1 / 32
   let good = from
   let bad = to
   for (let i = 0; i < halvings && bad - good > nearEnough * (good - from); i++) {
     const middle = Math.sqrt(good) * Math.sqrt(bad)
-    if (error(a, b, from, middle) <= tolerance) good = middle
+    if (cubicError(a, b, from, middle) <= tolerance) good = middle
     else bad = middle
   }
   return good > from ? good : bad

@@ -40,7 +40,7 @@ import {
   textOf,
   toleranceOf,
 } from '../drawing/draw-options.ts'
-import { hullInRegion, hullRing, type Polygon, ringOf } from '../drawing/polygon.ts'
+import { cellRing, hullInRegion, hullRing, type Polygon } from '../drawing/polygon.ts'
 import { keptParts, type Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
@@ -371,7 +371,7 @@ export class Diagram implements DiagramData {
       return multiPolygonOf(this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i)
     }
     const limits = this.#limitsOf('cellPolygon', options)
-    return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.bounds))
+    return cellRing(this.cells, i, limits, toleranceOf(options, limits.bounds))
   }
 
   /** Generates the polygons of all cells that are not empty, each with the `index` of its circle. */

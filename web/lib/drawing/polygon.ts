@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { circleOf } from '../base/diagram-data.ts'
+import { at, circleOf } from '../base/diagram-data.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
 import { polylineOf } from '../curves/bezier.ts'
+import { type BoundedCurve, borrowCurve, returnCurve } from '../curves/curve.ts'
+import { isKeptWhole, type Limits } from '../regions/cell-limits.ts'
+import type { Cells } from '../regions/cells.ts'
 import { polyline as arcPolyline, isCircleArc } from '../regions/circle-arc.ts'
 import { convexHull } from '../regions/hull.ts'
-import type { SharedPiece } from '../regions/outline.ts'
+import { outlineOf } from '../regions/outline.ts'
 import type { Region } from '../regions/region.ts'
 import { type MultiPolygon, multiPolygonOf } from './draw-clipped.ts'
 
@@ -18,18 +21,16 @@ import { type MultiPolygon, multiPolygonOf } from './draw-clipped.ts'
 export type Polygon = [x: number, y: number][]
 
 /**
- * Joins the loops of an outline to one ring, which goes from the first point to each further loop and back. Neighboring
- * cells share their points bit for bit.
+ * Returns the part of a cell inside the limits as one ring, which goes from the first point to each further loop and
+ * back; `undefined` if the part is empty. Neighboring cells share their points bit for bit.
  */
-export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: number): Polygon | undefined {
-  const [ring, ...others] = outline.map((loop) => {
+export function cellRing(cells: Cells, circle: number, limits: Limits, tolerance: number): Polygon | undefined {
+  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return wholeRing(cells, circle, tolerance)
+  const [ring, ...others] = outlineOf(cells, circle, limits).map((loop) => {
     const points: Polygon = []
-    let last: Point | undefined
     for (const piece of loop) {
-      for (const point of pointsOf(piece, tolerance)) {
-        if (point.x !== last?.x || point.y !== last.y) points.push([point.x, point.y])
-        last = point
-      }
+      if (isCircleArc(piece)) addPoints(points, arcPolyline(piece, tolerance))
+      else addCurve(points, piece.forward, piece.forward !== piece.curve, tolerance)
     }
     return points
   })
@@ -42,10 +43,44 @@ export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: 
   return ring
 }
 
-function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
-  if (isCircleArc(piece)) return arcPolyline(piece, tolerance)
-  const points = polylineOf(piece.forward, tolerance)
-  return piece.forward === piece.curve ? points : points.reverse()
+/** Returns the ring of a whole bounded cell. */
+function wholeRing(cells: Cells, circle: number, tolerance: number): Polygon {
+  const { circles, firstSide, metric, nextSide, vertices } = cells.diagram
+  const ring: Polygon = []
+  const addOrigin = (side: number) => {
+    const vertex = cells.originOf(side)
+    addPoint(ring, at(vertices, 3 * vertex), at(vertices, 3 * vertex + 1))
+  }
+  const first = at(firstSide, circle)
+  let side = first
+  do {
+    // A straight side has no other points.
+    addOrigin(side)
+    const isCurved = metric === 'circles' && at(circles, 3 * circle + 2) !== at(circles, 3 * cells.neighborOf(side) + 2)
+    if (isCurved) {
+      addCurve(ring, borrowCurve(cells.diagram, side & ~1) as BoundedCurve, side % 2 === 1, tolerance)
+      returnCurve()
+    }
+    side = at(nextSide, side)
+  } while (side !== first)
+  addOrigin(first)
+  return ring
+}
+
+/** Adds a curve, whose points are computed in its own direction, to a ring. */
+function addCurve(ring: Polygon, forward: BoundedCurve, isBackward: boolean, tolerance: number): void {
+  const points = polylineOf(forward, tolerance)
+  addPoints(ring, isBackward ? points.reverse() : points)
+}
+
+function addPoints(ring: Polygon, points: readonly Point[]): void {
+  for (const { x, y } of points) addPoint(ring, x, y)
+}
+
+/** Adds a point to a ring unless it is the last one. */
+function addPoint(ring: Polygon, x: number, y: number): void {
+  const last = ring.at(-1)
+  if (last === undefined || last[0] !== x || last[1] !== y) ring.push([x, y])
 }
 
 /** Returns the part of `hullRing` inside a region; `undefined` if it has no area. */
