@@ -264,6 +264,16 @@ describe('cubicBeziers', () => {
       expect(cubicBeziers(curve, tolerance).length).toBeLessThan(2000)
       expect(polyline(curve, tolerance).length).toBeLessThan(1e5)
     }
+    // The shortest arcs at the tips of needles, where steps are as small as rounding.
+    for (const gap of [0, 1e-15, 1e-9, 1e-3]) {
+      for (const length of [1e-15, 1e-12, 1e-9, 1e-6, 1e-3]) {
+        for (const from of [0.5, 1 - length / 2, 1, 2]) {
+          const short = arcOf(Float64Array.of(0, 0, 10, 6 + gap, 0, 4), from, from * (1 + length))
+          expect(polyline(short, 0).length).toBeLessThan(1e5)
+          expect(cubicBeziers(short, 0).length).toBeLessThan(1e4)
+        }
+      }
+    }
   })
 })
 

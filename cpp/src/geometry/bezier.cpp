@@ -68,27 +68,26 @@ double quotientOf(double excess) {
 double farthestByChord(const Bisector& bisector, double from, double to, double tolerance) {
   if (!(chordError(bisector, from, to) > tolerance)) return to;
   constexpr double kNearlyAll = 15.0 / 16;
-  constexpr int kMostSteps = 16;
+  constexpr int kMostSteps = 50;
   // The error is w - 1 times a factor that is |a| around the apex, at most |a| elsewhere, and changes slowly.
   double excess = tolerance / std::abs(bisector.a);
-  double next = from * quotientOf(excess);
-  double last = to;
+  double good = from;
+  double bad = to;
   if (from < 1 && 1 < to) {
-    if (next >= 1) return next;
+    const double end = from * quotientOf(excess);
+    if (end >= 1) return end;
     if (!(chordError(bisector, from, 1) > tolerance)) return 1;
-    last = 1;
+    bad = 1;
   }
-  double good = next;
   for (int i = 0; i < kMostSteps; ++i) {
+    const double proposed = from * quotientOf(excess);
+    const double next = good < proposed && proposed < bad ? proposed : std::sqrt(good) * std::sqrt(bad);
     const double error = chordError(bisector, from, next);
-    if (error <= tolerance) {
-      good = std::max(good, next);
-      if (error >= kNearlyAll * tolerance) break;
-    }
-    excess *= tolerance / error;
-    next = std::min(from * quotientOf(excess), last);
+    (error > tolerance ? bad : good) = next;
+    if (error <= tolerance && error >= kNearlyAll * tolerance) break;
+    excess = excessOf(from, next) * (tolerance / error);
   }
-  return good;
+  return good > from ? good : bad;
 }
 
 /// Returns the largest parameter up to `to` at which an arc is still within the tolerance of its cubic, except for a

@@ -266,27 +266,27 @@ function cubicError(a: number, b: number, from: number, to: number, excess = exc
 function farthestByChord({ a, b }: Bisector, from: number, to: number, tolerance: number): number {
   if (!(chordError(a, b, from, to) > tolerance)) return to
   const nearlyAll = 15 / 16
-  const mostSteps = 16
+  const mostSteps = 50
   // The error is w - 1 times a factor that is |a| around the apex, at most |a| elsewhere, and changes slowly.
   let excess = tolerance / Math.abs(a)
-  let next = from * quotientOf(excess)
-  let last = to
+  let good = from
+  let bad = to
   if (from < 1 && 1 < to) {
-    if (next >= 1) return next
+    const end = from * quotientOf(excess)
+    if (end >= 1) return end
     if (!(chordError(a, b, from, 1) > tolerance)) return 1
-    last = 1
+    bad = 1
   }
-  let good = next
   for (let i = 0; i < mostSteps; i++) {
+    const proposed = from * quotientOf(excess)
+    const next = good < proposed && proposed < bad ? proposed : Math.sqrt(good) * Math.sqrt(bad)
     const error = chordError(a, b, from, next)
-    if (error <= tolerance) {
-      good = Math.max(good, next)
-      if (error >= nearlyAll * tolerance) break
-    }
-    excess *= tolerance / error
-    next = Math.min(from * quotientOf(excess), last)
+    if (error > tolerance) bad = next
+    else good = next
+    if (error <= tolerance && error >= nearlyAll * tolerance) break
+    excess = excessOf(from, next) * (tolerance / error)
   }
-  return good
+  return good > from ? good : bad
 }
 
 /** Returns the quotient of the parameters at the ends of an arc with a given w - 1. */
