@@ -153,6 +153,7 @@ TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
   expectRefusal("insert,-1,0,0,1\n", "standard input:1: \"-1\" is no id.");
   expectRefusal("remove,1,2\n", "standard input:1: remove takes 1 number, not 2.");
   expectRefusal("replace,x,0,0,1\n", "standard input:1: \"x\" is no id.");
+  expectRefusal("remove,1x\n", "standard input:1: \"1x\" is no id.");
   expectRefusal("move,0,1,1\n",
                 "standard input:1: \"move\" is no edit; an edit is insert,x,y,r or remove,id or "
                 "replace,id,x,y,r.");

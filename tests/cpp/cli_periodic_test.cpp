@@ -185,6 +185,7 @@ TEST_F(CliPeriodic, RefusesInvalidLatticesAndOptions) {
   fails("--lattice 1,0,1,nan", "BY is not a finite number");
   fails("--lattice 1,0,2,0", "The periods must not be zero or parallel");
   fails("--lattice 0,0,0,1", "The periods must not be zero or parallel");
+  fails("--lattice 1,0,0,0.0001 --format svg", "The box is too narrow to be drawn.");
   fails("--lattice 1,0,0,1 --format wkt", "--lattice takes no --format wkt.");
   fails("--lattice 1,0,0,1 --format svg --bounds 0,0,1,1", "--lattice takes no --bounds");
   fails("--lattice 1,0,0,1 --format svg --max-distance 1", "--lattice takes no --max-distance");

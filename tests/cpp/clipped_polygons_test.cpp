@@ -18,6 +18,7 @@
 #include "region_shapes.h"
 #include "report.h"
 #include "rounded.h"
+#include "valid_polygons.h"
 
 namespace circle_voronoi {
 namespace {
@@ -167,6 +168,25 @@ TEST(ClippedPolygons, APartThatIsThinnerThanTheToleranceLeavesNoPoints) {
   EXPECT_EQ(polygons.polygonOffsets, (std::vector<std::int32_t>{0, 0, 1}));
   EXPECT_EQ(polygons.pointOffsets, (std::vector<std::int32_t>{0, 6}));
   EXPECT_EQ(polygons.points.size(), 6U);
+}
+
+TEST(ClippedPolygons, AHoleThatTouchesASideTwiceCutsOffWhatLiesBetween) {
+  const PointRing outer = {{0, 0}, {6, 0}, {6, 6}, {0, 6}};
+  const PointRing hole = {{2, 6}, {3, 4}, {4, 6}, {3, 2}};
+  // Each side of the square once, as its points are sorted from left to right.
+  for (int turn = 0; turn < 4; ++turn) {
+    const auto turned = [turn](PointRing ring) {
+      for (Point& p : ring) {
+        for (int k = 0; k < turn; ++k) p = {6 - p.y, p.x};
+      }
+      return ring;
+    };
+    const auto polygons = validPolygons({{turned(outer)}, {turned(hole), true}});
+    EXPECT_EQ(polygons.size(), 2U);
+    const auto region = Region::fromPolygons(polygons);
+    ASSERT_TRUE(region) << turn << ": " << region.error().message;
+    EXPECT_EQ(region.value().area(), 34);
+  }
 }
 
 TEST(ClippedPolygons, AreAValidCoverageAtAnyTolerance) {

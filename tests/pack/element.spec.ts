@@ -1082,6 +1082,28 @@ async function open(page: Page, name: string, body: string, lang = 'en'): Promis
 const errors = (page: Page): Promise<string[]> =>
   page.evaluate(() => (globalThis as unknown as { told: string[] }).told.splice(0))
 
+test('an edit is kept where the text between the tags changes, unless the circles are from there', async ({ page }) => {
+  await open(page, 'between', `<circle-voronoi circles="${THREE}">Before</circle-voronoi>`)
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  await element.getByRole('application').focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Delete')
+  await soon(async () => (await circlesOf(page)).length).toBe(6)
+  const after = (text: string) =>
+    element.evaluate(async (element: Element, text) => {
+      element.textContent = text
+      await new Promise((resolve) => setTimeout(resolve))
+      await element.updateComplete
+      return element.circles.length
+    }, text)
+  expect(await after('|1|1|1|')).toBe(6)
+  await element.evaluate((element: Element) => element.removeAttribute('circles'))
+  await soon(() => circlesOf(page)).toEqual([1, 1, 1])
+  expect(await after('|1|1|1|\n|5|5|2|')).toBe(6)
+  expect(await errors(page)).toEqual([])
+})
+
 test('a property that becomes undefined or null is not set', async ({ page }) => {
   const { problems, asked } = watch(page)
   await open(page, 'unset', `<circle-voronoi circles="${THREE}" layers="hull" view="5 4 30"></circle-voronoi>`)

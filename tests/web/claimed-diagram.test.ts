@@ -45,6 +45,13 @@ test('a circle whose cell was left out is marked, and a hidden circle with its h
   expect(flaw.circles).toEqual([...wrong.hidden])
 })
 
+test('a circle is never said to hide itself', () => {
+  const first = library.compute([[1, 1, 0.5], [0, 0, 3], ...CIRCLES.slice(1, 4)])
+  const [circle, by] = first.hidden
+  expect([circle, by]).toEqual([0, 1])
+  for (const { make } of CORRUPTIONS) expect([...(make(first, library)?.hidden ?? [])]).not.toEqual([0, 0])
+})
+
 test('edges are drawn from the vertices that the diagram lists, and unbounded ones leave the picture', () => {
   const { wrong } = of('vertexMisplaced')
   const { segments = new Float64Array(), points = new Float64Array() } = claimedLayer(wrong)

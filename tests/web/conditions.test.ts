@@ -56,6 +56,15 @@ describe('the conditions of a question', () => {
     expect(conditionsOf({ all: [{ any: [{ circles: 3 }] }] })).toBeUndefined()
     expect(conditionsOf({ any: [{ cell: 1, edges: 3, bounded: true }, { circles: 3 }] })).toBeUndefined()
     expect(checkOf([], false)).toBeUndefined()
+    const ownCheck = { any: [{ circles: 3 }, { all: [{ edges: 2 }, { hidden: 1 }] }] }
+    expect(checkOf([], false, ownCheck)).toBe(ownCheck)
+    const condition = { ...newCondition(0), kind: 'cell.edges', comparison: 'min', value: 1 } as const
+    for (const [isAny, name] of [
+      [true, 'any'],
+      [false, 'all'],
+    ] as const) {
+      expect(checkOf([condition], isAny, ownCheck)).toEqual({ [name]: [ownCheck, { cell: 0, edges: { min: 1 } }] })
+    }
   })
 
   it('are asked for in a sentence, in English and in German', () => {

@@ -70,11 +70,15 @@ it('the code of an element has the box, the layers, the viewport and the step', 
 })
 
 it('the address of circles is that of the page, and that of a frame is that of the page for frames', async () => {
-  const { files } = await started()
+  const { files, store } = await started()
   await files.copyLink()
   await files.copyEmbedCode()
-  const [link, frame] = copied
+  store.update((state) => ({ ...state, step: 3 }))
+  await files.copyEmbedCode()
+  const [link, frame, player] = copied
   expect(link).toMatch(/^https:\/\/example\.org\/page\/#v/)
   expect((await linkIn(link)).circles).toEqual(CIRCLES)
   expect(frame).toMatch(/^<iframe src="https:\/\/example\.org\/page\/embed\.html#v/)
+  // The player needs room below its figure.
+  expect([frame, player].map((code) => /aspect-ratio: ([^;]*);/.exec(code ?? '')?.[1])).toEqual(['3 / 2', '1'])
 })

@@ -77,6 +77,7 @@ describe('a diagram as JSON', () => {
       [null, 'the file is no object, but null.'],
       ['[]', 'the file is no object, but an array.'],
       [{}, 'The format of the file is undefined, not "circle-voronoi".'],
+      [{ ...file, version: 0 }, 'The version of the file is 0, not 1, the only one that can be read.'],
       [{ ...file, version: 2 }, 'The version of the file is 2, not 1, the only one that can be read.'],
       [{ ...file, metric: 'taxi' }, 'There is no metric "taxi".'],
       [{ ...file, hull: undefined }, 'There is no list of hull.'],

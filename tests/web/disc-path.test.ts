@@ -39,6 +39,7 @@ it.each(ANGLES)('an arc of a large circle is seen between its ends only: at %d',
     [angle - 1, 1],
     [angle + 3, 2 * Math.PI - 3],
     [angle + 1, 1],
+    [angle + 80 / RADIUS, 1],
   ].map(([from = 0, turn = 0]) => {
     const sink = new RecordingSink(256)
     addArc(sink, FRAME, cx, cy, RADIUS, from, turn)
@@ -47,12 +48,13 @@ it.each(ANGLES)('an arc of a large circle is seen between its ends only: at %d',
     const sides = inside.map(({ x, y }) => (y - 150) * Math.cos(angle) - (x - 200) * Math.sin(angle))
     return [sides.some((side) => side < -50), sides.some((side) => side > 50)]
   })
-  // The first arc begins in the middle of the frame, the next two end there, and the last one is elsewhere.
+  // The first arc begins in the middle of the frame, the next two end there, one is elsewhere, and one begins beside it.
   expect(shares).toEqual([
     [false, true],
     [true, false],
     [true, false],
     [false, false],
+    [false, true],
   ])
 })
 

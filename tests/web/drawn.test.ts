@@ -102,6 +102,7 @@ test('a directed edge has its border on its right', () => {
     expect(b.x * front.y - b.y * front.x).toBeLessThan(0)
   }
   expect(frontOf(a, b, least - 0.1)).toBeUndefined()
+  expect(frontOf(a, { ...a }, 5)).toBeUndefined()
 })
 
 test('the first figure of the tutorial says how far it is to each circle, and which one is nearest', () => {
@@ -197,6 +198,14 @@ describe('given areas', () => {
       'Well done. Every cell has its area: cell 0 has 20 % (goal: 20 %), cell 1 has 30 % (goal: 30 %) and cell 2 has 50 % (goal: 50 %).',
     )
     expect(told({ x: right.x + 1, y: right.y })).toMatch(/^Cell 0 has \d+ % \(goal: 20 %\)/)
+    // Beyond the map its border counts.
+    for (const [x, y] of [
+      [-1e3, 1e3],
+      [1e3, -1e3],
+    ] as const) {
+      const corner = { x: x < 0 ? map.minX : map.maxX, y: y < 0 ? map.minY : map.maxY }
+      expect(told({ x, y })).toBe(told(corner))
+    }
     // Contour lines lie around that point.
     const { content } = KINDS['weight-plane'].draw({ ...scene, point: right }, 1, library)
     const [, d = ''] = /class="contour" d="([^"]*)"/.exec(content) ?? []

@@ -89,6 +89,23 @@ describe('a diagram that follows an editor', () => {
     expectSame(diagram.apply(change), editor.snapshot(), random)
   })
 
+  it('is its snapshot along a row, whose borders have no vertices', () => {
+    const random = seededRandom(11)
+    for (let trial = 0; trial < 200; trial++) {
+      const editor = library.edit([])
+      const diagram = editor.snapshot()
+      for (let k = 0; k < 12; k++) {
+        const ids = editor.ids()
+        const isRemoval = ids.length > 2 && random() < 0.4
+        const id = ids[Math.floor(ids.length * random())] as number
+        const circle = { x: Math.floor(20 * random()), y: 0, r: 0 }
+        diagram.apply(isRemoval ? editor.remove(id) : editor.insert(circle))
+        expectSame(diagram, editor.snapshot(), random)
+      }
+      editor.dispose()
+    }
+  })
+
   it('is right where a huge circle hides many, moves and goes', () => {
     const random = seededRandom(5)
     const editor = library.edit(Array.from({ length: 3000 }, () => someCircle(random, false)))

@@ -51,6 +51,7 @@ describe('circles', () => {
     ['', 'There are no circles in this.'],
     ['x,y,r\n', 'There are no circles in this.'],
     ['1,2,3\n4,5\n', 'Line 2 is not three numbers x, y and r: 4,5'],
+    ['name,x,y,r\r\n"a\r\nb",1,2,3\r\nc,4,5\r\n', 'Line 4 is not'],
     ['1,2,3,4\n', 'Line 1 is not three numbers x, y and r: 1,2,3,4'],
     ['x,y,r\n1,2,0x10\n', 'Line 2 is not three numbers x, y and r: 1,2,0x10'],
     ['1,2,Infinity\n', 'Line 1 is not three numbers x, y and r: 1,2,Infinity'],
@@ -156,6 +157,10 @@ describe('what it says', () => {
     expect(wordsOf('de').describe(counts)).toBe(german('12.345'))
     expect(wordsOf('de-CH').describe(counts)).toMatch(/^12[^.]345 Kreise/)
     expect(wordsOf('DE').describe({ ...counts, circles: 1, hidden: 0 })).toMatch(/^1 Kreis; /)
+    expect([wordsOf('de').editing.cell(true, 1), wordsOf('de').editing.cell(false, 2)]).toEqual([
+      'Begrenzte Zelle, 1 Nachbar',
+      'Unbegrenzte Zelle, 2 Nachbarn',
+    ])
     for (const lang of ['', 'fr', 'den', 'zh-Hant']) expect(wordsOf(lang)).toMatchObject({ lang: 'en' })
     // An odd language does not break the page.
     expect(wordsOf('de-').describe(counts)).toBe(german('12.345'))

@@ -28,6 +28,7 @@ import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
 import { found } from '../../web/view/painter/found.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
+import { cells } from '../../web/view/painter/layers/cells.ts'
 import { ordinary, power } from '../../web/view/painter/layers/edges.ts'
 import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
 import { cellArea, Measures, placeAmong } from '../../web/view/painter/measures.ts'
@@ -333,6 +334,18 @@ describe('what cells are measured by', () => {
       picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
     }
   })
+})
+
+it('each cell is filled once, however many have the same color', () => {
+  const picture = new Picture(library.edit(randomCircles(600)))
+  picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
+  const drawing = new SvgDrawing()
+  const style = { ramp: [], map: ['a', 'b', 'c', 'd', 'e', 'f'], cellOpacity: 0.5 } as unknown as Style
+  cells.draw(new PaintContext(drawing, { x: 10, y: 10, scale: 40, width: 800, height: 800 }, 1, picture, style))
+  const { diagram } = picture
+  const visible = picture.circlesIn({ minX: 0, minY: 0, maxX: 20, maxY: 20 }).filter((i) => diagram.cells.exists(i))
+  expect(visible.length).toBeGreaterThan(6 * 64)
+  expect(String(drawing).match(/M/g)).toHaveLength(visible.length)
 })
 
 describe('merged vertices', () => {

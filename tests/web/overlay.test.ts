@@ -195,6 +195,14 @@ describe('above the picture', () => {
     }
   })
 
+  it('each number of a client is written at its point', () => {
+    const above = [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 3), numbers: Int32Array.of(7, 8) }]
+    expect(drawn({ above }).operations.filter(({ kind }) => kind.startsWith('write'))).toMatchObject([
+      { kind: 'write 7 on paper', lengths: [210, 140, expect.any(Number)] },
+      { kind: 'write 8 on paper', lengths: [220, 120, expect.any(Number)] },
+    ])
+  })
+
   it('nothing is drawn where nothing stands out', () => {
     expect(isNothingAbove(EMPTY)).toBe(true)
     expect(drawn({}).operations).toEqual([])

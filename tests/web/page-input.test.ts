@@ -9,8 +9,9 @@ import { restoreInvalidNumbers } from '../../web/app/input/invalid-numbers.ts'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
 import { mountInspector } from '../../web/app/panels/inspector.ts'
+import { mountToolbar } from '../../web/app/panels/toolbar.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
+import { createStore, type Store } from '../../web/editing/store.ts'
 
 /** A stub of an element. */
 class FakeElement extends EventTarget {
@@ -21,6 +22,7 @@ class FakeElement extends EventTarget {
   title = ''
   value = ''
   focused = 0
+  disabled = false
   constructor(inside?: string) {
     super()
     this.inside = inside
@@ -34,6 +36,10 @@ class FakeElement extends EventTarget {
   contains() {
     return false
   }
+  matches() {
+    return false
+  }
+  append() {}
   setAttribute(name: string, value: string) {
     this.attributes.set(name, value)
   }
@@ -61,7 +67,16 @@ beforeEach(() => {
   })
   isTextSelected = false
   vi.stubGlobal('document', page)
-  for (const name of ['', 'HTML', 'HTMLInput', 'HTMLButton', 'HTMLParagraph', 'HTMLHeading', 'HTMLUList']) {
+  for (const name of [
+    '',
+    'HTML',
+    'HTMLInput',
+    'HTMLButton',
+    'HTMLParagraph',
+    'HTMLHeading',
+    'HTMLUList',
+    'HTMLSelect',
+  ]) {
     vi.stubGlobal(`${name}Element`, FakeElement)
   }
 })
@@ -347,5 +362,62 @@ describe('the fields of the selected circle', () => {
     const figure = elements.get('figure') as FakeElement
     for (const key of ['a', 'Escape']) fields[1]?.dispatchEvent(Object.assign(new Event('keydown'), { key }))
     expect(figure.focused).toBe(1)
+  })
+})
+
+describe('the toolbar', () => {
+  beforeEach(() => vi.stubGlobal('Option', FakeElement))
+  const button = (id: string) => elements.get(id) as FakeElement
+
+  it('has undo and redo where there is something to undo and to redo, and the tool in use pressed', () => {
+    let show = (_: State) => {}
+    const store = {
+      get: () => INITIAL_STATE,
+      subscribe(listener: typeof show) {
+        show = listener
+      },
+    }
+    mountToolbar(store as unknown as Store<State>, {} as PageActions, () => {})
+    const entry = { kind: 'edits' }
+    for (const done of [[], [entry]]) {
+      for (const undone of [[], [entry]]) {
+        show({ ...INITIAL_STATE, history: { done, undone } } as unknown as State)
+        expect([button('undo').disabled, button('redo').disabled]).toEqual([done.length === 0, undone.length === 0])
+      }
+    }
+    for (const tool of ['select', 'pan', 'add', 'draw'] as const) {
+      show({ ...INITIAL_STATE, tool })
+      const pressed = ['select', 'pan', 'add'].filter((id) => button(id).attributes.get('aria-pressed') === 'true')
+      expect(pressed).toEqual(tool === 'draw' ? [] : [tool])
+    }
+  })
+
+  it('does what its buttons are for', () => {
+    const done: unknown[] = []
+    const actions = new Proxy(
+      {},
+      {
+        get:
+          (_, name) =>
+          (...args: unknown[]) =>
+            done.push([name, ...args]),
+      },
+    )
+    const store = { get: () => INITIAL_STATE, subscribe() {} }
+    mountToolbar(store as unknown as Store<State>, actions as PageActions, () => done.push(['more']))
+    for (const id of ['select', 'pan', 'add', 'undo', 'redo', 'again']) button(id).dispatchEvent(new Event('click'))
+    for (const value of ['spruces', 'more']) {
+      Object.assign(button('data-set'), { value }).dispatchEvent(new Event('change'))
+    }
+    expect(done).toEqual([
+      ['useTool', 'select'],
+      ['useTool', 'pan'],
+      ['toggleAdding'],
+      ['undo'],
+      ['redo'],
+      ['generateAgain'],
+      ['load', 'spruces'],
+      ['more'],
+    ])
   })
 })

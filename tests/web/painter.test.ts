@@ -4,10 +4,12 @@ import { type Circle, CircleVoronoiError, type Edit } from '../../web/lib/index.
 import { BasePicture } from '../../web/view/base-picture.ts'
 import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { Tiles } from '../../web/view/painter/tiles.ts'
 import { Painter } from '../../web/view/painter.ts'
 import type { FromPainter, Highlights, InProgress, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import type { SceneClient } from '../../web/view/scene-client.ts'
+import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
 
 const COUNTS = { circles: 0, hidden: 0, vertices: 0, edges: 0 }
@@ -455,6 +457,35 @@ describe('what another thread has to know', () => {
       expect([...other.insert(another).inserted]).toEqual([...editor.insert(another).inserted])
     }
   })
+})
+
+it('all tiles of a viewport are painted once, and again when the whole picture has changed', () => {
+  vi.stubGlobal(
+    'OffscreenCanvas',
+    class {
+      getContext() {
+        return {}
+      }
+      transferToImageBitmap() {}
+    },
+  )
+  const tiles = new Tiles(() => {})
+  const box = { left: 0, top: 0, width: 512, height: 512 }
+  const grid = { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }
+  const viewport = { paintId: 1, grid, seen: box, wanted: box, style: {} as Style }
+  const paintAll = () => {
+    let count = 0
+    while (tiles.paintNext() !== undefined) count += 1
+    return count
+  }
+  tiles.turnTo(viewport)
+  const count = paintAll()
+  expect(count).toBeGreaterThan(1)
+  tiles.turnTo(viewport)
+  expect(paintAll()).toBe(0)
+  tiles.restart()
+  expect(paintAll()).toBe(count)
+  vi.unstubAllGlobals()
 })
 
 describe('the base picture', () => {

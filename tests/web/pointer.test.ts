@@ -617,6 +617,19 @@ describe('a press that rests where nothing is', () => {
     await vi.advanceTimersByTimeAsync(0)
   }
 
+  it('takes back what its press had begun', async () => {
+    const stage = new Stage()
+    stage.tool = 'add'
+    await send(stage, 'pointerdown', pixel(1, 2))
+    await vi.advanceTimersByTimeAsync(400)
+    showFrame()
+    await vi.advanceTimersByTimeAsync(0)
+    expect(stage.of('cancel', 'tryCircle')).toEqual([
+      ['cancel', 1],
+      ['tryCircle', { x: 1, y: 2, r: 1 }],
+    ])
+  })
+
   it('tries a circle, and adds it where it is released', async () => {
     const stage = new Stage()
     await send(stage, 'pointerdown', pixel(1, 2))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search of the site: results, ranking and snippets.
 import MiniSearch from 'minisearch'
-import { describe, expect, it, test } from 'vitest'
+import { describe, expect, it, test, vi } from 'vitest'
 import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'
-import { find, type Section, snippetOf } from '../../web/reading/search.ts'
+import { find, offerSearch, type Section, snippetOf } from '../../web/reading/search.ts'
 
 function searchIn(sections: readonly Section[]): MiniSearch<Section> {
   const search = new MiniSearch<Section>({
@@ -120,6 +120,41 @@ describe('sections of a page', () => {
       { level: 3, id: 'deep', title: 'Deep' },
     ])
   })
+})
+
+it('is loaded again where loading it failed', async () => {
+  const field = Object.assign(new EventTarget(), { value: 'disc' })
+  const form = Object.assign(new EventTarget(), {
+    elements: { namedItem: () => field },
+    parentElement: new EventTarget(),
+  })
+  let shown: string[] = []
+  const list = {
+    hidden: true,
+    replaceChildren: (...entries: { text: string }[]) => {
+      shown = entries.map(({ text }) => text)
+    },
+  }
+  const page = Object.assign(new EventTarget(), {
+    querySelector: (selector: string) => (selector === 'form.search' ? form : list),
+    createElement: () =>
+      Object.assign(new EventTarget(), {
+        text: '',
+        append(this: { text: string }, ...parts: (string | { text: string; textContent?: string })[]) {
+          this.text += parts.map((part) => (typeof part === 'string' ? part : (part.textContent ?? part.text))).join('')
+        },
+      }),
+  })
+  let isThere = false
+  const index = JSON.stringify(searchIn([section('docs/a.html', 'Discs', '', 'A disc.')]))
+  vi.stubGlobal('fetch', async () => ({ ok: isThere, status: 404, text: async () => index }))
+  offerSearch(page as unknown as Document)
+  await expect.poll(() => shown).toEqual(['The search could not be loaded.'])
+  isThere = true
+  field.dispatchEvent(new Event('input'))
+  await expect.poll(() => shown).toEqual(['DiscsA disc.'])
+  expect(list.hidden).toBe(false)
+  vi.unstubAllGlobals()
 })
 
 test('a first sentence is whole', () => {

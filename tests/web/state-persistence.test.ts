@@ -429,6 +429,18 @@ describe('what a page leaves late', () => {
     expect(made).toHaveLength(2)
   })
 
+  it('is written once nothing has changed for a while', async () => {
+    const { made, keeping: kept } = keeping('')
+    await kept.begin()
+    for (let k = 0; k < 5; k++) {
+      kept.changed()
+      await vi.advanceTimersByTimeAsync(300)
+    }
+    expect(made).toEqual([])
+    await vi.advanceTimersByTimeAsync(100)
+    expect(made).toHaveLength(1)
+  })
+
   it('is the newest where the link of something older takes longer', async () => {
     const { made, address, keeping: kept } = keeping('')
     await kept.begin()

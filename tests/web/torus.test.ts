@@ -50,6 +50,16 @@ describe('circles that repeat', () => {
     expect([...(opened.circles as Float64Array)]).toEqual([7, 1, 0.5, 3, 3, 0.1])
   })
 
+  it('are refused for the coordinate that is too large', () => {
+    for (const [x, y] of [
+      [1e308, 1],
+      [1, 1e308],
+    ] as const) {
+      const scene = sceneOf(circles(5, 2), { a: [8, 0], b: [0, 6] })
+      expect(() => scene.edit([replace(2, x, y, 0.2)])).toThrow('a coordinate or a radius beyond')
+    }
+  })
+
   it('have whole cells after each edit, whose areas fill the box', () => {
     const random = seededRandom(4)
     const scene = sceneOf(circles(12, 3))
@@ -149,7 +159,15 @@ describe('circles that repeat', () => {
 
   it('show no layers of the whole plane', () => {
     const scene = sceneOf(circles(6, 8))
-    scene.setLayers({ ...DEFAULT_LAYERS, hull: true, ordinary: true, delaunay: true, power: true, samples: true })
+    scene.setLayers({
+      ...DEFAULT_LAYERS,
+      hull: true,
+      ordinary: true,
+      delaunay: true,
+      power: true,
+      missedEdges: true,
+      samples: true,
+    })
     expect(scene.picture.layers).toEqual(repeatingLayers(DEFAULT_LAYERS))
     expect(scene.picture.centers).toBeUndefined()
     // These layers come back with circles that do not repeat.

@@ -27,6 +27,7 @@ vi.mock('../../web/view/base-picture.ts', () => ({
 }))
 
 let frames: (() => void)[] = []
+let sizeChanges = () => {}
 beforeEach(() => {
   drawn.length = 0
   frames = []
@@ -39,6 +40,9 @@ beforeEach(() => {
   vi.stubGlobal(
     'ResizeObserver',
     class {
+      constructor(changed: () => void) {
+        sizeChanges = changed
+      }
       observe() {}
     },
   )
@@ -82,7 +86,11 @@ function opened() {
   shown()
   const edited = () => events?.painted({ kind: 'edited' } as never)
   const marked = (marks: Highlights) => events?.marked(marks)
-  return { view, answers, shown, edited, marked }
+  const resize = (clientWidth: number) => {
+    Object.assign(container, { clientWidth, offsetWidth: clientWidth })
+    sizeChanges()
+  }
+  return { view, answers, shown, edited, marked, resize }
 }
 
 const HERE: Point = { x: 1, y: 2 }
@@ -149,6 +157,16 @@ it('shows no disc of circles that were edited, until it is asked for again', asy
   await after
   expect(shown()).toBe(DISC)
   expect(drawn).toHaveLength(1)
+})
+
+it('draws the disc again after a change of size, which clears the overlay', async () => {
+  const { view, answers, shown, resize } = opened()
+  const touched = view.touch(HERE, 1)
+  answers[0]?.(DISC)
+  await touched
+  expect(shown()).toBe(DISC)
+  resize(100)
+  expect(shown()).toBe(DISC)
 })
 
 it('draws no outline of a cell that was cut for a far smaller scale', () => {

@@ -382,7 +382,9 @@ describe('the index of boxes', () => {
         boxes.delete(number)
       } else {
         const [x, y] = [100 * random(), 100 * random()]
-        const box = { minX: x, minY: y, maxX: x + 3 * random(), maxY: y + 3 * random() }
+        // Points, and segments along an axis, have boxes without an area.
+        const [width, height] = [Math.max(3 * random() - 1, 0), Math.max(3 * random() - 1, 0)]
+        const box = { minX: x, minY: y, maxX: x + width, maxY: y + height }
         index.set(number, (list, k) => {
           addAround(list, k, box.minX, box.minY, 0)
           addAround(list, k, box.maxX, box.maxY, 0)

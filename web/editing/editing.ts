@@ -409,7 +409,7 @@ export class Editing {
 /** Edits of one gesture that move the same circles share a key; other edits have none. */
 function keyOf(gesture: number, edits: readonly Edit[]): string | undefined {
   const ids = edits.map((edit) => (edit.kind === 'replace' ? edit.id : undefined))
-  return ids.length === 0 || ids.includes(undefined) ? undefined : [gesture, ...ids].join()
+  return ids.includes(undefined) ? undefined : [gesture, ...ids].join()
 }
 
 function madeBy(edits: readonly Edit[]): Map<number, Circle | undefined> {

@@ -223,7 +223,7 @@ class Fitter {
         const Point site = {diagram.circles[i].x, diagram.circles[i].y};
         const auto nearest = static_cast<std::size_t>(finder.find(site));
         const double reached = distance(Metric::circles, diagram.circles[nearest], site);
-        weights[i] = std::max(weights[i], -reached) + kRaise * std::sqrt(targets_[i]);
+        weights[i] = kRaise * std::sqrt(targets_[i]) - reached;
       }
     }
     return {};

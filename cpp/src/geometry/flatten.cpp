@@ -59,8 +59,7 @@ std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end,
   return points;
 }
 
-bool isOneStep(const EdgeCurve& curve, Point start, Point end, double tolerance) {
-  if (start == end) return true;
+bool isOneStep(const EdgeCurve& curve, double tolerance) {
   return isNearChord(curve, tolerance) && !isCoarse(curve.bisector, curve.start, curve.end);
 }
 

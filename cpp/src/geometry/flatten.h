@@ -22,6 +22,6 @@ CIRCLE_VORONOI_API bool turnsAround(Point left, Point right, Point p, Point q);
 CIRCLE_VORONOI_API std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end, double tolerance);
 
 /// Returns whether pointsBetween has only the ends.
-CIRCLE_VORONOI_API bool isOneStep(const EdgeCurve& curve, Point start, Point end, double tolerance);
+CIRCLE_VORONOI_API bool isOneStep(const EdgeCurve& curve, double tolerance);
 
 }  // namespace circle_voronoi

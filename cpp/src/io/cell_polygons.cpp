@@ -57,11 +57,8 @@ std::vector<Point> sharedPlaces(const Diagram& diagram, const ClipFlattener& fla
 }
 
 void follow(const Edge& edge, const EdgeCurve& curve, EdgePoints& points) {
-  if (curve.isStraight()) return;
-  const Point start = points.placeOf(edge.start);
-  const Point end = points.placeOf(edge.end);
-  if (isOneStep(curve, start, end, points.frame.tolerance)) return;
-  const auto all = pointsBetween(curve, start, end, points.frame.tolerance);
+  if (curve.isStraight() || isOneStep(curve, points.frame.tolerance)) return;
+  const auto all = pointsBetween(curve, points.placeOf(edge.start), points.placeOf(edge.end), points.frame.tolerance);
   if (all.size() > 2) points.inner.insert(points.inner.end(), all.begin() + 1, all.end() - 1);
 }
 

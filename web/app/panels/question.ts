@@ -294,9 +294,7 @@ export class QuestionForm {
 
   get #check(): Check | undefined {
     const { conditions, isAny, ownCheck } = this.#draft
-    const check = checkOf(conditions, isAny)
-    if (ownCheck === undefined || check === undefined) return ownCheck ?? check
-    return isAny ? { any: [ownCheck, check] } : { all: [ownCheck, check] }
+    return checkOf(conditions, isAny, ownCheck)
   }
 
   get #suggestion(): string {

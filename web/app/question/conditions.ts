@@ -75,9 +75,9 @@ export function comparisonsOf({ type }: Kind): readonly Comparison[] {
   return type === 'measure' ? COMPARISONS.filter((name) => name !== 'is') : COMPARISONS
 }
 
-/** The check that conditions make; `undefined` if there are none. */
-export function checkOf(conditions: readonly Condition[], isAny: boolean): Check | undefined {
-  const parts = conditions.map(partOf)
+/** The check that conditions, and maybe a check of another form, make; `undefined` if there are none. */
+export function checkOf(conditions: readonly Condition[], isAny: boolean, ownCheck?: Check): Check | undefined {
+  const parts = [...(ownCheck === undefined ? [] : [ownCheck]), ...conditions.map(partOf)]
   if (parts.length <= 1) return parts[0]
   return isAny ? { any: parts } : { all: parts }
 }

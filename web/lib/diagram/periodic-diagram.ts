@@ -142,10 +142,9 @@ export class PeriodicDiagram implements PeriodicData {
       l += image.shift[1]
       found = this.diagram.find(p.x, p.y, given)
     }
-    // Adding 0 turns -0 into 0.
     return {
       circle: at(this.circleOf, found),
-      shift: [k + at(this.shiftOf, 2 * found) + 0, l + at(this.shiftOf, 2 * found + 1) + 0],
+      shift: [k + at(this.shiftOf, 2 * found), l + at(this.shiftOf, 2 * found + 1)],
     }
   }
 

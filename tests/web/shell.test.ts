@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shadow root of an element, on stub nodes.
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { wordsOf } from '../../web/element/language.ts'
+import { Shell } from '../../web/element/shell.ts'
+
+class FakeElement extends EventTarget {
+  className = ''
+  hidden = false
+  textContent = ''
+  lang: string | undefined = ''
+  ariaLabel = ''
+  readonly dataset = {}
+  append() {}
+  setAttribute() {}
+  removeAttribute(name: 'lang') {
+    this[name] = undefined
+  }
+}
+
+const made: FakeElement[] = []
+const of = (classes: string) => made.find(({ className }) => className === classes) as FakeElement
+let shell: Shell
+beforeEach(() => {
+  vi.useFakeTimers()
+  made.length = 0
+  const createElement = () => {
+    made.push(new FakeElement())
+    return made.at(-1)
+  }
+  vi.stubGlobal('document', { createElement })
+  vi.stubGlobal(
+    'CSSStyleSheet',
+    class {
+      replaceSync() {}
+    },
+  )
+  shell = new Shell({ append() {} } as unknown as ShadowRoot)
+})
+afterEach(() => {
+  vi.useRealTimers()
+  vi.unstubAllGlobals()
+})
+
+it('a hint is visible for a while after it was last given', () => {
+  const hint = of('hint')
+  expect(hint.hidden).toBe(true)
+  shell.hint('Press Ctrl.')
+  vi.advanceTimersByTime(1400)
+  shell.hint('Press Ctrl.')
+  vi.advanceTimersByTime(1400)
+  expect([hint.hidden, hint.textContent]).toEqual([false, 'Press Ctrl.'])
+  vi.advanceTimersByTime(200)
+  expect(hint.hidden).toBe(true)
+})
+
+it('a label of the page is in the language of the page, and the usual one in that of the texts', () => {
+  const words = wordsOf('en')
+  const described = (label: string) => {
+    shell.describe(words, label, '', false)
+    return [shell.figure.lang, shell.figure.ariaLabel]
+  }
+  expect(described('')).toEqual(['en', words.label])
+  expect(described('Bäume')).toEqual([undefined, 'Bäume'])
+  expect(described('')).toEqual(['en', words.label])
+})
