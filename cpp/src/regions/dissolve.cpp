@@ -95,7 +95,9 @@ struct Arrangement {
 /// Divides the sides of rings where they cross, touch or overlap, until they meet at their ends only.
 ///
 /// Crossing points are rounded, which moves the sides through them. This may create new crossings, so the division is
-/// repeated. A few rounds usually suffice. If not, all points move to a grid that becomes coarser in each round; in the
+/// repeated. A few rounds usually suffice. If not, all points move to a grid, and a side that passes through the square
+/// of a point, a step of the grid wide, is led through the point: snap rounding (J. D. Hobby, "Practical segment
+/// intersection with finite precision output", 1999). If that does not suffice either, the grid becomes coarser; in the
 /// end all points would coincide.
 class Noder {
  public:
@@ -195,7 +197,12 @@ class Noder {
     }
   }
 
-  Box boxOf(const Segment& segment) const { return boxAround(point(segment.a), point(segment.b)); }
+  /// Returns a box around a segment and the squares of its ends.
+  Box boxOf(const Segment& segment) const {
+    const Box box = boxAround(point(segment.a), point(segment.b));
+    const double half = grid_ / 2;
+    return {box.minX - half, box.minY - half, box.maxX + half, box.maxY + half};
+  }
 
   /// The segments in an order in which those near one another are mostly one after the other: along a curve of
   /// G. M. Morton.
@@ -244,6 +251,10 @@ class Noder {
   void splitWhereTheyMeet(std::size_t i, std::size_t j) {
     const auto [a, b] = segments_[i];
     const auto [c, d] = segments_[j];
+    if (grid_ > 0) {
+      for (const std::int32_t end : {c, d}) splitIfInSquare(i, end);
+      for (const std::int32_t end : {a, b}) splitIfInSquare(j, end);
+    }
     const int ofC = orientation(point(a), point(b), point(c));
     const int ofD = orientation(point(a), point(b), point(d));
     if (ofC * ofD > 0) return;
@@ -264,6 +275,25 @@ class Noder {
     splitIfWithin(i, d, ofD);
     splitIfWithin(j, a, ofA);
     splitIfWithin(j, b, ofB);
+  }
+
+  /// Splits a segment at a point if it passes through the inside of the point's square.
+  void splitIfInSquare(std::size_t k, std::int32_t index) {
+    const auto [a, b] = segments_[k];
+    if (index == a || index == b) return;
+    const auto [x, y] = point(index);
+    const double half = grid_ / 2;
+    const Box box = boxAround(point(a), point(b));
+    if (!(box.minX < x + half && x - half < box.maxX && box.minY < y + half && y - half < box.maxY)) return;
+    bool isLeft = false;
+    bool isRight = false;
+    for (const Point corner :
+         {Point{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}) {
+      const int side = orientation(point(a), point(b), corner);
+      isLeft |= side > 0;
+      isRight |= side < 0;
+    }
+    if (isLeft && isRight) splitAt(k, index);
   }
 
   /// Returns the rounded crossing of two segments, moved into the bounding boxes of both, so that no point leaves a
@@ -331,7 +361,7 @@ class Noder {
   void coarsen() {
     double size = 0;
     for (const Point& p : points_) size = std::max({size, std::abs(p.x), std::abs(p.y)});
-    grid_ = grid_ == 0 ? std::max(kFirstGrid * powerOfTwoIn(size), kCoordinateStep) : kCoarser * grid_;
+    grid_ = grid_ == 0 ? std::max(kFirstGrid * powerOfTwoIn(size), 2 * kCoordinateStep) : kCoarser * grid_;
     const std::vector<Point> before = std::move(points_);
     const std::vector<Piece> pieces = std::move(pieces_);
     points_.clear();
