@@ -116,6 +116,20 @@ TEST(InCircle, OrientationTakesPointsBetweenTheMultiplesOfTheStep) {
   }
 }
 
+// Vertices of diagrams whose arrays a program has changed may lie anywhere.
+TEST(InCircle, OrientationEndsForPointsOutsideTheRange) {
+  constexpr double kHuge = std::numeric_limits<double>::max();
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(orientation({0, 0}, {1e200, 1e200}, {kHuge, kHuge}), 0);
+  EXPECT_EQ(orientation({0, 0}, {-kHuge, -kHuge}, {5e-324, 5e-324}), 0);
+  for (const double x : {kNaN, kHuge, -kHuge, std::numeric_limits<double>::infinity(), 5e-324}) {
+    for (const double y : {kNaN, kHuge, 0x1p-96, 1.0}) {
+      const int sign = orientation({x, y}, {0x1p-96, 1}, {y, x});
+      EXPECT_TRUE(sign >= -1 && sign <= 1);
+    }
+  }
+}
+
 TEST(InCircle, KnowsTheInside) {
   const Point a = {0, 0}, b = {1, 0}, c = {0, 1};
   EXPECT_EQ(inCircle(a, b, c, {0.5, 0.5}), 1);

@@ -47,8 +47,8 @@ class Region {
   /// GeoJSON.
   /// Errors: badOption if there is no polygon, a polygon has no ring, a coordinate is not finite, or a rule above is
   /// broken and `dissolve` is not set. The message names the rings, the sides and the point. coordinateTooLarge,
-  /// coordinateTooSmall. tooManyCircles if there are more than kMaxRegionSides sides, or memory runs out.
-  /// badArithmetic.
+  /// coordinateTooSmall. With `dissolve`, badOption also if thousands of sides nearly meet. tooManyCircles if there are
+  /// more than kMaxRegionSides sides, or memory runs out. badArithmetic.
   static Result<Region> fromPolygons(std::span<const std::vector<Ring>> polygons, const RegionOptions& options = {});
   /// Makes a region from rings in any order: a point belongs to the region if an odd number of rings contain it. So a
   /// ring inside another one is a hole, and a ring inside that hole is an island. With `dissolve`, rings may cross and

@@ -13,6 +13,13 @@ namespace {
 
 int signOf(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
+/// Returns a point as exact integers hold it: rounded, and inside the range of boxes. Computed points need not be
+/// rounded. Beyond the range there are only points of diagrams whose arrays a program has changed; NaN may be anywhere.
+Point held(Point p) {
+  const auto within = [](double x) { return x >= -kRegionLimit ? std::min(x, kRegionLimit) : -kRegionLimit; };
+  return rounded(Point{within(p.x), within(p.y)});
+}
+
 }  // namespace
 
 int orientation(Point a, Point b, Point c) {
@@ -23,8 +30,7 @@ int orientation(Point a, Point b, Point c) {
   const double largest =
       std::max(std::max(std::abs(a.x - c.x), std::abs(a.y - c.y)), std::max(std::abs(b.x - c.x), std::abs(b.y - c.y)));
   if (haveShortDifferences<26>({a, b, c}, largest)) return signOf(estimate.value);
-  // Computed points need not be rounded, but exact integers hold rounded numbers only.
-  return exact::orientation(rounded(a), rounded(b), rounded(c));
+  return exact::orientation(held(a), held(b), held(c));
 }
 
 int inCircle(Point a, Point b, Point c, Point d) {

@@ -18,6 +18,7 @@
 #include "in_circle.h"
 #include "rounded.h"
 #include "scale.h"
+#include "two_part.h"
 
 namespace circle_voronoi {
 namespace {
@@ -28,6 +29,15 @@ Box boxAround(Point p, Point q) {
 
 bool meet(const Box& a, const Box& b) {
   return a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY;
+}
+
+/// Returns the cross product of two vectors with a small relative error, also where they are nearly parallel. A
+/// crossing of such segments would otherwise be off by many steps of the grid.
+double accurateCross(Vector u, Vector v) {
+  const TwoPart left = product(u.x, v.y);
+  const TwoPart right = product(u.y, v.x);
+  const TwoPart difference = sum(left.value, -right.value);
+  return difference.value + (difference.rest + (left.rest - right.rest));
 }
 
 /// Boxes in a tree of groups, each of boxes one after the other.
@@ -97,8 +107,8 @@ struct Arrangement {
 /// Crossing points are rounded, which moves the sides through them. This may create new crossings, so the division is
 /// repeated. A few rounds usually suffice. If not, all points move to a grid, and a side that passes through the square
 /// of a point, a step of the grid wide, is led through the point: snap rounding (J. D. Hobby, "Practical segment
-/// intersection with finite precision output", 1999). If that does not suffice either, the grid becomes coarser; in the
-/// end all points would coincide.
+/// intersection with finite precision output", 1999). If that does not suffice either, the grid becomes coarser, up to
+/// a step at which the result would no longer be that of the given sides.
 class Noder {
  public:
   Noder(const Rings& rings, std::span<const std::int32_t> polygonOfRing) {
@@ -138,6 +148,7 @@ class Noder {
   /// The step of the first grid, as a share of the largest coordinate, and the factor to each next step.
   static constexpr double kFirstGrid = 0x1p-46;
   static constexpr double kCoarser = 0x1p6;
+  static constexpr double kCoarsestGrid = 0x1p-34;
 
   struct Split {
     std::size_t segment;
@@ -305,8 +316,8 @@ class Noder {
     const Point v = point(t.b);
     const Vector along = vectorTo(p, q);
     const Vector across = vectorTo(u, v);
-    const double slope = cross(along, across);
-    const double share = slope == 0 ? 0.5 : cross(vectorTo(p, u), across) / slope;
+    const double slope = accurateCross(along, across);
+    const double share = slope == 0 ? 0.5 : accurateCross(vectorTo(p, u), across) / slope;
     const Box first = boxAround(p, q);
     const Box second = boxAround(u, v);
     const auto within = [](double value, double low, double high) {
@@ -361,7 +372,12 @@ class Noder {
   void coarsen() {
     double size = 0;
     for (const Point& p : points_) size = std::max({size, std::abs(p.x), std::abs(p.y)});
-    grid_ = grid_ == 0 ? std::max(kFirstGrid * powerOfTwoIn(size), 2 * kCoordinateStep) : kCoarser * grid_;
+    const double unit = powerOfTwoIn(size);
+    grid_ = grid_ == 0 ? std::max(kFirstGrid * unit, 2 * kCoordinateStep) : kCoarser * grid_;
+    if (grid_ > std::max(kCoarsestGrid * unit, 2 * kCoordinateStep)) {
+      throw ThrownError{
+          {ErrorCode::badOption, kNone, "Too many sides of the region nearly meet. Simplify its polygons."}};
+    }
     const std::vector<Point> before = std::move(points_);
     const std::vector<Piece> pieces = std::move(pieces_);
     points_.clear();
