@@ -83,8 +83,12 @@ double farthestByChord(const Bisector& bisector, double from, double to, double 
     const double proposed = from * quotientOf(excess);
     const double next = good < proposed && proposed < bad ? proposed : std::sqrt(good) * std::sqrt(bad);
     const double error = chordError(bisector, from, next);
-    (error > tolerance ? bad : good) = next;
-    if (error <= tolerance && error >= kNearlyAll * tolerance) break;
+    if (error > tolerance) {
+      bad = next;
+    } else {
+      good = next;
+      if (error >= kNearlyAll * tolerance) break;
+    }
     excess = excessOf(from, next) * (tolerance / error);
   }
   return good > from ? good : bad;

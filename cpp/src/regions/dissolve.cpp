@@ -145,10 +145,11 @@ class Noder {
 
  private:
   static constexpr int kPatience = 12;
-  /// The step of the first grid, as a share of the largest coordinate, and the factor to each next step.
+  /// The steps of the first and the coarsest grid, as shares of the largest coordinate, and the factor to each next
+  /// step.
   static constexpr double kFirstGrid = 0x1p-46;
-  static constexpr double kCoarser = 0x1p6;
   static constexpr double kCoarsestGrid = 0x1p-34;
+  static constexpr double kCoarser = 0x1p6;
 
   struct Split {
     std::size_t segment;

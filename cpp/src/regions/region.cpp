@@ -469,8 +469,6 @@ bool Region::isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoun
 
 bool Region::contains(Point given) const {
   const Point p = rounded(given);
-  const Run& whole = runs_.back().front();
-  if (!(whole.minX <= p.x && p.x <= whole.maxX && whole.minY <= p.y && p.y <= whole.maxY)) return false;
   bool isOnBoundary = false;
   const bool isInside = isInRun(runs_.size() - 1, 0, p, isOnBoundary);
   return isInside || isOnBoundary;

@@ -281,9 +281,12 @@ function farthestByChord({ a, b }: Bisector, from: number, to: number, tolerance
     const proposed = from * quotientOf(excess)
     const next = good < proposed && proposed < bad ? proposed : Math.sqrt(good) * Math.sqrt(bad)
     const error = chordError(a, b, from, next)
-    if (error > tolerance) bad = next
-    else good = next
-    if (error <= tolerance && error >= nearlyAll * tolerance) break
+    if (error > tolerance) {
+      bad = next
+    } else {
+      good = next
+      if (error >= nearlyAll * tolerance) break
+    }
     excess = excessOf(from, next) * (tolerance / error)
   }
   return good > from ? good : bad

@@ -114,7 +114,10 @@ export class Region {
     this.#module = module
   }
 
-  /** Returns whether a point, rounded like the corners of the region, lies inside or on the boundary; exact. */
+  /**
+   * Returns whether a point lies inside or on the boundary. The point is rounded like the corners of the region; the
+   * result is exact.
+   */
   contains(x: number, y: number): boolean {
     checkNumber(x, 'contains', 'x')
     checkNumber(y, 'contains', 'y')
