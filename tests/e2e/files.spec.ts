@@ -235,29 +235,27 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
 })
 
 test('copies a link and the code of a frame, which show the same', async ({ app }) => {
-  await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
-  const clipboard = () => app.page.evaluate(() => navigator.clipboard.readText())
+  const copied = (name: string) => app.copiedBy(app.page.getByRole('button', { name }))
   await keepToasts(app.page)
   await openPanel(app)
   await choose(app, 'three.csv', THREE)
   await expect(app.status).toContainText('3 circles')
   await app.page.getByRole('button', { name: 'Share', exact: true }).click()
-  await app.page.getByRole('button', { name: 'Copy link' }).click()
+  const link = await copied('Copy link')
   // The message is visible whatever panel is open.
   await expect(app.page.locator('#toast')).toHaveText('The link is in the clipboard.')
   await expect(app.page.locator('#toast')).toBeInViewport()
-  const link = await clipboard()
-  await app.page.getByRole('button', { name: 'Copy embed code' }).click()
+  const frame = await copied('Copy embed code')
   await expect(app.page.locator('#toast')).toHaveText('The code is in the clipboard.')
-  expect(await clipboard()).toBe(
+  expect(frame).toBe(
     `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of circles" loading="lazy" width="100%" height="480" style="width: 100%; height: auto; aspect-ratio: 3 / 2; max-height: 90vh; border: 0"></iframe>`,
   )
   // The code contains the circles themselves, so that it works anywhere.
-  await app.page.getByRole('button', { name: 'Copy element' }).click()
+  const element = await copied('Copy element')
   const lines =
     /^<script type="module" src="([^"]+)"><\/script>\n<circle-voronoi src="#(v1\.[\w-]+)" controls><\/circle-voronoi>$/
-  await soon(clipboard).toMatch(lines)
-  const [, module, said] = lines.exec(await clipboard()) as RegExpExecArray
+  expect(element).toMatch(lines)
+  const [, module, said] = lines.exec(element) as RegExpExecArray
   expect(module).toBe(new URL('element.js', link).href)
   expect((await app.page.request.get(module as string)).status()).toBe(200)
   expect((await decodeLink(said as string)).circles).toEqual((await decodeLink(new URL(link).hash)).circles)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
-import { test as base, expect, type Page } from '@playwright/test'
+import { test as base, expect, type Locator, type Page } from '@playwright/test'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import type { Circle, Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, toScreen } from '../../web/view/camera.ts'
 import { circlesOfText } from '../../web/view/circle-text.ts'
+import { soon } from '../soon.ts'
 import { framesOf } from './frames.ts'
 
 /** The space that the page keeps free for its panels (web/app/padding.ts), in a wide window and on a phone. */
@@ -157,6 +158,16 @@ export class App {
       },
       [name, text],
     )
+  }
+
+  /** The text that a button copies. The clipboard of a browser still has what an earlier test copied. */
+  async copiedBy(button: Locator): Promise<string> {
+    await this.page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
+    await this.page.evaluate(() => navigator.clipboard.writeText(''))
+    await button.click()
+    const read = () => this.page.evaluate(() => navigator.clipboard.readText())
+    await soon(read).not.toBe('')
+    return read()
   }
 
   /** The number of values above zero in the overlay's pixels. */

@@ -9,7 +9,7 @@ const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 2, 5, 10, 2, 9, 6, 1, 5, 4, 0.5)
 
 test.use({ link: await encodeLink({ circles: CIRCLES }) })
 
-const clipboard = (app: App) => app.page.evaluate(() => navigator.clipboard.readText())
+const copiedLink = (app: App) => app.copiedBy(app.page.getByRole('button', { name: 'Copy question link' }))
 
 async function openForm(app: App): Promise<void> {
   await app.page.getByRole('button', { name: 'Share', exact: true }).click()
@@ -19,7 +19,6 @@ async function openForm(app: App): Promise<void> {
 
 test('conditions become the question of a frame, which is solved by moving a circle', async ({ app }) => {
   const { page } = app
-  await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
   await openForm(app)
   const condition = page.getByRole('group', { name: 'Condition 1' })
   await condition.getByLabel('Circle of condition 1').fill('4')
@@ -41,9 +40,8 @@ test('conditions become the question of a frame, which is solved by moving a cir
   await page.getByLabel('Title').fill('Three "edges"')
   await page.getByLabel('Language').selectOption('German')
   expect(await violationsOf(page)).toEqual([])
-  await page.getByRole('button', { name: 'Copy question code' }).click()
+  const code = await app.copiedBy(page.getByRole('button', { name: 'Copy question code' }))
   await expect(page.locator('#toast')).toContainText('The code of the question is in the clipboard.')
-  const code = await clipboard(app)
   expect(code).toMatch(/^<iframe src="[^"]+\/embed\.html#v1\.[\w-]+" title="Three &quot;edges&quot;" loading="lazy"/)
   const address = /src="([^"]+)"/.exec(code)?.[1] as string
   expect(await decodeLink(new URL(address).hash)).toEqual({
@@ -55,8 +53,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
     },
     lang: 'de',
   })
-  await page.getByRole('button', { name: 'Copy question link' }).click()
-  await soon(() => clipboard(app)).toBe(address)
+  expect(await copiedLink(app)).toBe(address)
   const opening = page.waitForEvent('popup')
   await page.getByRole('button', { name: 'Try it' }).click()
   const tab = await opening
@@ -79,16 +76,13 @@ test('conditions become the question of a frame, which is solved by moving a cir
 
 test('circles keep their names in a question where others are deleted', async ({ app }) => {
   const { page } = app
-  await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
   await app.select(CIRCLES, 1)
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('4 circles')
   await openForm(app)
   await page.getByLabel('Circle of condition 1').fill('4')
   await page.getByLabel('Circle of condition 1').press('Enter')
-  await page.getByRole('button', { name: 'Copy question link' }).click()
-  await soon(() => clipboard(app)).toContain('embed.html#')
-  const { check, circles } = await decodeLink(new URL(await clipboard(app)).hash)
+  const { check, circles } = await decodeLink(new URL(await copiedLink(app)).hash)
   expect(check).toEqual({ cell: 3, edges: 3 })
   expect([...(circles as Float64Array).slice(9)]).toEqual([5, 4, 0.5])
   // A missing circle is reported.
@@ -125,13 +119,12 @@ test('a link with a question opens in the playground with its form, also with a 
   page,
 }) => {
   const app = new App(page)
-  await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
   const state = { circles: CIRCLES, title: 'T', question: 'Q?', check: { not: { circles: 5 } }, alt: 'A', lang: 'de' }
   await app.open(await encodeLink(state))
   await page.getByRole('button', { name: 'Share', exact: true }).click()
   await expect(page.getByLabel('Question', { exact: true })).toHaveValue('Q?')
   await expect(page.getByText('{"not":{"circles":5}}')).toBeVisible()
-  await page.getByRole('button', { name: 'Copy question link' }).click()
-  await soon(() => clipboard(app)).toContain('embed.html#')
-  expect(await decodeLink(new URL(await clipboard(app)).hash)).toEqual(state)
+  const link = await copiedLink(app)
+  expect(link).toContain('embed.html#')
+  expect(await decodeLink(new URL(link).hash)).toEqual(state)
 })
