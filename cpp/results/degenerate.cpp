@@ -64,8 +64,8 @@ Json quasiTriangulation(const Diagram& diagram) {
           {"pairs", neighborPairs(diagram).size()}};
 }
 
-/// Figure 15 c: the middle, so near that rounding can be seen. A browser draws no lengths that small, so the circles
-/// are enlarged by a power of two, which does not change the diagram.
+/// Draws figure 15 c: the middle, enlarged until rounding is visible. Browsers cannot draw such small lengths, so the
+/// circles are multiplied by a power of two, which does not change the diagram.
 void drawMiddle(const std::filesystem::path& folder, std::span<const Circle> circles, double spread) {
   const double scale = std::exp2(-std::ilogb(spread));
   std::vector<Circle> large;

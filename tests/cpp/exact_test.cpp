@@ -64,7 +64,8 @@ std::vector<Disc> touchingDiscs(const Circle& a, const Circle& b, const Circle& 
   };
   const Plane p = plane(b);
   const Plane q = plane(c);
-  // The line runs along (dx, dy, ds); a point of it has one coordinate 0 where the others have a determinant.
+  // The line runs along (dx, dy, ds); one of its points has the coordinate 0 where the determinant of the other two is
+  // not 0.
   const Real dx = p.y * q.s - p.s * q.y;
   const Real dy = p.s * q.x - p.x * q.s;
   const Real ds = p.x * q.y - p.y * q.x;

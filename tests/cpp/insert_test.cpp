@@ -114,8 +114,8 @@ TEST(Insert, PutsACircleBetweenTwoThatItTouchesInOnePoint) {
 }
 
 TEST(Insert, TakesAwayAllOfAHullEdgeWhoseTangentLineACircleTouchesFromOutside) {
-  // Before the circle above the axis comes, the two points have the same tangent line of the hull; after it, the one
-  // beside it has the opposite line.
+  // At first the two points share a tangent line of the hull. The circle above the axis touches that line from outside,
+  // so afterwards the point beside it has the opposite line.
   expectRightInAnyOrder(visibleCircles({{-1, 0, 0}, {-0x1p-15, 0, 0}, {-0x1p-39, 1, 1}, {1.5, -2, 2}}));
 }
 

@@ -62,8 +62,8 @@ Diagram inAnotherOrder(const Circles& circles, Random& random) {
   return diagram;
 }
 
-/// The number of edges of length zero in a diagram of visible circles, and whether each is the one of two choices that
-/// does not begin or end at the greatest of the four circles around it.
+/// The number of edges of length zero in a diagram of visible circles, and whether all are settled: neither end is the
+/// greatest of the four circles around the edge (settle_ties.h).
 struct Ties {
   int count = 0;
   bool areSettled = true;

@@ -138,7 +138,7 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
     const auto circleAt = [&](std::size_t k) { return circles[static_cast<std::size_t>(triple[k])]; };
     diagram.vertices.push_back(radicalCenter(circleAt(0), circleAt(1), circleAt(2)));
   }
-  // CGAL's own list of edges takes that face of each which lies lower in memory: here it is the first in this list.
+  // Each edge is added from its first face in this order. CGAL's own list of edges depends on addresses in memory.
   for (const auto face : triangulation.finite_face_handles()) {
     const std::int32_t vertex = vertexOf.at(face);
     for (int i = 0; i < 3; ++i) {

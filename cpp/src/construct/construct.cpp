@@ -244,7 +244,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     const bool mayResample = options.resample && options.candidates == Candidates::dynamic && round < kMostResamplings;
     if (result.isRight() || !mayResample) return result;
     ++journal.stats.counts.resamplings;
-    // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
+    // If only rounding has put ends of edges out of order, flips correct them. Otherwise pairs are missing.
     if (!result.flawed) {
       Dual dual = result.dual;
       FaceTeller teller(dual, sites.circles, observer);

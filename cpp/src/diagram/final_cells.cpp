@@ -24,7 +24,7 @@ namespace {
 class Outside {
  public:
   Outside(std::span<const KnownHalfPlane> known, double maxRadius) : reach_(maxRadius) {
-    // A line so far off that sums could overflow is as if it were nearer, which is on the safe side.
+    // Lines so far away that sums could overflow are moved nearer, which only makes fewer parts final.
     constexpr double kFarthest = 0x1p1000;
     for (const auto& [normal, offset] : known) {
       if (!std::isinf(offset)) sides_.push_back({normal, std::clamp(offset, -kFarthest, kFarthest)});

@@ -19,9 +19,9 @@
 namespace circle_voronoi {
 namespace {
 
-/// The order of insertion: random rounds, each in the order given; three circles in four go to the last round, three in
-/// four of the rest to the one before, and so on (N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO",
-/// 2003).
+/// The order of insertion: random rounds, each in the order given. The last round has three quarters of the circles,
+/// and each earlier round three quarters of the rest (N. Amenta, S. Choi, G. Rote, "Incremental constructions con
+/// BRIO", 2003).
 std::vector<int> orderInRounds(std::size_t count) {
   constexpr int kRounds = 16;
   const auto roundOf = [](std::size_t i) { return kRounds - 1 - std::min(kRounds - 1, std::countr_zero(mix(i)) / 2); };
@@ -118,8 +118,9 @@ class Inserter : private DualKeeper {
     for (const int face : {0, 1}) discs_.update(face);
   }
 
-  // Each circle that is still to come waits at a half-edge: in the cell of its origin its center lies in the sector of
-  // its bisector. A new cell that has the center has a part of that bisector, as cells are star-shaped.
+  // Each circle that has not been inserted yet is kept with a half-edge. The circle's center lies in the cell of the
+  // half-edge's origin, in the sector between that origin's center and the edge. Cells are star-shaped, so a new cell
+  // that contains the circle's center also contains a part of the edge.
 
   /// Whether circle b is nearer to the center of circle j than circle a is.
   bool isNearer(int j, int a, int b) const {

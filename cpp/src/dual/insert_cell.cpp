@@ -121,7 +121,8 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   const bool hasEnd = enter.disc.exists && (c == kPointAtInfinity || orderAlongEdge(a, b, enter, discAt(h)) > 0);
   if (!leave.disc.exists && !enter.disc.exists) {
     const int side = predicates_.tangentSide(a, b, i);
-    // All circles on one tangent line: far out along the edge, the one that touches it in the middle is nearest.
+    // All circles on one tangent line: far along the edge, the circle that touches the line between the other two is
+    // the nearest.
     return {side > 0 || (side == 0 && touchesBetween(a, b, i)), false, false};
   }
   if (!leave.disc.exists || !enter.disc.exists) return {hasStart || hasEnd, false, false};

@@ -12,9 +12,8 @@
 
 namespace circle_voronoi {
 
-/// Tells an observer which faces of a dual go and come while it is changed, and why: it looks again at the faces that
-/// were about to change. So those who change the dual know nothing of events, and pay for none. Without an observer it
-/// does nothing.
+/// Tells an observer which faces of a dual a change removes and makes, and why. It compares the faces before and after
+/// the change, so the code that changes the dual does not deal with events. Without an observer it does nothing.
 class FaceTeller final : public FaceWatcher {
  public:
   /// The arguments must outlive this object. Events are by the indices and in the unit of `circles`.

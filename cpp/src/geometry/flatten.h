@@ -16,9 +16,9 @@ CIRCLE_VORONOI_API bool isLeftTurn(Point p, Point q, Point r);
 /// Returns whether the step from p to q turns around both foci of an arc, by less than half a turn.
 CIRCLE_VORONOI_API bool turnsAround(Point left, Point right, Point p, Point q);
 
-/// Returns the points of an arc from `start` to `end`, which are its ends but for rounding: those of polyline(), and
-/// more of them until each step turns around both foci, except for steps as short as rounding. A cell is star-shaped
-/// from the center of its circle, so a polygon of such steps is, too, and does not cross itself.
+/// Returns the points of an arc from `start` to `end`, which are its ends up to rounding. They are the points of
+/// polyline() and further ones, so that each step turns around both foci unless it is as short as rounding. Then a
+/// cell's polygon is star-shaped from the center of its circle, like the cell, and does not cross itself.
 CIRCLE_VORONOI_API std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end, double tolerance);
 
 /// Returns whether pointsBetween has only the ends.

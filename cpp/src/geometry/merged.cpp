@@ -39,8 +39,8 @@ class Sets {
   std::vector<std::int32_t> parent_;
 };
 
-/// 2^-40 of the numbers that went into a vertex: some thousand times the unit roundoff, for the condition of
-/// three-touch discs of circles that are drawn, and far below what can be seen.
+/// Returns 2^-40 of the numbers from which a vertex was computed. This is 2^13 times the unit roundoff, which allows
+/// for the condition of three-touch discs of circles that can be drawn, and it is far too small to be seen.
 double roundingError(const Diagram& diagram, VertexIndex v) {
   const Vertex& vertex = diagram.vertices[v];
   double size = std::abs(vertex.x) + std::abs(vertex.y) + std::abs(vertex.r);

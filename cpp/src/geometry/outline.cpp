@@ -81,7 +81,7 @@ double sweep(Vector u, Vector v) {
 /// the result by as little.
 class LoopCutter {
  public:
-  /// `disc`: the one around the circle's center that is kept, if the limits have a distance.
+  /// `disc`: the disc around the circle's center to which the cell is cut, if the limits have a distance.
   LoopCutter(const Diagram& diagram, CircleIndex circle, const Limits& limits, const std::optional<Circle>& disc)
       : diagram_(diagram), circle_(circle), limits_(limits), disc_(disc) {
     if (limits.region != nullptr) halves_ = halfPlanesOf(*limits.region);

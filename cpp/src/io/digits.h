@@ -18,7 +18,7 @@ class DecimalGrid {
  public:
   /// Uses the largest steps of at most `step`. Rounds nothing if `step` is below 1e-22.
   explicit DecimalGrid(double step);
-  /// Uses steps of 10^-digits. Rounds nothing without `digits`, or with more of them than any double needs.
+  /// Uses steps of 10^-digits. Rounds nothing without `digits`, or if no double needs that many.
   explicit DecimalGrid(std::optional<int> digits);
 
   /// The largest change by `round`, or more.

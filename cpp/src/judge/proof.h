@@ -50,9 +50,10 @@ class Prover {
   /// Records whether the regions beside an edge, given by a half-edge, pass the axis along it, once both its faces are
   /// proven. Returns the order of its ends, which may be given. If that is negative, nothing is recorded.
   ///
-  /// Around the origin of a half-edge, counter-clockwise, the face on its right comes before the face on its left: the
-  /// region of the origin turns from the disc of the one to that of the other, by less than a full turn. It passes if
-  /// it comes from the lower half to the upper one (Predicates::isLower). Around infinity nothing passes.
+  /// Around the origin of a half-edge, counter-clockwise, the face on its right comes before the face on its left. So
+  /// the border of the origin's region turns from the right face's disc to the left one's, by less than a full turn. It
+  /// passes the axis if the first disc is in the lower half and the second is not (Predicates::isLower). Around
+  /// infinity nothing passes.
   int proveEdge(int h, int order = kUnknownOrder) {
     const int t = dual_.twin[h];
     const int a = dual_.origin[h];

@@ -80,7 +80,7 @@ class Sweep {
   }
 
  private:
-  /// A side that the line crosses. The side that follows it in its place is put in its stead.
+  /// A side that the line crosses. At the side's end, the next side of the ring replaces it.
   struct Entry {
     mutable std::int32_t side;
   };
@@ -152,7 +152,7 @@ class Sweep {
     return true;
   }
 
-  /// Whether a point lies on the side before `begin`, or on the one at `end`.
+  /// Whether a point lies on the side before `begin` or on the side at `end`.
   bool touchesBeside(Active::iterator begin, Active::iterator end, Point p) const {
     return (begin != active_.begin() && isOn(std::prev(begin)->side, p)) ||
            (end != active_.end() && isOn(end->side, p));

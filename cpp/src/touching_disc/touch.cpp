@@ -117,8 +117,8 @@ class Touch {
     if (arc.isUsed()) return true;
     const DirectedEdge& in = rotations_.edge(arc.in);
     const DirectedEdge& out = rotations_.edge(arc.out);
-    // No disc on the bisector is smaller than the antipodal one: if a DE of the two circles is there before it, then
-    // the two differ by rounding only, and that DE stands for both.
+    // No disc on the bisector is smaller than the antipodal one. So if a directed edge of the two circles has been
+    // placed before it, their discs differ only by rounding, and that edge represents both.
     if (in.a == partner || out.b == partner) return true;
     const Vector from = in.fromB;
     const Vector to = out.fromA;
