@@ -91,8 +91,8 @@ double parameterAt(const Bisector& bisector, Point p) {
   const double sine = dot(toPoint, bisector.across) / bisector.b;
   if (bisector.a == 0) return exponentialOf(sine);
   // Both the point's height b sinh t and its distance apex + c (cosh t - 1) determine t, and t is more accurate by the
-  // value that changes faster. On a narrow branch this is the distance, and b and the height may be wrong by any factor.
-  // So the larger of the two estimates of |sinh t| decides.
+  // value that changes faster. On a narrow branch this is the distance, and b and the height may be wrong by any
+  // factor. So the larger of the two estimates of |sinh t| decides.
   const double c = bisector.apex + std::abs(bisector.a);
   const double rise = std::max((lengthOf(toPoint) - bisector.apex) / c, 0.0);
   const double size = std::max(std::abs(sine), std::sqrt(rise) * std::sqrt(rise + 2));
