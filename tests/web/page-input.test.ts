@@ -355,6 +355,22 @@ describe('the fields of the selected circle', () => {
     expect(x?.attributes.get('aria-invalid')).toBe('false')
   })
 
+  it('take back only the error of what was refused, not one that came while the pointer was pressed', () => {
+    vi.useFakeTimers()
+    const { fields, change, type, state } = mounted()
+    for (const problem of ['no number', 'no file']) {
+      type(fields[0], '-', ['input'])
+      change({ problem: 'no number' })
+      send('pointerdown', {})
+      fields[0]?.dispatchEvent(new Event('blur'))
+      change({ problem })
+      send('pointerup', {})
+      vi.runAllTimers()
+      expect(state().problem).toBe(problem === 'no file' ? problem : '')
+    }
+    vi.useRealTimers()
+  })
+
   it('give the focus back to the figure at Escape', () => {
     const { fields, focusNumbers } = mounted()
     focusNumbers()
@@ -419,5 +435,7 @@ describe('the toolbar', () => {
       ['load', 'spruces'],
       ['more'],
     ])
+    // The menu shows the open circles again.
+    expect(button('data-set').value).toBe('')
   })
 })

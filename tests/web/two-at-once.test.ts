@@ -4,17 +4,22 @@ import type { TemplateResult } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { mountFiles } from '../../web/app/panels/files.ts'
 import { mountNumbers } from '../../web/app/panels/numbers.ts'
+import { mountTable } from '../../web/app/panels/table.ts'
 import { CircleGrid } from '../../web/app/table/circle-grid.ts'
+import { NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 
 /** The contents of the open panel. */
 let body: () => unknown = () => undefined
 let onopen: () => void = () => {}
+/** Draws the open panel again. */
+let redraw: () => void = () => {}
 vi.mock('../../web/app/panels/by-id.ts', () => ({
   byId: () => ({ querySelector: () => null, querySelectorAll: () => [] }),
 }))
 vi.mock('../../web/app/panels/panel.ts', () => ({
-  panelOf: (_: unknown, __: string, ___: () => void, options: { onopen?: () => void } = {}) => {
+  panelOf: (_: unknown, __: string, draw: () => void, options: { onopen?: () => void } = {}) => {
+    redraw = draw
     onopen = options.onopen ?? (() => {})
     return {
       isOpen: true,
@@ -27,14 +32,21 @@ vi.mock('../../web/app/panels/panel.ts', () => ({
 vi.mock('../../web/app/panels/histogram.ts', () => ({ Histogram: class {} }))
 /** The rows to which the grid has scrolled. */
 let rows: number[] = []
+let grids = 0
+let canceled = 0
 vi.mock('../../web/app/table/grid.ts', () => ({
   Grid: class {
     isEditing = false
+    constructor() {
+      grids += 1
+    }
     render() {}
     goTo(row: number) {
       rows.push(row)
     }
-    cancelEdit() {}
+    cancelEdit() {
+      canceled += 1
+    }
     scrollToTop() {}
     dispose() {}
   },
@@ -72,12 +84,30 @@ async function started() {
 }
 
 describe('numbers', () => {
-  const distribution = (median: number) => ({
-    degrees: Int32Array.of(0, 1),
-    areas: Int32Array.of(1),
-    areaStep: 1,
+  const distribution = (median: number, areas = [1]) => ({
+    degrees: Int32Array.of(0, 1, 3),
+    areas: Int32Array.from(areas),
+    areaStep: 2,
     medianArea: median,
     certificate: { certified: true },
+  })
+
+  it.each([
+    [[1], 'Area of the bounded cell: 1.5'],
+    [[2], 'Areas of bounded cells: half are below 1.5'],
+    [[2, 1, 1], 'Areas of bounded cells: half are below 1.5; the last bar: above 4'],
+  ])('say how areas and neighbors are distributed: %o', async (areas, sentence) => {
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+    const { store, view, answers } = await started()
+    mountNumbers(store, view)
+    onopen()
+    await vi.advanceTimersByTimeAsync(1000)
+    answers[0]?.(distribution(1.5, areas))
+    await vi.advanceTimersByTimeAsync(0)
+    const shown = valuesIn(body())
+    expect(shown).toContain(sentence)
+    expect(shown).toContain('1.75')
+    expect(shown).toContain(`Histogram of areas up to ${2 * (areas.length - 1)}; larger ones are in the last bar`)
   })
 
   it('of circles that have changed since they were asked for are not shown', async () => {
@@ -197,6 +227,47 @@ describe('the table', () => {
     byArea?.({ ids, columns: [Array.from(ids)] })
     await Promise.all(sorted)
     expect([grid.idOf(0), grid.sortOf(columnOf('nbrs'))]).toEqual([9, 'ascending'])
+  })
+
+  it('takes pasted lines into a column of texts, one for each row, as one step', async () => {
+    const { editing, grid } = await tableOf()
+    const name = grid.headings.findIndex(({ isText }) => isText)
+    const names = () => Array.from({ length: 10 }, (_, id) => grid.written(id, name)).join()
+    await grid.paste(8, name, 'd\ne\nf')
+    expect(names()).toBe(',,,,,,,,d,e')
+    await grid.paste(6, name, 'a; b\r\nc\r\n')
+    expect(names()).toBe(',,,,,,a; b,c,d,e')
+    await editing.undo()
+    expect(names()).toBe(',,,,,,,,d,e')
+  })
+
+  it('ends the edit of a cell where other circles are opened, not where a circle is edited', async () => {
+    const { editing } = await tableOf()
+    canceled = 0
+    await editing.edit([{ kind: 'remove', id: 3 }])
+    draw()
+    expect(canceled).toBe(0)
+    await editing.open(sceneOf(Float64Array.of(0, 0, 1, 9, 9, 1)))
+    draw()
+    expect(canceled).toBe(1)
+  })
+
+  it('is made once, however often its panel is drawn, and anew for other columns', async () => {
+    const { store, editing, actions, view } = await started()
+    const place = { style: { setProperty() {} }, classList: { toggle() {} } }
+    vi.stubGlobal('document', { getElementById: () => place })
+    grids = 0
+    mountTable(store, editing, actions as never, view)
+    for (let k = 0; k < 3; k++) redraw()
+    await vi.waitFor(() => expect(grids).toBe(1))
+    await aTurn()
+    redraw()
+    await aTurn()
+    expect(grids).toBe(1)
+    const columns = [{ name: 'town', values: ['"A"'] }]
+    await editing.open({ ...sceneOf(Float64Array.of(0, 0, 1)), attributes: { ...NO_ATTRIBUTES, columns } })
+    draw()
+    await vi.waitFor(() => expect(grids).toBe(2))
   })
 })
 
