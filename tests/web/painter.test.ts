@@ -6,7 +6,14 @@ import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Tiles } from '../../web/view/painter/tiles.ts'
 import { Painter } from '../../web/view/painter.ts'
-import type { FromPainter, Highlights, InProgress, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
+import type {
+  FromPainter,
+  GlobalResults,
+  Highlights,
+  InProgress,
+  PaintRequest,
+  ToPainter,
+} from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import type { SceneClient } from '../../web/view/scene-client.ts'
 import type { Style } from '../../web/view/style.ts'
@@ -69,6 +76,7 @@ function edited(revision: number, change: Partial<CircleChange> = {}): FromPaint
 describe('the painter', () => {
   let painter: Painter
   let scene: SceneClient
+  let found: (GlobalResults | undefined)[]
   const worker = (k = -1) => FakeWorker.all.at(k) as FakeWorker
   const request: PaintRequest = {
     paintId: 1,
@@ -81,7 +89,8 @@ describe('the painter', () => {
     FakeWorker.all = []
     vi.stubGlobal('Worker', FakeWorker)
     painter = new Painter({ wasm: WASM })
-    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
+    found = []
+    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found: (each) => found.push(each), failed() {} })
   })
   afterEach(() => vi.unstubAllGlobals())
 
@@ -183,11 +192,15 @@ describe('the painter', () => {
         .of('mark')
         .map(({ selected }) => selected),
     ).toEqual([1])
-    // A late message of the first thread.
+    // Late messages of the first thread.
     worker(0).answer({ kind: 'failed', message: 'again' })
+    worker(0).onerror?.({ message: 'and again' })
+    expect(FakeWorker.all.length).toBe(2)
     const touching = scene.ask('touch', 0, 0, 1)
     const [asked] = worker().of('ask')
-    worker().answer({ kind: 'answer', request: asked?.request as number, value: { id: 1, part: 'disc' } })
+    const answer = { kind: 'answer', request: asked?.request as number } as const
+    worker(0).answer({ ...answer, value: { id: 0, part: 'disc' } })
+    worker().answer({ ...answer, value: { id: 1, part: 'disc' } })
     expect(await touching).toEqual({ id: 1, part: 'disc' })
   })
 
@@ -371,6 +384,16 @@ describe('the painter', () => {
         .map((message) => message.opening),
     ).toEqual([5])
     expect(worker().of('mark')).toEqual([])
+  })
+
+  it('tells what is found with each edit, or that it is not known yet, and later', async () => {
+    const hull = { hull: Float64Array.of(0, 0, 1, 1) } as unknown as GlobalResults
+    scene.edit([{ kind: 'remove', id: 0 }])
+    scene.edit([{ kind: 'remove', id: 1 }])
+    worker().answer({ ...edited(1), found: hull } as FromPainter)
+    worker().answer(edited(2))
+    worker().answer({ kind: 'found', scene: 1, found: hull })
+    expect(found).toEqual([hull, undefined, hull])
   })
 
   it('answers what was asked about other circles with nothing', async () => {
