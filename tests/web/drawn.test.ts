@@ -214,6 +214,16 @@ describe('given areas', () => {
     expect(Math.max(...points.map(({ x }) => x))).toBeGreaterThan(right.x)
     expect(Math.min(...points.map(({ y }) => y))).toBeLessThan(right.y)
     expect(Math.max(...points.map(({ y }) => y))).toBeGreaterThan(right.y)
+    // Each place of the slider adds lines around the former ones, and another view has the lines in its own map.
+    const contoursAt = (value: number, view = scene.view) =>
+      /class="contour" d="([^"]*)"/.exec(KINDS['weight-plane'].draw({ ...scene, view }, value, library).content)?.[1]
+    const contours = contoursAt(3) as string
+    expect(contours.startsWith(contoursAt(2) as string)).toBe(true)
+    expect(contours.length).toBeGreaterThan(contoursAt(2)?.length as number)
+    const [x, y, width] = scene.view
+    const countIn = (d: string | undefined) => d?.match(/M/g)?.length
+    expect(countIn(contoursAt(3, [x, y, 1.25 * width]))).not.toBe(countIn(contours))
+    expect(contoursAt(3)).toBe(contours)
   })
 
   it('the curve of two weights rises while the second cell lacks area, and its top is where both are right', () => {

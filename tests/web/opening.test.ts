@@ -125,6 +125,22 @@ describe('the next circle', () => {
   })
 })
 
+it('the number of several selected circles, or of none, is said', async () => {
+  const { actions, store } = started()
+  await actions.open(async () => SECOND)
+  const said = (select: () => void) => {
+    store.update((state) => ({ ...state, said: { text: '' } }))
+    select()
+    return store.get().said.text
+  }
+  const within = (minX: number, maxX: number) => () => actions.selectWithin({ minX, minY: 0, maxX, maxY: 9 })
+  expect(said(within(8, 9))).toBe('0 circles selected')
+  // A circle alone is described.
+  expect(said(within(0.5, 1.5))).toBe('')
+  expect(said(within(1.5, 2.5))).toBe('2 circles selected')
+  expect(said(() => actions.selectAll())).toBe('3 circles selected')
+})
+
 it('a region ends the repetition in a box, and a box ends the region', async () => {
   const { editing, store, view } = started()
   const files = { call: () => Promise.reject(new Error()), cancel() {} }

@@ -17,8 +17,8 @@ vi.mock('../../web/view/base-picture.ts', () => ({
   MOST_ENLARGED: 256,
   BasePicture: class {
     isWhole = true
-    isSharp = () => true
-    see() {}
+    isSharp = () => isSharp
+    see = () => ({})
     again() {}
     put() {}
     clear() {}
@@ -26,12 +26,15 @@ vi.mock('../../web/view/base-picture.ts', () => ({
   },
 }))
 
+/** Whether pixels of the camera's scale are there. */
+let isSharp = true
 let frames: (() => void)[] = []
 let sizeChanges = () => {}
 beforeEach(() => {
   drawn.length = 0
   frames = []
-  const canvas = () => ({ getContext: () => ({ clearRect() {} }) })
+  isSharp = true
+  const canvas = () => ({ getContext: () => ({ clearRect() {} }), remove() {} })
   vi.stubGlobal('document', Object.assign(new EventTarget(), { createElement: canvas, fonts: new EventTarget() }))
   vi.stubGlobal('matchMedia', () => Object.assign(new EventTarget(), { matches: false }))
   const window = new EventTarget()
@@ -44,17 +47,22 @@ beforeEach(() => {
         sizeChanges = changed
       }
       observe() {}
+      disconnect() {}
     },
   )
   vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
+  vi.stubGlobal('cancelAnimationFrame', (frame: number) => frames.splice(frame - 1, 1))
 })
 afterEach(() => vi.unstubAllGlobals())
 
 function opened() {
   const answers: ((touching: Touching | undefined) => void)[] = []
   let events: Parameters<Painter['add']>[0] | undefined
+  const looks: string[] = []
   const scene = {
     setLayers() {},
+    look: () => looks.push('look'),
+    close: () => looks.push('close'),
     ask: () => new Promise<Touching | undefined>((resolve) => answers.push(resolve)),
   }
   const painter = {
@@ -90,7 +98,7 @@ function opened() {
     Object.assign(container, { clientWidth, offsetWidth: clientWidth })
     sizeChanges()
   }
-  return { view, answers, shown, edited, marked, resize }
+  return { view, answers, shown, edited, marked, resize, looks: () => looks.splice(0) }
 }
 
 const HERE: Point = { x: 1, y: 2 }
@@ -182,4 +190,29 @@ it('draws no outline of a cell that was cut for a far smaller scale', () => {
   view.setCamera({ ...view.camera, scale: 1e6 })
   shown()
   expect(drawn.at(-1)?.marks.selected?.outline).toHaveLength(0)
+})
+
+it('asks for pixels of another scale once the camera rests, and for none once it is disposed of', () => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+  try {
+    const { view, looks } = opened()
+    looks()
+    view.setCamera({ x: 3, y: 4, scale: 5 })
+    expect(looks()).toEqual(['look'])
+    isSharp = false
+    for (const scale of [6, 7]) {
+      view.setCamera({ x: 3, y: 4, scale })
+      vi.advanceTimersByTime(79)
+      expect(looks()).toEqual([])
+    }
+    vi.advanceTimersByTime(1)
+    expect(looks()).toEqual(['look'])
+    view.setCamera({ x: 3, y: 4, scale: 8 })
+    view.dispose()
+    vi.advanceTimersByTime(1000)
+    expect(looks()).toEqual(['close'])
+    expect(frames).toHaveLength(0)
+  } finally {
+    vi.useRealTimers()
+  }
 })
