@@ -13,8 +13,8 @@ const world = vi.hoisted(() => ({ view: undefined as unknown, calls: [] as strin
 vi.mock('../../web/view/mount.ts', () => ({ mount: () => world.view }))
 vi.mock('../../web/view/pointer.ts', () => ({ listenToPointer: () => ({ stop: () => world.calls.push('pointer') }) }))
 vi.mock('../../web/editing/keyboard.ts', () => ({
-  listenToKeyboard: (...[, , , , , { signal }]: { signal: AbortSignal }[]) => {
-    world.signal = signal
+  listenToKeyboard: (...args: readonly unknown[]) => {
+    world.signal = (args[5] as { signal: unknown }).signal
   },
 }))
 vi.mock('../../web/editing/live-region.ts', () => ({ mountLiveRegion() {} }))

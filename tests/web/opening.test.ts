@@ -159,6 +159,23 @@ it('a region ends the repetition in a box, and a box ends the region', async () 
 })
 
 describe('what the page opens', () => {
+  it.each([
+    ['figure', 'figure-15a', 'huge', { x: 12.5, y: 22, across: 7 }],
+    ['figure', 'figure-15a', 'small', { x: 12.5, y: 22, across: 6 }],
+    ['family', 'grid:5:31', 'huge', { x: -1492.25, y: 0, across: 3015.5 }],
+  ] as const)('by a recipe is seen as a whole, but for a huge circle beside a figure: %s %s %s', async (...given) => {
+    const [kind, name, largest, seen] = given
+    const { editing, store, view, fake } = started()
+    const small = Array.from({ length: 30 }, (_, k) => [10 + (k % 6), 20 + Math.floor(k / 6), 0.5])
+    const circles = Float64Array.from([...small, ...(largest === 'huge' ? [[-2000, 0, 1000]] : [])].flat())
+    const files = { call: async () => circles as never, cancel() {} }
+    const page = new PageActions(store, editing, view, () => NO_PADDING, files)
+    await page.generate(kind === 'figure' ? { kind, figure: '15a' } : { kind, family: 'grid', seed: 5, count: 31 })
+    expect(editing.scene).toMatchObject({ dataSet: name, circles })
+    const { x, y, scale } = fake.camera
+    expect([x, y, 100 / scale]).toEqual([seen.x, seen.y, seen.across].map((value) => expect.closeTo(value)))
+  })
+
   it('by a link that has circles is not edited, and by one that names a data set has its name', async () => {
     const { editing, store, view } = started()
     const made: unknown[] = []

@@ -2,11 +2,15 @@
 // Concurrent operations in parts of the page, and their cleanup, without a browser.
 import type { TemplateResult } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import type { FileActions } from '../../web/app/files/file-actions.ts'
+import type { PageActions } from '../../web/app/page-actions.ts'
 import { mountFiles } from '../../web/app/panels/files.ts'
 import { mountNumbers } from '../../web/app/panels/numbers.ts'
+import { QuestionForm } from '../../web/app/panels/question.ts'
 import { mountTable } from '../../web/app/panels/table.ts'
 import { CircleGrid } from '../../web/app/table/circle-grid.ts'
 import { NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
+import type { Check } from '../../web/lib/link.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 
 /** The contents of the open panel. */
@@ -59,6 +63,22 @@ function valuesIn(template: unknown): unknown[] {
   return strings === undefined
     ? [typeof template === 'symbol' ? '' : template]
     : [...strings, ...(values ?? []).flatMap(valuesIn)]
+}
+
+/** All strings and values of a template and its nested templates, in their order. */
+function partsOf(template: unknown): unknown[] {
+  if (Array.isArray(template)) return template.flatMap(partsOf)
+  const { strings, values } = (template ?? {}) as Partial<TemplateResult>
+  return strings?.flatMap((text, k) => [text, ...partsOf(values?.[k])]) ?? [template]
+}
+
+/** The listener of the button with a label. */
+function clickOf(template: unknown, label: string): () => void {
+  const parts = partsOf(template)
+  const place = parts.findIndex((part) => typeof part === 'string' && part.includes(label))
+  const isFunction = (part: unknown) => typeof part === 'function'
+  const isInside = (parts[place] as string).endsWith('@click=')
+  return (isInside ? parts[place + 1] : parts.slice(0, place).findLast(isFunction)) as () => void
 }
 
 let frames: (() => void)[] = []
@@ -268,6 +288,35 @@ describe('the table', () => {
     await editing.open({ ...sceneOf(Float64Array.of(0, 0, 1)), attributes: { ...NO_ATTRIBUTES, columns } })
     draw()
     await vi.waitFor(() => expect(grids).toBe(2))
+  })
+})
+
+describe('the form of a question', () => {
+  const factsOf = (circles: number) => ({ circles, vertices: 0, edges: 0, hidden: 0, cells: new Map() })
+
+  async function formOf(check: Check) {
+    const session = await started()
+    const { store, editing, view, actions } = session
+    const page = Object.assign(actions, { frame: { question: 'Q?', check } })
+    const form = new QuestionForm(store, editing, view, {} as FileActions, page as unknown as PageActions, () => {})
+    form.take()
+    const shown = () => valuesIn(form.body()).join(' ')
+    return { ...session, form, shown }
+  }
+
+  it('says whether the circles meet the check, as soon as what it is about is known', async () => {
+    const { answers, form, shown } = await formOf({ not: { circles: 5 } })
+    answers[0]?.(factsOf(5))
+    await aTurn()
+    expect(shown()).toContain('do not meet this yet')
+    clickOf(form.body(), 'Add a condition')()
+    // Removes the other part of the check before the answer has come.
+    clickOf(form.body(), 'Remove this condition')()
+    const cells = new Map([[0, { edges: 3, neighbors: [] }]])
+    for (const answer of answers.slice(1)) answer({ ...factsOf(10), cells })
+    await aTurn()
+    expect(shown()).toContain('meet this already')
+    expect(shown()).toContain('now 3')
   })
 })
 
