@@ -47,6 +47,8 @@ describe('circles', () => {
       expect(circlesOfMarkdown(text).circles).toEqual(circles)
     }
     expect(circlesOfMarkdown('|1|2|3|\n|4|5|6|').circles).toEqual(circles)
+    // The bars separate the numbers, so commas are decimal marks.
+    expect(circlesOfMarkdown('|1,5|2|3|\n|4|5|6,25|').circles).toEqual(Float64Array.of(1.5, 2, 3, 4, 5, 6.25))
   })
 
   test.each([
