@@ -16,6 +16,7 @@ import {
   checkedLayers,
   checkLayers,
   DEFAULT_LAYERS,
+  isAnythingFound,
   keptLayers,
   type Layers,
   layersFrom,
@@ -789,6 +790,14 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
   expect(lines()).toEqual([410, 300, 450, 300, 400, 280, 400, 250])
   scene.edit([{ kind: 'remove', id: 1 }])
   expect(lines()).toEqual([400, 280, 400, 250])
+})
+
+it('of the layers, those that depend on all circles are the hull, the largest disc, the path and the method', () => {
+  const path = { from: { x: 0, y: 0 }, to: { x: 1, y: 1 } }
+  for (const layers of [{ hull: true }, { largestDisc: true }, { path }, { samples: true }, { missedEdges: true }]) {
+    expect(isAnythingFound({ ...DEFAULT_LAYERS, ...layers })).toBe(true)
+  }
+  expect(isAnythingFound({ ...DEFAULT_LAYERS, vertices: true, dual: true, disc: true })).toBe(false)
 })
 
 it.each([

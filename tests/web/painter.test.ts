@@ -538,6 +538,27 @@ describe('the base picture', () => {
     expect(picture.isWhole).toBe(true)
   })
 
+  it('frees each patch, also of a scale that is gone, and is drawn on whole pixels in its own scale', () => {
+    const picture = new BasePicture()
+    const size = { width: 300, height: 300 }
+    const { grid, paintId } = picture.see({ x: 0, y: 0, scale: 1 }, size, 1) as PaintRequest
+    let closed = 0
+    const image = { close: () => closed++ } as unknown as ImageBitmap
+    const box = { left: 0, top: 0, width: 256, height: 256 }
+    for (const id of [grid.id, grid.id + 9]) {
+      picture.put({ kind: 'painted', scene: 1, grid: id, patches: [{ box, image }], paintId, isWhole: false })
+    }
+    expect(closed).toBe(2)
+    const places: number[][] = []
+    const context = {
+      canvas: { width: 300, height: 300 },
+      clearRect() {},
+      drawImage: (_: unknown, left: number, top: number) => places.push([left, top]),
+    } as unknown as CanvasRenderingContext2D
+    for (const scale of [1, 1.5]) picture.draw(context, { x: 0.3, y: 0.4, scale }, size, 1)
+    expect(places.map((place) => place.every(Number.isInteger))).toEqual([true, false])
+  })
+
   it('shows an edit in the former scale too, until the new scale is painted; of other scales nothing', () => {
     const drawn: unknown[] = []
     const cleared: unknown[] = []

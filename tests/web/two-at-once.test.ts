@@ -190,6 +190,23 @@ it('the same file can be chosen twice: the field forgets it', async () => {
   expect([opened, target.value]).toEqual([['a file'], ''])
 })
 
+it('a picture is saved at the last valid size', () => {
+  const scales: unknown[] = []
+  mountFiles({ savePicture: (_: unknown, scale: number) => scales.push(scale) } as never)
+  const rescale = valuesIn(body()).find((value) => typeof value === 'function' && value.name === 'rescale') as (
+    event: object,
+  ) => void
+  for (const [valueAsNumber, isValid, shown] of [
+    [3, true, '3'],
+    [-1, false, '3'],
+  ] as const) {
+    const target = { valueAsNumber, value: String(valueAsNumber), reportValidity: () => isValid }
+    rescale({ target })
+    clickOf(body(), 'Save a picture as you see it')()
+    expect([target.value, scales.at(-1)]).toEqual([shown, 3])
+  }
+})
+
 describe('the table', () => {
   async function tableOf() {
     const session = await started()
