@@ -92,6 +92,7 @@ test('columns of a table are in the table, the inspector, the colors, the link, 
   await soon(linked).toBe('{"name":"Aarau","fips":"0042","kind":"town","people":1200}')
   await page.reload()
   await expect(app.status).toContainText('5 circles')
+  await expect(page.getByLabel('Colors').locator('option:checked')).toHaveText('kind')
   await expect(page.locator('#legend .categories')).toContainText('towncityvillage')
   await app.choose('Spruces')
   await expect(page.locator('#legend .categories')).toBeHidden()

@@ -357,6 +357,13 @@ test('columns of other names are known, or asked for with a preview; names are s
   await dialog.getByLabel('r', { exact: true }).press('Tab')
   await dialog.getByRole('button', { name: 'Open' }).click()
   await soon(() => app.circles()).toEqual(Float64Array.of(4, 1, 0.5, 8, 5, 0.5, 3, 15, 0.5))
+  // Of two columns, none is the radius.
+  await choose(app, 'two.csv', 'a,b\n1,2\n3,5\n')
+  await expect(dialog.getByLabel('radius').locator('option:checked')).toHaveText('the same for all')
+  await dialog.getByRole('button', { name: 'Open' }).click()
+  await soon(() => app.circles()).toEqual(Float64Array.of(1, 2, 1, 3, 5, 1))
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toHaveText(/^3 circles/)
   // Closing the dialog changes nothing.
   for (const close of [
     () => page.keyboard.press('Escape'),

@@ -109,6 +109,11 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await expect(table.grid.locator('[aria-selected=true] > [aria-colindex="1"]')).toHaveText(/^1[4-9]$/)
   await page.getByTitle('Delete the selected circles (Delete)').click()
   await expect(app.status).toContainText('14 circles')
+  await expect(table.cell(15, 1).filter({ visible: true })).toHaveCount(0)
+  await expect(table.grid).toHaveAttribute(
+    'aria-activedescendant',
+    (await table.cell(14, 1).getAttribute('id')) as string,
+  )
 
   // The table is filled when it is opened again, and after a reload.
   await app.openPanel('Table')
@@ -246,6 +251,10 @@ test('keys bring the current row into sight, and up from the heading there is no
   await page.keyboard.press('ArrowLeft')
   await page.keyboard.press('ArrowDown')
   await isCurrent(1)
+  // A circle that is added has the last row.
+  await page.getByRole('button', { name: 'Add', exact: true }).click()
+  await expect(table.cell(679, 1)).toBeInViewport()
+  await isCurrent(679)
 })
 
 test('of a hundred thousand rows only those that are seen are elements', async ({ app }) => {

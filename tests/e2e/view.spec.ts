@@ -166,8 +166,9 @@ test('panels that fold remember it, and layers stay in the address', async ({ ap
   await expect(layers).toHaveAttribute('aria-expanded', 'false')
   await layers.click()
   await page.getByLabel('Colors', { exact: true }).selectOption('by area of the cell')
-  await page.getByRole('checkbox', { name: 'Convex hull' }).check()
   const linked = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
+  await soon(linked).toMatchObject({ cells: 'area' })
+  await page.getByRole('checkbox', { name: 'Convex hull' }).check()
   await soon(linked).toMatchObject({ cells: 'area', hull: true })
   await page.reload()
   await expect(layers).toHaveAttribute('aria-expanded', 'true')
@@ -203,6 +204,8 @@ test('says where the pointer is and how long a length is, also after a zoom', as
   await soon(async () => Number(await bar.textContent())).toBeLessThan(before)
   await app.page.mouse.move(5, 5)
   await soon(async () => (await numbers())[0]).not.toBeCloseTo(INTRODUCTION[12] as number, 1)
+  await app.page.getByRole('button', { name: 'Layers', exact: true }).hover()
+  await expect(place).toHaveText('')
 })
 
 for (const colorScheme of ['light', 'dark'] as const) {

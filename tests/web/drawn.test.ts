@@ -198,6 +198,12 @@ describe('given areas', () => {
       'Well done. Every cell has its area: cell 0 has 20 % (goal: 20 %), cell 1 has 30 % (goal: 30 %) and cell 2 has 50 % (goal: 50 %).',
     )
     expect(told({ x: right.x + 1, y: right.y })).toMatch(/^Cell 0 has \d+ % \(goal: 20 %\)/)
+    // One right area is not enough.
+    const line = Array.from({ length: 201 }, (_, k) =>
+      told({ x: map.minX + (k / 200) * (map.maxX - map.minX), y: right.y + 3 }),
+    )
+    expect(line.some((text) => /has 50 % \(goal: 50 %\)/.test(text))).toBe(true)
+    expect(line.filter((text) => text.startsWith('Well done'))).toEqual([])
     // Beyond the map its border counts.
     for (const [x, y] of [
       [-1e3, 1e3],
@@ -214,6 +220,16 @@ describe('given areas', () => {
     expect(Math.max(...points.map(({ x }) => x))).toBeGreaterThan(right.x)
     expect(Math.min(...points.map(({ y }) => y))).toBeLessThan(right.y)
     expect(Math.max(...points.map(({ y }) => y))).toBeGreaterThan(right.y)
+    // Each place of the slider adds lines around the former ones, and another view has the lines in its own map.
+    const contoursAt = (value: number, view = scene.view) =>
+      /class="contour" d="([^"]*)"/.exec(KINDS['weight-plane'].draw({ ...scene, view }, value, library).content)?.[1]
+    const contours = contoursAt(3) as string
+    expect(contours.startsWith(contoursAt(2) as string)).toBe(true)
+    expect(contours.length).toBeGreaterThan(contoursAt(2)?.length as number)
+    const [x, y, width] = scene.view
+    const countIn = (d: string | undefined) => d?.match(/M/g)?.length
+    expect(countIn(contoursAt(3, [x, y, 1.25 * width]))).not.toBe(countIn(contours))
+    expect(contoursAt(3)).toBe(contours)
   })
 
   it('the curve of two weights rises while the second cell lacks area, and its top is where both are right', () => {
@@ -239,7 +255,12 @@ describe('given areas', () => {
     expect(errors[last]).toBeLessThan(1e-9)
     const [before, after] = errors.slice(-3) as [number, number]
     expect(Math.log(after) / Math.log(before)).toBeGreaterThan(1.6)
-    const { content, told } = KINDS.newton.draw(scene, last, library, regions)
+    // Between two steps the sentence is about the earlier one, and areas change steadily.
+    const at = (value: number) => KINDS.newton.draw(scene, value, library, regions)
+    expect([at(0.7).told, at(1.7).told]).toEqual([at(0).told, at(1).told])
+    const errorsAt = (value: number) => [...at(value).content.matchAll(/([+−±])(\d+) %/g)].map(([text]) => text)
+    expect(errorsAt(0.999)).toEqual(errorsAt(1))
+    const { content, told } = at(last)
     expect(content.match(/±0 %/g)).toHaveLength(scene.circles.length)
     expect(told).toMatch(/^After step (\d+) of \1 the worst cell is off by about 10⁻/)
   })

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parsers of the element for attributes, data and checks; and its manifest.
 import { readFileSync } from 'node:fs'
-import { describe, expect, test } from 'vitest'
+import { afterEach, describe, expect, test, vi } from 'vitest'
 import { manifest } from '../../scripts/manifest.mjs'
 import { problemOf } from '../../web/editing/problem.ts'
 import {
@@ -15,10 +15,12 @@ import {
 } from '../../web/element/attributes.ts'
 import { checkCircles, holds, idsOf, parseCheck, withIds } from '../../web/element/check.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
+import { openedFrom, regionFrom } from '../../web/element/data-of.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { circlesOfMarkdown, readCircles } from '../../web/element/read-circles.ts'
-import { ENGLISH } from '../../web/element/refusals.ts'
+import { type ElementRefusals, ENGLISH } from '../../web/element/refusals.ts'
 import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import { encodeLink } from '../../web/lib/link.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { sentenceOf } from '../../web/player/sentences.ts'
 import { stepsOf } from '../../web/player/steps.ts'
@@ -45,6 +47,8 @@ describe('circles', () => {
       expect(circlesOfMarkdown(text).circles).toEqual(circles)
     }
     expect(circlesOfMarkdown('|1|2|3|\n|4|5|6|').circles).toEqual(circles)
+    // The bars separate the numbers, so commas are decimal marks.
+    expect(circlesOfMarkdown('|1,5|2|3|\n|4|5|6,25|').circles).toEqual(Float64Array.of(1.5, 2, 3, 4, 5, 6.25))
   })
 
   test.each([
@@ -63,6 +67,65 @@ describe('circles', () => {
     ['{"type": "FeatureCollection", "features": [null]}', 'Circle 0 does not have three numbers x, y and r.'],
   ])('%j is refused', (text, message) => {
     expect(() => readCircles(text)).toThrow(message)
+  })
+})
+
+describe('circles at an address', () => {
+  const { signal } = new AbortController()
+  const asked: unknown[][] = []
+  const gives = (text: string, status = 200) =>
+    vi.stubGlobal('fetch', async (...args: unknown[]) => {
+      asked.push(args)
+      return new Response(text, { status })
+    })
+  afterEach(() => {
+    vi.unstubAllGlobals()
+    asked.length = 0
+  })
+  const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 5, 1)
+
+  test('are a file, a file that holds a link, or a link of the playground itself', async () => {
+    const link = await encodeLink({ circles: THREE, step: 2 })
+    gives('x,y,r,name\n0,0,1,A\n5,0,2,B\n0,5,1,C\n')
+    const table = await openedFrom('a.csv', signal)
+    expect(table).toMatchObject({ circles: THREE, attributes: { columns: [{ name: 'name' }] } })
+    expect(asked).toEqual([['a.csv', { signal }]])
+    gives('[[0, 0, 1], [5, 0, 2], [0, 5, 1]]')
+    expect(await openedFrom('a.json', signal)).toEqual({ circles: THREE, dataSet: '', isEdited: false })
+    for (const text of [link, `https://example.org/#${link}\n`]) {
+      gives(text)
+      expect(await openedFrom('a.txt', signal)).toMatchObject({ circles: THREE, step: 2 })
+    }
+    asked.length = 0
+    expect(await openedFrom(`https://example.org/page.html#${link}`, signal)).toMatchObject({ circles: THREE, step: 2 })
+    expect(asked).toEqual([])
+  })
+
+  test('that cannot be read are bad input, which says of what file, in any language', async () => {
+    const others = { ...ENGLISH, notLoaded: () => 'Sorry', within: () => 'Sorry' }
+    for (const [text, status, message] of [
+      ['', 404, 'a.csv cannot be loaded: the answer is 404.'],
+      ['1,2\n', 200, 'a.csv: Line 1 is not three numbers'],
+      ['x,y,r\n', 200, 'a.csv: There are no circles in this.'],
+    ] as const) {
+      gives(text, status)
+      const error = await openedFrom('a.csv', signal).catch((error: Refusal<ElementRefusals>) => error)
+      expect(error).toBeInstanceOf(Refusal)
+      const { code, say } = error as Refusal<ElementRefusals>
+      expect([code, (error as Error).message]).toEqual(['badInput', expect.stringContaining(message)])
+      expect(say(others)).toBe('Sorry')
+    }
+  })
+
+  test('of a region are text or at an address beside the page', async () => {
+    const square = 'POLYGON ((0 0, 1 0, 1 1, 0 1))'
+    gives(square)
+    const region = await regionFrom('b.wkt', 'https://example.org/c/', signal)
+    expect(asked).toEqual([['https://example.org/c/b.wkt', { signal }]])
+    expect(await regionFrom(square, 'https://example.org/c/', signal)).toEqual(region)
+    expect(asked).toHaveLength(1)
+    gives('', 500)
+    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({ code: 'badInput' })
   })
 })
 

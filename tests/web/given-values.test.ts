@@ -100,6 +100,8 @@ it('any value can stand in a sentence', () => {
   expect(shownValue({ a: [2n] })).toBe('{"a":["2n"]}')
   expect(shownValue(undefined)).toBe('undefined')
   expect(shownValue(Symbol('a'))).toBe('symbol')
+  expect(shownValue('x'.repeat(38))).toBe(`"${'x'.repeat(38)}"`)
+  expect(shownValue('x'.repeat(39))).toBe(`"${'x'.repeat(39)}…`)
   expect(
     shownValue({
       toJSON() {

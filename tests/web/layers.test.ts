@@ -16,6 +16,7 @@ import {
   checkedLayers,
   checkLayers,
   DEFAULT_LAYERS,
+  isAnythingFound,
   keptLayers,
   type Layers,
   layersFrom,
@@ -789,4 +790,38 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
   expect(lines()).toEqual([410, 300, 450, 300, 400, 280, 400, 250])
   scene.edit([{ kind: 'remove', id: 1 }])
   expect(lines()).toEqual([400, 280, 400, 250])
+})
+
+it('of the layers, those that depend on all circles are the hull, the largest disc, the path and the method', () => {
+  const path = { from: { x: 0, y: 0 }, to: { x: 1, y: 1 } }
+  for (const layers of [{ hull: true }, { largestDisc: true }, { path }, { samples: true }, { missedEdges: true }]) {
+    expect(isAnythingFound({ ...DEFAULT_LAYERS, ...layers })).toBe(true)
+  }
+  expect(isAnythingFound({ ...DEFAULT_LAYERS, vertices: true, dual: true, disc: true })).toBe(false)
+})
+
+it.each([
+  { vertices: true },
+  { vertices: true, nearZero: 1 },
+  { hidden: true, dual: true },
+  { delaunay: true, ordinary: true, power: true },
+  { missedEdges: true, samples: true, sampleGraph: true, directedEdges: true },
+  { data: [{ id: 'own', color: 'teal', points: Float64Array.of(1, 1), segments: Float64Array.of(0, 0, 1, 3) }] },
+])('lines, dashes and dots have twice as many pixels on a screen of twice the resolution: %o', (layers) => {
+  const scene = new PaintedScene(library)
+  scene.open(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 12, 0, 1, 3, 11, 2, -9, 4, 1.5, 2, -10, 0.5))
+  scene.setLayers({ ...DEFAULT_LAYERS, ...layers } as Layers)
+  if (scene.isPowerMissing) scene.addPower(comparison)
+  if (scene.isMethodMissing) scene.addMethod()
+  const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
+  const lengthsAt = (pixelRatio: number) => {
+    const drawing = new SvgDrawing()
+    const [scale, width, height] = [30, 800, 700].map((pixels) => pixels * pixelRatio) as [number, number, number]
+    scene.draw(drawing, { x: 0, y: 0, scale, width, height }, pixelRatio, style)
+    const lengths = String(drawing).matchAll(/stroke-width="(.+?)"|stroke-dasharray="(\S+) \S+"|A([\d.]+)/g)
+    return [...lengths].map(([, width, dash, radius]) => Number(width ?? dash ?? radius))
+  }
+  const [one, two] = [lengthsAt(1), lengthsAt(2)]
+  expect(one.length).toBeGreaterThan(8)
+  expect(two.map((length) => length / 2)).toEqual(one.map((length) => expect.closeTo(length, 1)))
 })

@@ -125,6 +125,22 @@ describe('the next circle', () => {
   })
 })
 
+it('the number of several selected circles, or of none, is said', async () => {
+  const { actions, store } = started()
+  await actions.open(async () => SECOND)
+  const said = (select: () => void) => {
+    store.update((state) => ({ ...state, said: { text: '' } }))
+    select()
+    return store.get().said.text
+  }
+  const within = (minX: number, maxX: number) => () => actions.selectWithin({ minX, minY: 0, maxX, maxY: 9 })
+  expect(said(within(8, 9))).toBe('0 circles selected')
+  // A circle alone is described.
+  expect(said(within(0.5, 1.5))).toBe('')
+  expect(said(within(1.5, 2.5))).toBe('2 circles selected')
+  expect(said(() => actions.selectAll())).toBe('3 circles selected')
+})
+
 it('a region ends the repetition in a box, and a box ends the region', async () => {
   const { editing, store, view } = started()
   const files = { call: () => Promise.reject(new Error()), cancel() {} }
@@ -143,6 +159,23 @@ it('a region ends the repetition in a box, and a box ends the region', async () 
 })
 
 describe('what the page opens', () => {
+  it.each([
+    ['figure', 'figure-15a', 'huge', { x: 12.5, y: 22, across: 7 }],
+    ['figure', 'figure-15a', 'small', { x: 12.5, y: 22, across: 6 }],
+    ['family', 'grid:5:31', 'huge', { x: -1492.25, y: 0, across: 3015.5 }],
+  ] as const)('by a recipe is seen as a whole, but for a huge circle beside a figure: %s %s %s', async (...given) => {
+    const [kind, name, largest, seen] = given
+    const { editing, store, view, fake } = started()
+    const small = Array.from({ length: 30 }, (_, k) => [10 + (k % 6), 20 + Math.floor(k / 6), 0.5])
+    const circles = Float64Array.from([...small, ...(largest === 'huge' ? [[-2000, 0, 1000]] : [])].flat())
+    const files = { call: async () => circles as never, cancel() {} }
+    const page = new PageActions(store, editing, view, () => NO_PADDING, files)
+    await page.generate(kind === 'figure' ? { kind, figure: '15a' } : { kind, family: 'grid', seed: 5, count: 31 })
+    expect(editing.scene).toMatchObject({ dataSet: name, circles })
+    const { x, y, scale } = fake.camera
+    expect([x, y, 100 / scale]).toEqual([seen.x, seen.y, seen.across].map((value) => expect.closeTo(value)))
+  })
+
   it('by a link that has circles is not edited, and by one that names a data set has its name', async () => {
     const { editing, store, view } = started()
     const made: unknown[] = []

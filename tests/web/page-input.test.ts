@@ -8,8 +8,11 @@ import { listenToFiles } from '../../web/app/input/dropping.ts'
 import { restoreInvalidNumbers } from '../../web/app/input/invalid-numbers.ts'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
+import { selectionActions } from '../../web/app/panels/group.ts'
+import { mountIdentity } from '../../web/app/panels/identity.ts'
 import { mountInspector } from '../../web/app/panels/inspector.ts'
 import { mountToolbar } from '../../web/app/panels/toolbar.ts'
+import type { Editing } from '../../web/editing/editing.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore, type Store } from '../../web/editing/store.ts'
 
@@ -295,12 +298,13 @@ describe('the fields of the selected circle', () => {
     const set: unknown[] = []
     const store = createStore<State>({ ...INITIAL_STATE, selected: 7, circle: { x: 1, y: 2, r: 3 } })
     const complain = (problem: string) => store.update((state) => ({ ...state, problem }))
-    const held = () => {
-      const { selected: id, circle } = store.get()
-      return circle === undefined ? [] : [{ id, circle }]
-    }
+    /** Selected circles besides that of the state. */
+    const held: unknown[] = []
     const actions = {
-      selectedCircles: held,
+      selectedCircles: () => {
+        const { selected: id, circle } = store.get()
+        return circle === undefined ? [] : [{ id, circle }, ...held]
+      },
       set: (edits: unknown) => set.push(edits),
       select: (ids: unknown) => set.push(ids),
       complain,
@@ -318,7 +322,7 @@ describe('the fields of the selected circle', () => {
       field.value = text
       for (const type of types) field.dispatchEvent(new Event(type))
     }
-    return { set, state: store.get, fields: [x, y, r] as FakeElement[], change, type, focusNumbers }
+    return { set, held, state: store.get, fields: [x, y, r] as FakeElement[], change, type, focusNumbers }
   }
 
   it('set the number that each is for', () => {
@@ -329,6 +333,13 @@ describe('the fields of the selected circle', () => {
       [{ id: 7, circle: { x: 1, y: 9, r: 3 } }],
       [{ id: 7, circle: { x: 1, y: 2, r: 9 } }],
     ])
+  })
+
+  it('set nothing where several circles are selected', () => {
+    const { set, fields, held, type } = mounted()
+    held.push({ id: 8, circle: { x: 4, y: 5, r: 6 } })
+    type(fields[0], '9')
+    expect(set).toEqual([])
   })
 
   it('set nothing where no circle is selected any more', () => {
@@ -355,6 +366,22 @@ describe('the fields of the selected circle', () => {
     expect(x?.attributes.get('aria-invalid')).toBe('false')
   })
 
+  it('take back only the error of what was refused, not one that came while the pointer was pressed', () => {
+    vi.useFakeTimers()
+    const { fields, change, type, state } = mounted()
+    for (const problem of ['no number', 'no file']) {
+      type(fields[0], '-', ['input'])
+      change({ problem: 'no number' })
+      send('pointerdown', {})
+      fields[0]?.dispatchEvent(new Event('blur'))
+      change({ problem })
+      send('pointerup', {})
+      vi.runAllTimers()
+      expect(state().problem).toBe(problem === 'no file' ? problem : '')
+    }
+    vi.useRealTimers()
+  })
+
   it('give the focus back to the figure at Escape', () => {
     const { fields, focusNumbers } = mounted()
     focusNumbers()
@@ -362,6 +389,108 @@ describe('the fields of the selected circle', () => {
     const figure = elements.get('figure') as FakeElement
     for (const key of ['a', 'Escape']) fields[1]?.dispatchEvent(Object.assign(new Event('keydown'), { key }))
     expect(figure.focused).toBe(1)
+  })
+})
+
+describe('the name and the color of the selected circle', () => {
+  const names = new Map<number, string>()
+  const done: unknown[][] = []
+  let frames: (() => void)[]
+  const draw = () => {
+    for (const frame of frames.splice(0)) frame()
+  }
+  const element = (id: string) => elements.get(id) as FakeElement
+  const send = (id: string, type: string, more: object = {}) => {
+    const event = Object.assign(new Event(type), more)
+    Object.defineProperty(event, 'target', { value: element(id) })
+    element(id).dispatchEvent(event)
+  }
+
+  function mounted() {
+    names.clear()
+    done.length = 0
+    frames = []
+    names.set(3, 'Ulm')
+    vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
+    vi.stubGlobal(
+      'OffscreenCanvas',
+      class {
+        getContext = () => ({ fillStyle: '' })
+      },
+    )
+    const store = createStore<State>({ ...INITIAL_STATE, selection: [3], selected: 3 })
+    const select = (selected: number | undefined, more: Partial<State> = {}) => {
+      store.update((state) => ({ ...state, selected, selection: selected === undefined ? [] : [selected], ...more }))
+      draw()
+    }
+    let gestures = 0
+    const actions = {
+      setName: (...args: unknown[]) => done.push(['name', ...args]),
+      setColor: (...args: unknown[]) => done.push(['color', ...args]),
+      ownColorOf: (id: number) => (id === 3 ? '#aa0000' : undefined),
+      beginGesture: () => ++gestures,
+      zoomToSelection: () => done.push(['zoom']),
+    }
+    const editing = { nameOf: (id: number) => names.get(id) ?? '' }
+    mountIdentity(store, editing as unknown as Editing, actions as unknown as PageActions)
+    return { select, actions: actions as unknown as PageActions }
+  }
+
+  it('are those of the circle', () => {
+    const { select } = mounted()
+    const shown = () => ['inspector-title', 'field-name', 'field-color'].map((id) => Object.values(element(id)))
+    expect([element('inspector-title').textContent, element('field-name').value]).toEqual(['Ulm', 'Ulm'])
+    expect(element('field-color').value).toBe('#aa0000')
+    select(4, { described: { color: '#00bb00' } as never })
+    expect([element('inspector-title').textContent, element('field-name').value]).toEqual(['Circle 4', ''])
+    expect(element('field-color').value).toBe('#00bb00')
+    const before = shown()
+    select(undefined)
+    expect(shown()).toEqual(before)
+  })
+
+  it('a name that is being written stays while the circle changes, and is for the circle it was begun for', () => {
+    const { select } = mounted()
+    const type = (text: string) => {
+      element('field-name').value = text
+      send('field-name', 'input')
+    }
+    type(' Bonn ')
+    select(3, { attributes: { ...INITIAL_STATE.attributes } })
+    expect(element('field-name').value).toBe(' Bonn ')
+    select(4)
+    expect(element('field-name').value).toBe('')
+    element('field-name').value = 'Bonn'
+    send('field-name', 'change')
+    expect(done).toEqual([['name', 3, 'Bonn']])
+    // Nothing is written anew.
+    send('field-name', 'change')
+    select(3)
+    type('Kiel')
+    send('field-name', 'keydown', { key: 'Escape' })
+    expect([element('field-name').value, element('figure').focused]).toEqual(['Ulm', 1])
+    send('field-name', 'change')
+    type('Ulm')
+    send('field-name', 'keydown', { key: 'Enter' })
+    expect(done).toHaveLength(1)
+  })
+
+  it('a color that is picked is one step, however many are tried', () => {
+    mounted()
+    element('field-color').value = '#123456'
+    for (const type of ['input', 'input', 'change', 'input']) send('field-color', type)
+    expect(done.map(([, , , gesture]) => gesture)).toEqual([1, 1, 2])
+    expect(done[0]).toEqual(['color', [3], '#123456', 1])
+  })
+
+  it('the figure has the focus again after a button of the selection', () => {
+    const { actions } = mounted()
+    const buttons = selectionActions(actions, [4]).values.filter((value) => typeof value === 'function')
+    expect(buttons).toHaveLength(3)
+    ;(buttons[0] as () => void)()
+    expect([done, element('figure').focused]).toEqual([[['zoom']], 1])
+    // A circle with a color of its own can have an automatic one.
+    expect(selectionActions(actions, [3, 4]).values[0]).not.toBe(selectionActions(actions, [4]).values[0])
   })
 })
 
@@ -419,5 +548,7 @@ describe('the toolbar', () => {
       ['load', 'spruces'],
       ['more'],
     ])
+    // The menu shows the open circles again.
+    expect(button('data-set').value).toBe('')
   })
 })

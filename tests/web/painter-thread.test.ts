@@ -266,3 +266,23 @@ it('an edit paints what is visible as a whole, also right after another scale', 
   for (let x = -768; x < 768; x += 64) for (let y = -768; y < 768; y += 64) expect(isPainted(x, y)).toBe(true)
   send({ kind: 'close', scene: 8 })
 })
+
+it('all scenes are painted in the end, however short the slices of time are', async () => {
+  const scenes = [9, 10]
+  for (const scene of scenes) await openScene(scene)
+  let now = performance.now()
+  // Each look at the clock is later than the end of the slice.
+  const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
+    now += 5
+    return now
+  })
+  for (const scene of scenes) send({ kind: 'look', scene, style, ...requestOf(1, 1, 40, 4) })
+  const wholes = () => saidOf('painted').filter(({ isWhole }) => isWhole)
+  await vi.waitFor(() => expect(wholes().map(({ scene }) => scene)).toEqual(scenes), SOON)
+  for (const painted of scenes) {
+    const tiles = saidOf('painted').flatMap(({ scene, patches }) => (scene === painted ? patches : []))
+    expect(tiles).toHaveLength(16)
+  }
+  clock.mockRestore()
+  for (const scene of scenes) send({ kind: 'close', scene })
+})

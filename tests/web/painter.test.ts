@@ -6,7 +6,14 @@ import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Tiles } from '../../web/view/painter/tiles.ts'
 import { Painter } from '../../web/view/painter.ts'
-import type { FromPainter, Highlights, InProgress, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
+import type {
+  FromPainter,
+  GlobalResults,
+  Highlights,
+  InProgress,
+  PaintRequest,
+  ToPainter,
+} from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import type { SceneClient } from '../../web/view/scene-client.ts'
 import type { Style } from '../../web/view/style.ts'
@@ -69,6 +76,7 @@ function edited(revision: number, change: Partial<CircleChange> = {}): FromPaint
 describe('the painter', () => {
   let painter: Painter
   let scene: SceneClient
+  let found: (GlobalResults | undefined)[]
   const worker = (k = -1) => FakeWorker.all.at(k) as FakeWorker
   const request: PaintRequest = {
     paintId: 1,
@@ -81,7 +89,8 @@ describe('the painter', () => {
     FakeWorker.all = []
     vi.stubGlobal('Worker', FakeWorker)
     painter = new Painter({ wasm: WASM })
-    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
+    found = []
+    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found: (each) => found.push(each), failed() {} })
   })
   afterEach(() => vi.unstubAllGlobals())
 
@@ -183,11 +192,15 @@ describe('the painter', () => {
         .of('mark')
         .map(({ selected }) => selected),
     ).toEqual([1])
-    // A late message of the first thread.
+    // Late messages of the first thread.
     worker(0).answer({ kind: 'failed', message: 'again' })
+    worker(0).onerror?.({ message: 'and again' })
+    expect(FakeWorker.all.length).toBe(2)
     const touching = scene.ask('touch', 0, 0, 1)
     const [asked] = worker().of('ask')
-    worker().answer({ kind: 'answer', request: asked?.request as number, value: { id: 1, part: 'disc' } })
+    const answer = { kind: 'answer', request: asked?.request as number } as const
+    worker(0).answer({ ...answer, value: { id: 0, part: 'disc' } })
+    worker().answer({ ...answer, value: { id: 1, part: 'disc' } })
     expect(await touching).toEqual({ id: 1, part: 'disc' })
   })
 
@@ -373,6 +386,16 @@ describe('the painter', () => {
     expect(worker().of('mark')).toEqual([])
   })
 
+  it('tells what is found with each edit, or that it is not known yet, and later', async () => {
+    const hull = { hull: Float64Array.of(0, 0, 1, 1) } as unknown as GlobalResults
+    scene.edit([{ kind: 'remove', id: 0 }])
+    scene.edit([{ kind: 'remove', id: 1 }])
+    worker().answer({ ...edited(1), found: hull } as FromPainter)
+    worker().answer(edited(2))
+    worker().answer({ kind: 'found', scene: 1, found: hull })
+    expect(found).toEqual([hull, undefined, hull])
+  })
+
   it('answers what was asked about other circles with nothing', async () => {
     const touching = scene.ask('touch', 0, 0, 1)
     const legend = scene.ask('legend')
@@ -513,6 +536,27 @@ describe('the base picture', () => {
     expect(picture.isWhole).toBe(false)
     painted(second)
     expect(picture.isWhole).toBe(true)
+  })
+
+  it('frees each patch, also of a scale that is gone, and is drawn on whole pixels in its own scale', () => {
+    const picture = new BasePicture()
+    const size = { width: 300, height: 300 }
+    const { grid, paintId } = picture.see({ x: 0, y: 0, scale: 1 }, size, 1) as PaintRequest
+    let closed = 0
+    const image = { close: () => closed++ } as unknown as ImageBitmap
+    const box = { left: 0, top: 0, width: 256, height: 256 }
+    for (const id of [grid.id, grid.id + 9]) {
+      picture.put({ kind: 'painted', scene: 1, grid: id, patches: [{ box, image }], paintId, isWhole: false })
+    }
+    expect(closed).toBe(2)
+    const places: number[][] = []
+    const context = {
+      canvas: { width: 300, height: 300 },
+      clearRect() {},
+      drawImage: (_: unknown, left: number, top: number) => places.push([left, top]),
+    } as unknown as CanvasRenderingContext2D
+    for (const scale of [1, 1.5]) picture.draw(context, { x: 0.3, y: 0.4, scale }, size, 1)
+    expect(places.map((place) => place.every(Number.isInteger))).toEqual([true, false])
   })
 
   it('shows an edit in the former scale too, until the new scale is painted; of other scales nothing', () => {

@@ -158,6 +158,33 @@ describe('the steps of a trace', () => {
     }
     vi.unstubAllGlobals()
   })
+
+  it.each([1, 2])('have dots for breakpoints at the lower edge, at %d device pixels per pixel', (pixelRatio) => {
+    vi.stubGlobal('devicePixelRatio', pixelRatio)
+    const dots: number[][] = []
+    const context = { fillRect() {}, beginPath() {}, fill() {}, arc: (...dot: number[]) => dots.push(dot.slice(0, 3)) }
+    const canvas = { clientWidth: 101, clientHeight: 20, getContext: () => context } as unknown as HTMLCanvasElement
+    const steps = stepsOf(library.trace(SMALL)).slice(0, 11)
+    drawTimeline(canvas, steps, 0, new Set([0, 5, 10]), {} as Colors)
+    const width = 101 * pixelRatio - 1
+    expect(dots).toEqual([0, width / 2, width].map((x) => [x, 16 * pixelRatio, 4 * pixelRatio]))
+    vi.unstubAllGlobals()
+  })
+})
+
+it.each([
+  [10, 1, 0.3],
+  [1, 1000, 0.02 * 1004],
+])('arrows have heads in proportion, but no larger than a share of the picture: radius %d, gap %d', (r, gap, head) => {
+  const circles = Float64Array.of(0, 0, r, gap + 2 * r, 0, r)
+  const trace = library.trace(circles)
+  const step = stepsOf(trace).find(({ line }) => line === 'place') as Step
+  const state = trace.at(step.end)
+  const layers = overlayOf(trace, step, state, [], circlesAt(trace, circles, state), COLORS)
+  const [x, y, tipX, tipY, , , headX, headY] = layers.find(({ id }) => id === 'placed')?.segments ?? []
+  // To the right of its segment, with the head at its tip.
+  const expected = [r, -head / 2, r + gap, -head / 2, r + gap - head, -head]
+  for (const [k, value] of [x, y, tipX, tipY, headX, headY].entries()) expect(value).toBeCloseTo(expected[k] as number)
 })
 
 it('parts of a program are numbered in their order', () => {

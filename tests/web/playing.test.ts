@@ -17,7 +17,11 @@ vi.mock('lit/html.js', async (original) => ({
     page = template
   },
 }))
-vi.mock('../../web/view/style.ts', () => ({ computedColors: (_: unknown, colors: object) => colors }))
+/** The color of all lines in the style sheet. */
+let color = 'black'
+vi.mock('../../web/view/style.ts', () => ({
+  computedColors: (_: unknown, colors: object) => Object.fromEntries(Object.keys(colors).map((name) => [name, color])),
+}))
 
 type Press = (event?: unknown) => void
 
@@ -363,4 +367,15 @@ it('changed circles are played from the same stage, or from the start within one
   step = undefined
   await change([-20, -20, 1])
   expect([told, step]).toEqual([[], undefined])
+})
+
+it('the picture has the colors of the style sheet, also after they have changed', async () => {
+  await loaded()
+  step = 3
+  player.follow()
+  const colors = () => [...new Set((view.above as { color: string }[]).map(({ color }) => color))]
+  expect(colors()).toEqual(['black'])
+  color = 'white'
+  listeners.get('style')?.(undefined)
+  expect(colors()).toEqual(['white'])
 })

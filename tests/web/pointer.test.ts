@@ -694,10 +694,24 @@ describe('a press that rests where nothing is', () => {
       ['toggle', 0],
       ['toggle', 2],
     ])
-    // A mouse selects one.
+    // A mouse selects one, and so does a finger in a cell, where the page scrolls, too.
     await send(stage, 'pointerdown', pixel(0, 0))
     await send(stage, 'pointerup', pixel(0, 0))
     expect(stage.of('select').at(-1)).toEqual(['select', 2])
+    for (const letsPageScroll of [false, true]) {
+      const other = new Stage({ letsPageScroll })
+      for (const part of ['cell', 'disc'] as const) {
+        other.selection = [1, 0]
+        other.isReadonly = true
+        other.under = { id: 2, part }
+        await send(other, 'pointerdown', pixel(0, 0), touch)
+        await send(other, 'pointerup', pixel(0, 0), touch)
+      }
+      expect(other.of('select', 'toggle')).toEqual([
+        ['select', 2],
+        ['toggle', 2],
+      ])
+    }
   })
 
   it('is none once nothing is listened to', async () => {

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import type { FrameMessage } from '../../web/element/frame-types.ts'
 import { durationOf, findApi, type ScormApi, ScormSession } from '../../web/embed/scorm.ts'
-import { decodeLink } from '../../web/lib/link.ts'
+import { decodeLink, type encodeLink } from '../../web/lib/link.ts'
+
+/** The link of every state, in place of its own. */
+let link: string | undefined
+vi.mock('../../web/lib/link.ts', async (original) => {
+  const own = await original<{ encodeLink: typeof encodeLink }>()
+  return { ...own, encodeLink: async (state: never) => link ?? (await own.encodeLink(state)) }
+})
 
 /** A learning management system that keeps values and records the calls. */
 class System implements ScormApi {
@@ -45,7 +52,10 @@ describe('a session of a course', () => {
     expect(system.values).toMatchObject({ 'cmi.core.lesson_status': 'passed', 'cmi.core.score.raw': '100' })
     expect(system.calls.at(-1)).toBe('commit')
     await session.tell(told(false, [[7, 6, 2]]))
-    expect(system.values['cmi.core.lesson_status']).toBe('passed')
+    const reports = () => system.calls.filter((call) => call === 'cmi.core.lesson_status=passed')
+    expect([system.values['cmi.core.lesson_status'], reports().length]).toEqual(['passed', 1])
+    await session.tell(told(true, [[7, 6, 2]]))
+    expect(reports()).toHaveLength(1)
     session.finish()
     session.finish()
     expect(system.calls.slice(-2)).toEqual(['commit', 'finish'])
@@ -80,6 +90,18 @@ describe('a session of a course', () => {
     )
     session.finish()
     expect(system.values['cmi.suspend_data']).toBe('')
+  })
+
+  it('keeps the last circles whose link is at most as long as a system allows', async () => {
+    const system = new System()
+    const session = new ScormSession(system, true)
+    for (const length of [4095, 4096, 4097]) {
+      link = 'v'.repeat(length)
+      await session.tell(told(false))
+    }
+    link = undefined
+    session.finish()
+    expect(system.values['cmi.suspend_data']).toHaveLength(4096)
   })
 
   it('finds the interface in windows around it and in the one that opened it', () => {

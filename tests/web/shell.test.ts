@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shadow root of an element, on stub nodes.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { wordsOf } from '../../web/element/language.ts'
+import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { Shell } from '../../web/element/shell.ts'
 
 class FakeElement extends EventTarget {
@@ -9,6 +9,7 @@ class FakeElement extends EventTarget {
   hidden = false
   textContent = ''
   lang: string | undefined = ''
+  dir = ''
   ariaLabel = ''
   readonly dataset = {}
   append() {}
@@ -63,4 +64,35 @@ it('a label of the page is in the language of the page, and the usual one in tha
   expect(described('')).toEqual(['en', words.label])
   expect(described('Bäume')).toEqual([undefined, 'Bäume'])
   expect(described('')).toEqual(['en', words.label])
+})
+
+it('its texts are in their own language, from left to right', async () => {
+  await loadWords('de')
+  for (const lang of ['en', 'de']) {
+    shell.describe(wordsOf(lang), '', '', false)
+    const spoken = made.filter(({ dir }) => dir === 'ltr')
+    expect(spoken.map(({ lang }) => lang)).toEqual(Array(5).fill(lang))
+  }
+})
+
+it('an error is shown until it is gone, and its text is assigned again only where it has changed', () => {
+  const problem = of('problem')
+  let assigned = 0
+  let text = ''
+  Object.defineProperty(problem, 'textContent', {
+    get: () => text,
+    set(next: string) {
+      assigned += 1
+      text = next
+    },
+  })
+  for (const [shown, times] of [
+    ['No circle', 1],
+    ['No circle', 1],
+    ['No file', 2],
+    ['', 3],
+  ] as const) {
+    shell.problem = shown
+    expect([text, problem.hidden, assigned]).toEqual([shown, shown === '', times])
+  }
 })

@@ -193,6 +193,7 @@ class Room implements Storage {
 class Browser {
   readonly all: Room
   readonly #held = new Map<string, object>()
+  #onclose = () => {}
 
   constructor(letters?: number) {
     this.all = new Room(letters)
@@ -201,7 +202,12 @@ class Browser {
   async open(goesOn = true, ofTab = new Room(), isReload = false, path = '/') {
     const tab = {}
     const locks = {
-      request: async (name: string, _: object, hold: (lock: object | null) => unknown) => {
+      request: async (name: string, { ifAvailable = false }: LockOptions, hold: (lock: object | null) => unknown) => {
+        if (!ifAvailable && this.#held.has(name)) {
+          await new Promise<void>((resolve) => {
+            this.#onclose = resolve
+          })
+        }
         const isFree = !this.#held.has(name)
         if (isFree) this.#held.set(name, tab)
         await hold(isFree ? {} : null)
@@ -211,6 +217,7 @@ class Browser {
     const storage = await SceneStorage.claim({ all: this.all, ofTab, path, locks, isReload }, goesOn)
     const close = () => {
       for (const [name, holder] of this.#held) if (holder === tab) this.#held.delete(name)
+      this.#onclose()
     }
     return { storage, ofTab, close }
   }
@@ -232,16 +239,21 @@ describe('the storage of scenes', () => {
     await first.storage.write('v1.a')
     await second.storage.write('v1.b')
     expect([first.storage.read(), second.storage.read()]).toEqual(['v1.a', 'v1.b'])
-    // Reloads a tab.
+    const closed = await browser.open()
+    await closed.storage.write('v1.closed')
+    closed.close()
+    // A reloaded tab waits until its former page has closed.
+    const reloaded = browser.open(true, first.ofTab, true)
     first.close()
-    expect((await browser.open(true, first.ofTab, true)).storage.read()).toBe('v1.a')
-    // Duplicates a tab, or reloads it before the former page has closed.
+    expect((await reloaded).storage.read()).toBe('v1.a')
+    // Duplicates a tab.
     const copy = new Room()
     copy.setItem(prefixOf('/'), second.ofTab.getItem(prefixOf('/')) as string)
     const third = await browser.open(true, copy)
     expect(third.storage.read()).toBe('v1.b')
     await third.storage.write('v1.c')
     expect([second.storage.read(), third.storage.read()]).toEqual(['v1.b', 'v1.c'])
+    expect((await browser.open()).storage.read()).toBe('v1.closed')
   })
 
   it('leaves what a closed tab kept where a tab is opened by a link', async () => {

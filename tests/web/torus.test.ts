@@ -149,6 +149,29 @@ describe('circles that repeat', () => {
     expect(sceneOf(circles(6, 6)).picture.copiesIn({ minX: 200, minY: 0, maxX: 210, maxY: 10 })).toEqual([])
   })
 
+  it.each(['radius', 'degree', 'gap', 'area', 'filled', 'index', 'column'] as const)(
+    'have the colors of their new cells after an edit: by %s',
+    (cells) => {
+      const column = { name: 'town', values: Float64Array.from({ length: 15 }, (_, i) => (i * 7) % 15) }
+      const layers = { ...DEFAULT_LAYERS, dual: true, ...(cells === 'column' ? { column } : { cells }) }
+      const colorsOf = ({ picture }: PaintedScene) => Array.from({ length: 15 }, (_, i) => picture.colorOf(i))
+      const scene = sceneOf(circles(15, 7))
+      scene.setLayers(layers)
+      const box = { minX: 3, minY: 1, maxX: 6, maxY: 4 }
+      const hiddenIn = ({ picture }: PaintedScene) => [0, 3, 7].map((i) => picture.hiddenBy(i))
+      const shownIn = (scene: PaintedScene) => [colorsOf(scene), hiddenIn(scene), scene.picture.starsIn(box)]
+      const before = shownIn(scene)
+      const { change } = scene.edit([replace(3, 4.5, 2, 1.5), replace(7, 5, 3, 0.1)])
+      expect(change.replaced).toHaveLength(2)
+      const again = sceneOf(scene.picture.diagram.circles.slice(0, 45))
+      again.setLayers(layers)
+      const after = shownIn(scene)
+      expect(after).toEqual(shownIn(again))
+      for (const [k, part] of after.entries()) if (k > 0 || cells !== 'column') expect(part).not.toEqual(before[k])
+      expect(scene.picture.legend?.measure).toBe(cells)
+    },
+  )
+
   it('draw each border once', () => {
     const { picture } = sceneOf(circles(15, 7))
     const { cells } = picture.diagram

@@ -4,21 +4,31 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
 import type { Painter } from '../../web/view/painter.ts'
 import type { Described, Highlights, Touching } from '../../web/view/protocol.ts'
+import { Superseded } from '../../web/view/refusal.ts'
 import { View } from '../../web/view/view.ts'
 
 const drawn = vi.hoisted(() => [] as { touching: unknown; marks: Highlights }[])
 vi.mock('../../web/view/overlay.ts', () => ({
+  HANDLE_RADIUS: 7,
   drawOverlay: (...[, , , , above]: (typeof drawn)[number][]) => drawn.push(above as (typeof drawn)[number]),
   isNothingAbove: ({ touching, marks }: { touching: unknown; marks: Highlights }) =>
     touching === undefined && marks.selected === undefined,
 }))
-vi.mock('../../web/view/style.ts', () => ({ readStyle: () => ({}), isDark: () => false }))
+/** The number of times that the style sheet was read. */
+let readings = 0
+vi.mock('../../web/view/style.ts', () => ({
+  readStyle: () => {
+    readings += 1
+    return {}
+  },
+  isDark: () => false,
+}))
 vi.mock('../../web/view/base-picture.ts', () => ({
   MOST_ENLARGED: 256,
   BasePicture: class {
     isWhole = true
-    isSharp = () => true
-    see() {}
+    isSharp = () => isSharp
+    see = () => ({})
     again() {}
     put() {}
     clear() {}
@@ -26,15 +36,25 @@ vi.mock('../../web/view/base-picture.ts', () => ({
   },
 }))
 
+/** Whether pixels of the camera's scale are there. */
+let isSharp = true
 let frames: (() => void)[] = []
 let sizeChanges = () => {}
+let media: Map<string, EventTarget & { matches: boolean }>
+let window: EventTarget
 beforeEach(() => {
   drawn.length = 0
   frames = []
-  const canvas = () => ({ getContext: () => ({ clearRect() {} }) })
+  isSharp = true
+  const canvas = () => ({ getContext: () => ({ clearRect() {} }), remove() {} })
   vi.stubGlobal('document', Object.assign(new EventTarget(), { createElement: canvas, fonts: new EventTarget() }))
-  vi.stubGlobal('matchMedia', () => Object.assign(new EventTarget(), { matches: false }))
-  const window = new EventTarget()
+  media = new Map()
+  vi.stubGlobal('matchMedia', (query: string) => {
+    const list = media.get(query) ?? Object.assign(new EventTarget(), { matches: false })
+    media.set(query, list)
+    return list
+  })
+  window = new EventTarget()
   vi.stubGlobal('addEventListener', window.addEventListener.bind(window))
   vi.stubGlobal('devicePixelRatio', 1)
   vi.stubGlobal(
@@ -44,18 +64,27 @@ beforeEach(() => {
         sizeChanges = changed
       }
       observe() {}
+      disconnect() {}
     },
   )
   vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
+  vi.stubGlobal('cancelAnimationFrame', (frame: number) => frames.splice(frame - 1, 1))
 })
 afterEach(() => vi.unstubAllGlobals())
+
+/** The reason why edits are refused. */
+let refusal: Error
 
 function opened() {
   const answers: ((touching: Touching | undefined) => void)[] = []
   let events: Parameters<Painter['add']>[0] | undefined
+  const looks: string[] = []
   const scene = {
     setLayers() {},
+    look: () => looks.push('look'),
+    close: () => looks.push('close'),
     ask: () => new Promise<Touching | undefined>((resolve) => answers.push(resolve)),
+    edit: () => Promise.reject(refusal),
   }
   const painter = {
     add(given: typeof events) {
@@ -90,7 +119,7 @@ function opened() {
     Object.assign(container, { clientWidth, offsetWidth: clientWidth })
     sizeChanges()
   }
-  return { view, answers, shown, edited, marked, resize }
+  return { view, answers, shown, edited, marked, resize, looks: () => looks.splice(0) }
 }
 
 const HERE: Point = { x: 1, y: 2 }
@@ -182,4 +211,102 @@ it('draws no outline of a cell that was cut for a far smaller scale', () => {
   view.setCamera({ ...view.camera, scale: 1e6 })
   shown()
   expect(drawn.at(-1)?.marks.selected?.outline).toHaveLength(0)
+})
+
+it('asks for pixels of another scale once the camera rests, and for none once it is disposed of', () => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+  try {
+    const { view, looks } = opened()
+    looks()
+    view.setCamera({ x: 3, y: 4, scale: 5 })
+    expect(looks()).toEqual(['look'])
+    isSharp = false
+    for (const scale of [6, 7]) {
+      view.setCamera({ x: 3, y: 4, scale })
+      vi.advanceTimersByTime(79)
+      expect(looks()).toEqual([])
+    }
+    vi.advanceTimersByTime(1)
+    expect(looks()).toEqual(['look'])
+    view.setCamera({ x: 3, y: 4, scale: 8 })
+    view.dispose()
+    vi.advanceTimersByTime(1000)
+    expect(looks()).toEqual(['close'])
+    expect(frames).toHaveLength(0)
+  } finally {
+    vi.useRealTimers()
+  }
+})
+
+it('shows the newest circle that is tried, whatever answers come late, and tells each once', async () => {
+  const { view, answers } = opened()
+  const tried: unknown[] = []
+  view.on('tried', (trial) => tried.push(trial))
+  const circle = { x: 1, y: 2, r: 3 }
+  const [first, second] = [view.tryCircle(circle), view.tryCircle(circle)]
+  answers[1]?.(OTHER)
+  await second
+  answers[0]?.(DISC)
+  await first
+  expect(tried).toEqual([OTHER])
+  const third = view.tryCircle(circle)
+  await view.tryCircle(undefined)
+  answers[2]?.(DISC)
+  await third
+  expect(tried).toEqual([OTHER, undefined])
+})
+
+it('finds the end of the path at a pixel, the last one if both are there', () => {
+  const { view } = opened()
+  view.setCamera({ x: 0, y: 0, scale: 10 })
+  const path = (x: number) => view.setLayers({ path: { from: { x: 0, y: 0 }, to: { x, y: 0 } } })
+  path(3)
+  const ends = [40, 70, 55].map((x) => view.pathEndAt({ x, y: 30 }, 0))
+  expect(ends).toEqual(['from', 'to', undefined])
+  expect(view.pathEndAt({ x: 55, y: 30 }, 20)).toBe('to')
+  path(0)
+  expect(view.pathEndAt({ x: 40, y: 30 }, 0)).toBe('to')
+})
+
+it('tells of edits that are refused, and not of those whose circles were replaced', async () => {
+  const { view } = opened()
+  const refused: unknown[] = []
+  view.on('refused', (error) => refused.push(error))
+  for (const error of [new Error('No circle.'), new Superseded()]) {
+    refusal = error
+    await expect(view.apply([])).rejects.toBe(error)
+  }
+  expect(refused).toEqual([new Error('No circle.')])
+})
+
+it('follows the style and the resolution of the screen until it is disposed of', async () => {
+  const { view, answers, shown } = opened()
+  const touched = view.touch(HERE, 1)
+  answers[0]?.(DISC)
+  await touched
+  shown()
+  readings = 0
+  const change = () => {
+    for (const list of [...media.values()]) list.dispatchEvent(new Event('change'))
+    for (const name of ['resize', 'transitionend']) window.dispatchEvent(new Event(name))
+  }
+  expect([...media.keys()].sort()).toEqual([
+    '(forced-colors: active)',
+    '(prefers-color-scheme: dark)',
+    '(resolution: 1dppx)',
+    'print',
+  ])
+  drawn.length = 0
+  change()
+  expect([readings, drawn.length > 0, frames.length > 0]).toEqual([2, true, true])
+  // Another resolution is watched from then on.
+  vi.stubGlobal('devicePixelRatio', 2)
+  change()
+  expect(media.has('(resolution: 2dppx)')).toBe(true)
+  shown()
+  view.dispose()
+  readings = 0
+  drawn.length = 0
+  change()
+  expect([readings, drawn.length, frames.length]).toEqual([0, 0, 0])
 })

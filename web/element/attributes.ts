@@ -136,7 +136,7 @@ export function parseJson(text: string, what: (words: ElementRefusals) => string
   try {
     return JSON.parse(text)
   } catch (error) {
-    return refuse((words) => words.notJson(what(words), reasonOf(error)), 'badInput')
+    return refuse((words) => words.notJson(what(words), reasonOf(error)))
   }
 }
 

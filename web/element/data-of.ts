@@ -33,7 +33,7 @@ export function openedText({ circles, columns }: TextCircles): OpenRequest {
  */
 export function openedState({ circles, dataSet, ...rest }: LinkState): OpenRequest {
   if (circles === undefined && dataSet !== undefined) {
-    refuse((words) => words.dataSet(dataSet), 'badInput')
+    refuse((words) => words.dataSet(dataSet))
   }
   return opened(circles ?? new Float64Array(), rest)
 }
@@ -56,7 +56,7 @@ export async function openedFrom(src: string, signal: AbortSignal): Promise<Open
   const link = LINK.exec(src)?.[1]
   if (link !== undefined) return openedLink(link)
   const response = await fetch(src, { signal })
-  if (!response.ok) refuse((words) => words.notLoaded(src, response.status), 'badInput')
+  if (!response.ok) refuse((words) => words.notLoaded(src, response.status))
   const text = await response.text()
   const linkWithin = LINK.exec(text.trim())?.[1]
   if (linkWithin !== undefined) return openedLink(linkWithin)
@@ -64,10 +64,8 @@ export async function openedFrom(src: string, signal: AbortSignal): Promise<Open
     return openedText(readCircles(text))
   } catch (error) {
     const { message } = error as Error
-    refuse(
-      (words) =>
-        words.within(src, 'say' in (error as object) ? (error as Refusal<ElementRefusals>).say(words) : message),
-      'badInput',
+    refuse((words) =>
+      words.within(src, 'say' in (error as object) ? (error as Refusal<ElementRefusals>).say(words) : message),
     )
   }
 }
@@ -80,7 +78,7 @@ export async function regionFrom(text: string, base: string, signal: AbortSignal
   if (isRegionText(text)) return readRegion(text)
   const src = new URL(text, base).href
   const response = await fetch(src, { signal })
-  if (!response.ok) refuse((words) => words.notLoaded(src, response.status), 'badInput')
+  if (!response.ok) refuse((words) => words.notLoaded(src, response.status))
   return readRegion(await response.text())
 }
 

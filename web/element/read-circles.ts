@@ -26,7 +26,7 @@ export function readCircles(text: string): TextCircles {
     () => namedCirclesOfText(text),
     (words, line) => words.notThree(words.line(line), lines[line - 1] ?? ''),
   )
-  return circles.circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
+  return circles.circles.length > 0 ? circles : refuse((words) => words.noCircles)
 }
 
 /** Reads a table with a row for each circle: three numbers, or columns named by a header row. */
@@ -66,7 +66,7 @@ function circlesOfCells(
     () => circlesOfRows(cells, ';'),
     (words, line) => words.notThree(place(words, line), fieldsOf(line).join(' ')),
   )
-  return circles.circles.length > 0 ? circles : refuse((words) => words.noCircles, 'badInput')
+  return circles.circles.length > 0 ? circles : refuse((words) => words.noCircles)
 }
 
 function circlesOfGiven(given: unknown): TextCircles {
@@ -97,6 +97,6 @@ function saying(read: () => TextCircles, say: (words: ElementRefusals, line: num
     return refuse((words) => {
       if (circle !== undefined) return words.notCircle(circle)
       return line === undefined ? words.noCircles : say(words, line)
-    }, 'badInput')
+    })
   }
 }

@@ -11,6 +11,9 @@ await customElements.whenDefined('circle-voronoi')
 const api = findApi(window)
 const { check } = await decodeLink(link)
 const session = api && new ScormSession(api, check !== undefined)
+// The circles that are opened first are told, too.
+const suspended = session?.suspended ?? ''
+window.addEventListener('pagehide', () => session?.finish())
 const frame = new Frame(main, {
   load: async (dataSet) => {
     throw new Error(`There is no data set "${dataSet}" here.`)
@@ -18,8 +21,7 @@ const frame = new Frame(main, {
   tell: (message) => session?.tell(message),
 })
 await frame.open(link)
-if (session !== undefined && session.suspended !== '') {
-  const { circles } = await decodeLink(session.suspended).catch(() => ({ circles: undefined }))
+if (suspended !== '') {
+  const { circles } = await decodeLink(suspended).catch(() => ({ circles: undefined }))
   if (circles !== undefined) frame.restore(circles)
 }
-window.addEventListener('pagehide', () => session?.finish())

@@ -58,5 +58,5 @@ function fromWkt(text: string): RegionShape {
 }
 
 function refuse(say: (words: Refusals) => string): never {
-  throw new Refusal(ENGLISH_REFUSALS, say, 'badInput')
+  throw new Refusal(ENGLISH_REFUSALS, say)
 }

@@ -143,7 +143,7 @@ function cellsInPeriods(periodic: PeriodicDiagram, attributes?: LinkAttributes):
 /** Writes the cells inside a box around all circles as GeoJSON. */
 function cellsInBox(diagram: Diagram, writeDiagram: Files['writeDiagram'], attributes?: LinkAttributes): string {
   const { minX, minY, maxX, maxY } = boundingBox(diagram.circles)
-  const margin = Math.max(maxX - minX, maxY - minY) / 20 || 1
+  const margin = Math.max(maxX - minX, maxY - minY) / 20
   const bounds = [minX - margin, minY - margin, maxX + margin, maxY + margin] as const
   return writeDiagram(diagram, { format: 'geojson', bounds, attributes })
 }

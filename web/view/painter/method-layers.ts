@@ -25,7 +25,7 @@ export interface MethodResult {
 export function methodResult(library: CircleVoronoi, diagram: Diagram, layers: Layers): MethodResult {
   const { circles } = diagram
   const { candidates, sampleCount = SAMPLES[candidates].usual } = layers
-  const trace = library.trace(circles, { candidates, ...(candidates !== 'all-pairs' && { samples: sampleCount }) })
+  const trace = library.trace(circles, { candidates, samples: sampleCount })
   const { samples, sampleEdges, antipodalDiscs, directedEdges } = trace.at(trace.length)
   const discOf = (event: number) => [...trace.discs.subarray(3 * event, 3 * event + 3)]
   const pointOf = (event: number) => discOf(event).slice(0, 2)

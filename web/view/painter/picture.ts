@@ -154,7 +154,9 @@ export class Picture {
     const cells = layers.cells === 'auto' ? this.#automatic : layers.cells
     const { column } = layers
     if (column !== undefined) {
-      if (column !== this.#layers.column) this.#measures = new Measures('column', this.diagram, undefined, column)
+      if (column !== this.#layers.column || this.#measures === undefined) {
+        this.#measures = new Measures('column', this.diagram, undefined, column)
+      }
     } else if (!isMeasure(cells)) this.#measures = undefined
     else if (cells === 'area') this.#measures = this.areas()
     else if (cells === 'gap') this.#measures = this.gaps()

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A figure without a browser: a view without pixels, and no gestures, keys or player.
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { EditorActions } from '../../web/editing/editor-actions.ts'
+import { Figure } from '../../web/player/figure.ts'
+import { NO_PADDING } from '../../web/view/camera.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { Superseded } from '../../web/view/refusal.ts'
+import { aTurn, sceneOf } from './editing-session.ts'
+import { LibraryBackend } from './library-backend.ts'
+
+const world = vi.hoisted(() => ({ view: undefined as unknown, calls: [] as string[], signal: undefined as unknown }))
+vi.mock('../../web/view/mount.ts', () => ({ mount: () => world.view }))
+vi.mock('../../web/view/pointer.ts', () => ({ listenToPointer: () => ({ stop: () => world.calls.push('pointer') }) }))
+vi.mock('../../web/editing/keyboard.ts', () => ({
+  listenToKeyboard: (...args: readonly unknown[]) => {
+    world.signal = (args[5] as { signal: unknown }).signal
+  },
+}))
+vi.mock('../../web/editing/live-region.ts', () => ({ mountLiveRegion() {} }))
+vi.mock('../../web/player/stepping.ts', () => ({
+  Stepping: class {
+    dispose() {
+      world.calls.push('stepping')
+    }
+  },
+}))
+
+const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 9, 3)
+let problems: string[]
+/** The error of the next request in place of its answer. */
+let failure: Error | undefined
+/** What each request waits for. */
+let before: () => Promise<unknown>
+const listeners = new Map<string, (data: unknown) => void>()
+
+function started(): Figure {
+  const backend = new LibraryBackend(async () => {
+    await before()
+    const error = failure
+    failure = undefined
+    if (error !== undefined) throw error
+  })
+  const view = Object.assign(backend, {
+    camera: { x: 0, y: 0, scale: 1 },
+    size: { width: 100, height: 100 },
+    layers: DEFAULT_LAYERS as object,
+    on: (name: string, listen: (data: unknown) => void) => listeners.set(name, listen),
+    mark() {},
+    choose() {},
+    setIdentities() {},
+    setCamera: (camera: never) => Object.assign(view, { camera }),
+    setLayers: (layers: object) => Object.assign(view, { layers: { ...view.layers, ...layers } }),
+    dispose: () => world.calls.push('view'),
+  })
+  world.view = view
+  return new Figure({} as never, {
+    actions: (store, editing, view) => new EditorActions(store, editing, view, () => NO_PADDING),
+    onoutcome() {},
+    onproblem: ({ message }) => problems.push(message),
+    played: () => ({}),
+  })
+}
+
+beforeEach(() => {
+  problems = []
+  failure = undefined
+  before = async () => {}
+  world.calls.length = 0
+  vi.stubGlobal('requestAnimationFrame', () => 0)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+const MISSING = [{ kind: 'remove', id: 9 }] as const
+const DOMAIN = { region: undefined, lattice: undefined, areas: undefined }
+
+it('what is refused is thrown and told, and a request that is superseded afterwards throws nothing old', async () => {
+  const figure = started()
+  await figure.open(sceneOf(THREE))
+  const requests = [
+    () => figure.open(sceneOf(Float64Array.of(0, 0, 1))),
+    () => figure.change({ edits: [{ kind: 'remove', id: 1 }] }),
+    () => figure.setDomain(DOMAIN),
+  ]
+  for (const [k, request] of requests.entries()) {
+    const refused = await figure.change({ edits: MISSING }).catch((error) => error)
+    expect(refused).toMatchObject({ circle: 9 })
+    expect([figure.isTold(refused), figure.isTold(new Error())]).toEqual([true, false])
+    expect(problems).toHaveLength(k + 1)
+    failure = new Superseded()
+    await request()
+    expect(failure).toBeUndefined()
+  }
+  failure = new Error('It broke.')
+  await expect(figure.open(sceneOf(THREE))).rejects.toThrow('It broke.')
+  failure = new Error('It broke.')
+  await expect(figure.setDomain(DOMAIN)).rejects.toThrow('It broke.')
+  expect([...figure.editing.circles.circles()]).toEqual([...THREE])
+})
+
+it('a change waits for circles that are being opened, and keeps what it does not name', async () => {
+  const figure = started()
+  const { view, editing, store } = figure
+  view.setLayers({ data: [{ id: 'own', color: 'red' }], hull: true })
+  before = aTurn
+  const opening = figure.open(sceneOf(THREE))
+  const lattice = { a: [20, 0], b: [0, 20] } as const
+  await figure.change({ edits: [{ kind: 'remove', id: 1 }], layers: { dual: true }, step: 4, method: 'auto', lattice })
+  await opening
+  expect(editing.circles.count).toBe(2)
+  expect(view.layers).toMatchObject({ data: [{ id: 'own' }], dual: true, hull: false })
+  expect(store.get()).toMatchObject({ step: 4, method: 'auto' })
+  await figure.change({ areas: [1, 2] })
+  expect(editing.domain).toMatchObject({ lattice })
+  expect(editing.areas).toEqual([1, 2])
+  await figure.change({ lattice: null })
+  expect([editing.domain.lattice, editing.areas]).toEqual([undefined, [1, 2]])
+  const { camera } = view
+  await figure.change({ view: { x: 1, y: 2, span: 10 } })
+  expect(view.camera).toMatchObject({ x: 1, y: 2 })
+  expect(view.camera).not.toEqual(camera)
+})
+
+it('a figure that is disposed of listens to nothing, and tells no problem', async () => {
+  const figure = started()
+  await figure.open(sceneOf(THREE))
+  figure.dispose()
+  expect(world.calls.sort()).toEqual(['pointer', 'stepping', 'view'])
+  expect((world.signal as AbortSignal).aborted).toBe(true)
+  listeners.get('failed')?.({ error: new Error('It broke.'), marks: false })
+  expect([problems, figure.store.get().problem]).toEqual([[], ''])
+})
