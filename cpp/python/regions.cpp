@@ -172,13 +172,12 @@ py::array pairsInside(const SharedDiagram& diagram, const SharedRegion& region, 
 }
 
 /// The parts of edges inside, as cubic Bezier curves: the edge of each curve, and its four points.
-py::tuple edgeCurves(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance,
-                     double tolerance) {
+py::tuple edgeCurves(const SharedDiagram& diagram, const SharedRegion& region, double tolerance) {
   std::vector<EdgeIndex> edges;
   std::vector<CubicBezier> curves;
   std::tie(edges, curves) = interruptible([=](const Cancellation& cancellation) {
     std::pair<std::vector<EdgeIndex>, std::vector<CubicBezier>> found;
-    const Clip clip = clipOf(diagram, {region, maxDistance});
+    const Clip clip = clipOf(diagram, {region, {}});
     for (std::size_t e = 0; e < diagram->edges.size(); ++e) {
       if (e % 1024 == 0) cancellation.check();
       const EdgeIndex edge = static_cast<std::int32_t>(e);

@@ -177,11 +177,21 @@ TEST(ChangedArrays, AreNamedWhereTheyDoNotFitTogether) {
   EXPECT_EQ(messageOf([](Diagram& d) { d.links.nextSide[7] = 100'000; }), doNotFit(" at side 7"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.links.nextSide[7] = 7; }).substr(0, 20), doNotFit("").substr(0, 20));
   EXPECT_EQ(messageOf([](Diagram& d) { d.edges[4].start = 100'000; }), doNotFit(" at edge 4"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.edges[4].end = 100'000; }), doNotFit(" at edge 4"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.edges[4].right = d.edges[4].left; }), doNotFit(" at edge 4"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.hidden = {{2, kNone}, {30, 3}}; }), doNotFit(" at hidden circle 1"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.hidden = {{2, kNone}, {3, 30}}; }), doNotFit(" at hidden circle 1"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.hull[1] = 30; }), doNotFit(" at place of the hull 1"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.links.vertexSides[2][1] = kNone; }), doNotFit(" at vertex 2"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.links.firstSide[2] = 100'000; }), doNotFit(" at circle 2"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.vertexCircles[2][1] = -1; }), doNotFit(" at vertex 2"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.vertices[3].x = std::numeric_limits<double>::quiet_NaN(); }),
             doNotFit(" at vertex 3"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.hull.push_back(d.hull.front()); }), doNotFit(" at place of the hull 0"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.vertices.pop_back(); }), doNotFit(" in their lengths"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.links.nextSide.pop_back(); }), doNotFit(" in their lengths"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.links.vertexSides.pop_back(); }), doNotFit(" in their lengths"));
+  EXPECT_EQ(messageOf([](Diagram& d) { d.links.firstSide.pop_back(); }), doNotFit(" in their lengths"));
   EXPECT_EQ(messageOf([](Diagram& d) { d.circles[5].x = std::numeric_limits<double>::infinity(); }),
             "nonFinite: Circle 5 has an x that is not a finite number.");
   EXPECT_EQ(messageOf([](Diagram& d) { d.circles[5].y = 1e-20; }),

@@ -394,6 +394,16 @@ TEST(ClippedDiagram, SomeCellsHaveTheAreasTheyHaveAmongAllInHardRegions) {
   });
 }
 
+TEST(ClippedDiagram, OfEquallyLargeEmptyDiscsTheFirstIsTheLargest) {
+  const Diagram diagram = compute(std::vector<Circle>{{0, 0, 0.5}}).value();
+  const Box box = {-1, -1, 1, 1};
+  const Region region = Region::from(box).value();
+  const auto found = ClippedDiagram::from(diagram, region)->largestEmptyDisc();
+  EXPECT_EQ(found->disc.x, -1);
+  EXPECT_EQ(found->disc.y, -1);
+  EXPECT_EQ(found->disc, largestEmptyDiscCenteredIn(diagram, ConvexPolygon::from(box).value())->disc);
+}
+
 TEST(ClippedDiagram, RefusesUnsupportedArguments) {
   const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 1}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();

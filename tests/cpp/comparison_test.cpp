@@ -185,6 +185,17 @@ TEST(PowerDiagram, VerticesOfCentersNextToEachOtherAreRight) {
   }
 }
 
+// The vertex has x = 1/2 + (9 - (1 - 2^-53)^2) 2^-57, a little more than the middle between two doubles.
+TEST(PowerDiagram, ExactVerticesAreRoundedOnce) {
+  const double unit = 0x1p-28;
+  const double radius = unit - 0x1p-81;
+  const Circle far = {3, 0x1p-30, std::sqrt(6) * (1 - 0x1p-34)};
+  const Diagram diagram =
+      computeComparison(std::vector<Circle>{{0, 0, 3 * unit}, {1, 0, radius}, far}, Metric::power).value();
+  ASSERT_EQ(diagram.vertices.size(), 1U);
+  EXPECT_EQ(diagram.vertices[0].x, 0.5 + 0x1p-53);
+}
+
 // Centers as near to one another, and vertices as far off, as there are numbers.
 TEST(PowerDiagram, EveryVertexInRangeIsRight) {
   // Digits enough for sums of squares of radii and distances.

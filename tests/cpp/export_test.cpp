@@ -441,6 +441,29 @@ TEST(Export, PartsHaveEdgesFromTheirFirstVertexToTheirLast) {
   EXPECT_EQ(actual, expected);
 }
 
+TEST(Export, AChosenPartIsThatOfTheLeastCircle) {
+  const Diagram diagram = compute(generate(Family::mixed, 40, 1)).value();
+  std::vector<std::uint8_t> isChosen(diagram.circles.size(), 0);
+  for (std::size_t i = 0; i < isChosen.size(); i += 3) isChosen[i] = 1;
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  for (const auto& triple : diagram.vertexCircles) {
+    vertices += isChosen[static_cast<std::size_t>(std::int32_t{*std::ranges::min_element(triple)})];
+  }
+  for (const Edge& edge : diagram.edges) {
+    edges += isChosen[static_cast<std::size_t>(std::min<std::int32_t>(edge.left, edge.right))];
+  }
+  std::ostringstream out;
+  EXPECT_TRUE(writePartsCsv(out, diagram, {{}, isChosen}));
+  const auto lines = linesOf(out.str());
+  const auto count = [&](const char* type) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(lines, [&](const std::string& line) { return line.starts_with(type); }));
+  };
+  EXPECT_EQ(count("vertex,"), vertices);
+  EXPECT_EQ(count("edge,"), edges);
+}
+
 TEST(Export, SvgHasItsLayers) {
   const auto circles = test::readFixture("bronzefilter");
   const std::string svg = textOf(writeSvg, circles);

@@ -420,6 +420,12 @@ TEST(AreaFit, RefusesImpossibleFits) {
   EXPECT_EQ(messageOf({0.5}, 2), "There is 1 area for 2 sites.");
   EXPECT_EQ(messageOf({0.5, 1}, 2),
             "The areas sum to 1.5, but the area of the region is 1. Set `shares` to scale them.");
+  // The sum may be off by half the tolerance.
+  EXPECT_EQ(messageOf({0.5, 0.504}, 2, {.tolerance = 0x1p-7}),
+            "The areas sum to 1.004, but the area of the region is 1. Set `shares` to scale them.");
+  EXPECT_EQ(messageOf({0.5, 0.496}, 2, {.tolerance = 0x1p-7}),
+            "The areas sum to 0.996, but the area of the region is 1. Set `shares` to scale them.");
+  EXPECT_EQ(messageOf({0.5, 0.503}, 2, {.tolerance = 0x1p-7}), "no error");
   EXPECT_EQ(messageOf({0.1, 0.2, 0.7}, 1), "There are 3 areas for 1 site.");
   EXPECT_EQ(messageOf({}, 0), "There are no sites.");
   EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.tolerance = 0}), "tolerance must be above 0 and below 1 (got 0).");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,15 @@ TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
             "badInput: Area 1 is too small: 1e-300 of a region with the area 1.");
   EXPECT_EQ(errorOf(fitToShares(sites, {1, 1}, regionOfBox({0, 0, 2e28, 2e28}))),
             "badInput: The region has a coordinate beyond 9.903520314283042e+27, the limit of fits (2e+28).");
+  for (const Box& box : {Box{-2e28, 0, 0, 1}, Box{0, -2e28, 1, 0}, Box{0, 0, 2e28, 1}, Box{0, 0, 1, 2e28}}) {
+    EXPECT_NE(errorOf(fitToShares(sites, {1, 1}, regionOfBox(box))).find("beyond 9.9"), std::string::npos);
+  }
+  for (const Lattice& lattice : {Lattice{{2e28, 0}, {0, 1e27}}, Lattice{{1e27, -2e28}, {1e27, 0}},
+                                 Lattice{{1e27, 0}, {-2e28, 1e27}}, Lattice{{1e27, 0}, {0, 2e28}}}) {
+    const auto fit = fitAreas(std::span(sites).first(1), std::vector<double>{1}, lattice, {.shares = true});
+    ASSERT_FALSE(fit);
+    EXPECT_EQ(fit.error().message, "The box has a coordinate beyond 9.903520314283042e+27, the limit of fits (2e+28).");
+  }
   // Up to the limits it is as everywhere.
   EXPECT_EQ(errorOf(fitToShares({{2e27, 8e26, 0}, {6e27, 2.4e27, 0}}, {1, 3}, regionOfBox({0, 0, 8e27, 8e27}))), "");
   EXPECT_EQ(errorOf(fitToShares({{2.5e-16, 1e-16, 0}, {7.5e-16, 3e-16, 0}}, {1, 3}, regionOfBox({0, 0, 1e-15, 1e-15}))),

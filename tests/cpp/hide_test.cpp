@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "brute_force.h"
 #include "circle_voronoi/certify.h"
@@ -10,6 +11,7 @@
 #include "circle_voronoi_families/families.h"
 #include "find_sites.h"
 #include "judge.h"
+#include "random.h"
 #include "report.h"
 #include "tie_inputs.h"
 #include "triangulate.h"
@@ -122,6 +124,27 @@ TEST(Hide, TheTriangulationIsThatOfTheVisibleCenters) {
     const int count = static_cast<int>(sites.circles.size());
     EXPECT_EQ(sites.centers.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
   }
+}
+
+// Neighbors along the curve look clear of one another although a circle farther along is hidden.
+TEST(Hide, ATriangulationWithHiddenCentersIsNotKept) {
+  Random random(test::seedOr(1));
+  int misleading = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<Circle> circles = {{random.uniform(-30, 30), random.uniform(-30, 30), 10}};
+    for (int i = 0; i < 12; ++i) circles.push_back({random.uniform(-30, 30), random.uniform(-30, 30), random.unit()});
+    const OrderedCircles ordered = order(circles);
+    const Sites sites = findSites(ordered).sites;
+    const bool looksClear = std::ranges::adjacent_find(ordered.circles, [](const Circle& a, const Circle& b) {
+                              return std::hypot(a.x - b.x, a.y - b.y) <= std::max(a.r, b.r);
+                            }) == ordered.circles.end();
+    if (looksClear && !sites.hidden.empty()) ++misleading;
+    const int count = static_cast<int>(sites.circles.size());
+    if (sites.centers.faceCount() > 0) {
+      EXPECT_EQ(sites.centers.faceCount(), 2 * count - 2) << test::describe(circles);
+    }
+  }
+  EXPECT_GT(misleading, 20);
 }
 
 }  // namespace

@@ -26,6 +26,7 @@
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/method.h"
+#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/tile.h"
 #include "circle_voronoi_families/families.h"
 
@@ -225,6 +226,9 @@ TEST(Writers, RefuseOptionsOutOfRange) {
   for (const auto write : {writeJson, writeDiagramCsv}) {
     EXPECT_EQ(refusalOf([&](std::ostream& out) { return write(out, diagram, -1); }), ErrorCode::badOption);
   }
+  const PeriodicDiagram periodic = computePeriodic(kCircles, {{9, 0}, {0, 9}}).value();
+  EXPECT_EQ(refusalOf([&](std::ostream& out) { return writePeriodicJson(out, periodic, -1); }), ErrorCode::badOption);
+  EXPECT_EQ(refusalOf([&](std::ostream& out) { return writeContactsCsv(out, periodic, -1); }), ErrorCode::badOption);
   for (const double pixels : {0.0, -1.0, double{NAN}, double{INFINITY}}) {
     SvgFigure figure;
     figure.pixels = pixels;

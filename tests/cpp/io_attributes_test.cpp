@@ -300,6 +300,11 @@ TEST(ReadCircleFile, ColumnsWithoutANameOrWithTheSameNameAreKept) {
                      R"("column 1":9,"a":null,"column 6":null,"a_2":null,"a_2_2":null)"}));
 }
 
+TEST(ReadCircleFile, ColumnsOfATableWithoutNamesAreKeptEvenIfTheyAreEmpty) {
+  EXPECT_EQ(fileOf("1,2,3,\n4,5,6,\n", {.x = "#1", .y = "#2", .radius = "#3"}).attributes.properties,
+            (Strings{R"("column 4":null)", R"("column 4":null)"}));
+}
+
 TEST(ReadCircleFile, AnIdThatNoCircleHasIsMissed) {
   EXPECT_EQ(fileErrorOf(R"([{"x":1,"y":2,"r":3,"code":null}])", {.id = "code"}),
             "test:1: no circle has a string or a number called code.");

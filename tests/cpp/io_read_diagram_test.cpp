@@ -136,6 +136,8 @@ TEST(ReadDiagram, ReportsTheErrorAndItsPlace) {
             "file:10: there is no format; a diagram has \"format\": \"circle-voronoi\".");
   EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hulls\": [0]"), "file:10: there is no list of hull.");
   EXPECT_EQ(errorAfter("\"r\": 5}", "\"r\": -5}"), "file:3: Circle 0 has a negative radius.");
+  EXPECT_EQ(errorAfter(" \"hidden\": [", " \"circles\": [\n  {\"x\": 0, \"y\": 0, \"r\": -5}],\n \"hidden\": ["),
+            "file:6: Circle 0 has a negative radius.");
   EXPECT_EQ(errorAfter("\"r\": 5}", "\"r\": null}"), "file:3: expected a number for r of circles[0], not null.");
   EXPECT_EQ(errorAfter("\"r\": 1}", "\"x\": 1}"), "file:4: circles[1] has no r.");
   EXPECT_EQ(errorAfter("\"r\": 1, ", ""), "file:7: vertices[0] has no r.");

@@ -652,8 +652,11 @@ TEST_F(Corrupted, IndicesOutOfRange) {
   expectMisfit([&] { periodic.circleOf.front() = 1; });
   expectMisfit([&] { periodic.circleCount = 1'000'000; });
   expectMisfit([&] { periodic.diagram.edges.back().left = -1; });
+  expectMisfit([&] { periodic.diagram.edges.back().right = 1'000'000; });
   expectMisfit([&] { periodic.diagram.edges.back().start = 1'000'000; });
+  expectMisfit([&] { periodic.diagram.edges.back().end = -2; });
   expectMisfit([&] { periodic.diagram.vertexCircles.back()[2] = 1'000'000; });
+  expectMisfit([&] { periodic.diagram.hidden.back().circle = -1; });
   expectMisfit([&] { periodic.diagram.hidden.back().by = 1'000'000; });
 }
 

@@ -259,6 +259,18 @@ TEST(PathInRegion, GoesAroundTheCornerOfARoomAndNotThroughItsWalls) {
   EXPECT_NEAR(path->clearance, 0.9, 1e-12);
 }
 
+TEST(PathInRegion, IsAsClearBackAlongOneEdge) {
+  const Circles circles = {{0, 0, 1}, {10, 0, 1}};
+  const Ring hall = {{-3, -6}, {13, -6}, {13, 6}, {-3, 6}};
+  const Diagram diagram = compute(circles).value();
+  for (const double y : {4.0, -4.0}) {
+    const auto path = clearestPath(diagram, {4.9, y}, {4.8, -y}, regionOf({hall})).value();
+    ASSERT_TRUE(path);
+    expectPath(circles, {hall}, {4.9, y}, {4.8, -y}, *path);
+    EXPECT_NEAR(path->clearance, 4, 1e-12);
+  }
+}
+
 TEST(PathInRegion, IsNoneBetweenPartsAndAnErrorFromOutside) {
   const Diagram diagram = compute(Circles{{0.2, 0.2, 0.1}}).value();
   const Region islands = regionOf({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{2, 0}, {3, 0}, {3, 1}, {2, 1}}});

@@ -98,6 +98,7 @@ TEST(Region, TakesPolygonsWithHoles) {
                                                    {square(4.5, 4.5, 1)}};
   const Region region = Region::fromPolygons(polygons).value();
   EXPECT_EQ(region.area(), 100 - 4 - 4 + 1);
+  EXPECT_EQ(region.perimeter(), 40 + 8 + 8 + 4);
   EXPECT_EQ(region.polygonCount(), 2U);
   EXPECT_EQ(region.polygonOf(region.ringOf(5)), 0);
   EXPECT_EQ(region.ringOf(5), 1);

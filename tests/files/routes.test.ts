@@ -187,6 +187,22 @@ describe('attributes of JavaScript', () => {
   it.each(wrong)('%j are refused', (part, message) => {
     expect(() => files.writeCircles(circles, { attributes: { ...attributes, ...part } })).toThrow(message)
   })
+  it('may have space around them, and a collection the members that a writer adds', () => {
+    const padded = { properties: ['\t{"code":"01"}\n', ' {"code":"02"} '], ids: ['\t7', '8 '], heights: ['\n1', '2\t'] }
+    const plain = { properties: attributes.properties, ids: ['7', '8'], heights: ['1', '2'] }
+    for (const [added, kept] of [
+      [{ bbox: [0, 0, 1, 1] }, {}],
+      [{ type: 'FeatureCollection' }, {}],
+      [{ features: [], name: 'a' }, { name: 'a' }],
+    ]) {
+      const written = (given: object, collection: unknown) =>
+        files.writeCircles(circles, {
+          format: 'geojson',
+          attributes: { ...attributes, ...given, collection: JSON.stringify(collection) },
+        })
+      expect(written(padded, added)).toBe(written(plain, kept))
+    }
+  })
   it('are texts of JSON, and belong to formats that have a place for them', () => {
     expect(attributes).toEqual({ properties: ['{"code":"01"}', '{"code":"02"}'], ids: [], heights: [], collection: '' })
     const diagram = library.compute(circles)

@@ -191,6 +191,7 @@ describe('an SVG path', () => {
     expect(nested.cellPath(1)).toBe('')
     expect(library.compute([]).render()).toBe('')
     expect(library.compute([]).renderHull()).toBe('')
+    expect(library.compute(Float64Array.of(0, 0, 0, 6, 0, 0, 0, 8, 0)).renderHull()).toBe('M0,0L6,0L0,8Z')
   })
 
   it.each([-1, 0.5, Number.NaN, Number.POSITIVE_INFINITY, 1e9])('of what is not there is refused: %d', (index) => {

@@ -74,7 +74,7 @@ describe('find', () => {
   it.each([0, 1])('takes few steps among many circles on a line along axis %s', (axis) => {
     const [count, period, few] = [20_000, 100, 4]
     const circles = Float64Array.from({ length: 3 * count }, (_, k) =>
-      k % 3 === 2 ? 0.25 : k % 3 === axis ? Math.floor(k / 3) : 7,
+      k % 3 === 2 ? 0.25 : k % 3 === axis ? Math.floor(k / 3) : 7030,
     )
     const { cells } = library.compute(circles)
     const finder = new Finder(cells)
@@ -82,7 +82,7 @@ describe('find', () => {
       if (Math.abs((i % period) - period / 2) > few) (firstSide as Int32Array)[i] = NONE
     })
     for (let i = period / 2; i < count; i += period) {
-      const [along, across] = [i + 0.25, 7.5]
+      const [along, across] = [i + 0.25, 7030.5]
       expect(axis === 0 ? finder.find(along, across) : finder.find(across, along)).toBe(i)
     }
   })
@@ -102,6 +102,18 @@ describe('find', () => {
     expect(diagram.neighbors(0).length).toBeGreaterThan(24)
     diagram.apply(editor.remove(61))
     expect(diagram.find(between.x, between.y, 0)).toBeLessThan(61)
+    editor.dispose()
+  })
+
+  it('finds the only circle that an edit leaves visible', () => {
+    const editor = library.edit([
+      { x: 0, y: 0, r: 1 },
+      { x: 90, y: 0, r: 1 },
+    ])
+    const diagram = editor.snapshot()
+    expect(diagram.find(1, 0)).toBe(0)
+    diagram.apply(editor.replace(1, { x: 90, y: 0, r: 99 }))
+    expect(diagram.find(1, 0)).toBe(1)
     editor.dispose()
   })
 

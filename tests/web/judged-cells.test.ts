@@ -21,6 +21,18 @@ function moveVertex({ cells, firstSide, vertices }: Diagram, dx: number, dy: num
   vertices.set([x + dx, y + dy], 3 * vertex)
 }
 
+/** Changes a neighbor of the middle circle that comes after it. */
+function setNeighbor({ cells, edges }: Diagram, circle: number): void {
+  const side = cells.sides(MIDDLE).find((side) => cells.neighborOf(side) > MIDDLE) as number
+  edges.set([circle], 4 * (side >> 1) + 1 - (side & 1))
+}
+
+it('a cell stays bounded however far away its vertices are', () => {
+  const diagram = grid()
+  moveVertex(diagram, 1.7e308, 1.7e308)
+  expect(diagram.cells.isBounded(MIDDLE)).toBe(true)
+})
+
 describe('cells in bounds', () => {
   it('are accepted where they are right', () => {
     const areas = grid().cellAreas({ bounds })
@@ -32,6 +44,7 @@ describe('cells in bounds', () => {
 
   it.each<[string, (diagram: Diagram) => void]>([
     ['a cell begins at a side of another', ({ firstSide }) => firstSide.set([firstSide[MIDDLE + 1] as number], MIDDLE)],
+    ['a side has a neighbor too many', (diagram) => setNeighbor(diagram, 25)],
     ['a cell begins across its side', ({ firstSide }) => firstSide.set([(firstSide[MIDDLE] as number) ^ 1], MIDDLE)],
   ])('are refused where %s', (_, corrupt) => {
     const diagram = grid()

@@ -2,7 +2,7 @@
 // Cells clipped at a maximum distance from their circles, compared with the union of the grown circles.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { type Box, type Diagram, NONE } from '../../web/lib/index.ts'
+import { type Box, type Diagram, NONE, REGION_LIMIT } from '../../web/lib/index.ts'
 import { outlineArea } from '../../web/lib/regions/measure.ts'
 import { anyCircles, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
@@ -62,6 +62,39 @@ describe('a maximum distance', () => {
     expect(diagram.cellArea(0, { maxDistance: 1, bounds: [2, 3, 4, 5] })).toBe(4)
     expect(diagram.cellCentroid(0, { maxDistance: 1 })?.x).toBeCloseTo(3, 12)
     expect(diagram.cellPath(0, { maxDistance: 1, digits: 2 })).toMatch(/^M6,4A3,3 0 0 1 /)
+  })
+
+  it('is at most REGION_LIMIT, with either sign', () => {
+    const diagram = library.compute([[3, 4, 2]])
+    const bounds = [0, 0, 2, 3] as const
+    expect(diagram.cellArea(0, { bounds, maxDistance: REGION_LIMIT })).toBe(6)
+    expect(diagram.cellArea(0, { bounds, maxDistance: -REGION_LIMIT })).toBe(0)
+    for (const maxDistance of [REGION_LIMIT * (1 + 2 ** -52), -REGION_LIMIT * (1 + 2 ** -52)]) {
+      expect(() => diagram.cellArea(0, { bounds, maxDistance })).toThrow(/^The maximum distance is a number up to/)
+    }
+  })
+
+  it('leaves the neighbors that share a part of an edge within it, each once', () => {
+    const corner = library.compute([
+      [0, 0, 1],
+      [10, 0, 1],
+      [0, 14, 1],
+    ])
+    expect([...corner.neighbors(0, { maxDistance: 3 })]).toEqual([])
+    expect([...corner.neighbors(0, { maxDistance: 5 })]).toEqual([1])
+    // The first two share an edge on either side of the third.
+    const between = library.compute([
+      [-5, 0, 4],
+      [5, 0, 4],
+      [0, 0, 0.5],
+    ])
+    expect([...between.neighbors(0, { bounds: [-20, -20, 20, 20] })].sort()).toEqual([1, 2])
+  })
+
+  it('makes arcs whose polygons are as fine as is useful', () => {
+    const diagram = library.compute([[0, 0, 2]])
+    const finest = diagram.cellPolygon(0, { maxDistance: 1, tolerance: 3e-9 })
+    expect(diagram.cellPolygon(0, { maxDistance: 1, tolerance: 1e-300 })).toEqual(finest)
   })
 
   it('cuts two discs along a line', () => {

@@ -470,12 +470,18 @@ describe('circles', () => {
         seen.push([city.name, i, all])
         return city.at[0]
       },
-      y: ({ at: [, y] }) => y,
-      r: ({ size }) => size,
+      y(city, i, all) {
+        seen.push([city.name, i, all])
+        return city.at[1]
+      },
+      r(city, i, all) {
+        seen.push([city.name, i, all])
+        return city.size
+      },
       method: 'flip',
     })
     expect(found).toMatchObject({ circles: CIRCLES, vertices: diagram.vertices, stats: { method: 'flip' } })
-    expect(seen).toEqual(cities.map(({ name }, i) => [name, i, cities]))
+    expect(seen).toEqual(cities.flatMap(({ name }, i) => Array(3).fill([name, i, cities])))
     expect(() => library.compute(cities, { x: () => 1, y: () => 2, r: () => '3' as never })).toThrow(
       /^Circle 0 does not/,
     )

@@ -30,7 +30,7 @@ def plot(diagram: Diagram, ax: Any, bounds: Any, region: Any, style: dict[str, A
         _, ax = pyplot.subplots()
     clip = region_of(bounds, region) or _core.default_region(diagram._core)
     left, bottom, right, top = clip.bounds
-    _, curves = _core.edge_curves(diagram._core, clip, None, _TOLERANCE * max(right - left, top - bottom))
+    _, curves = _core.edge_curves(diagram._core, clip, _TOLERANCE * max(right - left, top - bottom))
     codes = np.tile([Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4], len(curves))
     edges = Path(curves.reshape(-1, 2), codes if len(codes) > 0 else None)
     ax.add_patch(PathPatch(edges, **{"fill": False, "edgecolor": "tab:blue", "linewidth": 1, **_patch_style(style)}))

@@ -155,3 +155,12 @@ def test_a_plot_shows_edges_and_circles():
     corners = ax.patches[0].get_path().vertices
     assert corners.min() >= -1 and corners.max() <= 101
     ax.figure.savefig("figure.pdf")
+
+
+def test_a_path_reaches_ends_far_from_the_circles():
+    diagram = cv.compute([[0, 0, 1], [10, 0, 1]])
+    for start, end in (([5, 0], [900, 700]), ([-900, 700], [5, 0])):
+        path = diagram.clearest_path(start, end)
+        assert path.clearance == pytest.approx(4)
+        assert path.points[0] == pytest.approx(start)
+        assert path.points[-1] == pytest.approx(end)

@@ -343,7 +343,7 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<co
     for (const SideIndex side : diagram.sides(circle)) {
       const VertexIndex origin = diagram.originOf(side);
       const VertexIndex target = diagram.targetOf(side);
-      isBounded = isBounded && origin != kNone && target != kNone;
+      isBounded = origin != kNone && target != kNone;
       if (!isBounded) break;
       // Twice the error of vertices, which moves the points between them.
       const double margin = 2 * std::max(signs.errorOf(origin), signs.errorOf(target));

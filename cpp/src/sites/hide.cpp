@@ -21,22 +21,19 @@ bool mayReach(const Circle& a, const Circle& b, double smallest) {
 
 /// Returns whether no circle, its radius reduced by `smallest`, contains the center of a neighbor in the Delaunay
 /// graph. Then none hides another, because the centers that a disc around a center contains are connected in this
-/// graph.
-bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centers, Threads threads) {
-  const auto isCopy = [&](std::size_t i) { return centers.representative[i] != static_cast<int>(i); };
-  const Dual& dual = centers.dual;
+/// graph. Precondition: no two centers are equal.
+bool areClear(std::span<const Circle> circles, double smallest, const Dual& dual, Threads threads) {
   // Tests most edges twice. This costs less than finding out which half of an edge comes first.
   const auto isReached = [&](std::size_t h) {
     const int i = dual.origin[h];
     const int j = dual.target(static_cast<int>(h));
     return i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[i], circles[j], smallest);
   };
-  return threads.firstWhere(circles.size(), isCopy) == circles.size() &&
-         threads.firstWhere(dual.origin.size(), isReached) == dual.origin.size();
+  return threads.firstWhere(dual.origin.size(), isReached) == dual.origin.size();
 }
 
 /// Returns whether successive circles pass the same test. It is quick, and they rarely pass if circles hide one
-/// another.
+/// another. Circles with the same center follow one another, and do not pass.
 bool lookClear(std::span<const Circle> circles, double smallest) {
   for (std::size_t i = 1; i < circles.size(); ++i) {
     if (mayReach(circles[i - 1], circles[i], smallest)) return false;
@@ -56,7 +53,7 @@ Centers centersIfClear(std::span<const Circle> circles, Threads threads) {
   for (const Circle& c : circles) smallest = std::min(smallest, c.r);
   if (!lookClear(circles, smallest)) return {};
   Delaunay centers = delaunay(centersOf(circles), threads);
-  const bool isClear = areClear(circles, smallest, centers, threads);
+  const bool isClear = areClear(circles, smallest, centers.dual, threads);
   return {std::move(centers), isClear};
 }
 
