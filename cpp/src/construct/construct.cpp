@@ -14,9 +14,9 @@
 #include "judge.h"
 #include "pair.h"
 #include "repair.h"
+#include "report_faces.h"
 #include "sample.h"
 #include "settle_ties.h"
-#include "tell_faces.h"
 #include "touch.h"
 #include "triangulate.h"
 
@@ -48,16 +48,16 @@ Construction judged(Topology topology, const Sites& sites, const Observer& obser
                     Threads threads) {
   auto dual = dualOf(topology, static_cast<int>(sites.circles.size()));
   if (auto* fitting = std::get_if<Dual>(&dual)) {
-    FaceTeller teller(*fitting, sites.circles, observer);
-    teller.know();
+    FaceReporter reporter(*fitting, sites.circles, observer);
+    reporter.markReported();
     Verdict verdict = judged(*fitting, {}, sites.circles, journal, threads);
-    teller.tellChanges();
+    reporter.reportChanges();
     return {std::move(*fitting), std::move(verdict)};
   }
   return {{}, {}, FlawedTopology{std::move(topology), std::get<TopologyFlaw>(dual)}};
 }
 
-void tellOfCenters(const Dual& centers, const Observer& observer) {
+void reportOfCenters(const Dual& centers, const Observer& observer) {
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
     const int i = centers.origin[h];
     const int j = centers.target(h);
@@ -66,14 +66,14 @@ void tellOfCenters(const Dual& centers, const Observer& observer) {
   }
 }
 
-void tellOfSamples(const Samples& samples, const Observer& observer) {
+void reportOfSamples(const Samples& samples, const Observer& observer) {
   for (std::size_t k = 0; k < samples.points.size(); ++k) {
     const auto& [x, y] = samples.points[k];
     observer({TraceKind::sampleTaken, {x, y, 0}, {samples.circles[k], kNone, kNone}, kNone});
   }
 }
 
-void tellOfPairs(std::span<const Pair> pairs, const Observer& observer) {
+void reportOfPairs(std::span<const Pair> pairs, const Observer& observer) {
   for (const auto& [a, b] : pairs) observer({TraceKind::pairFound, {}, {a, b, kNone}, kNone});
 }
 
@@ -107,14 +107,14 @@ bool repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& j
 
 /// Flips a dual, repairs it if `mayRepair`, judges it, and tells the observer of each change. The dual is not judged if
 /// too much is left to repair.
-Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceTeller& teller, Journal& journal,
+Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceReporter& reporter, Journal& journal,
                          Threads threads) {
-  teller.tellChanges();
+  reporter.reportChanges();
   Predicates predicates(sites.circles);
   auto [discs, wrong] = [&] {
     const Stopwatch watch = journal.enter(Stage::flip);
     FaceDiscs all(sites.circles, dual, predicates, threads);
-    Flips flips = flip(dual, all, teller.watcher());
+    Flips flips = flip(dual, all, reporter.watcher());
     journal.stats.counts.flips += flips.count;
     return std::pair(std::move(all), std::move(flips.wrong));
   }();
@@ -122,7 +122,7 @@ Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceTel
   addCounts(predicates, journal.stats.counts);
   if (!isToJudge) return {Flaw::notJudged};
   Verdict verdict = judged(dual, discs.takeProof(), sites.circles, journal, threads);
-  teller.tellChanges();
+  reporter.reportChanges();
   return verdict;
 }
 
@@ -130,10 +130,10 @@ Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceTel
 Construction flippedFromCenters(Sites& sites, bool mayRepair, const Observer& observer, Journal& journal,
                                 Threads threads) {
   journal.stats.way = Way::flip;
-  FaceTeller teller(sites.centers, sites.circles, observer);
-  teller.tellRound(0);
-  if (observer) tellOfCenters(sites.centers, observer);
-  Verdict verdict = flippedAndJudged(sites.centers, sites, mayRepair, teller, journal, threads);
+  FaceReporter reporter(sites.centers, sites.circles, observer);
+  reporter.reportRound(0);
+  if (observer) reportOfCenters(sites.centers, observer);
+  Verdict verdict = flippedAndJudged(sites.centers, sites, mayRepair, reporter, journal, threads);
   return {std::move(sites.centers), std::move(verdict)};
 }
 
@@ -224,11 +224,11 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       const Stopwatch watch = journal.enter(Stage::sample);
       const auto tell = [&](double done) { journal.tell(Stage::sample, done); };
       const bool isDynamic = options.candidates == Candidates::dynamic;
-      if (observer && isDynamic) tellOfCenters(sites.centers, observer);
+      if (observer && isDynamic) reportOfCenters(sites.centers, observer);
       samples = isDynamic ? sampleDynamically(sites.circles, sites.centers, angular, tell)
                           : sampleUniformly(sites.circles, *options.samples, tell);
       journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
-      if (observer) tellOfSamples(samples, observer);
+      if (observer) reportOfSamples(samples, observer);
     }
     std::vector<Pair> pairs;
     {
@@ -237,7 +237,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
                   ? pairAll(n)
                   : pairNeighbors(
                         samples, n, [&](double done) { journal.tell(Stage::pair, done); }, observer);
-      if (observer) tellOfPairs(pairs, observer);
+      if (observer) reportOfPairs(pairs, observer);
     }
     Construction result =
         judged(touchPairs(sites.circles, pairs, observer, journal), sites, observer, journal, threads);
@@ -247,8 +247,8 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     // If only rounding has put ends of edges out of order, flips correct them. Otherwise pairs are missing.
     if (!result.flawed) {
       Dual dual = result.dual;
-      FaceTeller teller(dual, sites.circles, observer);
-      Verdict verdict = flippedAndJudged(dual, sites, false, teller, journal, threads);
+      FaceReporter reporter(dual, sites.circles, observer);
+      Verdict verdict = flippedAndJudged(dual, sites, false, reporter, journal, threads);
       if (verdict.isRight()) return {std::move(dual), std::move(verdict)};
     }
     // A missing edge may lie farther off than the flaw that shows it: from the third try on, sample everywhere.
@@ -273,9 +273,9 @@ Construction constructAutomatically(FoundSites& found, const Observer& observer,
     addCounts(found.inserted->signs, journal.stats.counts);
     Construction result = {std::move(found.inserted->dual), {}};
     result.verdict.proof = std::move(found.inserted->proof);
-    FaceTeller teller(result.dual, sites.circles, observer);
-    teller.tellRound(0);
-    teller.tellChanges();
+    FaceReporter reporter(result.dual, sites.circles, observer);
+    reporter.reportRound(0);
+    reporter.reportChanges();
     return result;
   }
   Construction result = flippedFromCenters(sites, true, observer, journal, threads);
@@ -287,10 +287,10 @@ Construction constructAutomatically(FoundSites& found, const Observer& observer,
   }();
   if (!anew) return result;
   result.dual = std::move(anew->dual);
-  FaceTeller teller(result.dual, sites.circles, observer);
-  teller.tellRound(1);
+  FaceReporter reporter(result.dual, sites.circles, observer);
+  reporter.reportRound(1);
   result.verdict = judged(result.dual, std::move(anew->proof), sites.circles, journal, threads);
-  teller.tellChanges();
+  reporter.reportChanges();
   return result;
 }
 

@@ -39,7 +39,7 @@ void EditState::removeFace(int face) {
 }
 
 void EditState::willChange(int face) {
-  if (teller != nullptr) teller->willChange(face);
+  if (reporter != nullptr) reporter->willChange(face);
   const int last = savedFaceAt_[face];
   if (last != kNone && static_cast<std::size_t>(last) >= stepFaces_) return;
   const int h = 3 * face;

@@ -17,7 +17,7 @@
 #include "number_pool.h"
 #include "predicates.h"
 #include "proof.h"
-#include "tell_faces.h"
+#include "report_faces.h"
 
 namespace circle_voronoi {
 
@@ -63,7 +63,7 @@ class EditState final : public DualKeeper {
   int visibleCount = 0;
   int faceCount = 0;
   /// Reports the faces that change to an observer, if there is one.
-  FaceTeller* teller = nullptr;
+  FaceReporter* reporter = nullptr;
   NumberPool faceNumbers;
   NumberPool siteNumbers;
   NumberPool edgeNumbers;

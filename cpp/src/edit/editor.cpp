@@ -85,8 +85,8 @@ class DiagramEditor::Editor {
   }
 
   void stopTelling() noexcept {
-    state_->teller = nullptr;
-    teller_.reset();
+    state_->reporter = nullptr;
+    reporter_.reset();
     observer_ = nullptr;
     events_.clear();
   }
@@ -137,21 +137,21 @@ class DiagramEditor::Editor {
  private:
   void takeAllBack() {
     state_->takeAllBack();
-    if (!teller_) return;
-    teller_->setShrinking(kPointAtInfinity);
-    teller_->tellChanges();
+    if (!reporter_) return;
+    reporter_->setShrinking(kPointAtInfinity);
+    reporter_->reportChanges();
     events_.clear();  // the edit was never done
   }
 
   void beginTelling() {
-    teller_.emplace(state_->dual, state_->circles, sink_);
-    state_->teller = &*teller_;
-    teller_->tellRound(round_++);
-    teller_->tellChanges();
+    reporter_.emplace(state_->dual, state_->circles, sink_);
+    state_->reporter = &*reporter_;
+    reporter_->reportRound(round_++);
+    reporter_->reportChanges();
   }
 
   /// Tells all faces after an edit is done. The edit stays valid if memory runs out, but then the telling ends.
-  void tellAnew() noexcept {
+  void reportAnew() noexcept {
     if (!observer_) return;
     try {
       beginTelling();
@@ -161,7 +161,7 @@ class DiagramEditor::Editor {
   }
 
   /// Tells of an edit that computes the whole diagram.
-  void tellEdit(const Edit& edit, CircleId id, const Circle& circle) {
+  void reportEdit(const Edit& edit, CircleId id, const Circle& circle) {
     if (!observer_) return;
     const TraceKind kind = edit.kind == Edit::Kind::insert   ? TraceKind::circleInserted
                            : edit.kind == Edit::Kind::remove ? TraceKind::circleRemoved
@@ -170,10 +170,10 @@ class DiagramEditor::Editor {
   }
 
   /// Tells the changes of an edit that were not told yet.
-  void tellRest() {
-    if (!teller_) return;
-    for (const auto& saved : state_->faceLog) teller_->lookAt(saved.face);
-    teller_->tell();
+  void reportRest() {
+    if (!reporter_) return;
+    for (const auto& saved : state_->faceLog) reporter_->addPending(saved.face);
+    reporter_->reportPending();
   }
 
   void take(std::unique_ptr<EditState> state) {
@@ -245,7 +245,7 @@ class DiagramEditor::Editor {
                                                : stepper_->replace(slot, circle);
       }
       if (!done) return std::nullopt;
-      tellRest();
+      reportRest();
       way = std::max(way, *done);
     }
     return recorder_.record(*state_, way);
@@ -280,7 +280,7 @@ class DiagramEditor::Editor {
       const bool isInsertion = edit.kind == Edit::Kind::insert;
       if (isInsertion && edit.id == kNone) {
         entries.push_back({nextId, edit.circle, Presence::present});
-        tellEdit(edit, nextId, edit.circle);
+        reportEdit(edit, nextId, edit.circle);
         ++nextId;
         continue;
       }
@@ -290,7 +290,7 @@ class DiagramEditor::Editor {
         return isInsertion ? notFormer(edit.id, i) : unknownCircle(edit.id, i);
       }
       const bool isRemoval = edit.kind == Edit::Kind::remove;
-      tellEdit(edit, edit.id, isRemoval ? found->circle : edit.circle);
+      reportEdit(edit, edit.id, isRemoval ? found->circle : edit.circle);
       found->presence = isRemoval ? Presence::removed : Presence::present;
       if (!isRemoval) found->circle = edit.circle;
     }
@@ -306,7 +306,7 @@ class DiagramEditor::Editor {
     auto change = recorder_.recordWhole(*state_, **state);
     if (change) {
       take(std::move(state).value());
-      tellAnew();
+      reportAnew();
     }
     return change;
   }
@@ -338,7 +338,7 @@ class DiagramEditor::Editor {
     for (CircleIndex& circle : event.circles) circle = state_->idOf(circle);
     events_.push_back(event);
   };
-  std::optional<FaceTeller> teller_;
+  std::optional<FaceReporter> reporter_;
   int round_ = 0;
 };
 

@@ -51,8 +51,8 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
     const int ab = Dual::next(before.halfEdge);
     const int bi = Dual::next(ab);
     const int beyondCi = dual.twin[ci];
-    if (state.teller != nullptr) {
-      for (const int changed : {ib, ab}) state.teller->willChange(changed / 3);
+    if (state.reporter != nullptr) {
+      for (const int changed : {ib, ab}) state.reporter->willChange(changed / 3);
     }
     dual.origin[ib] = dual.origin[ab];
     dual.origin[bi] = dual.origin[ci];

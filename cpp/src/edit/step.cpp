@@ -32,7 +32,7 @@ std::optional<EditWay> Stepper::insert(const Circle& circle, CircleId id, int hi
   if (coversMany(circle)) return std::nullopt;
   begin();
   const int slot = state_.addSite(circle, id);
-  tellCircle(TraceKind::circleInserted, slot, circle);
+  reportCircle(TraceKind::circleInserted, slot, circle);
   if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
   return certify(kNone);
 }
@@ -41,13 +41,13 @@ std::optional<EditWay> Stepper::remove(int slot) {
   begin();
   if (!state_.isVisible(slot)) {
     state_.detach(slot);
-    tellCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
+    reportCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
     state_.removeSite(slot);
     return certify(kNone);
   }
   const int hint = neighborOf(slot);
   if (!takeOut(slot) || !releaseHidden(slot, kNone)) return std::nullopt;
-  tellCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
+  reportCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
   state_.removeSite(slot);
   if (!putWaiting(hint)) return std::nullopt;
   return certify(kNone);
@@ -60,8 +60,8 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
   if (isVisible && staysNear(slot, circle)) {
     if (move(slot, circle) && isRight(slot)) return EditWay::local;
     state_.takeBack(mark);
-    tellCircle(TraceKind::circleReplaced, slot, state_.circles[slot]);
-    if (state_.teller != nullptr) state_.teller->tellChanges();
+    reportCircle(TraceKind::circleReplaced, slot, state_.circles[slot]);
+    if (state_.reporter != nullptr) state_.reporter->reportChanges();
   }
   int hint = slot;
   if (isVisible) {
@@ -71,7 +71,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
     hint = state_.sites[slot].hider;
     state_.detach(slot);
   }
-  tellCircle(TraceKind::circleReplaced, slot, circle);
+  reportCircle(TraceKind::circleReplaced, slot, circle);
   state_.willChangeSite(slot);
   state_.circles[slot] = circle;
   if (!put(slot, hint) || !releaseHidden(slot, hiderBy(slot)) || !putWaiting(hint)) return std::nullopt;
@@ -83,8 +83,8 @@ EditState::Mark Stepper::begin() {
   return state_.beginStep();
 }
 
-void Stepper::tellCircle(TraceKind kind, int slot, const Circle& circle) {
-  if (state_.teller != nullptr) state_.teller->tellCircle(kind, slot, circle);
+void Stepper::reportCircle(TraceKind kind, int slot, const Circle& circle) {
+  if (state_.reporter != nullptr) state_.reporter->reportCircle(kind, slot, circle);
 }
 
 /// Puts a circle into the dual, or into the list of a circle that hides it. It must be in neither before. Returns true
@@ -133,11 +133,11 @@ bool Stepper::putBefore(int slot, int identical) {
 /// success.
 bool Stepper::takeOut(int slot) {
   if (state_.visibleCount <= 2) return false;
-  if (state_.teller != nullptr) state_.teller->setShrinking(slot);
+  if (state_.reporter != nullptr) state_.reporter->setShrinking(slot);
   if (!shrinker_.takeOut(state_, slot)) return false;
-  if (state_.teller != nullptr) {
-    state_.teller->tell();
-    state_.teller->setShrinking(kPointAtInfinity);
+  if (state_.reporter != nullptr) {
+    state_.reporter->reportPending();
+    state_.reporter->setShrinking(kPointAtInfinity);
   }
   --state_.visibleCount;
   state_.willChangeSite(slot);
@@ -223,7 +223,7 @@ bool Stepper::staysNear(int slot, const Circle& circle) const {
 /// Changes a visible circle in its place in the dual. Returns true on success.
 bool Stepper::move(int slot, const Circle& circle) {
   Dual& dual = state_.dual;
-  tellCircle(TraceKind::circleReplaced, slot, circle);
+  reportCircle(TraceKind::circleReplaced, slot, circle);
   state_.willChangeSite(slot);
   state_.circles[slot] = circle;
   edges_.clear();

@@ -28,7 +28,7 @@ class Stepper {
 
  private:
   EditState::Mark begin();
-  void tellCircle(TraceKind kind, int slot, const Circle& circle);
+  void reportCircle(TraceKind kind, int slot, const Circle& circle);
   bool put(int slot, int hint);
   bool putBefore(int slot, int identical);
   bool takeOut(int slot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tell_faces.h"
+#include "report_faces.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,61 +27,61 @@ bool meets(const Vertex& disc, const Circle& circle) {
 
 }  // namespace
 
-FaceTeller::FaceTeller(const Dual& dual, const std::vector<Circle>& circles, const Observer& observer)
+FaceReporter::FaceReporter(const Dual& dual, const std::vector<Circle>& circles, const Observer& observer)
     : dual_(dual), circles_(circles), observer_(observer), predicates_(circles) {}
 
-FaceTeller::~FaceTeller() = default;
+FaceReporter::~FaceReporter() = default;
 
-void FaceTeller::tellEvent(TraceKind kind, const Vertex& disc, int a, int b, int c, int number) const {
+void FaceReporter::reportEvent(TraceKind kind, const Vertex& disc, int a, int b, int c, int number) const {
   observer_({kind, disc, {a, b, c}, kNone, {number, kNone}});
 }
 
-void FaceTeller::tellRound(int round) const {
-  if (observer_) tellEvent(TraceKind::roundBegun, {}, kNone, kNone, kNone, round);
+void FaceReporter::reportRound(int round) const {
+  if (observer_) reportEvent(TraceKind::roundBegun, {}, kNone, kNone, kNone, round);
 }
 
-void FaceTeller::tellCircle(TraceKind kind, int i, const Circle& circle) const {
-  tellEvent(kind, {circle.x, circle.y, circle.r}, i, kNone, kNone);
+void FaceReporter::reportCircle(TraceKind kind, int i, const Circle& circle) const {
+  reportEvent(kind, {circle.x, circle.y, circle.r}, i, kNone, kNone);
 }
 
-void FaceTeller::willChange(int face) {
-  tell();
-  lookAt(face);
+void FaceReporter::willChange(int face) {
+  reportPending();
+  addPending(face);
 }
 
-void FaceTeller::tellChanges() {
+void FaceReporter::reportChanges() {
   if (!observer_) return;
-  for (int face = 0; face < dual_.faceCount(); ++face) lookAt(face);
-  tell();
+  for (int face = 0; face < dual_.faceCount(); ++face) addPending(face);
+  reportPending();
 }
 
-void FaceTeller::know() {
+void FaceReporter::markReported() {
   if (!observer_) return;
-  told_.resize(static_cast<std::size_t>(dual_.faceCount()));
-  for (int face = 0; face < dual_.faceCount(); ++face) told_[face] = faceAt(face);
+  reported_.resize(static_cast<std::size_t>(dual_.faceCount()));
+  for (int face = 0; face < dual_.faceCount(); ++face) reported_[face] = faceAt(face);
 }
 
-void FaceTeller::tell() {
+void FaceReporter::reportPending() {
   predicates_.setCircles(circles_);
-  if (told_.size() < static_cast<std::size_t>(dual_.faceCount())) told_.resize(dual_.origin.size() / 3);
-  sortUnique(looked_);
-  const auto changed = std::remove_if(looked_.begin(), looked_.end(), [&](int face) { return !isChanged(face); });
-  if (changed == looked_.begin()) return;  // all are still to change
-  looked_.erase(changed, looked_.end());
-  if (looked_.size() == 2) tellReason(looked_[0], looked_[1]);
-  for (const int face : looked_) {
-    const auto& [corners, disc] = told_[face];
-    if (told_[face].isThere()) tellEvent(TraceKind::faceRemoved, disc, corners[0], corners[1], corners[2], face);
+  if (reported_.size() < static_cast<std::size_t>(dual_.faceCount())) reported_.resize(dual_.origin.size() / 3);
+  sortUnique(pending_);
+  const auto changed = std::remove_if(pending_.begin(), pending_.end(), [&](int face) { return !isChanged(face); });
+  if (changed == pending_.begin()) return;  // none has changed yet
+  pending_.erase(changed, pending_.end());
+  if (pending_.size() == 2) reportReason(pending_[0], pending_[1]);
+  for (const int face : pending_) {
+    const auto& [corners, disc] = reported_[face];
+    if (reported_[face].isThere()) reportEvent(TraceKind::faceRemoved, disc, corners[0], corners[1], corners[2], face);
   }
-  for (const int face : looked_) {
-    told_[face] = faceAt(face);
-    const auto& [corners, disc] = told_[face];
-    if (told_[face].isThere()) tellEvent(TraceKind::faceMade, disc, corners[0], corners[1], corners[2], face);
+  for (const int face : pending_) {
+    reported_[face] = faceAt(face);
+    const auto& [corners, disc] = reported_[face];
+    if (reported_[face].isThere()) reportEvent(TraceKind::faceMade, disc, corners[0], corners[1], corners[2], face);
   }
-  looked_.clear();
+  pending_.clear();
 }
 
-FaceTeller::Face FaceTeller::faceAt(int face) {
+FaceReporter::Face FaceReporter::faceAt(int face) {
   Face result;
   if (dual_.twin[3 * face] == kNone) return result;
   int first = 0;
@@ -103,7 +103,7 @@ FaceTeller::Face FaceTeller::faceAt(int face) {
   return result;
 }
 
-bool FaceTeller::hasDisc(const std::array<int, 3>& corners) {
+bool FaceReporter::hasDisc(const std::array<int, 3>& corners) {
   for (int k = 0; k < 3; ++k) {
     if (corners[k] == kPointAtInfinity || corners[k] == shrinking_) return false;
     for (int other = 0; other < 3; ++other) {
@@ -114,18 +114,18 @@ bool FaceTeller::hasDisc(const std::array<int, 3>& corners) {
   return predicates_.disc(corners).exists;
 }
 
-bool FaceTeller::isChanged(int face) {
+bool FaceReporter::isChanged(int face) {
   const Face now = faceAt(face);
-  const Face& told = told_[face];
-  if (now.corners != told.corners) return true;
+  const Face& reported = reported_[face];
+  if (now.corners != reported.corners) return true;
   if (shrinking_ != kPointAtInfinity && now.has(shrinking_)) return false;
-  return now.hasDisc() ? now.disc != told.disc : told.hasDisc() && now.isThere();
+  return now.hasDisc() ? now.disc != reported.disc : reported.hasDisc() && now.isThere();
 }
 
-/// Tells why two faces are replaced by two others: their common edge is flipped.
-void FaceTeller::tellReason(int f, int g) {
-  const Face& first = told_[f];
-  const Face& second = told_[g];
+/// Reports why two faces are replaced by two others: their common edge is flipped.
+void FaceReporter::reportReason(int f, int g) {
+  const Face& first = reported_[f];
+  const Face& second = reported_[g];
   const Face made = faceAt(f);
   const Face other = faceAt(g);
   if (!first.isThere() || !second.isThere()) return;
@@ -140,11 +140,11 @@ void FaceTeller::tellReason(int f, int g) {
       const Circle& circle = circles_[shrinking_];
       const Face& whole = made.has(shrinking_) ? other : made;
       const Vertex shrunk = {circle.x, circle.y, circle.r - depth(whole.disc, circle)};
-      if (whole.hasDisc()) tellEvent(TraceKind::circleShrunk, shrunk, shrinking_, kNone, kNone);
+      if (whole.hasDisc()) reportEvent(TraceKind::circleShrunk, shrunk, shrinking_, kNone, kNone);
     } else if (a == kPointAtInfinity || b == kPointAtInfinity) {
-      tellEvent(TraceKind::hullNotConvex, kNoDisc, std::max(a, b), c, d);
+      reportEvent(TraceKind::hullNotConvex, kNoDisc, std::max(a, b), c, d);
     } else if (c == kPointAtInfinity || d == kPointAtInfinity) {
-      tellEvent(TraceKind::tangentNotClear, kNoDisc, a, b, std::max(c, d));
+      reportEvent(TraceKind::tangentNotClear, kNoDisc, a, b, std::max(c, d));
     } else {
       // The disc that reaches farther over the rim of the circle opposite. No disc does if a flip is reverted.
       const bool isFirst =
@@ -152,9 +152,9 @@ void FaceTeller::tellReason(int f, int g) {
       const Vertex& disc = isFirst ? first.disc : second.disc;
       const int met = isFirst ? d : c;
       if (meets(disc, circles_[met])) {
-        tellEvent(TraceKind::discNotEmpty, disc, a, b, met);
+        reportEvent(TraceKind::discNotEmpty, disc, a, b, met);
       } else if (!first.hasDisc() || !second.hasDisc()) {
-        tellEvent(TraceKind::discMissing, kNoDisc, a, b, first.hasDisc() ? d : c);
+        reportEvent(TraceKind::discMissing, kNoDisc, a, b, first.hasDisc() ? d : c);
       }
     }
     return;
