@@ -110,7 +110,7 @@ test('reports "passed" to the system once the check is met, and goes on where it
   await lesson.getByRole('button', { name: 'Start over' }).click()
   await expect(lesson.getByRole('status')).toHaveText('Not solved yet')
   expect(await value('cmi.core.lesson_status')).toBe('passed')
-  // What the system kept of another program is no obstacle.
+  // Data that another program has left in the system are ignored.
   await other.evaluate(() => Object.defineProperty(values, 'cmi.suspend_data', { value: 'v9.none', writable: false }))
   await openAgain(2)
   await expect(lesson.getByRole('status')).toHaveText('Not solved yet')

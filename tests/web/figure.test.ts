@@ -30,7 +30,7 @@ const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 9, 3)
 let problems: string[]
 /** The error of the next request in place of its answer. */
 let failure: Error | undefined
-/** What each request waits for. */
+/** The promise that each request waits for. */
 let before: () => Promise<unknown>
 const listeners = new Map<string, (data: unknown) => void>()
 
