@@ -357,7 +357,7 @@ test('columns of other names are known, or asked for with a preview; names are s
   await dialog.getByLabel('r', { exact: true }).press('Tab')
   await dialog.getByRole('button', { name: 'Open' }).click()
   await soon(() => app.circles()).toEqual(Float64Array.of(4, 1, 0.5, 8, 5, 0.5, 3, 15, 0.5))
-  // Of two columns, none is the radius.
+  // A table of two columns has no radius.
   await choose(app, 'two.csv', 'a,b\n1,2\n3,5\n')
   await expect(dialog.getByLabel('radius').locator('option:checked')).toHaveText('the same for all')
   await dialog.getByRole('button', { name: 'Open' }).click()

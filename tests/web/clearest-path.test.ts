@@ -155,7 +155,7 @@ it('along one edge is as clear in both directions', () => {
   ]
   expect(clearestPath(diagram, left, right).clearance).toBeCloseTo(1, 12)
   expect(clearestPath(diagram, right, left).clearance).toBeCloseTo(1, 12)
-  // Neither goes on to an end of the edge and back.
+  // Neither path makes a detour to an end of the edge.
   expect(clearestPath(diagram, { x: 1, y: 0 }, right).edges).toHaveLength(1)
   expect(clearestPath(diagram, right, { x: 1, y: 0 }).edges).toHaveLength(1)
 })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The store of a view, with a view that tells on command.
+// The store of an edited view. The view is a stub whose events the tests send.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { editView } from '../../web/editing/edited-view.ts'
 import { withSelection } from '../../web/editing/state.ts'

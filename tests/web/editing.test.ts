@@ -314,7 +314,7 @@ describe('Editing', () => {
     await other.redo()
     await other.redo()
     expect([...other.circles.ids()]).toEqual([1, 2])
-    // A gesture that has begun is none of those of the history.
+    // New gestures differ from those that have begun and from those of the history.
     for (let k = 0; k < 5; k++) other.beginGesture()
     const begun = other.beginGesture()
     other.takeUp(editing.past)

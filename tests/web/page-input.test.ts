@@ -463,7 +463,7 @@ describe('the name and the color of the selected circle', () => {
     element('field-name').value = 'Bonn'
     send('field-name', 'change')
     expect(done).toEqual([['name', 3, 'Bonn']])
-    // Nothing is written anew.
+    // An unchanged name is not written again.
     send('field-name', 'change')
     select(3)
     type('Kiel')

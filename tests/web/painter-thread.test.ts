@@ -271,7 +271,7 @@ it('all scenes are painted in the end, however short the slices of time are', as
   const scenes = [9, 10]
   for (const scene of scenes) await openScene(scene)
   let now = performance.now()
-  // Each look at the clock is later than the end of the slice.
+  // Between two readings of the clock, the time slice ends.
   const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
     now += 5
     return now

@@ -182,7 +182,7 @@ it.each([
   const state = trace.at(step.end)
   const layers = overlayOf(trace, step, state, [], circlesAt(trace, circles, state), COLORS)
   const [x, y, tipX, tipY, , , headX, headY] = layers.find(({ id }) => id === 'placed')?.segments ?? []
-  // To the right of its segment, with the head at its tip.
+  // The arrow lies to the right of its segment, with the head at the tip.
   const expected = [r, -head / 2, r + gap, -head / 2, r + gap - head, -head]
   for (const [k, value] of [x, y, tipX, tipY, headX, headY].entries()) expect(value).toBeCloseTo(expected[k] as number)
 })

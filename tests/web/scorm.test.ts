@@ -92,6 +92,26 @@ describe('a session of a course', () => {
     expect(system.values['cmi.suspend_data']).toBe('')
   })
 
+  it('keeps the circles of the last session until they are shown, also if it ends before', async () => {
+    const before = new System()
+    const first = new ScormSession(before, true)
+    await first.tell(told(false, [[1, 2, 3]]))
+    first.finish()
+    const kept = before.values['cmi.suspend_data']
+    const left = new ScormSession(before, true)
+    await left.tell(told(false, [[7, 7, 7]]))
+    left.finish()
+    expect(before.values['cmi.suspend_data']).toBe(kept)
+    const again = new ScormSession(before, true)
+    await again.tell(told(false, [[7, 7, 7]]))
+    expect(again.suspended).toBe(kept)
+    again.markRestored()
+    await again.tell(told(false, [[4, 5, 6]]))
+    again.finish()
+    const { circles } = await decodeLink(before.values['cmi.suspend_data'] as string)
+    expect(circles).toEqual(Float64Array.of(4, 5, 6))
+  })
+
   it('keeps the last circles whose link is at most as long as a system allows', async () => {
     const system = new System()
     const session = new ScormSession(system, true)

@@ -299,7 +299,7 @@ it('follows the style and the resolution of the screen until it is disposed of',
   drawn.length = 0
   change()
   expect([readings, drawn.length > 0, frames.length > 0]).toEqual([2, true, true])
-  // Another resolution is watched from then on.
+  // After a change the view watches the new resolution.
   vi.stubGlobal('devicePixelRatio', 2)
   change()
   expect(media.has('(resolution: 2dppx)')).toBe(true)

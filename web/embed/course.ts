@@ -11,8 +11,6 @@ await customElements.whenDefined('circle-voronoi')
 const api = findApi(window)
 const { check } = await decodeLink(link)
 const session = api && new ScormSession(api, check !== undefined)
-// The circles that are opened first are told, too.
-const suspended = session?.suspended ?? ''
 window.addEventListener('pagehide', () => session?.finish())
 const frame = new Frame(main, {
   load: async (dataSet) => {
@@ -21,7 +19,8 @@ const frame = new Frame(main, {
   tell: (message) => session?.tell(message),
 })
 await frame.open(link)
-if (suspended !== '') {
-  const { circles } = await decodeLink(suspended).catch(() => ({ circles: undefined }))
+if (session !== undefined && session.suspended !== '') {
+  const { circles } = await decodeLink(session.suspended).catch(() => ({ circles: undefined }))
+  session.markRestored()
   if (circles !== undefined) frame.restore(circles)
 }

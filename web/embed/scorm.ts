@@ -50,6 +50,7 @@ export class ScormSession {
   #isPassed = false
   #isFinished = false
   #suspended = ''
+  #isRestored: boolean
 
   /** Starts the session. `hasCheck` means that the reader can pass; otherwise opening the lesson completes it. */
   constructor(api: ScormApi, hasCheck: boolean) {
@@ -59,6 +60,7 @@ export class ScormSession {
     const status = api.LMSGetValue('cmi.core.lesson_status')
     this.#isPassed = status === 'passed' || status === 'completed'
     this.#suspended = api.LMSGetValue('cmi.suspend_data')
+    this.#isRestored = this.#suspended === ''
     if (!this.#isPassed) this.#set('cmi.core.lesson_status', hasCheck ? 'incomplete' : 'completed')
     api.LMSCommit('')
   }
@@ -66,6 +68,11 @@ export class ScormSession {
   /** A link with the circles of the last session, or empty. */
   get suspended(): string {
     return this.#suspended
+  }
+
+  /** Ends the restoration: circles that are reported from now on replace those of the last session. */
+  markRestored(): void {
+    this.#isRestored = true
   }
 
   /** Reports a change. A lesson stays passed. */
@@ -79,6 +86,7 @@ export class ScormSession {
       this.#set('cmi.core.lesson_status', 'passed')
       this.#api.LMSCommit('')
     }
+    if (!this.#isRestored) return
     const link = await encodeLink({ circles: state.circles as never })
     if (link.length <= MOST_SUSPENDED) this.#suspended = link
   }
