@@ -694,7 +694,7 @@ describe('a press that rests where nothing is', () => {
       ['toggle', 0],
       ['toggle', 2],
     ])
-    // A click selects one circle. So does a tap in a cell, whether or not the page scrolls.
+    // A click selects one circle, and a tap in a cell does too, whether or not the page scrolls.
     await send(stage, 'pointerdown', pixel(0, 0))
     await send(stage, 'pointerup', pixel(0, 0))
     expect(stage.of('select').at(-1)).toEqual(['select', 2])
