@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The frame of panels: opening, closing, reloads, and the sheet of phones.
+import { html } from 'lit/html.js'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { NOT_LOADED } from '../../web/app/not-loaded.ts'
+import { type PageElement, stubPage } from './page-document.ts'
+
+vi.mock('lit/html.js', async (load) => ({
+  ...(await load<object>()),
+  render: (await import('./page-document.ts')).render,
+}))
+
+const STORED = 'circle-voronoi:open-panel'
+let stub: ReturnType<typeof stubPage>
+let panels: typeof import('../../web/app/panels/panel.ts')
+beforeEach(async () => {
+  stub = stubPage()
+  // The open panel is a variable of the module.
+  vi.resetModules()
+  panels = await import('../../web/app/panels/panel.ts')
+})
+afterEach(() => vi.unstubAllGlobals())
+
+function panelOf(id: string, isKept = true) {
+  const done: string[] = []
+  const [element, button] = [stub.element(id), stub.element(`${id}-button`)]
+  const draw = () => {
+    done.push('draw')
+    panel.render(() => html`<p>${id}</p>`)
+  }
+  const onopen = () => done.push('open')
+  const panel = panels.panelOf(element as unknown as HTMLElement, `Title of ${id}`, draw, { onopen, isKept })
+  return { panel, done, element, button }
+}
+
+function key(element: PageElement, key: string, more: object = {}) {
+  const event = Object.assign(new Event('keydown', { cancelable: true }), { key, shiftKey: false, ...more })
+  element.dispatchEvent(event)
+  return event.defaultPrevented
+}
+
+describe('a panel', () => {
+  it('is opened and closed by its button, and drawn each time', () => {
+    const { panel, done, element, button } = panelOf('a')
+    button.click()
+    expect([panel.isOpen, element.hidden, button.getAttribute('aria-expanded')]).toEqual([true, false, 'true'])
+    expect(done).toEqual(['draw', 'open'])
+    expect(element.text).toBe('Title of a a')
+    expect(stub.stored.get(STORED)).toBe('a')
+    panel.open()
+    expect(done, 'nothing: it is open').toHaveLength(2)
+    button.click()
+    expect([panel.isOpen, element.hidden, button.getAttribute('aria-expanded')]).toEqual([false, true, 'false'])
+    expect(element.text, 'no body').toBe('Title of a')
+    expect(stub.stored.get(STORED)).toBe('')
+    panel.close()
+    expect(done, 'nothing: it is closed').toHaveLength(3)
+  })
+
+  it('closes the panel that was open, which does not close it later', () => {
+    const [a, b] = [panelOf('a'), panelOf('b')]
+    a.button.click()
+    b.button.click()
+    expect([a.panel.isOpen, b.panel.isOpen]).toEqual([false, true])
+    a.panel.close()
+    expect(b.panel.isOpen).toBe(true)
+    b.element.press('Close')
+    a.button.click()
+    expect([a.panel.isOpen, b.panel.isOpen]).toEqual([true, false])
+    expect(b.done).toEqual(['draw', 'open', 'draw'])
+  })
+
+  it('opens again after a reload if it is kept', async () => {
+    stub.stored.set(STORED, 'a')
+    const [a, b, other] = [panelOf('a'), panelOf('b'), panelOf('a', false)]
+    expect(a.panel.isOpen, 'the caller has no panel yet').toBe(false)
+    await Promise.resolve()
+    expect([a.panel.isOpen, b.panel.isOpen, other.panel.isOpen]).toEqual([true, false, false])
+    other.button.click()
+    expect(stub.stored.get(STORED)).toBe('')
+  })
+
+  it('opens and closes without storage', () => {
+    const forbidden = () => {
+      throw new Error('forbidden')
+    }
+    vi.stubGlobal('localStorage', { getItem: forbidden, setItem: forbidden })
+    const { panel, button } = panelOf('a')
+    button.click()
+    expect(panel.isOpen).toBe(true)
+  })
+
+  it('is closed by Escape within it or on its button, unless something else has used the key', () => {
+    const { panel, element, button } = panelOf('a')
+    for (const place of [element, button]) {
+      panel.open()
+      key(place, 'a')
+      expect(panel.isOpen).toBe(true)
+      const used = Object.assign(new Event('keydown', { cancelable: true }), { key: 'Escape' })
+      used.preventDefault()
+      place.dispatchEvent(used)
+      expect(panel.isOpen).toBe(true)
+      const pressed = Object.assign(new Event('keydown', { bubbles: true }), { key: 'Escape' })
+      const stop = vi.spyOn(pressed, 'stopPropagation')
+      place.dispatchEvent(pressed)
+      expect([panel.isOpen, stop.mock.calls.length]).toEqual([false, 1])
+      place.dispatchEvent(pressed)
+      expect(stop, 'a closed panel uses no key').toHaveBeenCalledTimes(1)
+    }
+  })
+
+  it('gives the focus to its button as it closes, if it had the focus', () => {
+    const { panel, element, button } = panelOf('a')
+    panel.open()
+    const other = stub.element('other')
+    other.focus()
+    panel.close()
+    expect(stub.page.activeElement).toBe(other)
+    panel.open()
+    element.control('Close').focus()
+    panel.close()
+    expect(stub.page.activeElement).toBe(button)
+  })
+
+  it('has the focus after Tab on its button while it is open', () => {
+    const { panel, element, button } = panelOf('a')
+    expect(key(button, 'Tab')).toBe(false)
+    panel.open()
+    expect([key(button, 'Tab', { shiftKey: true }), key(button, 'a')]).toEqual([false, false])
+    expect(key(button, 'Tab')).toBe(true)
+    expect(stub.page.activeElement).toBe(element.control('Close'))
+  })
+})
+
+describe('the handle of a sheet', () => {
+  function pulled() {
+    const { panel, element } = panelOf('a')
+    panel.open()
+    const captured: number[] = []
+    const handle = Object.assign(element.control('Larger or smaller'), {
+      setPointerCapture: (id: number) => captured.push(id),
+    })
+    const send = (type: string, clientY = 0) =>
+      handle.dispatchEvent(Object.assign(new Event(type), { clientY, pointerId: 7 }))
+    const isLarge = () => stub.page.body.classList.has('large-sheet')
+    return { panel, handle, send, isLarge, captured }
+  }
+
+  it('enlarges it when pulled up, reduces it when pulled down, and closes it when pulled down again', () => {
+    const { panel, send, isLarge, captured } = pulled()
+    const pull = (to: number) => {
+      send('pointerdown', 100)
+      send('pointermove', 100 + to)
+      send('pointerup')
+      send('click')
+      return [isLarge(), panel.isOpen]
+    }
+    // The click after a pull is ignored.
+    expect(pull(-24)).toEqual([true, true])
+    expect(captured).toEqual([7])
+    expect(pull(24)).toEqual([false, true])
+    expect(pull(24)).toEqual([false, false])
+  })
+
+  it('toggles its size when clicked, also after a short pull', () => {
+    const { send, isLarge } = pulled()
+    const sizes = [0, 23].map((to) => {
+      send('pointerdown', 100)
+      send('pointermove', 100 + to)
+      send('pointerup')
+      send('click')
+      return isLarge()
+    })
+    expect(sizes).toEqual([true, false])
+  })
+
+  it.each(['pointerup', 'pointercancel'])('is followed once, and until %s', (end) => {
+    const { panel, send, isLarge } = pulled()
+    send('pointerdown', 100)
+    send(end)
+    send('pointermove', 0)
+    expect(isLarge()).toBe(false)
+    send('pointerdown', 100)
+    send('pointermove', 0)
+    send('pointermove', 200)
+    expect([isLarge(), panel.isOpen]).toEqual([true, true])
+  })
+})
+
+describe('a panel that is loaded later', () => {
+  const settled = async () => {
+    for (let k = 0; k < 9; k++) await Promise.resolve()
+  }
+
+  it('is loaded by a press, which then opens it, once', async () => {
+    const button = stub.element('a-button')
+    let mounted = 0
+    let opened = 0
+    panels.panelLater('a', expect.unreachable, async () => {
+      mounted += 1
+      button.addEventListener('click', () => opened++)
+    })
+    expect(mounted).toBe(0)
+    button.click()
+    await settled()
+    expect([mounted, opened]).toEqual([1, 1])
+    button.click()
+    await settled()
+    expect([mounted, opened]).toEqual([1, 2])
+  })
+
+  it('is loaded at once if it was open before a reload, and is not pressed', async () => {
+    stub.stored.set(STORED, 'a')
+    const mounted: string[] = []
+    const button = stub.element('a-button')
+    button.addEventListener('click', () => mounted.push('pressed'))
+    for (const id of ['a', 'b']) panels.panelLater(id, expect.unreachable, async () => void mounted.push(id))
+    await settled()
+    expect(mounted).toEqual(['a'])
+  })
+
+  it('says that it was not loaded, and is asked for again by the next press', async () => {
+    const problems: string[] = []
+    let asked = 0
+    panels.panelLater(
+      'a',
+      (problem) => problems.push(problem),
+      async () => {
+        asked += 1
+        throw new Error('no network')
+      },
+    )
+    for (let k = 1; k <= 2; k++) {
+      stub.element('a-button').click()
+      await settled()
+      expect([asked, problems]).toEqual([k, Array(k).fill(NOT_LOADED)])
+    }
+  })
+})
