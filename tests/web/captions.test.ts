@@ -152,6 +152,12 @@ describe('the caption', () => {
     change({ dataSet: 'waka' })
     vi.advanceTimersByTime(11_000)
     expect(text()).toMatch(/Gabon/)
+    change(START)
+    vi.runAllTimers()
+    expect(text()).toContain(MOUSE)
+    const opening = { kind: 'opening' }
+    change({ dataSet: 'waka', history: { done: [opening, { kind: 'edits' }], undone: [] } as unknown as History })
+    expect(text()).toBe(MOUSE)
   })
 })
 
@@ -275,6 +281,7 @@ describe('progress', () => {
     stage('loading')
     vi.advanceTimersByTime(200)
     stage('computing', 3)
+    expect(text()).toBeUndefined()
     stage('opened', 3)
     vi.runAllTimers()
     expect(text()).toBeUndefined()
