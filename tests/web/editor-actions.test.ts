@@ -143,7 +143,7 @@ describe('adding', () => {
 
 describe('selected circles', () => {
   it('are deleted, which is said, and nothing is selected', async () => {
-    const { actions, editing, said, selection } = await started({ circles: [...THREE, 50, 50, 1] })
+    const { actions, computer, editing, said, selection } = await started({ circles: [...THREE, 50, 50, 1] })
     actions.select([1])
     await actions.removeSelected()
     expect([[...editing.circles.ids()], selection(), said()]).toEqual([[0, 2, 3], [], 'Circle 1 deleted'])
@@ -152,6 +152,12 @@ describe('selected circles', () => {
     expect([[...editing.circles.ids()], said()]).toEqual([[2], '2 circles deleted'])
     await actions.removeSelected()
     expect(said(), 'nothing is selected').toBe('2 circles deleted')
+    vi.spyOn(computer, 'apply').mockRejectedValueOnce(new Error('It failed.'))
+    actions.select([2])
+    const removed = actions.removeSelected()
+    expect(selection(), 'at once').toEqual([])
+    await removed
+    expect(said(), 'refused').toBe('2 circles deleted')
   })
 
   it('move by steps, which says where one is, or how many there are', async () => {
@@ -271,14 +277,20 @@ describe('undo and redo', () => {
   })
 
   it('are pending until they are done', async () => {
-    const { actions } = await started()
+    const { actions, editing } = await started()
     expect(actions.pending).toBeUndefined()
+    let end = () => {}
+    const undone = new Promise<undefined>((resolve) => {
+      end = () => resolve(undefined)
+    })
+    vi.spyOn(editing, 'undo').mockReturnValue(undone)
     const first = actions.add([{ x: 50, y: 50, r: 1 }])
-    const { pending } = actions
+    expect(actions.pending).toBeDefined()
     const second = actions.undo()
-    expect(pending).toBeDefined()
     await first
+    await aTurn()
     expect(actions.pending, 'the second is still pending').toBeDefined()
+    end()
     await second
     await aTurn()
     expect(actions.pending).toBeUndefined()
@@ -416,6 +428,17 @@ describe('tools', () => {
     const before = store.get()
     actions.showStep(3, 'flip', 'loading')
     expect(store.get()).toBe(before)
+    for (const shown of [
+      [3, 'other', 'loading'],
+      [4, 'other', 'loading'],
+      [4, 'other', 'other'],
+      [4, 'flip', 'other'],
+    ] as const) {
+      const [next, by, at] = shown
+      actions.showStep(next, by, at)
+      const { step, method, stage } = store.get()
+      expect([step, method, stage]).toEqual(shown)
+    }
     actions.showStep(4)
     expect(store.get()).toMatchObject({ step: 4, method: 'flip', stage: undefined })
     actions.hover(1)

@@ -139,6 +139,9 @@ describe('a file', () => {
     expect([done, problem(), now()]).toEqual([[], 'a.json: the file is too large.', [...TWO]])
     size = 2 ** 28
     expect(await files.openFile(large)).toBe('opened')
+    const rows = fileOf('1,2,3')
+    Object.defineProperty(rows, 'size', { get: () => size })
+    expect([await files.openFile(rows), files.mergesPolygons]).toEqual(['opened', false])
   })
 
   it('of polygons is the region, which can be undone', async () => {

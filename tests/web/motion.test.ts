@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Animations as edits, their videos, the motion of the first scene, and the slider of radii, with a clock of the test.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { recordClip } from '../../web/app/motion/clip.ts'
+import { driftAtStart } from '../../web/app/motion/drift.ts'
+import { filmed } from '../../web/app/motion/film.ts'
+import { MOST_MOVING, Motion } from '../../web/app/motion/motion.ts'
+import { Radii } from '../../web/app/motion/radii.ts'
+import type { PageActions } from '../../web/app/page-actions.ts'
+import type { Circle } from '../../web/lib/index.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
+import type { View } from '../../web/view/view.ts'
+import { editingSession, sceneOf } from './editing-session.ts'
+import { stubPage } from './page-document.ts'
+
+/** Frames of a browser that the test shows. */
+let frames: Map<number, (now: number) => void>
+let lastFrame: number
+beforeEach(() => {
+  frames = new Map()
+  lastFrame = 0
+  vi.stubGlobal('requestAnimationFrame', (act: (now: number) => void) => {
+    lastFrame += 1
+    frames.set(lastFrame, act)
+    return lastFrame
+  })
+  vi.stubGlobal('cancelAnimationFrame', (frame: number) => frames.delete(frame))
+})
+afterEach(() => {
+  vi.unstubAllGlobals()
+  vi.useRealTimers()
+})
+const settled = async () => {
+  for (let k = 0; k < 20; k++) await Promise.resolve()
+}
+async function show(now: number) {
+  for (const [frame, act] of [...frames]) {
+    frames.delete(frame)
+    act(now)
+  }
+  await settled()
+}
+
+describe('an animation', () => {
+  async function started(circles = [0, 0, 1, 10, 0, 2]) {
+    const session = editingSession({
+      size: { width: 200, height: 100 },
+      padding: { top: 10, right: 20, bottom: 30, left: 40 },
+    })
+    const { editing, view, actions } = session
+    await editing.open(sceneOf(Float64Array.from(circles)))
+    const motion = new Motion(view, editing, actions as unknown as PageActions)
+    const changes: boolean[] = []
+    motion.onchange(() => changes.push(motion.isMoving))
+    const radii = () => [...editing.circles.circles()].filter((_, k) => k % 3 === 2)
+    return { ...session, motion, changes, radii }
+  }
+
+  it('edits circles in each frame, tells its begin and its end, and is one step of undo', async () => {
+    const { motion, changes, radii, actions, store, circles } = await started()
+    actions.select([0])
+    motion.start('grow')
+    expect([motion.isMoving, changes, store.get().selection]).toEqual([true, [true], []])
+    await show(1000)
+    expect(radii()).toEqual([0, 0])
+    for (let now = 1050; now <= 6000; now += 50) await show(now)
+    // Radii grow within five seconds.
+    expect(radii()[1]).toBeCloseTo(2, 6)
+    motion.stop()
+    motion.stop()
+    const before = circles()
+    await show(7000)
+    expect([motion.isMoving, changes, circles()]).toEqual([false, [true, false], before])
+    await actions.undo()
+    expect(circles()).toEqual([0, 0, 1, 10, 0, 2])
+    await actions.undo()
+    expect(circles(), 'one step').toEqual([0, 0, 1, 10, 0, 2])
+  })
+
+  it('moves no farther in a late frame than in a twentieth of a second', async () => {
+    const { motion, radii } = await started()
+    motion.start('grow')
+    await show(0)
+    await show(60_000)
+    const [late = 0] = radii()
+    expect(late).toBeCloseTo((1 - Math.cos((2 * Math.PI * 0.05) / 10)) / 2, 12)
+  })
+
+  it('waits in a frame until its last edit is done', async () => {
+    const { motion, editing, radii } = await started()
+    const edit = vi.spyOn(editing, 'edit')
+    motion.start('grow')
+    let end: (edited: object | undefined) => void = () => {}
+    edit.mockImplementationOnce(
+      () =>
+        new Promise((resolve) => {
+          end = resolve as typeof end
+        }),
+    )
+    await show(0)
+    await show(50)
+    expect(edit).toHaveBeenCalledTimes(1)
+    end({})
+    await settled()
+    await show(100)
+    expect(edit).toHaveBeenCalledTimes(2)
+    expect(radii()[0]).toBeGreaterThan(0)
+  })
+
+  it('ends where an edit is refused, and not a later animation', async () => {
+    const { motion, editing, changes } = await started()
+    const edit = vi.spyOn(editing, 'edit')
+    edit.mockResolvedValueOnce(undefined)
+    motion.start('grow')
+    await show(0)
+    expect(motion.isMoving).toBe(false)
+    let end: (edited: undefined) => void = () => {}
+    edit.mockImplementationOnce(
+      () =>
+        new Promise((resolve) => {
+          end = resolve
+        }),
+    )
+    motion.start('grow')
+    await show(100)
+    motion.start('breathe')
+    end(undefined)
+    await settled()
+    expect([motion.isMoving, changes]).toEqual([true, [true, false, true, false, true]])
+  })
+
+  it('ends where other circles are opened, and skips circles that are deleted', async () => {
+    const { motion, editing, radii } = await started()
+    motion.start('grow')
+    await show(0)
+    await editing.edit([{ kind: 'remove', id: 0 }])
+    await show(50)
+    expect([motion.isMoving, radii().length]).toEqual([true, 1])
+    await editing.open(sceneOf(Float64Array.of(0, 0, 3)))
+    await show(100)
+    await show(150)
+    expect([motion.isMoving, radii()]).toEqual([false, [3]])
+  })
+
+  it('of no circles does nothing, and of too many is refused', async () => {
+    const { motion, changes } = await started([])
+    motion.start('bounce')
+    expect([motion.isMoving, changes]).toEqual([false, []])
+    const grid = (count: number) => Array.from({ length: count }, (_, k) => [k % 50, Math.floor(k / 50), 0.1]).flat()
+    const many = await started(grid(MOST_MOVING + 1))
+    many.motion.start('bounce')
+    expect([many.motion.isMoving, many.store.get().problem]).toEqual([
+      false,
+      'At most 2,000 circles can move at once; there are more.',
+    ])
+    const most = await started(grid(MOST_MOVING))
+    most.motion.start('bounce')
+    expect(most.motion.isMoving).toBe(true)
+  })
+
+  it('that compares shows the three diagrams, and another one does not', async () => {
+    const { motion, fake } = await started()
+    motion.start('grow')
+    expect(fake.layers.power).toBe(false)
+    motion.start('compare')
+    expect(fake.layers).toMatchObject({ edges: true, ordinary: true, power: true })
+  })
+
+  it('bounces off the free part of the picture', async () => {
+    const { motion, editing } = await started([0, 0, 1])
+    vi.spyOn(Math, 'random').mockReturnValue(0)
+    motion.start('bounce')
+    const xs: number[] = []
+    for (let now = 0; now < 30_000; now += 50) {
+      await show(now)
+      xs.push(editing.circles.get(0)?.x as number)
+    }
+    vi.mocked(Math.random).mockRestore()
+    // The picture is 200 wide, with panels of 40 and 20 pixels.
+    expect(Math.max(...xs)).toBeGreaterThan(78)
+    expect(Math.max(...xs)).toBeLessThan(81)
+    expect(Math.min(...xs)).toBeLessThan(-58)
+    expect(Math.min(...xs)).toBeGreaterThan(-61)
+  })
+})
+
+describe('the slider of radii', () => {
+  async function started() {
+    const session = editingSession()
+    await session.editing.open(sceneOf(Float64Array.of(0, 0, 1, 10, 0, 2)))
+    const radii = new Radii(session.store, session.editing)
+    const now = () => [...session.editing.circles.circles()].filter((_, k) => k % 3 === 2)
+    return { ...session, radii, now }
+  }
+
+  it('scales the radii that were, in one step of undo', async () => {
+    const { radii, now, actions } = await started()
+    expect(radii.share).toBe(1)
+    await radii.scale(0)
+    await radii.scale(0.5)
+    expect([now(), radii.share]).toEqual([[0.5, 1], 0.5])
+    await actions.undo()
+    expect([now(), radii.share]).toEqual([[1, 2], 1])
+  })
+
+  it('begins anew after another edit', async () => {
+    const { radii, now, editing } = await started()
+    await radii.scale(0.5)
+    await editing.edit([{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: 4 } }])
+    expect(radii.share).toBe(1)
+    await radii.scale(0.5)
+    expect(now()).toEqual([2, 0.5])
+  })
+
+  it('keeps the radii that were while edits are pending, and skips deleted circles', async () => {
+    const { radii, now, editing } = await started()
+    await Promise.all([radii.scale(0), radii.scale(1)])
+    expect([now(), radii.share]).toEqual([[1, 2], 1])
+    await radii.scale(0.5)
+    const removed = editing.edit([{ kind: 'remove', id: 0 }])
+    await removed
+    await radii.scale(1)
+    expect(now()).toEqual([1])
+  })
+})
+
+describe('the motion of the first scene', () => {
+  function drifting(isStill = false) {
+    const { page, media } = stubPage()
+    media.matches = isStill
+    let now = 0
+    vi.stubGlobal('performance', { now: () => now })
+    class Pressed extends Event {
+      clientX = 0
+      clientY = 0
+    }
+    vi.stubGlobal('PointerEvent', Pressed)
+    const table = new CircleTable(Float64Array.from(Array.from({ length: 8 }, (_, k) => [10 * k, 5, 1]).flat()))
+    const moved: Circle[] = []
+    let answer = () => Promise.resolve()
+    const view = {
+      circles: table,
+      camera: { x: 70, y: 5, scale: 10 },
+      size: { width: 100, height: 100 },
+      apply: ([{ circle, id }]: [{ circle: Circle; id: number }]) => {
+        expect(id).toBe(7)
+        moved.push(circle)
+        return answer()
+      },
+    }
+    const figure = { getBoundingClientRect: () => ({ left: 20, top: 30 }) }
+    let ends = 0
+    driftAtStart(view as unknown as View, figure as unknown as HTMLElement, () => ends++)
+    const at = async (time: number) => {
+      now = time
+      await show(time)
+      return moved.at(-1)
+    }
+    const press = (clientX: number, clientY: number) =>
+      page.dispatchEvent(Object.assign(new Pressed('pointerdown'), { clientX, clientY }))
+    return {
+      at,
+      press,
+      page,
+      view,
+      moved,
+      ends: () => ends,
+      setAnswer: (next: typeof answer) => {
+        answer = next
+      },
+    }
+  }
+  const HOME = { x: 70, y: 5, r: 1 }
+  const closeTo = ({ x, y }: { x: number; y: number }) => ({ x: expect.closeTo(x), y: expect.closeTo(y), r: 1 })
+
+  it('goes around once in nine seconds', async () => {
+    const { at } = drifting()
+    expect(await at(0)).toEqual(HOME)
+    expect(await at(2250)).toEqual(closeTo({ x: 70.9, y: 5.7 }))
+    expect(await at(4500)).toEqual(closeTo({ x: 71.8, y: 5 }))
+    expect(await at(6750)).toEqual(closeTo({ x: 70.9, y: 4.3 }))
+    expect(await at(9000)).toEqual(closeTo(HOME))
+  })
+
+  it.each(['pointerdown', 'keydown', 'wheel'])('goes home after %s, and ends', async (name) => {
+    const { at, page, ends, moved } = drifting()
+    await at(0)
+    await at(4500)
+    page.dispatchEvent(new Event(name))
+    expect(await at(4500 + 175)).toEqual(closeTo({ x: 70 + 1.8 / 4, y: 5 }))
+    page.dispatchEvent(new Event(name))
+    expect(await at(4500 + 350)).toEqual(HOME)
+    expect(ends()).toBe(0)
+    await at(5000)
+    const { length } = moved
+    await at(6000)
+    expect([ends(), moved.length, frames.size]).toEqual([1, length, 0])
+  })
+
+  it('leaves the circle where a pointer grabs it, and moves on beside it', async () => {
+    const { at, press, ends, moved } = drifting()
+    await at(0)
+    await at(4500)
+    // The circle is at 71.8, 5, which is 18 pixels right of the middle.
+    press(20 + 50 + 18 + 15, 30 + 50)
+    await at(4600)
+    expect(moved.at(-1)).not.toEqual(HOME)
+    const { length } = moved
+    expect(ends()).toBe(0)
+    press(20 + 50 + 16, 30 + 50)
+    await at(4700)
+    await at(4800)
+    expect([ends(), moved.length]).toEqual([1, length])
+  })
+
+  it('ends where other circles are opened, and where the circle cannot be moved', async () => {
+    const opened = drifting()
+    await opened.at(0)
+    opened.view.circles = new CircleTable(new Float64Array())
+    await opened.at(100)
+    await opened.at(200)
+    expect([opened.ends(), opened.moved.length]).toEqual([1, 1])
+    frames.clear()
+    const refused = drifting()
+    refused.setAnswer(() => Promise.reject(new Error()))
+    await refused.at(0)
+    await refused.at(100)
+    expect([refused.ends(), refused.moved.length]).toEqual([1, 1])
+  })
+
+  it('asks for one edit at a time', async () => {
+    const { at, setAnswer, moved } = drifting()
+    let end = () => {}
+    setAnswer(
+      () =>
+        new Promise((resolve) => {
+          end = resolve
+        }),
+    )
+    await at(0)
+    await at(100)
+    expect(moved).toHaveLength(1)
+    end()
+    await settled()
+    await at(200)
+    expect(moved).toHaveLength(2)
+  })
+
+  it('is off where people prefer less motion', async () => {
+    const { at, moved, ends } = drifting(true)
+    await at(0)
+    expect([moved, ends(), frames.size]).toEqual([[], 0, 0])
+  })
+})
+
+describe('a video', () => {
+  const stopped: string[] = []
+  const stream = { getTracks: () => [1, 2].map((track) => ({ stop: () => stopped.push(`track ${track}`) })) }
+  function recorder(supported: readonly string[]) {
+    vi.useFakeTimers()
+    stopped.length = 0
+    const made: unknown[] = []
+    class Recorder {
+      static isTypeSupported = (type: string) => supported.includes(type)
+      ondataavailable = (_: { data: Blob }) => {}
+      onstop = () => {}
+      constructor(...what: unknown[]) {
+        made.push(what)
+      }
+      start() {
+        this.ondataavailable({ data: new Blob(['a']) })
+      }
+      stop() {
+        stopped.push('recorder')
+        this.ondataavailable({ data: new Blob(['b']) })
+        this.onstop()
+      }
+    }
+    vi.stubGlobal('MediaRecorder', Recorder)
+    return made
+  }
+
+  it.each([
+    [['video/webm', 'video/mp4'], 'video/mp4', '.mp4'],
+    [['video/webm', 'video/webm;codecs=vp9'], 'video/webm;codecs=vp9', '.webm'],
+    [['video/webm'], 'video/webm', '.webm'],
+  ])('has the first format that the browser writes: %j', async (supported, mimeType, ending) => {
+    const made = recorder(supported)
+    const film = filmed(stream as unknown as MediaStream, 3)
+    await vi.advanceTimersByTimeAsync(2999)
+    expect(stopped).toEqual([])
+    await vi.advanceTimersByTimeAsync(1)
+    const { film: blob, ending: ended } = await film
+    expect([ended, blob.type, await blob.text()]).toEqual([ending, mimeType, 'ab'])
+    expect(stopped).toEqual(['recorder', 'track 1', 'track 2'])
+    expect(made).toEqual([[stream, { mimeType, videoBitsPerSecond: 8_000_000 }]])
+  })
+
+  it('is refused where the browser writes none', async () => {
+    recorder([])
+    await expect(filmed(stream as unknown as MediaStream, 3)).rejects.toThrow('This browser cannot record a video.')
+    vi.stubGlobal('MediaRecorder', undefined)
+    await expect(filmed(stream as unknown as MediaStream, 3)).rejects.toThrow('This browser cannot record a video.')
+  })
+
+  function clipped(state: object, canMove = true) {
+    recorder(['video/webm'])
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'setInterval', 'clearInterval', 'performance'] })
+    const done: unknown[][] = []
+    const motion = {
+      isMoving: false,
+      start: (name: string) => {
+        done.push(['start', name])
+        motion.isMoving = canMove
+      },
+      stop: () => {
+        done.push(['stop'])
+        motion.isMoving = false
+      },
+    }
+    const actions = {
+      select: (ids: unknown) => done.push(['select', ids]),
+      undo: async () => done.push(['undo']),
+      showStep: (step: unknown) => done.push(['showStep', step]),
+    }
+    const view = { stream: () => stream }
+    const store = { get: () => ({ selection: [2], ...state }) }
+    const clip = recordClip(view as never, store as never, actions as never, motion as never, 8)
+    return { done, clip, motion }
+  }
+
+  it('of circles that breathe lasts one breath, and everything is as before', async () => {
+    const { done, clip } = clipped({ step: undefined })
+    expect(done).toEqual([
+      ['select', []],
+      ['start', 'breathe'],
+    ])
+    await vi.advanceTimersByTimeAsync(3999)
+    expect(done).toHaveLength(2)
+    await vi.advanceTimersByTimeAsync(1)
+    expect((await clip)?.ending).toBe('.webm')
+    expect(done.slice(2)).toEqual([['stop'], ['undo'], ['select', [2]]])
+  })
+
+  it('is none where nothing can move', async () => {
+    const { done, clip } = clipped({ step: undefined }, false)
+    expect(await clip).toBeUndefined()
+    expect(done).toEqual([
+      ['select', []],
+      ['start', 'breathe'],
+      ['select', [2]],
+    ])
+  })
+
+  it('of the method goes from the first step to the last one, and back to the step that was shown', async () => {
+    const { done, clip } = clipped({ step: 3 })
+    expect(done).toEqual([
+      ['select', []],
+      ['showStep', 0],
+    ])
+    await vi.advanceTimersByTimeAsync(7999)
+    const steps = done.slice(2).map(([, step]) => step)
+    expect(steps.slice(0, 10)).toEqual([0, 0, 0, 0, 1, 1, 1, 1, 1, 1])
+    expect([steps.length, steps[69], steps.at(-1)]).toEqual([79, 7, 7])
+    await vi.advanceTimersByTimeAsync(1)
+    await clip
+    expect(done.slice(-2)).toEqual([
+      ['showStep', 3],
+      ['select', [2]],
+    ])
+    const { length } = done
+    await vi.advanceTimersByTimeAsync(1000)
+    expect(done).toHaveLength(length)
+  })
+})
