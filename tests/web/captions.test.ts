@@ -181,6 +181,8 @@ describe('the status', () => {
       '2,000 circles · 3 vertices · 1 edge · 4 hidden · areas within 1e-7 · ✓ proven · computed in 50 ms',
     )
     expect(ranks()).toEqual(['second', 'minor', 'rare', 'second', 'good', 'minor'])
+    change({ edited: editedOf(0, { counts: { ...counts, hidden: 1 } }) })
+    expect(status.text).toContain(' · 1 hidden · ')
     for (const [seconds, text] of [
       [0.0499, '✓ proven'],
       [0.9994, 'computed in 999 ms'],

@@ -82,3 +82,32 @@ it('the address of circles is that of the page, and that of a frame is that of t
   // The player needs room below its figure.
   expect([frame, player].map((code) => /aspect-ratio: ([^;]*);/.exec(code ?? '')?.[1])).toEqual(['3 / 2', '1'])
 })
+
+it('the code of a question is a frame with its title, and its link is the address', async () => {
+  const { files, store } = await started()
+  const question = { title: 'T', question: 'Q?' }
+  expect(await files.copyQuestion('link', question)).toBe(copied[0]?.length)
+  await files.copyQuestion('code', question)
+  await files.copyQuestion('code', {})
+  store.update((state) => ({ ...state, step: 3 }))
+  await files.copyQuestion('code', question)
+  const [link, code, untitled, player] = copied
+  expect(link).toMatch(/^https:\/\/example\.org\/page\/embed\.html#v[\w.-]+$/)
+  expect(await linkIn(link)).toMatchObject({ ...question, circles: CIRCLES })
+  expect([code, untitled].map((text) => /title="(.*?)"/.exec(text ?? '')?.[1])).toEqual([
+    'T',
+    'Voronoi diagram of circles',
+  ])
+  expect([code, player].map((text) => /aspect-ratio: ([^;]*);/.exec(text ?? '')?.[1])).toEqual(['4 / 3', '1'])
+})
+
+it('what cannot be copied is said', async () => {
+  const { files, store } = await started()
+  const write = async ([item]: [{ text: Promise<Blob> }]) => {
+    await item.text
+    throw new Error('Not allowed.')
+  }
+  vi.stubGlobal('navigator', { clipboard: { write } })
+  expect(await files.copyLink()).toBeUndefined()
+  expect(store.get().problem).toBe('Not allowed.')
+})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user can do with circles, and what is said of it, in a view without a picture.
+// The actions of a user on circles, and what screen readers hear, in a view without a picture.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { USUAL_RADIUS } from '../../web/editing/camera-actions.ts'
 import { describeCell } from '../../web/editing/describe-cell.ts'
@@ -340,6 +340,16 @@ describe('the selection', () => {
     expect([store.get().tool, selection()]).toEqual(['select', [0, 1]])
     actions.release()
     expect(selection()).toEqual([])
+  })
+
+  it('goes to the number after or before that of the circle selected last', async () => {
+    const { actions, selection } = await started()
+    actions.select([2, 0])
+    expect([actions.selectNext(1), selection()]).toEqual([true, [1]])
+    actions.select([0, 2])
+    expect([actions.selectNext(-1), selection()]).toEqual([true, [1]])
+    actions.select([])
+    expect(actions.selectNext(1)).toBe(false)
   })
 
   it('clears the former description and problem, unless it is the same', async () => {

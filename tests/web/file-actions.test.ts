@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user can do with files: opening, pasting, saving and sharing, with threads and a view that note their calls.
+// Opening, pasting, saving and sharing, with threads and a view that note their calls.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { FileActions } from '../../web/app/files/file-actions.ts'
 import { PageActions } from '../../web/app/page-actions.ts'

@@ -417,6 +417,9 @@ describe('the panel of numbers', () => {
       { method: 'touching-disc', candidates: 'all-pairs' },
       { method: 'flip' },
     ]
+    panel.press('Compute')
+    expect(asked.pop()).toEqual(['compute', {}])
+    await answer(undefined)
     for (const [selectedIndex, options] of ways.entries()) {
       Object.assign(panel.control('Compute once more by'), { selectedIndex })
       panel.enter('Compute once more by', '', ['change'])
