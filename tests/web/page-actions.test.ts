@@ -78,6 +78,10 @@ describe('areas', () => {
     await setRadii(6)
     await actions.setAreas(undefined)
     expect(radii()).toEqual([7, 7, 7, 7])
+    await actions.open(async () => sceneOf(Float64Array.of(0, 0, 1)))
+    await actions.setAreas('equal')
+    await actions.add([{ x: 9, y: 9, r: 2 }])
+    expect(actions.radii(), 'not that of a former circle').toEqual([1, 2])
   })
 
   it('are given back with the region that is removed, in one step', async () => {

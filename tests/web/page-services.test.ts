@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Services around the figure: data sets that are fetched, links in threads, free space, print, and style sheets.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { arrangeAround } from '../../web/app/arrange.ts'
+import { askAhead, loadDataSet } from '../../web/app/data-sets.ts'
+import type { FilesClient } from '../../web/app/files/files-client.ts'
+import { save } from '../../web/app/files/saving.ts'
+import { printWorksheet } from '../../web/app/files/worksheet.ts'
+import { LinkWriter } from '../../web/app/link-writer.ts'
+import type { PageActions } from '../../web/app/page-actions.ts'
+import { printDrawing } from '../../web/app/printing.ts'
+import { styleSheetsLoaded } from '../../web/app/style-sheets.ts'
+import { CircleVoronoiError } from '../../web/lib/index.ts'
+import { encodeLink } from '../../web/lib/link.ts'
+import type { View } from '../../web/view/view.ts'
+import { PageElement, stubPage } from './page-document.ts'
+
+let stub: ReturnType<typeof stubPage>
+beforeEach(() => {
+  stub = stubPage()
+})
+afterEach(() => {
+  vi.unstubAllGlobals()
+  vi.useRealTimers()
+})
+const settled = async () => {
+  for (let k = 0; k < 20; k++) await Promise.resolve()
+}
+
+describe('a data set', () => {
+  const files: Record<string, string | undefined> = {}
+  let asked: string[]
+  beforeEach(() => {
+    asked = []
+    Object.assign(files, {
+      'start.csv': 'x,y,r\n1,2,3\n',
+      'spruces.csv': 'x,y,r,name\n1,2,3,A\n',
+      'cities.csv': 'x,y,r\n1,2,3\n',
+      'cities.region.json': '[[[0,0],[9,0],[0,9]]]',
+      'waka.csv': undefined,
+    })
+    vi.stubGlobal('fetch', async ({ href }: URL) => {
+      asked.push(href)
+      const text = files[href.split('/').at(-1) ?? '']
+      return { ok: text !== undefined, status: 404, text: async () => text }
+    })
+  })
+  const load = (name: string) => loadDataSet(name, () => expect.unreachable())
+
+  it('is fetched from its file, with its columns and its region', async () => {
+    expect(await load('spruces')).toEqual({
+      circles: Float64Array.of(1, 2, 3),
+      attributes: { columns: [{ name: 'name', values: ['"A"'] }], ids: [], heights: [], collection: '' },
+    })
+    expect(await load('cities')).toMatchObject({ circles: Float64Array.of(1, 2, 3), domain: { areas: undefined } })
+    expect((await load('cities')).domain?.region).toBeDefined()
+    expect(await load('start')).toEqual({ circles: Float64Array.of(1, 2, 3) })
+    const address = (file: string) => `https://a.example/b/data/${file}`
+    expect(asked).toEqual(
+      ['spruces.csv', 'cities.csv', 'cities.region.json', 'cities.csv', 'cities.region.json', 'start.csv'].map(address),
+    )
+  })
+
+  it('that cannot be fetched says which one', async () => {
+    await expect(load('waka')).rejects.toThrow('The data set Waka trees could not be loaded (404).')
+  })
+
+  it('that was asked for ahead is not asked for again, once', async () => {
+    askAhead('start')
+    await load('start')
+    expect(asked).toHaveLength(1)
+    await load('start')
+    expect(asked).toHaveLength(2)
+    vi.stubGlobal('fetch', () => Promise.reject(new Error('no network')))
+    askAhead('start')
+    await settled()
+    await expect(load('start')).rejects.toThrow('no network')
+  })
+})
+
+describe('a link', () => {
+  const circles = (count: number) => new Float64Array(3 * count)
+  function writer() {
+    const called: unknown[] = []
+    const call = async (...what: unknown[]) => {
+      called.push(what)
+      return 'by the thread'
+    }
+    return { called, links: new LinkWriter({ call } as unknown as FilesClient) }
+  }
+
+  it('of many circles and edits is written by the thread', async () => {
+    const { called, links } = writer()
+    expect(await links.linkOf({ circles: circles(2) })).toBe(await encodeLink({ circles: circles(2) }))
+    await links.linkOf({ circles: circles(2000) })
+    expect(called).toEqual([])
+    const edit = { kind: 'remove', id: 0 } as const
+    for (const state of [{ circles: circles(2001) }, { dataSet: 'spruces', edits: Array(2001).fill(edit) }]) {
+      expect(await links.linkOf(state)).toBe('by the thread')
+      expect(called.pop()).toEqual(['link', state])
+    }
+  })
+
+  it('leaves out attributes that do not fit', async () => {
+    const given: unknown[] = []
+    const files = {
+      call: async (_: string, state: { attributes?: unknown }) => {
+        given.push(state.attributes)
+        throw new CircleVoronoiError('linkTooLong', 'too long')
+      },
+    }
+    const links = new LinkWriter(files as unknown as FilesClient)
+    const attributes = { properties: [], ids: [], heights: [], collection: '' }
+    await expect(links.linkOf({ circles: circles(2001), attributes })).rejects.toThrow('too long')
+    expect(given).toEqual([attributes, undefined])
+    await expect(links.linkOf({ circles: circles(2001) })).rejects.toThrow('too long')
+    expect(given).toHaveLength(3)
+  })
+})
+
+describe('the free part of the picture', () => {
+  const NONE = { left: 0, top: 0, right: 0, bottom: 0, width: 0, height: 0 }
+  const boxOf = (left: number, top: number, width: number, height: number) => ({
+    left,
+    top,
+    width,
+    height,
+    right: left + width,
+    bottom: top + height,
+  })
+  const WIDE = {
+    rail: boxOf(0, 50, 48, 600),
+    top: boxOf(0, 0, 1000, 40),
+    status: boxOf(0, 770, 300, 30),
+    view: boxOf(900, 700, 48, 100),
+  }
+
+  /** The padding, with the boxes of some elements, and of the window. */
+  async function padding(
+    boxes: Record<string, typeof NONE>,
+    { width = 1000, height = 800, panel = undefined as typeof NONE | undefined, is = [] as readonly string[] } = {},
+  ) {
+    vi.resetModules()
+    vi.stubGlobal('innerWidth', width)
+    vi.stubGlobal('innerHeight', height)
+    vi.stubGlobal('getComputedStyle', () => ({ fontSize: '16px' }))
+    vi.stubGlobal('matchMedia', (query: string) => ({ matches: is.some((size) => query.includes(size)) }))
+    const elements = new Map<string, PageElement>()
+    Object.assign(stub.page, {
+      getElementById: (id: string) => {
+        const element = elements.get(id) ?? new PageElement()
+        return Object.assign(element, { getBoundingClientRect: () => boxes[id] ?? NONE })
+      },
+      querySelector: () => (panel === undefined ? null : { getBoundingClientRect: () => panel }),
+    })
+    const { paddingOfPage } = await import('../../web/app/padding.ts')
+    return paddingOfPage()
+  }
+
+  it('is beside the rail and above the status, with room for the caption', async () => {
+    expect(await padding(WIDE)).toEqual({ top: 56, right: 32, bottom: 116, left: 64 })
+    // The status is higher than the caption.
+    expect(await padding({ ...WIDE, view: boxOf(900, 600, 48, 100) })).toEqual({
+      top: 56,
+      right: 32,
+      bottom: 216,
+      left: 64,
+    })
+    expect(await padding({ ...WIDE, view: NONE })).toMatchObject({ bottom: 90 + 16 })
+  })
+
+  it('is beside an open panel and the player', async () => {
+    expect(await padding(WIDE, { panel: boxOf(60, 50, 300, 600) })).toMatchObject({ left: 376, right: 32 })
+    expect(await padding({ ...WIDE, player: boxOf(700, 50, 300, 600) })).toMatchObject({ left: 64, right: 316 })
+    // The card for sharing leaves room except in low windows.
+    const share = { ...WIDE, share: boxOf(700, 50, 250, 300) }
+    expect(await padding(share)).toMatchObject({ right: 32 })
+    expect(await padding(share, { is: ['max-height: 32em'] })).toMatchObject({ right: 316 })
+  })
+
+  it('is beside the caption in low windows, unless a panel takes its place', async () => {
+    const low = { is: ['max-height: 32em'] }
+    expect(await padding(WIDE, low)).toEqual({ top: 56, right: 32 + 13 * 16, bottom: 116, left: 64 })
+    expect(await padding(WIDE, { ...low, panel: boxOf(60, 50, 300, 600) })).toMatchObject({ right: 32 })
+    expect(await padding({ ...WIDE, player: boxOf(700, 50, 300, 600) }, low)).toMatchObject({ right: 316 })
+    expect(await padding(WIDE, { is: ['max-height: 32em', 'max-width: 40em'] })).toMatchObject({ right: 32 })
+  })
+
+  const PHONE = { rail: boxOf(0, 740, 400, 60), top: boxOf(0, 0, 400, 40), status: boxOf(0, 710, 400, 30) }
+  it('is above the rail and the caption of a phone, or above a sheet', async () => {
+    const phone = { width: 400, height: 800, is: ['max-width: 40em'] }
+    expect(await padding(PHONE, phone)).toEqual({ top: 56, right: 16, bottom: 800 - (710 - 90) + 16, left: 16 })
+    expect(await padding(PHONE, { ...phone, is: ['max-width: 40em', 'max-width: 22em'] })).toMatchObject({
+      bottom: 800 - (710 - 112) + 16,
+    })
+    expect(await padding(PHONE, { ...phone, panel: boxOf(0, 500, 400, 300) })).toEqual({
+      top: 56,
+      right: 16,
+      bottom: 316,
+      left: 16,
+    })
+    for (const name of ['player', 'share']) {
+      expect(await padding({ ...PHONE, [name]: boxOf(0, 450, 400, 350) }, phone)).toMatchObject({
+        right: 16,
+        bottom: 366,
+      })
+    }
+  })
+})
+
+describe('all circles', () => {
+  function arranged(isWhole = true) {
+    const events = new Map<string, () => void>()
+    let resize = () => {}
+    const observed: unknown[] = []
+    vi.stubGlobal(
+      'ResizeObserver',
+      class {
+        constructor(act: () => void) {
+          resize = act
+        }
+        observe(element: unknown) {
+          observed.push(element)
+        }
+      },
+    )
+    Object.assign(stub.page, { querySelectorAll: () => ['figure', 'rail'] })
+    const view = {
+      circles: {},
+      covered: undefined as undefined | (() => unknown),
+      on: (name: string, act: () => void) => events.set(name, act),
+    }
+    const looked: unknown[] = []
+    const actions = { isWhole, paddingNow: 'padding', look: (what: unknown) => looked.push(what) }
+    arrangeAround(view as unknown as View, actions as unknown as PageActions)
+    return { events, resize: () => resize(), observed, view, looked, actions }
+  }
+
+  it('stay visible when panels open, if they were', () => {
+    const { resize, observed, view, looked, actions } = arranged()
+    expect([observed, view.covered?.()]).toEqual([['figure', 'rail'], 'padding'])
+    resize()
+    expect(looked, 'they are').toEqual([])
+    actions.isWhole = false
+    resize()
+    expect(looked).toEqual([undefined])
+  })
+
+  it('need not be visible after the camera was moved, or other circles were opened', async () => {
+    const moved = arranged()
+    moved.actions.isWhole = false
+    moved.events.get('camera')?.()
+    moved.resize()
+    expect(moved.looked).toEqual([])
+    const { events, resize, view, looked, actions } = arranged(false)
+    actions.isWhole = true
+    events.get('changed')?.()
+    await settled()
+    actions.isWhole = false
+    resize()
+    expect(looked, 'the same circles').toEqual([])
+    view.circles = {}
+    actions.isWhole = true
+    events.get('changed')?.()
+    await settled()
+    actions.isWhole = false
+    resize()
+    expect(looked).toEqual([undefined])
+  })
+})
+
+describe('print', () => {
+  it('has a drawing of few circles, made anew after each change', async () => {
+    vi.useFakeTimers()
+    vi.stubGlobal('addEventListener', () => {})
+    const events = new Map<string, () => void>()
+    const printed: number[] = []
+    const view = {
+      size: { width: 100, height: 50 },
+      circles: { count: 5000 },
+      toPrint: async () => {
+        printed.push(view.circles.count)
+        return '<svg></svg>'
+      },
+      on: (name: string, act: () => void) => events.set(name, act),
+    }
+    printDrawing(view as unknown as View, stub.element('paper') as unknown as HTMLElement)
+    await vi.runAllTimersAsync()
+    expect([printed, [...events.keys()]]).toEqual([[5000], ['camera', 'layers', 'diagram', 'found', 'changed']])
+    for (const act of events.values()) {
+      act()
+      await vi.runAllTimersAsync()
+    }
+    expect(printed).toHaveLength(6)
+    view.circles.count = 5001
+    events.get('changed')?.()
+    await vi.runAllTimersAsync()
+    view.circles.count = 1
+    view.size.width = 0
+    events.get('camera')?.()
+    await vi.runAllTimersAsync()
+    expect(printed).toHaveLength(6)
+  })
+
+  it.each([
+    [{}, 'en', ['Name:', 'Date:'], 'Try it: a.example/page/embed.html', 'The figure is too large for a code.'],
+    [
+      { lang: 'de' },
+      'de',
+      ['Name:', 'Datum:'],
+      'Probiere es aus: a.example/page/embed.html',
+      'Die Figur ist zu groß für einen Code.',
+    ],
+  ])(
+    'has a worksheet with the question and a code, until it is closed: %j',
+    async (frame, lang, names, tried, long) => {
+      const around = new EventTarget()
+      vi.stubGlobal('addEventListener', around.addEventListener.bind(around))
+      let prints = 0
+      vi.stubGlobal('print', () => prints++)
+      Object.assign(stub.page, { createElementNS: (_: string, name: string) => new PageElement(name) })
+      const place = Object.assign(new PageElement(), { lang: '' })
+      const sheet = async (address: string) => {
+        const printing = printWorksheet(
+          place as unknown as HTMLElement,
+          { title: 'T', question: 'Q?', ...frame },
+          '<svg><g/></svg>',
+          address,
+        )
+        const shown = {
+          spans: place.querySelectorAll('span').map(({ text }) => text),
+          texts: [place.querySelector('h1')?.text, place.querySelectorAll('p')[1]?.text],
+          figures: place.querySelector('figure')?.elements.map(({ localName }) => localName),
+          foot: place.querySelector('footer')?.text,
+          code: place.querySelector('footer svg')?.getAttribute('viewBox'),
+          isShown: !place.hidden,
+          lang: place.lang,
+        }
+        around.dispatchEvent(new Event('afterprint'))
+        await printing
+        return shown
+      }
+      const address = 'https://a.example/page/embed.html#v1'
+      const { code, ...shown } = await sheet(address)
+      expect(shown).toEqual({
+        spans: names,
+        texts: ['T', 'Q?'],
+        figures: ['svg', 'g'],
+        foot: tried,
+        isShown: true,
+        lang,
+      })
+      // The white squares around the code.
+      expect(code).toMatch(/^-4 -4 (\d+) \1$/)
+      expect([prints, place.hidden, place.nodes]).toEqual([1, true, []])
+      expect((await sheet(address.padEnd(1800, 'a'))).code).toBeDefined()
+      expect(await sheet(address.padEnd(1801, 'a'))).toMatchObject({ code: undefined, foot: long })
+    },
+  )
+})
+
+it('a file is saved by a link, whose address ends after a while', () => {
+  vi.useFakeTimers()
+  const revoked: unknown[] = []
+  vi.stubGlobal('URL', { createObjectURL: () => 'blob:1', revokeObjectURL: (address: string) => revoked.push(address) })
+  const link = Object.assign(new PageElement('a'), { href: '', download: '' })
+  const clicked: unknown[] = []
+  link.addEventListener('click', () => clicked.push([link.href, link.download]))
+  Object.assign(stub.page, { createElement: () => link })
+  save(new Blob(['a']), 'a.csv')
+  expect(clicked).toEqual([['blob:1', 'a.csv']])
+  vi.advanceTimersByTime(59_999)
+  expect(revoked).toEqual([])
+  vi.advanceTimersByTime(1)
+  expect(revoked).toEqual(['blob:1'])
+})
+
+it.each(['load', 'error'])('style sheets are waited for until each has loaded or failed: %s', async (kind) => {
+  const links = [null, {}, null].map((sheet) => Object.assign(new PageElement('link'), { sheet }))
+  Object.assign(stub.page, { querySelectorAll: () => links })
+  let isLoaded = false
+  const loaded = styleSheetsLoaded().then(() => {
+    isLoaded = true
+  })
+  links[0]?.dispatchEvent(new Event(kind))
+  await settled()
+  expect(isLoaded).toBe(false)
+  links[2]?.dispatchEvent(new Event(kind))
+  await loaded
+})
