@@ -488,6 +488,8 @@ describe('the camera', () => {
     const core = camera(() => actions.fit())
     expect(core.scale).toBeGreaterThan(1000 * whole.scale)
     expect(actions.isWhole).toBe(false)
+    // Zooming in is limited by most circles, and zooming out by all.
+    expect(camera(() => actions.zoom(1e20, { x: 100, y: 50 })).scale / core.scale).toBeCloseTo(1e7, 0)
     expect(camera(() => actions.fit())).toEqual(whole)
   })
 
@@ -507,7 +509,7 @@ describe('the camera', () => {
   })
 
   it('zooms to the selected circles with a margin, and to a point as to a new circle', async () => {
-    const { actions, camera, editing } = await started()
+    const { actions, camera, editing, fake } = await started()
     const before = camera(() => actions.zoomToSelection())
     expect(before, 'nothing is selected').toEqual({ x: 0, y: 0, scale: 1 })
     actions.select([1])
@@ -519,6 +521,10 @@ describe('the camera', () => {
     const two = camera(() => actions.zoomToSelection())
     expect([two.x, two.y]).toEqual([0, 11])
     expect(two.scale).toBeCloseTo(100 / (3 * 24), 1)
+    actions.select([0, 1])
+    // Three times 13 units fit into 200 pixels, but not into the height of 100.
+    expect(camera(() => actions.zoomToSelection()).scale).toBeCloseTo(100 / (3 * 13), 1)
+    fake.camera = two
     await editing.edit([{ kind: 'replace', id: 1, circle: { x: 10, y: 0, r: 0 } }])
     actions.select([1])
     const point = camera(() => actions.zoomToSelection())

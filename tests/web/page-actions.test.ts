@@ -110,6 +110,9 @@ describe('areas', () => {
     expect(await actions.setAreasBy('wrong')).toBeUndefined()
     expect(store.get().problem).toBe('wrong: circle 1 has 0. Areas need numbers above 0.')
     expect(editing.areas).toEqual([2, 3, 4])
+    await editing.setValues('n', new Map([[0, '-1']]))
+    expect(await actions.setAreasBy('n')).toBeUndefined()
+    expect(store.get().problem).toMatch(/^n: circle 0 has -1\./)
   })
 
   it('as shares of one cell keep the proportions of the others', async () => {
