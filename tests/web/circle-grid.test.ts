@@ -148,6 +148,9 @@ describe('cells', () => {
       ['', '-0.1235', '2'],
     ])
     expect([1, 2].map((row) => table.cell(row, 4).label)).toEqual(['hidden', 'without end'])
+    await editing.edit([{ kind: 'replace', id: 1, circle: { x: 0, y: 99, r: 1 } }])
+    await settled()
+    expect(asked.splice(0), 'again after an edit').toHaveLength(3)
     await editing.open(sceneOf(Float64Array.from(CIRCLES)))
     await settled()
     expect(texts('area'), 'of other circles').toEqual(['', '', ''])
@@ -173,7 +176,7 @@ describe('rows', () => {
   })
 
   it('are sorted by a measure once it is known, unless another column is chosen meanwhile', async () => {
-    const { table, column, ids, asked, answer, answers } = await started()
+    const { table, column, ids, asked, answer, answers, actions, editing } = await started()
     const first = table.sort(column('area'))
     expect([asked, table.sortOf(column('area')), ids()]).toEqual([
       [['tabulate', ['area'], undefined]],
@@ -184,11 +187,19 @@ describe('rows', () => {
     await answer(tabulated)
     await first
     expect(ids()).toEqual([2, 1, 0])
+    actions.select([1])
+    await editing.edit([{ kind: 'replace', id: 1, circle: { x: 0, y: 99, r: 1 } }])
+    await settled()
+    done.length = 0
+    await vi.advanceTimersByTimeAsync(300)
+    expect(done, 'the measures are not known yet').not.toContainEqual(['goTo', 1])
+    await answer({ ids: Int32Array.of(0, 1, 2), columns: [[3, 1, 2]] })
+    expect([ids(), done.filter(([name]) => name === 'goTo')]).toEqual([[1, 2, 0], [['goTo', 0]]])
     const late = table.sort(column('nearest'))
     await table.sort(column('y'))
     for (const act of answers.splice(0)) act(tabulated)
     await late
-    expect([ids(), table.sortOf(column('y'))]).toEqual([[1, 2, 0], 'ascending'])
+    expect([ids(), table.sortOf(column('y'))]).toEqual([[2, 0, 1], 'ascending'])
   })
 
   it('keep their places during edits, new ones are last, and are sorted again after a pause', async () => {
@@ -226,7 +237,7 @@ describe('rows', () => {
   })
 
   it('by number are those of the circles at once', async () => {
-    const { ids, editing, actions } = await started()
+    const { table, ids, editing, actions } = await started()
     done.length = 0
     await editing.edit([{ kind: 'remove', id: 1 }])
     await actions.add([{ x: 90, y: 8, r: 1 }])
@@ -236,6 +247,10 @@ describe('rows', () => {
     await editing.open(sceneOf(Float64Array.of(0, 0, 1)))
     await settled()
     expect([ids(), done.filter(([name]) => name === 'cancelEdit').length]).toEqual([[0], 1])
+    await table.sort(0)
+    await actions.add([{ x: 90, y: 8, r: 1 }])
+    await settled()
+    expect(ids()).toEqual([1, 0])
   })
 
   it('of a table that is gone are not sorted any more', async () => {
@@ -365,8 +380,10 @@ describe('pasting', () => {
     expect([problem(), circles()]).toEqual([said, before])
   })
 
-  it('of many circles selects the new ones', async () => {
-    const { table, selection } = await started()
+  it('of many circles selects the new ones, and none where it is refused', async () => {
+    const { table, selection, problem } = await started()
+    await table.paste(0, 1, '100\t5\t-6')
+    expect([selection(), problem()]).toEqual([[], expect.stringMatching(/negative/)])
     await table.paste(3, 1, '100\t5\t6\n200\t5\t6')
     expect(selection()).toEqual([3, 4])
   })

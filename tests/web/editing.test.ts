@@ -2,7 +2,7 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { NO_ATTRIBUTES, namedAs } from '../../web/editing/attributes.ts'
-import { Editing, type Outcome } from '../../web/editing/editing.ts'
+import { type DiagramBackend, Editing, type Outcome } from '../../web/editing/editing.ts'
 import { EMPTY_HISTORY } from '../../web/editing/history.ts'
 import { problemOf } from '../../web/editing/problem.ts'
 import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
@@ -278,6 +278,35 @@ describe('Editing', () => {
     const { editing, circles, asked } = await started()
     expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)), [{ kind: 'remove', id: 0 }])).toBeUndefined()
     expect([circles(), asked]).toEqual([[...TWO], []])
+  })
+
+  it('passes on the colors of circles once all of them are there', async () => {
+    const given: unknown[] = []
+    const computer = new LibraryBackend(async () => {})
+    const [setCircles, apply] = [computer.setCircles.bind(computer), computer.apply.bind(computer)]
+    computer.setCircles = (circles, change, kept) => {
+      given.push(['setCircles', change?.colors])
+      return setCircles(circles, change, kept)
+    }
+    const followed: DiagramBackend['apply'] = (edits, change) => {
+      given.push(['apply', change?.colors])
+      return apply(edits)
+    }
+    computer.apply = followed
+    const editing = new Editing(
+      computer,
+      () => {},
+      () => expect.unreachable(),
+    )
+    const colored = { ...sceneOf(TWO), colors: '01' }
+    await editing.open(colored)
+    expect(given.splice(0)).toEqual([['setCircles', '01']])
+    expect([editing.colors, editing.fileAttributes]).toEqual(['01', undefined])
+    await editing.open(colored, moved(0, 3))
+    expect(given).toEqual([
+      ['setCircles', undefined],
+      ['apply', '01'],
+    ])
   })
 
   it('calls a circle that came back by the id that it had, also after other circles were opened', async () => {
