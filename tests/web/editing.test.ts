@@ -283,18 +283,21 @@ describe('Editing', () => {
   it('passes on the colors of circles once all of them are there', async () => {
     const given: unknown[] = []
     const computer = new LibraryBackend(async () => {})
-    const [setCircles, apply] = [computer.setCircles.bind(computer), computer.apply.bind(computer)]
-    computer.setCircles = (circles, change, kept) => {
-      given.push(['setCircles', change?.colors])
-      return setCircles(circles, change, kept)
+    const backend: DiagramBackend = {
+      get circles() {
+        return computer.circles
+      },
+      setCircles(circles, change, kept) {
+        given.push(['setCircles', change?.colors])
+        return computer.setCircles(circles, change, kept)
+      },
+      apply(edits, change) {
+        given.push(['apply', change?.colors])
+        return computer.apply(edits)
+      },
     }
-    const followed: DiagramBackend['apply'] = (edits, change) => {
-      given.push(['apply', change?.colors])
-      return apply(edits)
-    }
-    computer.apply = followed
     const editing = new Editing(
-      computer,
+      backend,
       () => {},
       () => expect.unreachable(),
     )

@@ -24,7 +24,7 @@ beforeEach(() => {
 })
 afterEach(() => vi.unstubAllGlobals())
 
-function listening(state: Partial<State> = {}) {
+function listenedTo(state: Partial<State> = {}, isPage = true) {
   const done: unknown[][] = []
   let gestures = 0
   const known: { [name: string]: unknown } = { pending: undefined, isReadonly: false }
@@ -38,15 +38,24 @@ function listening(state: Partial<State> = {}) {
       }
     },
   })
-  const [figure, around] = [new FakeElement('figure'), new EventTarget()]
+  const [figure, around] = [new FakeElement('figure'), Object.assign(new EventTarget(), isPage ? { body: {} } : {})]
+  const listening = new AbortController()
   const store = createStore<State>({ ...INITIAL_STATE, ...state })
   listenToKeyboard(
     figure as unknown as HTMLElement,
     { camera: { x: 0, y: 0, scale: 4 } } as View,
     store,
     actions as unknown as EditorActions,
-    { showHelp: () => done.push(['help']) },
-    { around: around as unknown as Document, signal: new AbortController().signal },
+    {
+      showHelp: () => done.push(['help']),
+      editNumbers: () => done.push(['numbers']),
+      drawRegion: () => done.push(['region']),
+      drawKey: (...key) => {
+        done.push(['draw', ...key])
+        return key[0] === ' '
+      },
+    },
+    { around: around as unknown as Document, signal: listening.signal },
   )
   const press = (key: string, { at = figure, ...rest }: { at?: EventTarget; [name: string]: unknown } = {}) => {
     const none = { ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, repeat: false }
@@ -59,7 +68,7 @@ function listening(state: Partial<State> = {}) {
     const byFigure = at === figure && heard('keydown', figure)
     return heard('keydown', around) || byFigure
   }
-  return { done, press, figure, actions: known }
+  return { done, press, figure, around, actions: known, stop: () => listening.abort() }
 }
 
 describe('plus and minus', () => {
@@ -69,7 +78,7 @@ describe('plus and minus', () => {
     ['-', -1, 1 / 1.04],
     ['_', -1, 1 / 1.04],
   ])('%s grows or shrinks what is selected, so that one undoes the other, and else zooms', (key, sign, factor) => {
-    const selected = listening({ selection: [3] })
+    const selected = listenedTo({ selection: [3] })
     selected.press(key)
     selected.press(key, { shiftKey: true, repeat: true })
     const bigger = sign > 0 ? 1.4 : 1 / 1.4
@@ -77,7 +86,7 @@ describe('plus and minus', () => {
       ['growSelected', sign, expect.closeTo(factor, 10), 1],
       ['growSelected', 10 * sign, expect.closeTo(bigger, 10), 1],
     ])
-    const [none, fixed] = [listening(), listening({ selection: [3] })]
+    const [none, fixed] = [listenedTo(), listenedTo({ selection: [3] })]
     fixed.actions.isReadonly = true
     for (const { press, done } of [none, fixed]) {
       press(key)
@@ -88,7 +97,7 @@ describe('plus and minus', () => {
 
 describe('an arrow key', () => {
   it('moves what is selected in one gesture for as long as it is held, by larger or finer steps', () => {
-    const { done, press } = listening({ selection: [3] })
+    const { done, press } = listenedTo({ selection: [3] })
     press('ArrowRight')
     press('ArrowRight', { repeat: true })
     press('ArrowUp', { repeat: true, shiftKey: true })
@@ -102,14 +111,14 @@ describe('an arrow key', () => {
   })
 
   it('pans where nothing is selected, or nothing may be edited', () => {
-    const nothing = listening()
+    const nothing = listenedTo()
     nothing.press('ArrowLeft')
     nothing.press('ArrowUp')
     expect(nothing.done).toEqual([
       ['pan', 48, 0],
       ['pan', -0, 48],
     ])
-    const readonly = listening({ selection: [3] })
+    const readonly = listenedTo({ selection: [3] })
     readonly.actions.isReadonly = true
     readonly.press('ArrowDown')
     expect(readonly.done).toEqual([['pan', -0, -48]])
@@ -117,7 +126,7 @@ describe('an arrow key', () => {
 })
 
 it('Space pans until it is released, or the focus goes', () => {
-  const { done, press, figure } = listening()
+  const { done, press, figure } = listenedTo()
   press(' ')
   figure.dispatchEvent(Object.assign(new Event('keyup'), { key: ' ' }))
   press(' ')
@@ -131,13 +140,13 @@ it('Space pans until it is released, or the focus goes', () => {
 })
 
 it('Escape is used where a tool or a selection ends, and else left to the page', () => {
-  const isUsed = (state: Partial<State>) => listening(state).press('Escape')
+  const isUsed = (state: Partial<State>) => listenedTo(state).press('Escape')
   expect([{}, { tool: 'add' as const }, { selection: [1] }].map(isUsed)).toEqual([false, true, true])
 })
 
 describe('a key that is heard around the figure', () => {
   it.each(['input', 'textarea', 'select', 'dialog'])('is left to what is in it: %s', (inside) => {
-    const { done, press } = listening()
+    const { done, press } = listenedTo()
     const at = new FakeElement(inside)
     for (const key of ['v', 'Delete', '?', 'Escape']) expect(press(key, { at })).toBe(false)
     expect(press('z', { at, ctrlKey: true })).toBe(false)
@@ -145,7 +154,7 @@ describe('a key that is heard around the figure', () => {
   })
 
   it('does what it says on a button, and not twice on the figure', () => {
-    const { done, press } = listening()
+    const { done, press } = listenedTo()
     const at = new FakeElement('button')
     for (const key of ['h', 'Delete', 'Escape', '?']) expect(press(key, { at })).toBe(true)
     expect(press('Z', { at, metaKey: true, shiftKey: true })).toBe(true)
@@ -156,5 +165,115 @@ describe('a key that is heard around the figure', () => {
     press('Delete')
     press('Escape')
     expect(done).toEqual([['removeSelected'], ['release']])
+  })
+})
+
+describe('the keys of the figure', () => {
+  it.each([
+    ['0', {}, ['fit'], true],
+    ['f', {}, ['zoomToSelection'], false],
+    ['n', {}, ['addInRoom'], true],
+    ['Enter', {}, ['selectNearMiddle'], true],
+    ['Tab', {}, undefined, false],
+    ['f', { selection: [3] }, ['zoomToSelection'], true],
+    ['Enter', { selection: [3] }, ['numbers'], true],
+    ['Backspace', { selection: [3] }, ['removeSelected'], true],
+    ['Tab', { selection: [3] }, ['selectNext', 1], true],
+    ['v', {}, ['useTool', 'select'], true],
+    ['h', {}, ['useTool', 'pan'], true],
+    ['A', {}, ['useTool', 'add'], true],
+    ['s', {}, ['toggleSnapping'], true],
+    ['p', {}, ['region'], true],
+    ['x', {}, undefined, false],
+  ])('%s with the state %j does %j', (key, state, action, isUsed) => {
+    const { done, press } = listenedTo(state)
+    expect([press(key), done]).toEqual([isUsed, action === undefined ? [] : [action]])
+  })
+
+  it('go back with Shift, and leave the figure where there is no next circle', () => {
+    const { done, press, actions } = listenedTo({ selection: [3] })
+    press('Tab', { shiftKey: true })
+    expect(done).toEqual([['selectNext', -1]])
+    Object.assign(actions, { selectNext: () => false })
+    expect(press('Tab')).toBe(false)
+  })
+
+  it.each(['ctrlKey', 'metaKey'])('with %s are commands', (modifier) => {
+    for (const [key, more, action] of [
+      ['z', {}, ['undo']],
+      ['Z', { shiftKey: true }, ['redo']],
+      ['y', {}, ['redo']],
+      ['a', {}, ['selectAll']],
+      ['d', {}, ['duplicateSelected']],
+      ['ArrowLeft', {}, ['selectNeighbor', [-1, 0]]],
+      ['ArrowRight', {}, ['selectNeighbor', [1, 0]]],
+      ['ArrowUp', {}, ['selectNeighbor', [0, 1]]],
+      ['ArrowDown', {}, ['selectNeighbor', [0, -1]]],
+    ] as const) {
+      const { done, press } = listenedTo({ selection: [3] })
+      expect([press(key, { [modifier]: true, ...more }), done]).toEqual([true, [action]])
+    }
+    const { done, press } = listenedTo()
+    expect([press('c', { [modifier]: true }), done]).toEqual([false, []])
+    expect([press('ArrowUp', { [modifier]: true, at: new FakeElement('button') }), done]).toEqual([false, []])
+  })
+
+  it('draw a region while that is the tool, unless the pen has no use for them', () => {
+    const { done, press } = listenedTo({ tool: 'draw', selection: [3] })
+    press(' ')
+    press('0')
+    expect(done).toEqual([['draw', ' ', 1], ['draw', '0', 1], ['fit']])
+    const other = listenedTo({ tool: 'add' })
+    other.press(' ')
+    expect(other.done).toEqual([['holdPanning', true]])
+  })
+
+  it('wait for edits that select circles', async () => {
+    const { done, press, actions } = listenedTo({ selection: [3] })
+    let end = () => {}
+    actions.pending = new Promise<void>((resolve) => {
+      end = resolve
+    })
+    expect([press('Delete'), press('x'), press('z', { ctrlKey: true })], 'their effect is not known').toEqual([
+      true,
+      true,
+      true,
+    ])
+    expect(done).toEqual([])
+    end()
+    await actions.pending
+    await Promise.resolve()
+    expect(done).toEqual([['removeSelected'], ['undo']])
+  })
+
+  it('are not heard any more once the signal is aborted', () => {
+    const { done, press, figure, stop } = listenedTo({ selection: [3] })
+    stop()
+    press('Delete')
+    press('v')
+    figure.dispatchEvent(Object.assign(new Event('keyup'), { key: ' ' }))
+    figure.dispatchEvent(new Event('blur'))
+    expect(done).toEqual([])
+  })
+
+  it('that an element in a page uses are hidden from the page, as are those that press its buttons', () => {
+    for (const [isPage, key, inside, isUsed, isHidden] of [
+      [false, 'x', 'figure', false, false],
+      [false, 'x', 'figure', true, true],
+      [true, 'x', 'figure', true, false],
+      [false, 'Enter', 'button', false, true],
+      [false, ' ', 'button', false, true],
+      [false, 'Enter', 'div', false, false],
+      [false, 'x', 'button', false, false],
+    ] as const) {
+      const { around } = listenedTo({}, isPage)
+      const event = Object.assign(new Event('keydown', { cancelable: true }), { key })
+      const target = Object.assign(new FakeElement(inside), { localName: inside })
+      Object.defineProperty(event, 'target', { value: target })
+      const stop = vi.spyOn(event, 'stopPropagation')
+      if (isUsed) event.preventDefault()
+      around.dispatchEvent(event)
+      expect([isPage, key, inside, isUsed, stop.mock.calls.length > 0]).toEqual([isPage, key, inside, isUsed, isHidden])
+    }
   })
 })
