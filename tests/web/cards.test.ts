@@ -503,6 +503,13 @@ describe('the dialog for columns', () => {
     }
   })
 
+  it.each([['x,y,r,radius'], ['x,lon,y,r'], ['x,y,lat,r'], ['x,y,n'], ['y,r,n'], ['x,r,n']])(
+    'is there where the names do not say everything: %s',
+    (heading) => {
+      expect(asked(tableOf(heading.split(','))).dialog.isShown).toBe(true)
+    },
+  )
+
   it('has the guesses, and gives what is chosen', async () => {
     const { dialog, close } = asked(tableOf(['n', 'a', 'lon', 'lat']))
     expect(dialog.isShown).toBe(true)

@@ -269,7 +269,117 @@ describe('colors by a column', () => {
   })
 })
 
+describe('the link of the state', () => {
+  const keys = (state: object | undefined) => Object.keys(state ?? {})
+
+  it('is none before circles are opened', () => {
+    const { store, editing, view } = editingSession()
+    const actions = new PageActions(store, editing, view, () => NO_PADDING, {} as never)
+    expect([actions.linkState(), actions.hasOpened]).toEqual([undefined, false])
+  })
+
+  it('is the name of a data set, with what was edited, or the circles', async () => {
+    const { actions, editing } = await started(THREE, { dataSet: 'spruces' })
+    expect([actions.linkState(), actions.hasOpened]).toEqual([{ dataSet: 'spruces' }, true])
+    const circle = { x: 1, y: 1, r: 1 }
+    await editing.edit([{ kind: 'replace', id: 0, circle }])
+    expect(actions.linkState()).toEqual({ dataSet: 'spruces', edits: [{ kind: 'replace', id: 0, circle }] })
+    await actions.setName(1, 'A')
+    expect(keys(actions.linkState())).toEqual(['circles', 'attributes'])
+    const own = await started()
+    expect(own.actions.linkState()).toEqual({ circles: THREE })
+  })
+
+  it('has the colors with circles and edits, not with the name alone', async () => {
+    const { actions, editing } = await started(THREE, { dataSet: 'spruces', colors: '012' })
+    expect(keys(actions.linkState())).toEqual(['dataSet'])
+    await editing.edit([{ kind: 'remove', id: 0 }])
+    expect(actions.linkState()).toMatchObject({ edits: [{ kind: 'remove', id: 0 }], colors: '012' })
+    const own = await started(THREE, { colors: '012' })
+    expect(own.actions.linkState()).toEqual({ circles: THREE, colors: '012' })
+  })
+
+  it('has each other part where it differs from what is usual', async () => {
+    const { actions, fake, store } = await started()
+    fake.camera = { ...fake.camera, x: 7 }
+    expect(actions.linkState()).toEqual({
+      circles: THREE,
+      view: { x: 7, y: fake.camera.y, span: 100 / fake.camera.scale },
+    })
+    actions.look(undefined)
+    fake.setLayers({ hull: true })
+    expect(actions.linkState()).toEqual({ circles: THREE, layers: { hull: true } })
+    fake.setLayers({ hull: false })
+    store.update((state) => ({ ...state, step: 0, method: 'flip' }))
+    expect(actions.linkState()).toEqual({ circles: THREE, step: 0, method: 'flip' })
+    store.update((state) => ({ ...state, step: undefined }))
+    await actions.setLattice(LATTICE)
+    expect(keys(actions.linkState())).toEqual(['circles', 'lattice'])
+    await actions.setDomain({ region: REGION })
+    actions.look(undefined)
+    expect(keys(actions.linkState())).toEqual(['circles', 'region'])
+    await actions.setAreas('equal')
+    actions.look(undefined)
+    expect(actions.linkState()).toMatchObject({ areas: 'equal' })
+    await actions.setDomain({ areas: [1, 2, 3] })
+    expect(actions.linkState()).toMatchObject({ areas: [1, 2, 3], region: REGION })
+  })
+
+  it('has the circles of a data set whose areas are given one by one', async () => {
+    const { actions } = await started(THREE, { dataSet: 'spruces' })
+    await actions.setDomain({ areas: [1, 2, 3] })
+    expect(keys(actions.linkState())).toEqual(['circles', 'areas'])
+  })
+})
+
 describe('opening', () => {
+  it('shows the method again from its first step if it is shown, or as the link says', async () => {
+    const { actions, store } = await started()
+    const after = async (more: object) => {
+      await actions.open(async () => ({ ...sceneOf(THREE), ...more }))
+      const { step, method, stage } = store.get()
+      return [step, method, stage]
+    }
+    expect(await after({})).toEqual([undefined, undefined, undefined])
+    store.update((state) => ({ ...state, step: 5, method: 'flip', stage: 'loading' }))
+    expect(await after({})).toEqual([0, 'flip', undefined])
+    expect(await after({ step: 3, method: 'other' })).toEqual([3, 'other', undefined])
+    store.update((state) => ({ ...state, stage: 'loading' }))
+    expect(await after({ step: undefined, method: undefined })).toEqual([undefined, undefined, undefined])
+  })
+
+  it('says each stage, clears the former problem, and selects the usual tool', async () => {
+    const { actions, stages, store } = await started()
+    actions.useTool('add')
+    actions.complain('wrong')
+    await actions.open(async () => {
+      expect(store.get().problem).toBe('')
+      return sceneOf(Float64Array.of(1, 2, 3))
+    })
+    expect([store.get().tool, stages.splice(0)]).toEqual([
+      'select',
+      [
+        ['loading', 0],
+        ['computing', 1],
+        ['opened', 1],
+      ],
+    ])
+    await actions.open(async () => sceneOf(Float64Array.of(1, 2, -3)))
+    expect(stages.splice(0)).toEqual([
+      ['loading', 0],
+      ['computing', 1],
+      ['refused', 1],
+    ])
+    await actions.open(() => Promise.reject(new Error('no')))
+    expect([stages, store.get().problem]).toEqual([
+      [
+        ['loading', 0],
+        ['refused', 1],
+      ],
+      'no',
+    ])
+  })
+
   it('a data set that is unknown is refused, and a random one is another each time', async () => {
     const { actions, asked, editing } = await started()
     expect(await actions.load('none')).toBe('refused')
