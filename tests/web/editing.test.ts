@@ -312,6 +312,47 @@ describe('Editing', () => {
     ])
   })
 
+  it('has the colors of the last edit that tells any, and none of former circles', async () => {
+    const computer = new LibraryBackend(async () => {})
+    const { apply } = computer
+    let colors: string | undefined = '12'
+    computer.apply = async function (edits) {
+      return { ...(await apply.call(this, edits)), colors }
+    }
+    const editing = new Editing(
+      computer,
+      () => {},
+      () => expect.unreachable(),
+    )
+    await editing.open({ ...sceneOf(TWO), colors: '01' })
+    await editing.edit(moved(0, 1))
+    expect(editing.colors).toBe('12')
+    colors = undefined
+    await editing.edit(moved(0, 2))
+    expect(editing.colors).toBe('12')
+    await editing.open(sceneOf(TWO))
+    await editing.edit(moved(0, 1))
+    expect(editing.colors).toBeUndefined()
+    for (let k = 0; k < 2; k++) await editing.undo()
+    expect(editing.colors, 'those of the circles that are there again').toBe('12')
+  })
+
+  it('ends a gesture and an undo that were begun before other circles were opened', async () => {
+    const { editing, circles } = await started()
+    const gesture = editing.beginGesture()
+    await editing.edit(moved(0, 1), gesture)
+    const opened = editing.open(sceneOf(Float64Array.of(7, 7, 7, 9, 9, 1)))
+    const undone = editing.undo()
+    await opened
+    await undone
+    expect(circles(), 'the opening has not been seen').toEqual([7, 7, 7, 9, 9, 1])
+    expect(await editing.edit(moved(0, 3), gesture)).toBeUndefined()
+    expect(await editing.setValues('name', new Map([[0, '"A"']]), gesture)).toBeUndefined()
+    expect([circles(), editing.nameOf(0)]).toEqual([[7, 7, 7, 9, 9, 1], ''])
+    await editing.edit(moved(0, 3))
+    expect(circles()[0]).toBe(3)
+  })
+
   it('calls a circle that came back by the id that it had, also after other circles were opened', async () => {
     const { editing } = await started()
     const insertion = { kind: 'insert', circle: { x: 9, y: 9, r: 1 } } as const

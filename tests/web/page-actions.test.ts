@@ -335,17 +335,17 @@ describe('the link of the state', () => {
 describe('opening', () => {
   it('shows the method again from its first step if it is shown, or as the link says', async () => {
     const { actions, store } = await started()
-    const after = async (more: object) => {
+    const shownAfter = async (more: object) => {
       await actions.open(async () => ({ ...sceneOf(THREE), ...more }))
       const { step, method, stage } = store.get()
       return [step, method, stage]
     }
-    expect(await after({})).toEqual([undefined, undefined, undefined])
+    expect(await shownAfter({})).toEqual([undefined, undefined, undefined])
     store.update((state) => ({ ...state, step: 5, method: 'flip', stage: 'loading' }))
-    expect(await after({})).toEqual([0, 'flip', undefined])
-    expect(await after({ step: 3, method: 'other' })).toEqual([3, 'other', undefined])
+    expect(await shownAfter({})).toEqual([0, 'flip', undefined])
+    expect(await shownAfter({ step: 3, method: 'other' })).toEqual([3, 'other', undefined])
     store.update((state) => ({ ...state, stage: 'loading' }))
-    expect(await after({ step: undefined, method: undefined })).toEqual([undefined, undefined, undefined])
+    expect(await shownAfter({ step: undefined, method: undefined })).toEqual([undefined, undefined, undefined])
   })
 
   it('says each stage, clears the former problem, and selects the usual tool', async () => {
