@@ -10,6 +10,7 @@ import { LibraryBackend } from './library-backend.ts'
 const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 9, 3)
 let told: unknown[][]
 let problems: string[]
+let outcomes: boolean[]
 let session: ReturnType<typeof editView>
 const listeners = new Map<string, (data: unknown) => void>()
 const tell = (name: string, data: unknown) => listeners.get(name)?.(data)
@@ -23,6 +24,7 @@ beforeEach(async () => {
   vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
   told = []
   problems = []
+  outcomes = []
   const view = Object.assign(new LibraryBackend(async () => {}), {
     on: (name: string, listen: (data: unknown) => void) => listeners.set(name, listen),
     mark: (...ids: unknown[]) => told.push(['mark', ...ids]),
@@ -31,7 +33,7 @@ beforeEach(async () => {
   })
   session = editView(
     view as unknown as View,
-    () => {},
+    ({ isOpened }) => outcomes.push(isOpened),
     ({ message }) => problems.push(message),
   )
   await session.editing.open(sceneOf(THREE))
@@ -46,6 +48,16 @@ function select(ids: readonly number[], hovered?: number): void {
 }
 
 describe('a view that is edited', () => {
+  it('has the state after each outcome, and reports it', async () => {
+    const { store, editing } = session
+    expect([store.get().dataSet, outcomes]).toEqual(['', [true]])
+    const edited = await editing.edit([{ kind: 'remove', id: 1 }])
+    expect([store.get().edited, outcomes]).toEqual([edited, [true, false]])
+    expect(told, 'nothing is selected').toEqual([])
+    await editing.open(sceneOf(THREE, 'spruces'))
+    expect(store.get().dataSet).toBe('spruces')
+  })
+
   it('shows the selection, and the circles that are selected or hovered alone', () => {
     select([1], 2)
     expect(told).toEqual([

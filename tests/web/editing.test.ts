@@ -9,6 +9,7 @@ import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
+import { Superseded } from '../../web/view/refusal.ts'
 import { LibraryBackend } from './library-backend.ts'
 
 const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
@@ -187,6 +188,45 @@ describe('Editing', () => {
     const { editing, asked } = await started()
     await Promise.all([editing.edit(moved(0, 1), 5), editing.edit(moved(0, 2), 5), editing.edit(moved(0, 3), 6)])
     expect(asked).toEqual([moved(0, 1), moved(0, 2), moved(0, 3)])
+  })
+
+  it('keeps the order of a drag and of what comes between its steps', async () => {
+    const { editing, asked } = await started()
+    const steps = [moved(0, 1), moved(0, 2), moved(1, 3), moved(0, 4)]
+    await Promise.all(steps.map((edits, k) => editing.edit(edits, k === 2 ? 6 : 5)))
+    expect(asked).toEqual(steps)
+  })
+
+  it('says nothing of an edit that another one has superseded', async () => {
+    const computer = new LibraryBackend(async () => {})
+    const problems: unknown[] = []
+    const editing = new Editing(
+      computer,
+      () => {},
+      (error) => problems.push(error.message),
+    )
+    await editing.open(sceneOf(TWO))
+    let error: Error = new Superseded()
+    computer.apply = () => Promise.reject(error)
+    expect(await editing.edit(moved(0, 1))).toBeUndefined()
+    expect(problems).toEqual([])
+    error = new Error('It failed.')
+    expect(await editing.edit(moved(0, 1))).toBeUndefined()
+    expect(problems).toEqual(['It failed.'])
+  })
+
+  it('refuses areas that are not as many as circles', async () => {
+    const { editing, problems, circles } = await started()
+    const before = circles()
+    const domain = { region: undefined, areas: [1, 2, 3] }
+    expect(await editing.open({ ...sceneOf(TWO), domain })).toBeUndefined()
+    expect(await editing.edit([], editing.beginGesture(), domain)).toBeUndefined()
+    expect([circles(), editing.areas, problems.length, problems[0]]).toEqual([
+      before,
+      undefined,
+      2,
+      expect.stringMatching(/3.* 2/),
+    ])
   })
 
   it('says that nothing has changed where what computes has failed', async () => {

@@ -552,6 +552,27 @@ describe('a cell that is edited', () => {
     expect(stub.page.activeElement).toBeUndefined()
   })
 
+  it('that is canceled is not written as it loses the focus', async () => {
+    const { grid, input, done } = editing()
+    const field = input()
+    field.value = '5'
+    grid.cancelEdit()
+    field.dispatchEvent(new Event('blur'))
+    await settled()
+    expect(done).toEqual([])
+  })
+
+  it('that is written leaves another one open that was begun meanwhile', async () => {
+    const { input, send, cell, grid, key } = editing()
+    const field = input()
+    field.value = '5'
+    field.dispatchEvent(new Event('blur'))
+    send('click', cell(3, 1))
+    key('Enter')
+    await settled()
+    expect([grid.isEditing, input().parent, field.parent]).toEqual([true, cell(3, 1), undefined])
+  })
+
   it('is in sight', () => {
     editing()
     expect(world.scrolled.at(-1)).toEqual([2, { align: 'auto' }])

@@ -87,6 +87,47 @@ describe('what is opened', () => {
     expect(view.layers.path).toBeUndefined()
   })
 
+  it('leaves layers alone that name no places, and has the path across the picture again', async () => {
+    const { actions, fake } = editingSession({ before: aTurn, size: { width: 200, height: 100 } })
+    const setLayers = vi.spyOn(fake, 'setLayers')
+    await actions.open(async () => SECOND)
+    expect(setLayers).not.toHaveBeenCalled()
+    for (const [name, value] of [
+      ['nearZero', 0.5],
+      ['maxDistance', 3],
+      ['path', { from: { x: 0, y: 0 }, to: { x: 1, y: 1 } }],
+    ] as const) {
+      fake.setLayers({ [name]: value })
+      await actions.open(async () => SECOND)
+      const { nearZero, maxDistance, path } = fake.layers
+      expect([nearZero, maxDistance, path]).toEqual([
+        undefined,
+        undefined,
+        name === 'path' ? actions.pathAcross() : undefined,
+      ])
+    }
+    fake.camera = { x: 3, y: 4, scale: 2 }
+    expect(actions.pathAcross()).toEqual({ from: { x: -27, y: 4 }, to: { x: 33, y: 4 } })
+  })
+
+  it('is in view beside a panel that opens meanwhile, unless the camera was moved', async () => {
+    for (const isMoved of [false, true]) {
+      const padding = { top: 0, right: 0, bottom: 0, left: 0 }
+      const { actions, fake, editing } = editingSession({ before: aTurn, padding })
+      const opening = actions.open(async () => SECOND)
+      for (let k = 0; k < 9; k++) await Promise.resolve()
+      expect(fake.camera.x).toBe(3)
+      const camera = { x: 7, y: 8, scale: 9 }
+      if (isMoved) fake.camera = camera
+      Object.assign(padding, { left: 50 })
+      await opening
+      expect(editing.circles.count).toBe(3)
+      // The panel covers half of the picture.
+      if (isMoved) expect(fake.camera).toEqual(camera)
+      else expect(fake.camera.x).toBeLessThan(3)
+    }
+  })
+
   it('that fails too late is not told of', async () => {
     const { actions, store } = started()
     const failing = Promise.reject(new Error('It could not be loaded.'))
