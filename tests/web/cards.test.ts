@@ -530,6 +530,7 @@ describe('the dialog for columns', () => {
     expect([cells.length, cells.map(({ text }) => text).slice(0, 5)]).toEqual([20, ['00', '01', '02', '03', '10']])
     expect(cells.slice(0, 4).map(({ classList }) => classList.has('used'))).toEqual([false, true, true, true])
     dialog.enter('diameters', true, ['change'])
+    dialog.enter('x', '3', ['change'])
     expect(dialog.control('diameters').checked).toBe(true)
     expect(await close('open')).toEqual({ x: 'lat', y: 'lon', radius: 'a', isDiameter: true })
   })
@@ -541,6 +542,7 @@ describe('the dialog for columns', () => {
     dialog.enter('r', '2.5', ['change'])
     dialog.control('r').isValid = false
     dialog.enter('r', '-1', ['change'])
+    dialog.enter('x', '0', ['change'])
     expect(dialog.control('r').value).toBe('2.5')
     expect(await close('open')).toEqual({ x: 'a', y: 'b', radius: { all: 2.5 }, isDiameter: false })
     const other = asked(tableOf(['a', 'b', 'd']))

@@ -100,3 +100,20 @@ it('an action waits for the description of its circle, also after another announ
   vi.advanceTimersByTime(1000)
   expect(texts).toEqual(['Circle 3 added. Bounded cell, 2 neighbors'])
 })
+
+it('steps that follow each other are announced once they have ended, and a drag of the described circle is not', () => {
+  const { texts, change } = speaker()
+  change({ selected: 3, described: described(3, 0, 1) })
+  vi.advanceTimersByTime(1000)
+  texts.length = 0
+  for (const x of [1, 2, 3]) {
+    change({ said: { text: `x ${x}` } })
+    vi.advanceTimersByTime(249)
+  }
+  expect(texts).toEqual([])
+  vi.advanceTimersByTime(1)
+  expect(texts).toEqual(['x 3'])
+  change({ described: described(3, 0) })
+  vi.advanceTimersByTime(1000)
+  expect(texts).toEqual(['x 3'])
+})

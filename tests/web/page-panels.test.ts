@@ -2,25 +2,28 @@
 // The panels of circles, motion, numbers and the table, the help, and the button of the method.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { DATA_SETS, nameOf } from '../../web/app/data-sets.ts'
+import type { FileActions } from '../../web/app/files/file-actions.ts'
 import type { FilesClient } from '../../web/app/files/files-client.ts'
 import type { Catalogue, Family } from '../../web/app/generators/generators.ts'
 import { filmed } from '../../web/app/motion/film.ts'
 import type { Motion } from '../../web/app/motion/motion.ts'
 import { MOVEMENTS } from '../../web/app/motion/movements.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
+import { mountFiles } from '../../web/app/panels/files.ts'
 import { mountGenerate } from '../../web/app/panels/generate.ts'
 import { showHelp } from '../../web/app/panels/help.ts'
 import { mountMethod } from '../../web/app/panels/method.ts'
 import { mountMotion } from '../../web/app/panels/motion.ts'
 import { mountNumbers } from '../../web/app/panels/numbers.ts'
 import { mountTable } from '../../web/app/panels/table.ts'
+import { mountToolbar } from '../../web/app/panels/toolbar.ts'
 import { mountViewControls } from '../../web/app/panels/view-controls.ts'
 import type { Editing } from '../../web/editing/editing.ts'
 import { ENGLISH_KEYS } from '../../web/editing/key-help.ts'
 import type { State } from '../../web/editing/state.ts'
 import type { Computed, Distribution } from '../../web/view/protocol.ts'
 import type { View } from '../../web/view/view.ts'
-import { noting, type PageElement, stateOf, stubPage } from './page-document.ts'
+import { noting, PageElement, stateOf, stubPage } from './page-document.ts'
 
 vi.mock('lit/html.js', async (load) => ({
   ...(await load<object>()),
@@ -488,6 +491,120 @@ describe('the panel of the table', () => {
     expect(grids).toEqual([['dispose']])
     change({ selection: [] })
     expect(grids).toHaveLength(1)
+  })
+})
+
+describe('the panel for files', () => {
+  function mounted() {
+    const done: unknown[][] = []
+    const actions = noting(done, { openFile: async (file: unknown) => done.push(['openFile', file]) })
+    mountFiles(actions as unknown as FileActions)
+    stub.element('files-button').click()
+    return { done, panel: stub.element('files') }
+  }
+
+  it('opens a file, the same one again too', async () => {
+    const { done, panel } = mounted()
+    const input = panel.control('Open …')
+    expect(input.getAttribute('accept')).toBe('.csv,.tsv,.txt,.json,.geojson,.wkt,.svg,image/*')
+    for (const files of [['a.csv'], []]) {
+      Object.assign(input, { files, value: 'a.csv' })
+      input.dispatchEvent(new Event('change'))
+      await settled()
+      expect(input.value).toBe('')
+    }
+    expect(done).toEqual([['openFile', 'a.csv']])
+  })
+
+  it('saves the picture of a part, as large as it is said, and the data', () => {
+    const { done, panel } = mounted()
+    const save = (...labels: string[]) => {
+      for (const label of labels) panel.press(label)
+      return done.splice(0)
+    }
+    expect(panel.control('What the picture shows').options).toEqual(['what you see', 'all circles'])
+    expect(save('SVG', 'Poster, A3', 'PNG')).toEqual([
+      ['saveDrawing', 'seen'],
+      ['savePoster', 'seen'],
+      ['savePicture', 'seen', 2],
+    ])
+    panel.enter('What the picture shows', 'all', ['change'])
+    panel.enter('× its size', '3.5', ['change'])
+    expect(save('SVG', 'Poster, A3', 'PNG')).toEqual([
+      ['saveDrawing', 'all'],
+      ['savePoster', 'all'],
+      ['savePicture', 'all', 3.5],
+    ])
+    const field = panel.control('× its size')
+    expect(field.limits).toEqual(['0.1', null, 'any'])
+    field.isValid = false
+    panel.enter('× its size', '0', ['change'])
+    expect([field.value, save('PNG')]).toEqual(['3.5', [['savePicture', 'all', 3.5]]])
+    expect(save('CSV', 'JSON', 'GeoJSON', 'Cells').map(([, format]) => format)).toEqual([
+      'csv',
+      'json',
+      'geojson',
+      'cells',
+    ])
+  })
+})
+
+describe('the menu of circles', () => {
+  function mounted() {
+    vi.stubGlobal(
+      'Option',
+      class extends PageElement {
+        constructor(text: string, value: string) {
+          super('option')
+          Object.assign(this, { textContent: text, value })
+        }
+      },
+    )
+    const { store, change } = stateOf()
+    mountToolbar(store, noting([], {}) as unknown as PageActions, () => {})
+    const menu = stub.element('data-set')
+    const own = menu.querySelectorAll('option')[0] as PageElement
+    const history = (kind?: string) =>
+      ({ done: kind === undefined ? [] : [{ kind }], undone: [] }) as unknown as State['history']
+    return { change, menu, own, history, again: stub.element('again') }
+  }
+
+  it('has the open circles, and says whether they are edited', () => {
+    const { change, menu, own, history } = mounted()
+    expect([menu.options, own.hidden]).toEqual([
+      ['Your circles', ...DATA_SETS.map(({ label }) => label), 'More …'],
+      true,
+    ])
+    const shown = (dataSet: string, kind?: string, circles = 8) => {
+      change({ dataSet, history: history(kind), edited: { counts: { circles } } as State['edited'] })
+      return [menu.value, own.text]
+    }
+    expect(shown('spruces')).toEqual(['spruces', 'Spruces'])
+    expect(shown('spruces', 'opening')).toEqual(['spruces', 'Spruces'])
+    expect(shown('spruces', 'edits')).toEqual(['', 'Spruces, edited'])
+    expect(shown('dense:7:300')).toEqual(['random', 'dense, 300'])
+    expect(shown('dense:7:50')).toEqual(['', 'dense, 50'])
+    expect(shown('')).toEqual(['', 'Your circles'])
+    expect(shown('', 'edits')).toEqual(['', 'Your circles'])
+    expect(shown('spruces', 'edits', 0)).toEqual(['', 'No circles'])
+  })
+
+  it('offers other random circles for families alone', () => {
+    const { change, again } = mounted()
+    const isOffered = (dataSet: string) => {
+      change({ dataSet })
+      return !again.hidden
+    }
+    expect(['dense:7:50', 'spruces', 'figure-3', ''].map(isOffered)).toEqual([true, false, false, false])
+  })
+
+  it('has a second row of tools on phones', () => {
+    mounted()
+    const [more, rail] = [stub.element('more'), stub.element('rail')]
+    for (const isOpen of [true, false]) {
+      more.click()
+      expect([rail.classList.has('open'), more.getAttribute('aria-expanded')]).toEqual([isOpen, String(isOpen)])
+    }
   })
 })
 

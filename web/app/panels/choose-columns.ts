@@ -56,7 +56,6 @@ function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
   const number = (event: Event) => {
     const input = event.target as HTMLInputElement
     if (input.reportValidity()) all = input.valueAsNumber
-    draw()
   }
   const draw = () => {
     const wrong = problem()
@@ -90,7 +89,6 @@ function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
                       .checked=${isDiameter}
                       @change=${(event: Event) => {
                         isDiameter = (event.target as HTMLInputElement).checked
-                        draw()
                       }}
                     />diameters</label
                   >`

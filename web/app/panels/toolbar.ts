@@ -54,7 +54,7 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
 
   store.subscribe((state) => {
     showChosen(state)
-    again.hidden = !['family', 'former'].includes(sourceOf(state.dataSet)?.kind ?? '')
+    again.hidden = sourceOf(state.dataSet)?.kind !== 'family'
     for (const [tool, button] of tools) button.setAttribute('aria-pressed', String(state.tool === tool))
     disable(undo, state.history.done.length === 0, figure)
     disable(redo, state.history.undone.length === 0, figure)
