@@ -3,7 +3,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { PageActions } from '../../web/app/page-actions.ts'
 import { columnsOf, namedAs } from '../../web/editing/attributes.ts'
-import { isColor, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
+import { isColor, isIdentity, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
 import { decodeLink, encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { axesOf, gridSpacing } from '../../web/view/axes.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
@@ -72,6 +72,21 @@ describe('a circle', () => {
     await actions.setName(2, 'C')
     expect(names()).toEqual(['1 8', '2 C', '0 A'])
     expect(editing.attributes.columns.map(({ name }) => name)).toEqual(['Stadt', 'ID'])
+  })
+
+  it('has its name and its color without white space, and circles of the same size are in their order', async () => {
+    const { editing, names } = edited()
+    const column = (name: string, ...texts: string[]) => ({ name, values: texts.map((text) => JSON.stringify(text)) })
+    const columns = [
+      column('Name', ' A ', ' '),
+      column(' Id ', '7', ' 8 ', '9'),
+      column('colour', ' #abcdef ', '', '#12'),
+    ]
+    const circles = Float64Array.of(0, 0, 1, 5, 0, 1, 0, 5, 1)
+    await editing.open({ circles, dataSet: '', isEdited: false, attributes: { ...namedAs([]), columns } })
+    expect(names()).toEqual(['0 A', '1 8', '2 9'])
+    expect(ownColorsOf(editing)).toEqual({ values: Float64Array.of(0, Number.NaN, Number.NaN), colors: ['#abcdef'] })
+    expect(columns.map((column) => isIdentity(column, columns))).toEqual([true, false, true])
   })
 
   it('of a data set has its name in a link without writing all circles', async () => {

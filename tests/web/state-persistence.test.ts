@@ -16,6 +16,7 @@ import type { LinkWriter } from '../../web/app/link-writer.ts'
 import { prefixOf, SceneStorage } from '../../web/app/scene-storage.ts'
 import { StatePersistence } from '../../web/app/state-persistence.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from '../../web/editing/scene-link.ts'
+import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { library } from './library.ts'
@@ -380,17 +381,19 @@ describe('what a page leaves late', () => {
 
   /** A page at an address. The test finishes its links. */
   function keeping(hash: string) {
-    const made: ((link: string) => void)[] = []
+    const made: ((link: string | Promise<string>) => void)[] = []
     const links = { linkOf: () => new Promise<string>((resolve) => made.push(resolve)) } as unknown as LinkWriter
-    const address = { hash, pathname: '/', search: '' }
+    const address = { hash, pathname: '/', search: '?q' }
+    const replaced: string[] = []
     vi.stubGlobal('location', address)
     vi.stubGlobal('history', {
       replaceState: (_: unknown, __: string, to: string) => {
+        replaced.push(to)
         address.hash = to.startsWith('#') ? to : ''
       },
     })
     vi.spyOn(performance, 'getEntriesByType').mockReturnValue([])
-    return { made, address, keeping: new StatePersistence(links, () => ({ dataSet: 'spruces' })) }
+    return { made, address, replaced, keeping: new StatePersistence(links, () => ({ dataSet: 'spruces' })) }
   }
 
   it.each(['#v1.before', '#v1.new'])('is there where a reload began before the address changed: %s', async (loaded) => {
@@ -483,6 +486,50 @@ describe('what a page leaves late', () => {
     leave({ dataSet: 'spruces' })
     expect((await begun('navigate', await hash())).dataSet).toBe('introduction')
     expect((await begun('reload', await hash())).dataSet).toBe('introduction')
+  })
+
+  it('is in the storage alone where it is too long for an address', async () => {
+    const { made, replaced, keeping: kept } = keeping('#v1.a')
+    await kept.begin()
+    for (const letters of [100_000, 100_001]) {
+      kept.changed()
+      await vi.advanceTimersByTimeAsync(400)
+      made.shift()?.('v'.repeat(letters))
+      await vi.advanceTimersByTimeAsync(0)
+    }
+    expect(replaced.map((to) => to.slice(0, 3))).toEqual(['#vv', '/?q'])
+    const { keeping: again } = keeping('')
+    expect(await again.begin()).toHaveLength(100_001)
+  })
+
+  it('is nowhere where the circles are too many, and what was there stays in the storage', async () => {
+    const { made, replaced, keeping: kept } = keeping('')
+    await kept.begin()
+    const tooLong = () => Promise.reject(new CircleVoronoiError('linkTooLong', 'too long'))
+    for (const link of [() => 'v1.a', tooLong]) {
+      kept.changed()
+      await vi.advanceTimersByTimeAsync(400)
+      made.shift()?.(link())
+      await vi.advanceTimersByTimeAsync(0)
+    }
+    expect(replaced).toEqual(['#v1.a', '/?q'])
+    expect(await keeping('').keeping.begin()).toBe('v1.a')
+  })
+
+  it('is written at once where the page is hidden, if it is not kept yet, and not as it is shown again', async () => {
+    const { made, keeping: kept } = keeping('')
+    await kept.begin()
+    const show = (hidden: boolean) => {
+      page.hidden = hidden
+      page.dispatchEvent(new Event('visibilitychange'))
+      return made.length
+    }
+    expect([show(true), show(false)]).toEqual([0, 0])
+    kept.changed()
+    expect([show(false), show(true)]).toEqual([0, 1])
+    made[0]?.('v1.a')
+    await vi.advanceTimersByTimeAsync(1000)
+    expect([show(true), made.length]).toEqual([1, 1])
   })
 
   it('is not shown at another address', async () => {
