@@ -136,6 +136,22 @@ describe('snapping', () => {
     }
   })
 
+  it('touches two others that are up to twice as far away as one', () => {
+    const others = [
+      { x: -2.9, y: 0, r: 1 },
+      { x: 2.9, y: 0, r: 1 },
+    ]
+    const touching = Math.sqrt(3 ** 2 - 2.9 ** 2)
+    for (const [distance, isBoth] of [
+      [1.9, true],
+      [2.1, false],
+    ] as const) {
+      const snapping = { others, grid: 1e-9, within: 0.1 }
+      const { x, y } = snappedInPlace({ x: 0, y: touching - distance * 0.1, r: 2 }, snapping)
+      expect([distance, Math.abs(x) < 1e-9 && Math.abs(y - touching) < 1e-9]).toEqual([distance, isBoth])
+    }
+  })
+
   it('is to the grid where no other is near, by x and by y, and nowhere from afar', () => {
     const snapping = { others: [{ x: 50, y: 0, r: 2 }], grid: 0.1, within: 0.02 }
     expect(snappedInPlace({ x: 0.31, y: 0.249, r: 1 }, snapping)).toEqual({ x: 0.3, y: 0.249, r: 1 })
@@ -152,6 +168,7 @@ describe('snapping', () => {
     expect(snappedInSize({ x: 0, y: 0, r: 3.1 }, { others, grid: 1, within }).r).toBe(3)
     expect(snappedInSize({ x: 0, y: 0, r: 3.2 }, { others, grid: 1, within }).r).toBeCloseTo(3.3, 12)
     expect(snappedInSize({ x: 0, y: 0, r: 0.2 }, { others, grid: 1, within }).r).toBe(0)
+    expect(snappedInSize({ x: 0, y: 0, r: 0.05 }, { others: [{ x: 1.9, y: 0, r: 2 }], grid: 1, within }).r).toBe(0)
   })
 
   it('leaves circles that cannot touch where they are', () => {
@@ -165,4 +182,10 @@ describe('snapping', () => {
       true,
     )
   })
+})
+
+it('a step adds no digits that neither number has', () => {
+  expect([stepped(0.1, 0.2), stepped(0.0001, 0.0002), stepped(1e-12, 2e-12), stepped(5, 0)]).toEqual([
+    0.3, 0.0003, 3e-12, 5,
+  ])
 })

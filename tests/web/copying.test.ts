@@ -85,7 +85,7 @@ it('the address of circles is that of the page, and that of a frame is that of t
 
 it('the code of a question is a frame with its title, and its link is the address', async () => {
   const { files, store } = await started()
-  const question = { title: 'T', question: 'Q?' }
+  const question = { title: '"T" <&', question: 'Q?' }
   expect(await files.copyQuestion('link', question)).toBe(copied[0]?.length)
   await files.copyQuestion('code', question)
   await files.copyQuestion('code', {})
@@ -95,7 +95,7 @@ it('the code of a question is a frame with its title, and its link is the addres
   expect(link).toMatch(/^https:\/\/example\.org\/page\/embed\.html#v[\w.-]+$/)
   expect(await linkIn(link)).toMatchObject({ ...question, circles: CIRCLES })
   expect([code, untitled].map((text) => /title="(.*?)"/.exec(text ?? '')?.[1])).toEqual([
-    'T',
+    '&quot;T&quot; &lt;&amp;',
     'Voronoi diagram of circles',
   ])
   expect([code, player].map((text) => /aspect-ratio: ([^;]*);/.exec(text ?? '')?.[1])).toEqual(['4 / 3', '1'])

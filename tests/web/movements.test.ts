@@ -28,6 +28,32 @@ it('bouncing circles stay in their box and keep their sizes', () => {
   expect(last.some(({ circle }, k) => Math.abs(circle.x - (CIRCLES[k] as IdentifiedCircle).circle.x) > 1)).toBe(true)
 })
 
+it.each([
+  [0, 18.95, 6, 1, 0],
+  [0.25, 10, 10.95, 0, 1],
+  [0.5, 1.05, 6, -1, 0],
+  [0.75, 10, 1.05, 0, -1],
+])('a circle that flies at %d of a turn comes back from the wall as its rim touches it', (angle, x, y, dx, dy) => {
+  const next = movementOf('bounce', [{ id: 0, circle: { x, y, r: 1 } }], BOX, () => angle)
+  // A circle crosses the larger side of the box in eight seconds.
+  const [there, back] = [next(0.1), next(0.1)].map((moved) => (moved[0] as IdentifiedCircle).circle)
+  expect([there?.x, there?.y]).toEqual([expect.closeTo(x + 0.25 * dx, 12), expect.closeTo(y + 0.25 * dy, 12)])
+  expect([back?.x, back?.y]).toEqual([expect.closeTo(x, 12), expect.closeTo(y, 12)])
+})
+
+it('circles that overlap and part are left alone, as are points, which never touch', () => {
+  const angles = [0.5, 0]
+  const apart = [8, 9].map((x, id) => ({ id, circle: { x, y: 6, r: 1 } }))
+  const next = movementOf('bounce', apart, BOX, () => angles.shift() as number)
+  expect(next(0.1).map(({ circle }) => circle.x)).toEqual([expect.closeTo(7.75, 12), expect.closeTo(9.25, 12)])
+  expect(next(0.1).map(({ circle }) => circle.x)).toEqual([expect.closeTo(7.5, 12), expect.closeTo(9.5, 12)])
+  const points = headOn({ x: 8, y: 6, r: 0 }, { x: 8, y: 6, r: 0 })
+  expect(
+    points(0.1).map(({ circle }) => circle.x),
+    'one on the other',
+  ).toEqual([8.25, 7.75])
+})
+
 /** Two circles that fly toward each other, at angles 0 and half a turn. */
 function headOn(one: Circle, other: Circle): Movement {
   const angles = [0, 0.5]

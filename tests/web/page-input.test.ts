@@ -401,9 +401,11 @@ describe('the name and the color of the selected circle', () => {
   }
   const element = (id: string) => elements.get(id) as FakeElement
   const send = (id: string, type: string, more: object = {}) => {
-    const event = Object.assign(new Event(type), more)
+    const event = Object.assign(new Event(type, { bubbles: true }), more)
     Object.defineProperty(event, 'target', { value: element(id) })
+    const stop = vi.spyOn(event, 'stopPropagation')
     element(id).dispatchEvent(event)
+    return stop.mock.calls.length > 0
   }
 
   function mounted() {
@@ -467,7 +469,8 @@ describe('the name and the color of the selected circle', () => {
     send('field-name', 'change')
     select(3)
     type('Kiel')
-    send('field-name', 'keydown', { key: 'Escape' })
+    expect(send('field-name', 'keydown', { key: 'a' })).toBe(false)
+    expect(send('field-name', 'keydown', { key: 'Escape' }), 'the panel stays open').toBe(true)
     expect([element('field-name').value, element('figure').focused]).toEqual(['Ulm', 1])
     send('field-name', 'change')
     type('Ulm')
@@ -481,6 +484,13 @@ describe('the name and the color of the selected circle', () => {
     for (const type of ['input', 'input', 'change', 'input']) send('field-color', type)
     expect(done.map(([, , , gesture]) => gesture)).toEqual([1, 1, 2])
     expect(done[0]).toEqual(['color', [3], '#123456', 1])
+  })
+
+  it('a color that is being picked is not replaced', () => {
+    const { select } = mounted()
+    Object.assign(page, { activeElement: element('field-color') })
+    select(4, { described: { color: '#00bb00' } as never })
+    expect(element('field-color').value).toBe('#aa0000')
   })
 
   it('the figure has the focus again after a button of the selection', () => {

@@ -5,6 +5,7 @@ import { arrangeAround } from '../../web/app/arrange.ts'
 import { askAhead, loadDataSet } from '../../web/app/data-sets.ts'
 import type { FilesClient } from '../../web/app/files/files-client.ts'
 import { save } from '../../web/app/files/saving.ts'
+import { pixelsOf } from '../../web/app/files/stipple.ts'
 import { printWorksheet } from '../../web/app/files/worksheet.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
@@ -357,6 +358,37 @@ describe('print', () => {
       expect(await sheet(address.padEnd(1801, 'a'))).toMatchObject({ code: undefined, foot: long })
     },
   )
+})
+
+it.each([
+  [4000, 3000, 283, 212],
+  [200, 100, 200, 100],
+  [600_000, 1, 189_737, 1],
+])('a picture of %d x %d is read on white paper in %d x %d pixels', async (width, height, across, down) => {
+  const done: unknown[] = []
+  vi.stubGlobal('createImageBitmap', async () => ({ width, height, close: () => done.push('close') }))
+  const context = {
+    fillStyle: '',
+    fillRect: (...box: number[]) => done.push([context.fillStyle, ...box]),
+    drawImage: (_: unknown, ...box: number[]) => done.push(['draw', ...box]),
+    getImageData: (...box: number[]) => ({ data: box }),
+  }
+  vi.stubGlobal(
+    'OffscreenCanvas',
+    class {
+      constructor(...size: number[]) {
+        done.push(size)
+      }
+      getContext() {
+        return context
+      }
+    },
+  )
+  const { width: w, height: h, data } = await pixelsOf(new Blob())
+  const box = [0, 0, w, h]
+  expect(data).toEqual(box)
+  expect(done).toEqual([[w, h], ['white', ...box], ['draw', ...box], 'close'])
+  expect([w, h]).toEqual([across, down])
 })
 
 it('a file is saved by a link, whose address ends after a while', () => {

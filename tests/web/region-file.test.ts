@@ -29,6 +29,22 @@ it('points, with polygons beside them or not, are no region', () => {
   expect(regionOfText('POLYGON ((0 0, 1 0, 1 1))')?.()).toMatchObject({ type: 'MultiPolygon' })
 })
 
+it('polygons of a collection of geometries are a region, unless there are points among them', () => {
+  const collection = (...geometries: object[]) => JSON.stringify({ type: 'GeometryCollection', geometries })
+  const point = { type: 'Point', coordinates: [1, 2] }
+  expect(regionOfText(collection(SQUARE, SQUARE))?.()).toMatchObject({ type: 'MultiPolygon' })
+  expect(regionOfText(collection(SQUARE, point))).toBeUndefined()
+  expect(regionOfText(collection({ type: 'GeometryCollection', geometries: [SQUARE] }))).toBeDefined()
+})
+
+it('a picture is not read as a region', async () => {
+  const text = vi.spyOn(Blob.prototype, 'text')
+  expect(await regionOfFile(new Blob([REGION], { type: 'image/png' }))).toBeUndefined()
+  expect(text).not.toHaveBeenCalled()
+  text.mockRestore()
+  expect(await regionOfFile(new Blob([REGION], { type: 'application/json' }))).toBeDefined()
+})
+
 it('a file whose beginning is no region is read no further', async () => {
   const text = vi.spyOn(Blob.prototype, 'text')
   expect(await regionOfFile(new Blob(['x,y,r\n', '1,2,3\n'.repeat(10_000)]))).toBeUndefined()

@@ -257,6 +257,17 @@ describe('the storage of scenes', () => {
     expect((await browser.open()).storage.read()).toBe('v1.closed')
   })
 
+  it('has a new place where the lock of the former one cannot be had', async () => {
+    const ofTab = new Room()
+    ofTab.setItem(prefixOf('/'), 'own')
+    const all = new Room()
+    all.setItem(`${prefixOf('/')}own`, '1 v1.a')
+    const request = () => Promise.reject(new DOMException('waited too long', 'AbortError'))
+    const locks = { request, query: async () => ({ held: [] }) } as unknown as LockManager
+    const storage = await SceneStorage.claim({ all, ofTab, path: '/', locks, isReload: true }, true)
+    expect([storage.read(), ofTab.getItem(prefixOf('/')) === 'own']).toEqual(['v1.a', false])
+  })
+
   it('leaves what a closed tab kept where a tab is opened by a link', async () => {
     const browser = new Browser()
     const first = await browser.open()
@@ -530,6 +541,14 @@ describe('what a page leaves late', () => {
     made[0]?.('v1.a')
     await vi.advanceTimersByTimeAsync(1000)
     expect([show(true), made.length]).toEqual([1, 1])
+  })
+
+  it('is in the storage for the next tab, too', async () => {
+    const { leave } = await begun('navigate', '')
+    leave({ dataSet: 'spruces' })
+    // The tab of the page is found again by its name alone.
+    sessionStorage.setItem(`${prefixOf('/')}late`, '')
+    expect((await begun('navigate', '')).dataSet).toBe('spruces')
   })
 
   it('is not shown at another address', async () => {

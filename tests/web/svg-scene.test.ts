@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, it } from 'vitest'
-import { circlesOfSvg } from '../../web/app/files/svg-scene.ts'
+import { circlesOfSvg, tableOfSvg, withLink, withTable } from '../../web/app/files/svg-scene.ts'
 
 const CIRCLES = `<circle data-circle="0" cx="0" cy="0" r="2"/>
 <circle data-circle="1" class="hidden" cx="0.5" cy="0" r="1"/>
@@ -28,4 +28,12 @@ it('a drawing without one of its circles is refused', () => {
     const text = `<svg>\n<g class="circles">\n${others.join('\n')}</g>\n</svg>`
     expect(() => circlesOfSvg(text, 'a.svg')).toThrow('a.svg: this SVG is none that was saved here')
   }
+})
+
+it('a drawing has its link or its table back, whatever they contain', () => {
+  const svg = '<svg xmlns="http://www.w3.org/2000/svg">\n<g/>\n</svg>\n'
+  expect(circlesOfSvg(withLink(svg, 'v1.a-b_c'), 'a.svg')).toEqual({ link: 'v1.a-b_c' })
+  const csv = "x,y,r\n1,2,$&$'3\n"
+  expect(tableOfSvg(withTable(svg, csv))).toBe(csv)
+  expect([tableOfSvg(svg), tableOfSvg(withLink(svg, 'v1.a'))]).toEqual([undefined, undefined])
 })

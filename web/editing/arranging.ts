@@ -95,14 +95,13 @@ export function snappedInSize({ x, y, r }: Circle, { others, grid, within }: Sna
   return { x, y, r: fitting[0] ?? Math.max(onGrid(r, grid, within), 0) }
 }
 
-/** The nearest position at which a circle touches two others from outside. */
-function touchingBoth({ x, y, r }: Circle, one: Circle, other: Circle): Point | undefined {
+/** The nearest position at which a circle touches two others from outside. NaN if there is none. */
+function touchingBoth({ x, y, r }: Circle, one: Circle, other: Circle): Point {
   const [a, b] = [r + one.r, r + other.r]
   const [dx, dy] = [other.x - one.x, other.y - one.y]
   const d = Math.hypot(dx, dy)
   const along = (a * a - b * b + d * d) / (2 * d)
   const height = Math.sqrt(a * a - along * along)
-  if (!(height >= 0)) return undefined
   const side = dx * (y - one.y) - dy * (x - one.x) >= 0 ? 1 : -1
   return {
     x: one.x + (dx * along - side * dy * height) / d,

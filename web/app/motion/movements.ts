@@ -101,8 +101,7 @@ function bounce(one: Ball, other: Ball): void {
   if (nearing <= 0) return
   const [mass, otherMass] = [one.r ** 2, other.r ** 2]
   const all = mass + otherMass
-  // Points have no mass and collide as equals.
-  const [share, otherShare] = all === 0 ? [0.5, 0.5] : [otherMass / all, mass / all]
+  const [share, otherShare] = [otherMass / all, mass / all]
   one.vx -= (2 * share * nearing * dx) / distance
   one.vy -= (2 * share * nearing * dy) / distance
   other.vx += (2 * otherShare * nearing * dx) / distance
