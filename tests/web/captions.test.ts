@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The captions on the picture: the first hint, the status, progress, toasts, the legend, the scale and names.
+// @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { PageActions } from '../../web/app/page-actions.ts'
 import { drawLegend, mountLegend } from '../../web/app/panels/legend.ts'
@@ -16,17 +17,25 @@ import type { Remedy, State } from '../../web/editing/state.ts'
 import type { Legend } from '../../web/view/protocol.ts'
 import type { Style } from '../../web/view/style.ts'
 import type { View } from '../../web/view/view.ts'
-import { noting, PageElement, stateOf, stubPage } from './page-document.ts'
+import {
+  all,
+  choose,
+  controls,
+  element,
+  measure,
+  noting,
+  openPage,
+  press,
+  send,
+  stateOf,
+  textOf,
+} from './page-document.ts'
 
-vi.mock('lit/html.js', async (load) => ({
-  ...(await load<object>()),
-  render: (await import('./page-document.ts')).render,
-}))
 vi.mock('../../web/view/style.ts', () => ({ readStyle: () => ({ ramp: ['a', 'b'], map: ['red', 'blue'] }) }))
 
-let stub: ReturnType<typeof stubPage>
+let page: ReturnType<typeof openPage>
 beforeEach(() => {
-  stub = stubPage()
+  page = openPage()
   vi.useFakeTimers()
 })
 afterEach(() => {
@@ -43,12 +52,12 @@ const settled = async () => {
 
 describe('the caption', () => {
   function said(isTouch = false) {
-    stub.media.matches = isTouch
+    page.media.matches = isTouch
     const opened: unknown[] = []
     const { store, change } = stateOf()
     mountSay(store, (file) => opened.push(file))
-    const place = stub.element('say')
-    const text = () => (place.hidden ? undefined : place.text)
+    const place = element('say')
+    const text = () => (place.hidden ? undefined : textOf(place))
     return { change, text, place, opened }
   }
   const MOUSE = 'Drag a rim to resize. Double-click to add a circle.'
@@ -62,7 +71,7 @@ describe('the caption', () => {
     'of the first circles stays until they are touched, and then says for a while what else can be done: fingers %s',
     (isTouch, hint) => {
       const { change, text, place } = said(isTouch)
-      expect(text()).toBe('')
+      expect(text()).toBeUndefined()
       change(START)
       expect(text()).toBe(`Every point is colored by its nearest circle. Drag one.${hint} Or open a photo.`)
       expect(place.classList.contains('first')).toBe(true)
@@ -103,7 +112,7 @@ describe('the caption', () => {
     const { change, text, place } = said()
     change({ edited: editedOf(8), dataSet: 'spruces' })
     expect(text()).toMatch(/^Trunks of Norway spruces.*spatstat\.data$/)
-    expect([place.classList.contains('first'), place.controls.size]).toEqual([false, 0])
+    expect([place.classList.contains('first'), controls(place).size]).toEqual([false, 0])
     change({ edited: editedOf(9), dataSet: 'introduction' })
     expect(text()).toMatch(/hidden inside another\.$/)
     vi.advanceTimersByTime(11_999)
@@ -117,11 +126,11 @@ describe('the caption', () => {
   it('of the first circles opens a photo', () => {
     const { change, place, opened } = said()
     change(START)
-    const photo = place.querySelector('input') as PageElement
-    photo.dispatchEvent(new Event('change'))
-    photo.files = ['a.png']
-    photo.dispatchEvent(new Event('change'))
-    expect(opened).toEqual(['a.png'])
+    const photo = place.querySelector('input') as HTMLInputElement
+    const file = new File([], 'a.png')
+    choose(photo)
+    choose(photo, file)
+    expect(opened).toEqual([file])
   })
 
   it.each([
@@ -137,11 +146,11 @@ describe('the caption', () => {
   it('changes with the kind of pointer while it is shown', () => {
     const { change, text } = said()
     change(START)
-    stub.media.matches = true
-    stub.media.dispatchEvent(new Event('change'))
+    page.media.matches = true
+    page.media.dispatchEvent(new Event('change'))
     expect(text()).toContain(FINGER)
     change({ problem: 'wrong' })
-    stub.media.dispatchEvent(new Event('change'))
+    page.media.dispatchEvent(new Event('change'))
     expect(text()).toBeUndefined()
   })
 
@@ -165,24 +174,24 @@ describe('the status', () => {
   function shown() {
     const { store, change } = stateOf()
     mountStatus(store)
-    const status = stub.element('status')
-    const ranks = () => status.querySelectorAll('span').flatMap(({ classList }) => [...classList])
-    return { change, status, problem: stub.element('problem'), ranks }
+    const status = element('status')
+    const ranks = () => all(status, 'span').flatMap(({ classList }) => [...classList])
+    return { change, status, problem: element('problem'), ranks }
   }
   it('has the counts, each in one or in many, and what is rare where there is any', () => {
     const { change, status, ranks } = shown()
-    expect(status.text).toBe('')
+    expect(textOf(status)).toBe('Loading …')
     change({ edited: editedOf(1) })
-    expect(status.text).toBe('1 circle · 1 vertex · 2 edges · ✓ proven')
+    expect(textOf(status)).toBe('1 circle · 1 vertex · 2 edges · ✓ proven')
     expect(ranks()).toEqual(['second', 'minor', 'good'])
     const counts = { circles: 2000, vertices: 3, edges: 1, hidden: 4 }
     change({ edited: editedOf(0, { counts, seconds: 0.05, fitted: { error: 1.4e-7 } }) })
-    expect(status.text).toBe(
+    expect(textOf(status)).toBe(
       '2,000 circles · 3 vertices · 1 edge · 4 hidden · areas within 1e-7 · ✓ proven · computed in 50 ms',
     )
     expect(ranks()).toEqual(['second', 'minor', 'rare', 'second', 'good', 'minor'])
     change({ edited: editedOf(0, { counts: { ...counts, hidden: 1 } }) })
-    expect(status.text).toContain(' · 1 hidden · ')
+    expect(textOf(status)).toContain(' · 1 hidden · ')
     for (const [seconds, text] of [
       [0.0499, '✓ proven'],
       [0.9994, 'computed in 999 ms'],
@@ -190,7 +199,7 @@ describe('the status', () => {
       [12.34, 'computed in 12.3 s'],
     ] as const) {
       change({ edited: editedOf(1, { seconds }) })
-      expect(status.text.split(' · ').at(-1)).toBe(text)
+      expect(textOf(status)?.split(' · ').at(-1)).toBe(text)
     }
   })
 
@@ -198,31 +207,31 @@ describe('the status', () => {
     const { change, status } = shown()
     const edited = editedOf(3)
     change({ edited })
-    const [first] = status.nodes
+    const first = status.firstElementChild
     change({ selection: [1] })
-    expect(status.nodes[0]).toBe(first)
+    expect(status.firstElementChild).toBe(first)
     change({ edited: editedOf(3) })
-    expect(status.nodes[0]).not.toBe(first)
+    expect(status.firstElementChild).not.toBe(first)
   })
 
   it('has the problem with its remedy, and not with that of another one', () => {
     const { change, problem } = shown()
     const done: string[] = []
     const remedy: Remedy = { problem: 'wrong', label: 'Skip', act: () => done.push('skip') }
-    expect([problem.hidden, problem.text]).toEqual([true, ''])
+    expect([problem.hidden, textOf(problem)]).toEqual([true, ''])
     change({ problem: 'wrong' })
-    expect([problem.hidden, problem.text]).toEqual([false, 'wrong'])
+    expect([problem.hidden, textOf(problem)]).toEqual([false, 'wrong'])
     change({ remedy })
-    expect(problem.text).toBe('wrong Skip')
-    problem.press('Skip')
+    expect(textOf(problem)).toBe('wrong Skip')
+    press(problem, 'Skip')
     expect(done).toEqual(['skip'])
-    const [first] = problem.elements
+    const [first] = all(problem)
     change({ selection: [1] })
-    expect(problem.elements[0]).toBe(first)
+    expect(all(problem)[0]).toBe(first)
     change({ problem: 'other' })
-    expect(problem.text).toBe('other')
+    expect(textOf(problem)).toBe('other')
     change({ problem: '', remedy: { ...remedy, problem: '' } })
-    expect([problem.hidden, problem.text]).toEqual([true, ''])
+    expect([problem.hidden, textOf(problem)]).toEqual([true, ''])
   })
 })
 
@@ -237,18 +246,18 @@ describe('progress', () => {
           observe = act
         }
         observe(target: unknown, { attributeFilter }: { attributeFilter: unknown }) {
-          expect([target, attributeFilter]).toEqual([stub.element('figure'), ['aria-busy']])
+          expect([target, attributeFilter]).toEqual([element('figure'), ['aria-busy']])
         }
       },
     )
     const actions = noting(done, { onstage: (_: Stage, __: number) => {} })
     const set = actions as { onstage: (stage: Stage, circles: number) => void }
     mountProgress(actions as unknown as PageActions)
-    const place = stub.element('progress')
+    const place = element('progress')
     place.hidden = true
-    const text = () => (place.hidden ? undefined : place.text)
+    const text = () => (place.hidden ? undefined : textOf(place))
     const painting = (isBusy: boolean) => {
-      stub.element('figure').setAttribute('aria-busy', String(isBusy))
+      element('figure').setAttribute('aria-busy', String(isBusy))
       observe()
     }
     return { stage: (stage: Stage, circles = 0) => set.onstage(stage, circles), text, place, done, painting }
@@ -272,8 +281,8 @@ describe('progress', () => {
     }
     stage('computing', 1)
     expect(text()).toBe('Computing the diagram of 1 circle …Cancel')
-    place.press('Cancel')
-    expect([done, stub.element('toast').text]).toEqual([[['cancelOpening']], 'Canceled. Nothing has changed.'])
+    press(place, 'Cancel')
+    expect([done, textOf(element('toast'))]).toEqual([[['cancelOpening']], 'Canceled. Nothing has changed.'])
     stage('refused')
     expect(text()).toBeUndefined()
   })
@@ -321,7 +330,7 @@ describe('a toast', () => {
     [{ label: 'Undo', act() {} }, 12_000],
   ] as const)('with the offer %j is gone after a while', (offer, lasting) => {
     toast('Done.', offer)
-    const place = stub.element('toast')
+    const place = element('toast')
     vi.advanceTimersByTime(lasting - 1)
     expect(place.hidden).toBe(false)
     vi.advanceTimersByTime(1)
@@ -330,14 +339,14 @@ describe('a toast', () => {
 
   it('lasts its own time after another one, and is gone once its offer is taken', () => {
     const done: string[] = []
-    const place = stub.element('toast')
+    const place = element('toast')
     toast('First.')
     vi.advanceTimersByTime(5000)
     toast('Second.', { label: 'Undo', act: () => done.push('undo') })
-    expect(place.text).toBe('Second.Undo')
+    expect(textOf(place)).toBe('Second.Undo')
     vi.advanceTimersByTime(5000)
     expect(place.hidden).toBe(false)
-    place.press('Undo')
+    press(place, 'Undo')
     expect([done, place.hidden]).toEqual([['undo'], true])
   })
 })
@@ -347,16 +356,14 @@ describe('the legend', () => {
     ({ measure: 'area', knots: [], isClipped: false, ...more }) as Legend
   const STYLE = { ramp: ['a', 'b', 'c'], map: ['red', 'blue'] } as unknown as Style
   function drawn(legend: Legend, unit?: string) {
-    const place = new PageElement()
-    drawLegend(place as unknown as HTMLElement, legend, STYLE, unit)
+    const place = document.createElement('div')
+    drawLegend(place, legend, STYLE, unit)
     return place
   }
-  beforeEach(() => {
-    Object.assign(PageElement.prototype, { getContext: () => ({ fillRect() {} }) })
-  })
-  afterEach(() => {
-    Reflect.deleteProperty(PageElement.prototype, 'getContext')
-  })
+  const drawOn = (context: object) =>
+    vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockReturnValue(context as CanvasRenderingContext2D)
+  beforeEach(() => void drawOn({ fillRect() {} }))
+  afterEach(() => void vi.restoreAllMocks())
 
   it.each([
     ['radius', 'Radius of the circle'],
@@ -367,13 +374,9 @@ describe('the legend', () => {
     ['index', 'Number of the circle'],
   ] as const)('of %s has its name, its unit and its numbers', (measure, name) => {
     const knots = [0, 99_999, 123_456, 1e6, 0.0004, 0.001, 1.256, -1e-4]
-    const texts = (place: PageElement) =>
-      place
-        .querySelectorAll('span')
-        .slice(2)
-        .map(({ text }) => text)
+    const texts = (place: HTMLElement) => all(place, 'span').slice(2).map(textOf)
     const place = drawn(legendOf({ measure, knots }), 'mm')
-    expect(place.querySelector('span')?.text).toBe(`${name} (mm)`)
+    expect(textOf(place.querySelector('span'))).toBe(`${name} (mm)`)
     expect(texts(place)).toEqual(['0', '99999', '120000', '1e+6', '4e-4', '0.001', '1.3', '-1e-4'])
     expect(texts(drawn(legendOf({ measure, knots: [1, 2, 3], isClipped: true })))).toEqual(['≤ 1', '2', '≥ 3'])
   })
@@ -381,29 +384,25 @@ describe('the legend', () => {
   it('draws its colors', () => {
     const filled: unknown[] = []
     const context = { fillStyle: '', fillRect: (...box: number[]) => filled.push([context.fillStyle, ...box]) }
-    Object.assign(PageElement.prototype, { getContext: () => context })
+    drawOn(context)
     const canvas = drawn(legendOf({ knots: [1, 2] })).querySelector('canvas')
     expect(canvas).toMatchObject({ width: 3 })
     expect(filled).toEqual(['a', 'b', 'c'].map((color, k) => [color, k, 0, 1, 1]))
   })
 
   it('says the one number of equal circles', () => {
-    expect(drawn(legendOf({ knots: [2, 2, 2] })).text).toBe('Area of the cell: 2 for all')
-    expect(drawn(legendOf({ knots: [2, 2], isClipped: true }), 'mm').text).toBe(
+    expect(textOf(drawn(legendOf({ knots: [2, 2, 2] })))).toBe('Area of the cell: 2 for all')
+    expect(textOf(drawn(legendOf({ knots: [2, 2], isClipped: true }), 'mm'))).toBe(
       'Area of the cell (mm): 2 for nearly all',
     )
   })
 
   it('of a column has its categories in their colors, and others without one', () => {
     const place = drawn(legendOf({ measure: 'column', name: 'n', categories: ['u', 'v', 'w'], hasOthers: true }))
-    expect(place.querySelector('span')?.text).toBe('n')
-    expect(place.querySelectorAll('li').map(({ text }) => text)).toEqual(['u', 'v', 'others'])
-    expect(place.querySelectorAll('.swatch').map(({ style }) => style.background)).toEqual([
-      'red',
-      'blue',
-      'transparent',
-    ])
-    expect(drawn(legendOf({ measure: 'column', name: 'n', categories: ['u'] })).text).toBe('n u')
+    expect(textOf(place.querySelector('span'))).toBe('n')
+    expect(all(place, 'li').map(textOf)).toEqual(['u', 'v', 'others'])
+    expect(all(place, '.swatch').map(({ style }) => style.background)).toEqual(['red', 'blue', 'transparent'])
+    expect(textOf(drawn(legendOf({ measure: 'column', name: 'n', categories: ['u'] })))).toBe('n u')
   })
 
   it('is asked for where the colors or the circles are other ones, and not after an edit', async () => {
@@ -416,7 +415,7 @@ describe('the legend', () => {
     }
     const { store, change } = stateOf()
     mountLegend(store, view as unknown as View)
-    const place = stub.element('legend')
+    const place = element('legend')
     change({ edited: editedOf(1) })
     change({ edited: editedOf(2), history: EDITS })
     change({ edited: editedOf(3), history: { ...EDITS, undone: EDITS.done } })
@@ -424,7 +423,7 @@ describe('the legend', () => {
     expect(asked).toHaveLength(3)
     asked[2]?.(legendOf({ knots: [1, 1] }))
     await settled()
-    expect([place.hidden, place.text]).toEqual([false, 'Area of the cell: 1 for all'])
+    expect([place.hidden, textOf(place)]).toEqual([false, 'Area of the cell: 1 for all'])
     const { layers } = store.get()
     const opening = { kind: 'opening' }
     const changes: Partial<State>[] = [
@@ -440,15 +439,15 @@ describe('the legend', () => {
     // A late answer about former colors is dropped.
     asked[4]?.(legendOf({ knots: [7, 7] }))
     await settled()
-    expect(place.text).toBe('Area of the cell: 1 for all')
+    expect(textOf(place)).toBe('Area of the cell: 1 for all')
     asked[6]?.(legendOf({ knots: [8, 8] }))
     await settled()
-    expect(place.text).toBe('Area of the cell: 8 for all')
+    expect(textOf(place)).toBe('Area of the cell: 8 for all')
     view.hasDiagram = false
     events.get('diagram')?.()
     expect(place.hidden).toBe(true)
     view.hasDiagram = true
-    stub.media.dispatchEvent(new Event('change'))
+    page.media.dispatchEvent(new Event('change'))
     expect(place.hidden).toBe(false)
     change({ dataSet: 'waka' })
     asked[7]?.(undefined)
@@ -468,14 +467,13 @@ describe('the scale and the pointer', () => {
       on: (name: string, act: () => void) => events.set(name, act),
     }
     mountScale(view as unknown as View)
-    const place = stub.element('scale')
-    const figure = stub.element('figure')
+    const place = element('scale')
+    const figure = element('figure')
     const draw = () => {
       for (const frame of frames.splice(0)) frame()
     }
-    const send = (type: string, more: object = {}) => figure.dispatchEvent(Object.assign(new Event(type), more))
-    const part = (name: string) => place.querySelector(`.${name}`)?.text
-    return { place, view, events, frames, draw, send, part }
+    const part = (name: string) => textOf(place.querySelector(`.${name}`))
+    return { place, view, events, frames, draw, figure, part }
   }
 
   it('have a bar of a round length, which follows the camera', () => {
@@ -499,16 +497,16 @@ describe('the scale and the pointer', () => {
     [0.1, '-500, 250'],
     [1e-20, '-5.000000e+21, 2.500000e+21'],
   ])('say where the pointer is, as exactly as pixels are: scale %d', (scale, text) => {
-    const { draw, send, part } = scaled(scale)
+    const { draw, figure, part } = scaled(scale)
     expect(part('pointer')).toBe('')
-    send('pointermove', { pointerType: 'mouse', offsetX: 50, offsetY: 25 })
+    send(figure, 'pointermove', { pointerType: 'mouse', offsetX: 50, offsetY: 25 })
     draw()
     expect(part('pointer')).toBe(text)
-    send('pointermove', { pointerType: 'touch', offsetX: 50, offsetY: 25 })
+    send(figure, 'pointermove', { pointerType: 'touch', offsetX: 50, offsetY: 25 })
     draw()
     expect(part('pointer')).toBe('')
-    send('pointermove', { pointerType: 'pen', offsetX: 50, offsetY: 25 })
-    send('pointerleave')
+    send(figure, 'pointermove', { pointerType: 'pen', offsetX: 50, offsetY: 25 })
+    send(figure, 'pointerleave')
     draw()
     expect(part('pointer')).toBe('')
   })
@@ -517,22 +515,21 @@ describe('the scale and the pointer', () => {
 it('the name of the circle under the pointer is beside the pointer, inside the figure', () => {
   const { store, change } = stateOf()
   mountNames(store, { nameOf: (id: number) => ['', 'Bonn', 'Kiel'][id] } as unknown as Editing)
-  const [tag, figure] = [stub.element('name-tag'), stub.element('figure')]
-  Object.assign(figure, { clientWidth: 200, clientHeight: 100 })
-  Object.assign(tag, { offsetWidth: 50, offsetHeight: 20 })
-  const move = (offsetX: number, offsetY: number) =>
-    figure.dispatchEvent(Object.assign(new Event('pointermove'), { offsetX, offsetY }))
+  const [tag, figure] = [element('name-tag'), element('figure')]
+  measure(figure, { clientWidth: 200, clientHeight: 100 })
+  measure(tag, { offsetWidth: 50, offsetHeight: 20 })
+  const move = (offsetX: number, offsetY: number) => send(figure, 'pointermove', { offsetX, offsetY })
   move(10, 20)
-  expect([tag.hidden, tag.style.translate]).toEqual([true, undefined])
+  expect([tag.hidden, tag.style.translate]).toEqual([true, ''])
   change({ hovered: 1 })
-  expect([tag.hidden, tag.text, tag.style.translate]).toEqual([false, 'Bonn', '24px 34px'])
+  expect([tag.hidden, textOf(tag), tag.style.translate]).toEqual([false, 'Bonn', '24px 34px'])
   move(190, 95)
   expect(tag.style.translate).toBe('136px 66px')
-  Object.assign(figure, { clientWidth: 20, clientHeight: 10 })
+  measure(figure, { clientWidth: 20, clientHeight: 10 })
   change({ hovered: 2 })
-  expect([tag.text, tag.style.translate]).toEqual(['Kiel', '0px 0px'])
+  expect([textOf(tag), tag.style.translate]).toEqual(['Kiel', '0px 0px'])
   for (const hovered of [0, undefined]) {
     change({ hovered })
-    expect([tag.hidden, tag.text]).toEqual([true, ''])
+    expect([tag.hidden, textOf(tag)]).toEqual([true, ''])
   }
 })

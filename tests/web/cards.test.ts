@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cards of the selection and of a previewed circle, the menu at the pointer, and the dialog for columns.
+// @vitest-environment happy-dom
+import { render } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Table } from '../../web/app/files/columns.ts'
 import { pictureOf } from '../../web/app/generators/sample-picture.ts'
+import { restoreInvalidNumbers } from '../../web/app/input/invalid-numbers.ts'
 import { listenToMenu } from '../../web/app/input/menu-key.ts'
 import { markTabbing } from '../../web/app/input/tabbing.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
@@ -18,28 +21,31 @@ import { ENGLISH_EDITING } from '../../web/editing/words.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import type { CellFacts, Described, Trial } from '../../web/view/protocol.ts'
 import type { View } from '../../web/view/view.ts'
-import { noting, PageElement, render, stateOf, stubPage } from './page-document.ts'
+import {
+  all,
+  chosenOf,
+  control,
+  controls,
+  element,
+  enter,
+  limitsOf,
+  noting,
+  openPage,
+  press,
+  send,
+  stateOf,
+  textOf,
+} from './page-document.ts'
 
-vi.mock('lit/html.js', async (load) => ({
-  ...(await load<object>()),
-  render: (await import('./page-document.ts')).render,
-}))
+vi.mock('lit/html.js', { spy: true })
 
-let stub: ReturnType<typeof stubPage>
-beforeEach(() => {
-  stub = stubPage()
-})
+beforeEach(() => void openPage())
 afterEach(() => vi.unstubAllGlobals())
 
 const settled = async () => {
   for (let k = 0; k < 9; k++) await Promise.resolve()
 }
 const called = (id: number) => `circle ${id}`
-const send = (target: EventTarget, type: string, more: object = {}) => {
-  const event = Object.assign(new Event(type, { cancelable: true }), more)
-  target.dispatchEvent(event)
-  return event
-}
 
 describe('the card of several circles', () => {
   it('has their number, is there for two or more, and acts on them', () => {
@@ -47,22 +53,22 @@ describe('the card of several circles', () => {
     const { store, change } = stateOf()
     const actions = noting(done, { ownColorOf: (id: number) => (id === 3 ? '#fff' : undefined), beginGesture: () => 7 })
     mountGroup(store, actions as unknown as PageActions)
-    const card = stub.element('group')
+    const card = element('group')
     expect(card.hidden).toBe(true)
     change({ selection: [1] })
     expect(card.hidden).toBe(true)
     change({ selection: [1, 2] })
-    expect([card.hidden, card.querySelector('h2')?.text, card.controls.has('Automatic color')]).toEqual([
+    expect([card.hidden, textOf(card.querySelector('h2')), controls(card).has('Automatic color')]).toEqual([
       false,
       '2 circles',
       false,
     ])
     change({ selection: [1, 3] })
-    card.enter('Color', '#123456')
+    enter(card, 'Color', '#123456')
     for (const label of ['Automatic color', 'Zoom to', 'Duplicate', 'Delete', 'Deselect']) {
-      stub.page.activeElement = undefined
-      card.press(label)
-      expect([label, stub.page.activeElement]).toEqual([label, stub.element('figure')])
+      element('figure').blur()
+      press(card, label)
+      expect([label, document.activeElement]).toEqual([label, element('figure')])
     }
     expect(done).toEqual([
       ['setColor', [1, 3], '#123456', 7],
@@ -107,7 +113,7 @@ describe('the card of a circle', () => {
       actions as unknown as PageActions,
       view as unknown as View,
     )
-    const shown = () => stub.element('inspector-facts').text
+    const shown = () => textOf(element('inspector-facts'))
     const tell = async (id: number, cell: Partial<CellFacts> = {}) => {
       answers.shift()?.({ cells: new Map([[id, { ...FACTS, ...cell }]]) })
       await settled()
@@ -119,8 +125,8 @@ describe('the card of a circle', () => {
       tell,
       shown,
       columns,
-      place: stub.element('inspector-place'),
-      data: stub.element('inspector-data'),
+      place: element('inspector-place'),
+      data: element('inspector-data'),
     }
   }
 
@@ -158,7 +164,7 @@ describe('the card of a circle', () => {
     const { change, place } = facts()
     const shown = (selected: number) => {
       change({ selected })
-      return [place.hidden, place.text]
+      return [place.hidden, textOf(place)]
     }
     expect(shown(0)).toEqual([true, ''])
     expect(shown(1)).toEqual([false, 'Circle 1'])
@@ -167,7 +173,7 @@ describe('the card of a circle', () => {
 
   it('has the columns of the file beside name and color, and the actions', () => {
     const { change, columns, data } = facts()
-    expect(data.text).toBe('')
+    expect(textOf(data)).toBe('')
     change({ selected: 0 })
     expect(data.hidden).toBe(true)
     const attributes = { columns, ids: [], heights: [], collection: '' }
@@ -177,16 +183,12 @@ describe('the card of a circle', () => {
       [2, '–'],
     ] as const) {
       change({ selected, attributes })
-      expect([
-        data.hidden,
-        data.querySelectorAll('dt').map((name) => name.text),
-        data.querySelector('dd')?.text,
-      ]).toEqual([false, ['n'], text])
+      expect([data.hidden, all(data, 'dt').map(textOf), textOf(data.querySelector('dd'))]).toEqual([false, ['n'], text])
     }
-    expect([...stub.element('inspector-actions').controls.keys()]).toEqual(['Zoom to', 'Duplicate', 'Delete'])
-    const [first] = data.elements
+    expect([...controls(element('inspector-actions')).keys()]).toEqual(['Zoom to', 'Duplicate', 'Delete'])
+    vi.mocked(render).mockClear()
     change({ hovered: 1 })
-    expect(data.elements[0], 'nothing has changed').toBe(first)
+    expect(render, 'nothing has changed').not.toHaveBeenCalled()
   })
 
   function inspector() {
@@ -200,7 +202,7 @@ describe('the card of a circle', () => {
       selectedCircles: () => [],
     })
     mountInspector(store, actions as unknown as PageActions)
-    return { done, change, chips: stub.element('inspector-neighbors'), card: stub.element('inspector') }
+    return { done, change, chips: element('inspector-neighbors'), card: element('inspector') }
   }
   const CIRCLE = { x: 1.23456, y: -2, r: 3 }
 
@@ -208,14 +210,14 @@ describe('the card of a circle', () => {
     const { done, change, chips, card } = inspector()
     expect(card.hidden).toBe(true)
     change({ selected: 1, circle: CIRCLE, described: describedOf(1, { neighbors: Int32Array.of(4, 5) }) })
-    expect([card.hidden, stub.element('inspector-line').textContent]).toEqual([false, 'x 1.23  y -2  r 3'])
-    expect(stub.element('field-x').title).toBe('1.23456')
-    expect(stub.element('inspector-cell').text).toBe('Bounded cell, 2 neighbors')
-    expect([...chips.controls].map(([label, chip]) => [label, chip.text])).toEqual([
+    expect([card.hidden, element('inspector-line').textContent]).toEqual([false, 'x 1.23  y -2  r 3'])
+    expect(element('field-x').title).toBe('1.23456')
+    expect(textOf(element('inspector-cell'))).toBe('Bounded cell, 2 neighbors')
+    expect([...controls(chips)].map(([label, chip]) => [label, textOf(chip)])).toEqual([
       ['Circle 4', '4'],
       ['Kiel', 'Kiel'],
     ])
-    const chip = chips.control('Kiel')
+    const chip = control(chips, 'Kiel')
     for (const type of ['pointerenter', 'pointerleave', 'click']) send(chip, type)
     expect(done).toEqual([
       ['hover', 5],
@@ -223,7 +225,7 @@ describe('the card of a circle', () => {
       ['goTo', 5],
     ])
     change({ described: describedOf(1, { neighbors: Int32Array.of(4, 5) }) })
-    expect(chips.control('Kiel'), 'they are the same').toBe(chip)
+    expect(control(chips, 'Kiel'), 'they are the same').toBe(chip)
   })
 
   it('has at most 500 neighbors', () => {
@@ -231,7 +233,7 @@ describe('the card of a circle', () => {
     const neighborsOf = (count: number) => Int32Array.from({ length: count }, (_, k) => k + 10)
     const shown = (count: number) => {
       change({ selected: 1, circle: CIRCLE, described: describedOf(1, { neighbors: neighborsOf(count) }) })
-      return [chips.controls.size, chips.querySelectorAll('li')[500]?.text]
+      return [controls(chips).size, textOf(all(chips, 'li')[500])]
     }
     expect(shown(500)).toEqual([500, undefined])
     expect(shown(501)).toEqual([500, 'and 1 more'])
@@ -243,19 +245,17 @@ describe('the card of a circle', () => {
     const show = (...neighbors: number[]) =>
       change({ selected: 1, circle: CIRCLE, described: describedOf(1, { neighbors: Int32Array.from(neighbors) }) })
     show(4, 5)
-    chips.control('Kiel').focus()
+    control(chips, 'Kiel').focus()
     show(7)
-    expect(stub.page.activeElement).toBe(chips.control('Circle 7'))
+    expect(document.activeElement).toBe(control(chips, 'Circle 7'))
     show()
-    expect(stub.page.activeElement).toBe(stub.element('figure'))
-    const field = new PageElement('input')
-    card.append(field)
-    field.focus()
+    expect(document.activeElement).toBe(element('figure'))
+    control(card, 'x').focus()
     change({ selected: undefined, circle: undefined })
-    expect(stub.page.activeElement).toBe(stub.element('figure'))
-    stub.page.activeElement = undefined
-    stub.element('deselect').click()
-    expect([done, stub.page.activeElement]).toEqual([[['select', []]], stub.element('figure')])
+    expect(document.activeElement).toBe(element('figure'))
+    element('figure').blur()
+    element('deselect').click()
+    expect([done, document.activeElement]).toEqual([[['select', []]], element('figure')])
   })
 })
 
@@ -268,7 +268,7 @@ describe('the card of a previewed circle', () => {
       },
     }
     mountTrial(view as unknown as View, { called })
-    const card = stub.element('trial')
+    const card = element('trial')
     show({ hiddenBy: undefined, area: 1, taken: [], ...more } as Trial)
     return { card, show }
   }
@@ -282,14 +282,16 @@ describe('the card of a previewed circle', () => {
     }))
     const { card, show } = tried({ area: 2.3456, taken })
     expect(card.hidden).toBe(false)
-    expect(card.text).toMatch(/^A new circle Its cell would have the area 2\.35, taken from circle 0∞circle 11/)
-    expect(card.text).toMatch(/and 2 more Release to add, Esc to cancel\.$/)
+    expect(textOf(card)).toMatch(/^A new circle Its cell would have the area 2\.35, taken from circle 0∞circle 11/)
+    expect(textOf(card)).toMatch(/and 2 more Release to add, Esc to cancel\.$/)
     show(undefined)
     expect(card.hidden).toBe(true)
-    expect(tried({ area: Number.POSITIVE_INFINITY, taken: taken.slice(0, 8) }).card.text).toMatch(
+    expect(textOf(tried({ area: Number.POSITIVE_INFINITY, taken: taken.slice(0, 8) }).card)).toMatch(
       /Its cell would have no end; taken from.*0\.143 Release/,
     )
-    expect(tried({ hiddenBy: 0 }).card.text).toBe('A new circle It would be hidden inside circle 0 and take nothing.')
+    expect(textOf(tried({ hiddenBy: 0 }).card)).toBe(
+      'A new circle It would be hidden inside circle 0 and take nothing.',
+    )
   })
 })
 
@@ -310,7 +312,7 @@ describe('the menu at the pointer', () => {
       isSelected: (id: number) => store.get().selection.includes(id),
       select: (selection: number[]) => change({ selection }),
     })
-    const place = stub.element('menu')
+    const place = element('menu')
     const shown = { isOpen: false }
     Object.assign(place, {
       showPopover: () => Object.assign(shown, { isOpen: true }),
@@ -323,29 +325,29 @@ describe('the menu at the pointer', () => {
       done.push(['name']),
     )
     open({ x: 60, y: 40 })
-    const labels = () => place.querySelectorAll('span').map(({ text }) => text)
-    const press = (label: string) => place.querySelectorAll('button')[labels().indexOf(label)]?.click()
-    return { done, place, shown, asked, open, labels, press, store }
+    const labels = () => all(place, 'span').map(textOf)
+    const pick = (label: string | undefined) => all(place, 'button')[labels().indexOf(label)]?.click()
+    return { done, place, shown, asked, open, labels, pick, store }
   }
 
   it('of an empty place adds a circle there, selects all, and shows everything', () => {
     const items = ['Add a circle here', 'Select all', 'Show everything']
     for (const hit of [undefined, { id: 3, part: 'cell' }]) {
-      const { done, asked, labels, press, shown, place } = menu(hit)
+      const { done, asked, labels, pick, shown, place } = menu(hit)
       expect([asked, labels()]).toEqual([[[{ x: 15, y: 25 }, 2.5]], items])
-      expect(place.querySelectorAll('kbd').map(({ text }) => text)).toEqual(['double-click', 'Ctrl+A', '0'])
-      expect([shown.isOpen, stub.page.activeElement]).toEqual([true, place.querySelector('button')])
-      for (const item of items) press(item)
+      expect(all(place, 'kbd').map(textOf)).toEqual(['double-click', 'Ctrl+A', '0'])
+      expect([shown.isOpen, document.activeElement]).toEqual([true, place.querySelector('button')])
+      for (const item of items) pick(item)
       expect(done).toEqual([['addFitting', { x: 15, y: 25 }], ['selectAll'], ['fit']])
-      expect([shown.isOpen, stub.page.activeElement]).toEqual([false, stub.element('figure')])
+      expect([shown.isOpen, document.activeElement]).toEqual([false, element('figure')])
     }
   })
 
   it('of a circle selects it, unless it is selected with others', () => {
-    const { done, labels, press, store, place } = menu({ id: 3, part: 'disc' }, [1])
+    const { done, labels, pick, store, place } = menu({ id: 3, part: 'disc' }, [1])
     expect([store.get().selection, labels()]).toEqual([[3], ['Name …', 'Zoom to', 'Duplicate', 'Delete']])
-    expect(place.querySelectorAll('kbd').map(({ text }) => text)).toEqual(['', 'F', 'Ctrl+D', 'Delete'])
-    for (const item of labels()) press(item)
+    expect(all(place, 'kbd').map(textOf)).toEqual(['', 'F', 'Ctrl+D', 'Delete'])
+    for (const item of labels()) pick(item)
     expect(done).toEqual([['name'], ['zoomToSelection'], ['duplicateSelected'], ['removeSelected']])
     const several = menu({ id: 3, part: 'rim' }, [1, 3])
     expect([several.store.get().selection, several.labels()]).toEqual([
@@ -369,13 +371,13 @@ describe('the menu at the pointer', () => {
 
   it('is used with arrows, around its ends, and closed by Escape', () => {
     const { place, shown } = menu(undefined)
-    const buttons = place.querySelectorAll('button')
+    const buttons = all(place, 'button')
     const key = (name: string) => {
       const event = Object.assign(new Event('keydown', { cancelable: true }), { key: name })
       const stop = vi.spyOn(event, 'stopPropagation')
       place.dispatchEvent(event)
       expect(stop, 'the shortcuts of the page are not meant').toHaveBeenCalled()
-      return [buttons.indexOf(stub.page.activeElement as PageElement), event.defaultPrevented]
+      return [buttons.indexOf(document.activeElement as HTMLButtonElement), event.defaultPrevented]
     }
     expect(['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'ArrowUp', 'a'].map(key)).toEqual([
       [1, true],
@@ -391,29 +393,33 @@ describe('the menu at the pointer', () => {
 
   it('gives the focus to the figure as it closes, unless something else has it', () => {
     const { place } = menu(undefined)
-    const { body } = stub.page
-    const other = new PageElement()
-    const figure = stub.element('figure')
+    const [figure, other] = [element('figure'), element('undo')]
+    const button = place.querySelector('button') as HTMLElement
     for (const [focused, newState, expected] of [
-      [place.querySelector('button'), 'open', place.querySelector('button')],
-      [place.querySelector('button'), 'closed', figure],
-      [body, 'closed', figure],
-      [null, 'closed', figure],
+      [button, 'open', button],
+      [button, 'closed', figure],
+      [document.body, 'closed', figure],
       [other, 'closed', other],
     ] as const) {
-      Object.assign(stub.page, { activeElement: focused })
+      figure.blur()
+      focused.focus()
       send(place, 'toggle', { newState })
-      expect(stub.page.activeElement).toBe(expected)
+      expect(document.activeElement).toBe(expected)
     }
+    figure.blur()
+    const focused = vi.spyOn(document, 'activeElement', 'get').mockReturnValue(null)
+    send(place, 'toggle', { newState: 'closed' })
+    focused.mockRestore()
+    expect(document.activeElement).toBe(figure)
   })
 
   it('opens at the pointer, or by its key at the selected circle, and not after a long press', () => {
-    const figure = stub.element('figure')
+    const figure = element('figure')
     const opened: unknown[] = []
     let circle: object | undefined = { x: 1, y: 2, r: 3 }
     const view = { toScreen: ({ x, y }: { x: number; y: number }) => ({ x: 10 * x, y: 10 * y }) }
     listenToMenu(
-      figure as unknown as HTMLElement,
+      figure,
       view as unknown as View,
       () => circle as never,
       (at) => opened.push(at),
@@ -442,34 +448,32 @@ describe('the menu at the pointer', () => {
 describe('on a phone', () => {
   it('the card is one line from the press of a finger until a tap', () => {
     mountOneLine()
-    const figure = stub.element('figure')
-    const { classList } = stub.page.body
-    const press = (type: string, clientX: number, pointerType = 'touch') => {
+    const figure = element('figure')
+    const { classList } = document.body
+    const touch = (type: string, clientX: number, pointerType = 'touch') => {
       send(figure, type, { pointerType, clientX, clientY: 0 })
-      return classList.has('one-line')
+      return classList.contains('one-line')
     }
-    expect(press('pointerup', 0)).toBe(false)
-    expect(press('pointerdown', 0, 'mouse')).toBe(false)
-    expect([press('pointerdown', 0), press('pointerup', 4)]).toEqual([true, true])
-    expect([press('pointerdown', 0), press('pointerup', 3.9)]).toEqual([true, false])
+    expect(touch('pointerup', 0)).toBe(false)
+    expect(touch('pointerdown', 0, 'mouse')).toBe(false)
+    expect([touch('pointerdown', 0), touch('pointerup', 4)]).toEqual([true, true])
+    expect([touch('pointerdown', 0), touch('pointerup', 3.9)]).toEqual([true, false])
     for (const id of ['inspector', 'group']) {
-      press('pointerdown', 0)
-      stub.element(id).click()
-      expect(classList.has('one-line')).toBe(false)
+      touch('pointerdown', 0)
+      element(id).click()
+      expect(classList.contains('one-line')).toBe(false)
     }
   })
 
   it('the focus is marked while Tab moves it, until a pointer is pressed', () => {
-    const listening = new EventTarget()
-    vi.stubGlobal('addEventListener', listening.addEventListener.bind(listening))
     markTabbing()
-    const { classList } = stub.page.body
-    send(listening, 'keydown', { key: 'a' })
-    expect(classList.has('tabbing')).toBe(false)
-    send(listening, 'keydown', { key: 'Tab' })
-    expect(classList.has('tabbing')).toBe(true)
-    send(listening, 'pointerdown')
-    expect(classList.has('tabbing')).toBe(false)
+    const { classList } = document.body
+    send(window, 'keydown', { key: 'a' })
+    expect(classList.contains('tabbing')).toBe(false)
+    send(window, 'keydown', { key: 'Tab' })
+    expect(classList.contains('tabbing')).toBe(true)
+    send(window, 'pointerdown')
+    expect(classList.contains('tabbing')).toBe(false)
   })
 })
 
@@ -482,12 +486,10 @@ describe('the dialog for columns', () => {
     ...more,
   })
   function asked(table: Table) {
-    const dialog = Object.assign(stub.element('columns'), { isShown: false, returnValue: 'open' })
-    Object.assign(dialog, { showModal: () => Object.assign(dialog, { isShown: true }) })
+    const dialog = element<HTMLDialogElement>('columns')
     const chosen = chooseColumns(table, 'a.csv')
     const close = (returnValue: string) => {
-      dialog.returnValue = returnValue
-      send(dialog, 'close')
+      dialog.close(returnValue)
       return chosen
     }
     return { dialog, chosen, close }
@@ -499,69 +501,75 @@ describe('the dialog for columns', () => {
       [['x', 'y', 'diameter'], { x: 'x', y: 'y', radius: 'diameter', isDiameter: true }],
     ] as const) {
       const { dialog, chosen } = asked(tableOf([...heading]))
-      expect([await chosen, dialog.isShown]).toEqual([expected, false])
+      expect([await chosen, dialog.open]).toEqual([expected, false])
     }
   })
 
   it.each([['x,y,r,radius'], ['x,lon,y,r'], ['x,y,lat,r'], ['x,y,n'], ['y,r,n'], ['x,r,n']])(
     'is there where the names do not say everything: %s',
     (heading) => {
-      expect(asked(tableOf(heading.split(','))).dialog.isShown).toBe(true)
+      expect(asked(tableOf(heading.split(','))).dialog.open).toBe(true)
     },
   )
 
   it('has the guesses, and gives what is chosen', async () => {
     const { dialog, close } = asked(tableOf(['n', 'a', 'lon', 'lat']))
-    expect(dialog.isShown).toBe(true)
-    const chosen = () => ['x', 'y', 'radius'].map((label) => dialog.control(label).chosen)
+    expect(dialog.open).toBe(true)
+    const chosen = () => ['x', 'y', 'radius'].map((label) => chosenOf(control(dialog, label)))
     expect(chosen()).toEqual(['lon', 'lat', 'lon'])
-    expect(dialog.text).toContain('a.csv has 7 rows.')
-    dialog.enter('radius', '1', ['change'])
-    dialog.enter('x', '3', ['change'])
-    dialog.enter('y', '2', ['change'])
+    expect(textOf(dialog)).toContain('a.csv has 7 rows.')
+    enter(dialog, 'radius', '1', ['change'])
+    enter(dialog, 'x', '3', ['change'])
+    enter(dialog, 'y', '2', ['change'])
     expect(chosen()).toEqual(['lat', 'lon', 'a'])
-    expect(dialog.querySelectorAll('th').map(({ classList }) => classList.has('used'))).toEqual([
-      false,
-      true,
-      true,
-      true,
-    ])
-    const cells = dialog.querySelectorAll('td')
-    expect([cells.length, cells.map(({ text }) => text).slice(0, 5)]).toEqual([20, ['00', '01', '02', '03', '10']])
-    expect(cells.slice(0, 4).map(({ classList }) => classList.has('used'))).toEqual([false, true, true, true])
-    dialog.enter('diameters', true, ['change'])
-    dialog.enter('x', '3', ['change'])
-    expect(dialog.control('diameters').checked).toBe(true)
+    expect(all(dialog, 'th').map(({ classList }) => classList.contains('used'))).toEqual([false, true, true, true])
+    const cells = all(dialog, 'td')
+    expect([cells.length, cells.map(textOf).slice(0, 5)]).toEqual([20, ['00', '01', '02', '03', '10']])
+    expect(cells.slice(0, 4).map(({ classList }) => classList.contains('used'))).toEqual([false, true, true, true])
+    enter(dialog, 'diameters', true, ['change'])
+    enter(dialog, 'x', '3', ['change'])
+    expect(control(dialog, 'diameters').checked).toBe(true)
     expect(await close('open')).toEqual({ x: 'lat', y: 'lon', radius: 'a', isDiameter: true })
   })
 
   it('gives one radius to all circles', async () => {
+    restoreInvalidNumbers(document)
     const { dialog, close } = asked(tableOf(['a', 'b']))
-    expect(dialog.control('radius').chosen, 'there is no third column').toBe('the same for all')
-    expect(dialog.control('r').limits).toEqual(['0', null, 'any'])
-    dialog.enter('r', '2.5', ['change'])
-    dialog.control('r').isValid = false
-    dialog.enter('r', '-1', ['change'])
-    dialog.enter('x', '0', ['change'])
-    expect(dialog.control('r').value).toBe('2.5')
+    expect(chosenOf(control(dialog, 'radius')), 'there is no third column').toBe('the same for all')
+    expect(limitsOf(control(dialog, 'r'))).toEqual(['0', null, 'any'])
+    enter(dialog, 'r', '2.5', ['change'])
+    enter(dialog, 'r', '-1')
+    send(control(dialog, 'r'), 'focusout')
+    expect(control(dialog, 'r').value).toBe('2.5')
+    enter(dialog, 'x', '0', ['change'])
     expect(await close('open')).toEqual({ x: 'a', y: 'b', radius: { all: 2.5 }, isDiameter: false })
     const other = asked(tableOf(['a', 'b', 'd']))
-    expect(other.dialog.control('radius').chosen).toBe('d')
-    expect(other.dialog.control('diameters').checked).toBe(true)
-    other.dialog.enter('radius', '-1', ['change'])
-    expect(other.dialog.control('r').value).toBe('1')
+    expect(chosenOf(control(other.dialog, 'radius'))).toBe('d')
+    expect(control(other.dialog, 'diameters').checked).toBe(true)
+    enter(other.dialog, 'radius', '-1', ['change'])
+    expect(control(other.dialog, 'r').value).toBe('1')
     expect(await other.close('open')).toEqual({ x: 'a', y: 'b', radius: { all: 1 }, isDiameter: false })
+  })
+
+  it('has the guesses also after another file', async () => {
+    const { dialog, close } = asked(tableOf(['a', 'b', 'c']))
+    for (const label of ['x', 'y', 'radius']) {
+      for (const column of ['0', '1', '2', '0']) enter(dialog, label, column, ['change'])
+    }
+    await close('')
+    asked(tableOf(['a', 'b', 'c']))
+    expect(['x', 'y', 'radius'].map((label) => chosenOf(control(dialog, label)))).toEqual(['a', 'b', 'c'])
   })
 
   it('says what is wrong with the choice, and opens nothing then or when it is canceled', async () => {
     const { dialog, close } = asked(tableOf(['a', 'b', 'c'], { hasNumbers: [true, true, false] }))
-    const wrong = () => [dialog.querySelector('.wrong')?.text, dialog.control('Open').disabled]
+    const wrong = () => [textOf(dialog.querySelector('.wrong')), control(dialog, 'Open').disabled]
     expect(wrong()).toEqual(['There are no numbers in column c.', true])
-    dialog.enter('radius', '1', ['change'])
+    enter(dialog, 'radius', '1', ['change'])
     expect(wrong()).toEqual(['', false])
-    dialog.enter('y', '0', ['change'])
+    enter(dialog, 'y', '0', ['change'])
     expect(wrong()).toEqual(['x and y are the same column.', true])
-    dialog.enter('y', '2', ['change'])
+    enter(dialog, 'y', '2', ['change'])
     expect(wrong()).toEqual(['There are no numbers in column c.', true])
     expect(await close('')).toBeUndefined()
   })
@@ -569,7 +577,7 @@ describe('the dialog for columns', () => {
 
 it('a thumbnail has the circles in its middle, small ones large enough to be seen, and none that is huge or outside', () => {
   const pathOf = (...circles: number[]) => {
-    const place = new PageElement()
+    const place = document.createElement('div')
     render(pictureOf(Float64Array.from(circles)), place)
     return place.querySelector('path')?.getAttribute('d')
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel of layers: each control changes its layer and no other one.
+// @vitest-environment happy-dom
+import { render } from 'lit/html.js'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { Motion } from '../../web/app/motion/motion.ts'
 import type { Radii } from '../../web/app/motion/radii.ts'
@@ -8,16 +10,28 @@ import { mountLayers } from '../../web/app/panels/layers.ts'
 import type { State } from '../../web/editing/state.ts'
 import { CELL_COLORS, DEFAULT_LAYERS, type Layers, MOST_PAIRED, MOST_TRACED, SAMPLES } from '../../web/view/layers.ts'
 import type { View } from '../../web/view/view.ts'
-import { noting, stateOf, stubPage } from './page-document.ts'
+import {
+  all,
+  buttonOf,
+  chosenOf,
+  control,
+  controls,
+  element,
+  enter,
+  limitsOf,
+  noting,
+  openPage,
+  optionsOf,
+  press,
+  stateOf,
+  textOf,
+} from './page-document.ts'
 
-vi.mock('lit/html.js', async (load) => ({
-  ...(await load<object>()),
-  render: (await import('./page-document.ts')).render,
-}))
+vi.mock('lit/html.js', { spy: true })
 
-let stub: ReturnType<typeof stubPage>
+let page: ReturnType<typeof openPage>
 beforeEach(() => {
-  stub = stubPage()
+  page = openPage()
 })
 afterEach(() => vi.unstubAllGlobals())
 
@@ -45,8 +59,8 @@ function mounted(state: Partial<State> = {}) {
     motion as unknown as Motion,
     radii as unknown as Radii,
   )
-  const panel = stub.element('layers')
-  stub.element('layers-button').click()
+  const panel = element('layers')
+  buttonOf('layers').click()
   const layers = (more: Partial<Layers>) => change({ layers: { ...DEFAULT_LAYERS, ...more } })
   return { panel, done, change, layers, view, motion: known, events, path, radii }
 }
@@ -76,41 +90,38 @@ it.each(SWITCHES)('%s is a switch of its layer', (label, name) => {
   for (const isOn of [true, false]) {
     // Measures stand beside the names of some layers.
     layers({ [name]: isOn })
-    const shown = [...panel.controls.keys()].find((other) => other.startsWith(label)) as string
-    expect(panel.control(shown).checked).toBe(isOn)
-    panel.enter(shown, !isOn, ['change'])
+    const shown = [...controls(panel).keys()].find((other) => other.startsWith(label)) as string
+    expect(control(panel, shown).checked).toBe(isOn)
+    enter(panel, shown, !isOn, ['change'])
     expect(done.pop()).toEqual(['setLayers', { [name]: !isOn }])
   }
 })
 
 it('colors are by a measure or by a column of the file', () => {
   const { panel, done, change, layers } = mounted()
-  expect(panel.control('Colors').options).toHaveLength(CELL_COLORS.length)
+  expect(optionsOf(control(panel, 'Colors'))).toHaveLength(CELL_COLORS.length)
   change({ attributes: { columns: [{ name: 'n', values: [] }], ids: [], heights: [], collection: '' } })
-  expect(panel.control('Colors').options.slice(-2)).toEqual(['neighbors differ', 'n'])
-  const values = panel
-    .control('Colors')
-    .querySelectorAll('option')
-    .map(({ value }) => value)
+  expect(optionsOf(control(panel, 'Colors')).slice(-2)).toEqual(['neighbors differ', 'n'])
+  const values = all(control(panel, 'Colors'), 'option').map(({ value }) => value)
   expect(values).toEqual([...CELL_COLORS, 'column:n'])
-  panel.enter('Colors', 'area', ['change'])
-  panel.enter('Colors', 'column:n', ['change'])
+  enter(panel, 'Colors', 'area', ['change'])
+  enter(panel, 'Colors', 'column:n', ['change'])
   expect(done).toEqual([
     ['setLayers', { cells: 'area', column: undefined }],
     ['colorBy', 'n'],
   ])
   layers({ cells: 'degree' })
-  expect([panel.control('Colors').value, panel.control('Colors').chosen]).toEqual(['degree', 'by neighbors'])
+  expect([control(panel, 'Colors').value, chosenOf(control(panel, 'Colors'))]).toEqual(['degree', 'by neighbors'])
   layers({ cells: 'degree', column: { name: 'n', values: new Float64Array() } })
-  expect([panel.control('Colors').value, panel.control('Colors').chosen]).toEqual(['column:n', 'n'])
+  expect([control(panel, 'Colors').value, chosenOf(control(panel, 'Colors'))]).toEqual(['column:n', 'n'])
 })
 
 it('the grid is switched together with snapping', () => {
   const { panel, done, change } = mounted()
-  panel.enter('Axes and grid', true, ['change'])
+  enter(panel, 'Axes and grid', true, ['change'])
   change({ isSnapping: true })
-  panel.enter('Axes and grid', true, ['change'])
-  panel.enter('Axes and grid', false, ['change'])
+  enter(panel, 'Axes and grid', true, ['change'])
+  enter(panel, 'Axes and grid', false, ['change'])
   expect(done).toEqual([
     ['setLayers', { grid: true }],
     ['toggleSnapping'],
@@ -122,16 +133,16 @@ it('the grid is switched together with snapping', () => {
 
 it('the path goes across the picture, and its clearance and the radius of the largest disc are shown once found', () => {
   const { panel, done, change, layers, path } = mounted()
-  panel.enter('Clearest path', true, ['change'])
-  panel.enter('Clearest path', false, ['change'])
+  enter(panel, 'Clearest path', true, ['change'])
+  enter(panel, 'Clearest path', false, ['change'])
   expect(done).toEqual([
     ['setLayers', { path }],
     ['setLayers', { path: undefined }],
   ])
-  expect(panel.control('Clearest path').checked).toBe(false)
+  expect(control(panel, 'Clearest path').checked).toBe(false)
   layers({ path, largestDisc: true })
-  expect([...panel.controls].find(([label]) => label.startsWith('Clearest path'))?.[1].checked).toBe(true)
-  const notes = () => panel.querySelectorAll('small').map(({ title, text }) => [title, text])
+  expect([...controls(panel)].find(([label]) => label.startsWith('Clearest path'))?.[1].checked).toBe(true)
+  const notes = () => all(panel, 'small').map((note) => [note.title, textOf(note)])
   expect(notes()).toEqual([
     ['Its radius', '…'],
     ['How near it comes to a circle', '…'],
@@ -145,16 +156,16 @@ it('the path goes across the picture, and its clearance and the radius of the la
 it('vertices are merged up to a length, which is at first just above rounding errors', () => {
   const { panel, done, layers } = mounted()
   layers({ vertices: false })
-  expect(panel.controls.has('merged up to length')).toBe(false)
+  expect(controls(panel).has('merged up to length')).toBe(false)
   layers({ vertices: true })
-  expect(panel.control('merged up to length').checked).toBe(false)
-  panel.enter('merged up to length', true, ['change'])
-  panel.enter('merged up to length', false, ['change'])
+  expect(control(panel, 'merged up to length').checked).toBe(false)
+  enter(panel, 'merged up to length', true, ['change'])
+  enter(panel, 'merged up to length', false, ['change'])
   layers({ vertices: true, nearZero: 0.5 })
-  expect(panel.control('merged up to length').checked).toBe(true)
+  expect(control(panel, 'merged up to length').checked).toBe(true)
   const field = 'Length up to which vertices are merged'
-  expect([panel.control(field).value, panel.control(field).limits]).toEqual(['0.5', ['0', null, 'any']])
-  for (const text of ['0', '-1', '', '2']) panel.enter(field, text, ['change'])
+  expect([control(panel, field).value, limitsOf(control(panel, field))]).toEqual(['0.5', ['0', null, 'any']])
+  for (const text of ['0', '-1', '', '2']) enter(panel, field, text, ['change'])
   expect(done).toEqual(
     [{ nearZero: 5e-8 }, { nearZero: undefined }, { nearZero: 0 }, { nearZero: 2 }].map((change) => [
       'setLayers',
@@ -165,55 +176,54 @@ it('vertices are merged up to a length, which is at first just above rounding er
 
 it('the distance at which cells end grows with the square of the slider, up to a quarter of the picture', () => {
   const { panel, done, layers } = mounted()
-  expect(panel.control('Cells end at a distance').checked).toBe(false)
-  panel.enter('Cells end at a distance', true, ['change'])
-  panel.enter('Cells end at a distance', false, ['change'])
+  expect(control(panel, 'Cells end at a distance').checked).toBe(false)
+  enter(panel, 'Cells end at a distance', true, ['change'])
+  enter(panel, 'Cells end at a distance', false, ['change'])
   layers({ maxDistance: 3.125 })
-  expect(panel.control('Cells end at a distance').checked).toBe(true)
+  expect(control(panel, 'Cells end at a distance').checked).toBe(true)
   const slider = 'Distance at which cells end'
   // The picture is 50 units wide.
-  expect([panel.control(slider).value, panel.control(slider).limits]).toEqual(['0.5', ['0', '1', 'any']])
-  expect(panel.querySelector('output')?.text).toBe('3.13')
-  panel.enter(slider, '1', ['input'])
-  panel.enter(slider, '0.5', ['input'])
+  expect([control(panel, slider).value, limitsOf(control(panel, slider))]).toEqual(['0.5', ['0', '1', 'any']])
+  expect(textOf(panel.querySelector('output'))).toBe('3.13')
+  enter(panel, slider, '1', ['input'])
+  enter(panel, slider, '0.5', ['input'])
   expect(done).toEqual([1.25, undefined, 12.5, 3.13].map((maxDistance) => ['setLayers', { maxDistance }]))
 })
 
 it('candidates are chosen without the former number of samples, all pairs only of few circles', () => {
   const { panel, done, change, layers } = mounted()
-  expect(panel.controls.has('Candidates')).toBe(false)
+  expect(controls(panel).has('Candidates')).toBe(false)
   layers({ samples: true })
-  expect(panel.control('N_s, samples inside an angle').value).toBe(String(SAMPLES.dynamic.usual))
-  panel.enter('Candidates', 'uniform', ['change'])
+  expect(control(panel, 'N_s, samples inside an angle').value).toBe(String(SAMPLES.dynamic.usual))
+  enter(panel, 'Candidates', 'uniform', ['change'])
   expect(done.pop()).toEqual(['setLayers', { candidates: 'uniform', sampleCount: undefined }])
   layers({ samples: true, candidates: 'uniform', sampleCount: 7 })
-  const count = panel.control('m, samples on a circle')
-  expect(count.limits).toEqual([String(SAMPLES.uniform.least), String(SAMPLES.uniform.most), '1'])
-  expect([count.value, panel.control('Candidates').value, panel.control('Candidates').chosen]).toEqual([
+  const count = control(panel, 'm, samples on a circle')
+  expect(limitsOf(count)).toEqual([String(SAMPLES.uniform.least), String(SAMPLES.uniform.most), '1'])
+  expect([count.value, control(panel, 'Candidates').value, chosenOf(control(panel, 'Candidates'))]).toEqual([
     '7',
     'uniform',
     'equally spaced samples',
   ])
-  panel.enter('m, samples on a circle', '9', ['change'])
+  enter(panel, 'm, samples on a circle', '9', ['change'])
   expect(done.pop()).toEqual(['setLayers', { sampleCount: 9 }])
-  count.isValid = false
-  panel.enter('m, samples on a circle', '-1', ['change'])
+  enter(panel, 'm, samples on a circle', '-1', ['change'])
   expect(done).toEqual([])
-  const pairs = () => panel.querySelectorAll('option').find(({ text }) => text === 'all pairs of circles')?.disabled
+  const pairs = () => all(panel, 'option').find((option) => textOf(option) === 'all pairs of circles')?.disabled
   expect(pairs()).toBe(false)
   change({ edited: countsOf(MOST_PAIRED) })
   expect(pairs()).toBe(false)
   layers({ samples: true, candidates: 'all-pairs' })
-  expect([...panel.controls.keys()].filter((label) => label.includes('samples on'))).toEqual([])
-  expect(panel.text).toMatch(/all pairs of circles …$/)
+  expect([...controls(panel).keys()].filter((label) => label.includes('samples on'))).toEqual([])
+  expect(textOf(panel)).toMatch(/all pairs of circles …$/)
   change({ edited: countsOf(MOST_PAIRED + 1) })
   expect(pairs()).toBe(true)
-  expect(panel.text).toMatch(/All pairs of more than [\d,]+ circles are too many\.$/)
+  expect(textOf(panel)).toMatch(/All pairs of more than [\d,]+ circles are too many\.$/)
 })
 
 it('the method is for few circles, and the radii are for few without areas', () => {
   const { panel, change } = mounted()
-  const has = () => [panel.controls.has('Samples'), panel.controls.has('Radii')]
+  const has = () => [controls(panel).has('Samples'), controls(panel).has('Radii')]
   expect(has()).toEqual([true, true])
   change({ edited: countsOf(MOST_TRACED) })
   expect(has()).toEqual([true, false])
@@ -227,31 +237,26 @@ it('the method is for few circles, and the radii are for few without areas', () 
 
 it('radii are scaled by a slider, and animated where motion is welcome', () => {
   const { panel, done, motion, events, change, radii } = mounted()
-  expect([panel.control('Radii').value, panel.control('Radii').limits]).toEqual(['0.5', ['0', '1', 'any']])
-  panel.enter('Radii', '0.25', ['input'])
-  panel.press('Play')
+  expect([control(panel, 'Radii').value, limitsOf(control(panel, 'Radii'))]).toEqual(['0.5', ['0', '1', 'any']])
+  enter(panel, 'Radii', '0.25', ['input'])
+  press(panel, 'Play')
   motion.isMoving = true
   events.get('motion')?.()
-  expect(panel.control('Stop').getAttribute('aria-pressed')).toBe('true')
-  panel.press('Stop')
+  expect(control(panel, 'Stop').getAttribute('aria-pressed')).toBe('true')
+  press(panel, 'Stop')
   expect(done).toEqual([['scale', 0.25], ['start', 'compare'], ['stop']])
   radii.share = 0.75
   change({})
-  expect(panel.control('Radii').value).toBe('0.75')
-  stub.media.matches = true
+  expect(control(panel, 'Radii').value).toBe('0.75')
+  page.media.matches = true
   events.get('motion')?.()
-  expect(panel.controls.has('Stop')).toBe(false)
+  expect(controls(panel).has('Stop')).toBe(false)
 })
 
 it('is drawn again with each change that it shows, and with no other one', () => {
   const { panel, change, view, events } = mounted()
-  const first = () => panel.elements[0]
-  let before = first()
-  const isDrawn = () => {
-    const isNew = first() !== before
-    before = first()
-    return isNew
-  }
+  const { calls } = vi.mocked(render).mockClear().mock
+  const isDrawn = () => calls.splice(0).length > 0
   change({ selection: [1] })
   expect(isDrawn()).toBe(false)
   const changes: Partial<State>[] = [
@@ -266,8 +271,8 @@ it('is drawn again with each change that it shows, and with no other one', () =>
     expect(isDrawn(), Object.keys(more).join()).toBe(true)
   }
   const says = 'The method is played: layers are seen at its end.'
-  expect(panel.text).not.toContain(says)
+  expect(textOf(panel)).not.toContain(says)
   view.hasDiagram = false
   events.get('diagram')?.()
-  expect(panel.text).toContain(says)
+  expect(textOf(panel)).toContain(says)
 })

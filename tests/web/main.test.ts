@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The start of the page: what is opened first, what is saved, and how its parts are connected. The parts note their calls.
+// @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
 import type { Outcome } from '../../web/editing/editing.ts'
-import { stateOf, stubPage } from './page-document.ts'
+import { element, openPage, stateOf } from './page-document.ts'
 
 const world = vi.hoisted(() => {
   const done: unknown[][] = []
@@ -102,9 +103,9 @@ vi.mock('../../web/app/panels/numbers.ts', () => world.noted('mountNumbers'))
 vi.mock('../../web/app/panels/motion.ts', () => world.noted('mountMotion'))
 vi.mock('../../web/app/panels/region.ts', () => world.noted('mountRegion'))
 
-let stub: ReturnType<typeof stubPage>
 beforeEach(() => {
-  stub = stubPage()
+  openPage()
+  element('figure').innerHTML = '<div id="first-picture"></div>'
   world.done.length = 0
   for (const known of [world.results, world.last]) for (const name of Object.keys(known)) delete known[name]
   world.isAddressNew = false
@@ -139,7 +140,7 @@ async function started(
   const window = new EventTarget()
   vi.stubGlobal('location', address)
   vi.stubGlobal('window', window)
-  Object.assign(stub.element('first-picture'), { remove: () => removed.push('first picture') })
+  Object.assign(element('first-picture'), { remove: () => removed.push('first picture') })
   let paint = () => {}
   Object.assign(world.results, {
     begin: Promise.resolve(kept),
@@ -206,7 +207,7 @@ describe('the first scene', () => {
     const { change, store } = await started()
     change({ selection: [7], selected: 7, circle: { x: 1, y: 2, r: 3 } })
     const [, figure, onend] = world.last.driftAtStart as [unknown, unknown, () => void]
-    expect(figure).toBe(stub.element('figure'))
+    expect(figure).toBe(element('figure'))
     onend()
     expect(store.get()).toMatchObject({ selection: [7], circle: undefined })
   })
@@ -354,7 +355,7 @@ describe('the parts', () => {
     expect(world.last.useTool).toEqual(['draw'])
     await showHelp?.()
     expect(world.last.showHelp).toEqual([])
-    stub.element('show-help').click()
+    element('show-help').click()
     await vi.dynamicImportSettled()
     expect(world.done.filter(([name]) => name === 'showHelp')).toHaveLength(2)
     expect([options.played?.('flip'), world.last.played]).toEqual([undefined, ['flip']])
@@ -369,7 +370,7 @@ describe('the parts', () => {
       (at: unknown) => Promise<void>,
     ]
     change({ circle: { x: 1, y: 2, r: 3 } })
-    expect([figure, selected()]).toEqual([stub.element('figure'), { x: 1, y: 2, r: 3 }])
+    expect([figure, selected()]).toEqual([element('figure'), { x: 1, y: 2, r: 3 }])
     world.results.contextMenu = () => world.note('menu')
     for (const at of [
       { x: 1, y: 2 },
@@ -384,7 +385,7 @@ describe('the parts', () => {
     ).toHaveLength(1)
     const [, , , name] = world.last.contextMenu ?? []
     ;(name as () => void)()
-    expect(stub.page.activeElement).toBe(stub.element('field-name'))
+    expect(document.activeElement).toBe(element('field-name'))
   })
 
   it('open a photo of the caption, and say that a part was not loaded', async () => {

@@ -11,7 +11,6 @@ import type { Circle } from '../../web/lib/index.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import type { View } from '../../web/view/view.ts'
 import { editingSession, sceneOf } from './editing-session.ts'
-import { stubPage } from './page-document.ts'
 
 /** Frames of a browser that the test shows. */
 let frames: Map<number, (now: number) => void>
@@ -226,8 +225,9 @@ describe('the slider of radii', () => {
 
 describe('the motion of the first scene', () => {
   function drifting(isStill = false) {
-    const { page, media } = stubPage()
-    media.matches = isStill
+    const page = new EventTarget()
+    vi.stubGlobal('document', page)
+    vi.stubGlobal('matchMedia', () => ({ matches: isStill }))
     let now = 0
     vi.stubGlobal('performance', { now: () => now })
     class Pressed extends Event {

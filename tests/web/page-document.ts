@@ -1,273 +1,155 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document for panels without a browser. Templates become trees of elements, which tests search by labels.
+// The page without a browser, for tests in the environment happy-dom. Controls are found by their accessible names.
 import { vi } from 'vitest'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import type { Store } from '../../web/editing/store.ts'
+import html from '../../web/index.html?raw'
 
-/** lit's value for nothing. Importing it here would wait for the module that this one replaces. */
-const nothing = Symbol.for('lit-nothing')
+const [BODY = ''] = /<main>.*<\/main>/s.exec(html) ?? []
 
-/** The parts of a template that `render` reads. */
-interface Template {
-  readonly strings: readonly string[]
-  readonly values: readonly unknown[]
+const menus = HTMLSelectElement.prototype as unknown as Record<symbol, (option?: unknown) => void>
+const update = Object.getOwnPropertySymbols(menus).find(({ description }) => description === 'updateSelectedness')
+const updated = menus[update as symbol]
+const former = new WeakMap<HTMLSelectElement, HTMLOptionElement | undefined>()
+// happy-dom 21.0.4 selects a wrong option where one that is selected is inserted. Browsers select the inserted one.
+menus[update as symbol] = function (this: HTMLSelectElement, option?: unknown) {
+  const selected = all(this, 'option').filter((one) => one.selected)
+  updated?.call(this, option ?? selected.find((one) => one !== former.get(this)) ?? selected[0])
+  former.set(
+    this,
+    all(this, 'option').find((one) => one.selected),
+  )
 }
 
-class ClassList extends Set<string> {
-  remove(name: string): void {
-    this.delete(name)
-  }
-  contains(name: string): boolean {
-    return this.has(name)
-  }
-  toggle(name: string, isOn = !this.has(name)): boolean {
-    if (isOn) this.add(name)
-    else this.delete(name)
-    return isOn
-  }
+// happy-dom 21.0.4 reflects no ARIA attributes.
+for (const name of [
+  'Busy',
+  'ColCount',
+  'ColIndex',
+  'Hidden',
+  'Invalid',
+  'Label',
+  'Live',
+  'MultiSelectable',
+  'Pressed',
+  'ReadOnly',
+  'RowCount',
+  'RowIndex',
+  'Selected',
+  'Sort',
+]) {
+  const attribute = `aria-${name.toLowerCase()}`
+  Object.defineProperty(Element.prototype, `aria${name}`, {
+    get(this: Element) {
+      return this.getAttribute(attribute)
+    },
+    set(this: Element, value: string | null) {
+      if (value === null) this.removeAttribute(attribute)
+      else this.setAttribute(attribute, value)
+    },
+  })
 }
 
-/** A stub of an element, with the attributes and children that templates and panels give it. */
-export class PageElement extends EventTarget {
-  readonly localName: string
-  readonly attributes = new Map<string, string>()
-  readonly classList = new ClassList()
-  readonly style: Record<string, string> = {}
-  parent: PageElement | undefined
-  id = ''
-  hidden = false
-  disabled = false
-  checked = false
-  selected = false
-  selectedIndex = 0
-  readOnly = false
-  value = ''
-  title = ''
-  type = ''
-  placeholder = ''
-  name = ''
-  isValid = true
-  files: readonly unknown[] = []
-  labels: readonly PageElement[] = []
-  offsetWidth = 0
-  offsetHeight = 0
-  clientWidth = 0
-  clientHeight = 0
-  nodes: readonly (PageElement | string)[] = []
+// happy-dom 21.0.4 has no constructor of options.
+Object.assign(globalThis, {
+  Option: function Option(text: string, value: string) {
+    return Object.assign(document.createElement('option'), { text, value })
+  },
+})
 
-  constructor(localName = 'div') {
-    super()
-    this.localName = localName
-  }
-
-  get valueAsNumber(): number {
-    return this.value === '' ? Number.NaN : Number(this.value)
-  }
-  get elements(): PageElement[] {
-    return this.nodes.flatMap((child) => (typeof child === 'string' ? [] : [child, ...child.elements]))
-  }
-  get textContent(): string {
-    return this.nodes.map((child) => (typeof child === 'string' ? child : child.textContent)).join('')
-  }
-  set textContent(text: string) {
-    this.replaceChildren(text)
-  }
-  set className(names: string) {
-    for (const name of names.split(' ')) this.classList.add(name)
-  }
-  /** The text as it is read, without the white space of templates. */
-  get text(): string {
-    return this.textContent.replace(/\s+/g, ' ').trim()
-  }
-  /** The accessible name. The choices of a menu are not part of it. */
-  get label(): string {
-    if (this.attributes.has('aria-label')) return this.attributes.get('aria-label') as string
-    if (this.localName === 'button') return this.text
-    const isNamed = (other: PageElement) => other.attributes.get('for') === this.id
-    const named = this.closest('label') ?? (this.id === '' ? undefined : this.root.elements.find(isNamed))
-    return (named?.text ?? '').replace(this.text, '').trim()
-  }
-  /** The least and the largest number of a field, and its step. */
-  get limits(): readonly (string | null)[] {
-    return ['min', 'max', 'step'].map((name) => this.getAttribute(name))
-  }
-  /** The choices of a menu, and the chosen one. */
-  get options(): readonly string[] {
-    return this.querySelectorAll('option').map(({ text }) => text)
-  }
-  get chosen(): string | undefined {
-    return this.querySelectorAll('option').find(({ selected }) => selected)?.text
-  }
-  get root(): PageElement {
-    return this.parent?.root ?? this
-  }
-  append(...children: (PageElement | string)[]): void {
-    for (const child of children) if (typeof child !== 'string') child.parent = this
-    this.nodes = [...this.nodes, ...children]
-  }
-  replaceChildren(...children: (PageElement | string)[]): void {
-    this.nodes = []
-    this.append(...children)
-  }
-  setAttribute(name: string, value: string): void {
-    this.attributes.set(name, value)
-  }
-  getAttribute(name: string): string | null {
-    return this.attributes.get(name) ?? null
-  }
-  contains(other: unknown): boolean {
-    return other === this || this.elements.includes(other as PageElement)
-  }
-  closest(selectors: string): PageElement | null {
-    return this.matches(selectors) ? this : (this.parent?.closest(selectors) ?? null)
-  }
-  /** Knows names, classes and descendants. */
-  matches(selectors: string): boolean {
-    return selectors.split(/,\s*/).some((selector) => {
-      const parts = selector.split(' ')
-      const [, localName = '', name] = /^([\w-]*)(?:\.([\w-]+))?$/.exec(parts.at(-1) as string) ?? ['', '?']
-      const isOwn = ['', this.localName].includes(localName) && (name === undefined || this.classList.has(name))
-      const above = parts.slice(0, -1).join(' ')
-      return isOwn && (above === '' || (this.parent?.closest(above) ?? null) !== null)
-    })
-  }
-  querySelectorAll(selectors: string): PageElement[] {
-    return this.elements.filter((element) => element.matches(selectors))
-  }
-  querySelector(selectors: string): PageElement | null {
-    return this.querySelectorAll(selectors)[0] ?? null
-  }
-  focus(): void {
-    Object.assign(document, { activeElement: this })
-  }
-  click(): void {
-    this.dispatchEvent(new Event('click'))
-  }
-  reportValidity(): boolean {
-    return this.isValid
-  }
-
-  /** The controls by their accessible names. */
-  get controls(): Map<string, PageElement> {
-    const kinds = ['button', 'input', 'select', 'textarea']
-    return new Map(
-      this.elements.filter((el) => kinds.includes(el.localName)).map((element) => [element.label, element]),
-    )
-  }
-  control(label: string): PageElement {
-    const control = this.controls.get(label)
-    if (control === undefined) throw new Error(`There is no ${label}, but ${[...this.controls.keys()].join(' | ')}.`)
-    return control
-  }
-  press(label: string): void {
-    this.control(label).click()
-  }
-  /** Enters a value as a user does. */
-  enter(label: string, entered: string | boolean, types: readonly string[] = ['input', 'change']): void {
-    const control = this.control(label)
-    Object.assign(control, typeof entered === 'string' ? { value: entered } : { checked: entered })
-    for (const type of types) control.dispatchEvent(new Event(type))
-  }
-}
-
-/** Renders a template as lit does, but anew each time. */
-export function render(content: unknown, place: PageElement): void {
-  place.replaceChildren(...nodesOf(content))
-}
-
-const MARK = '\u0001'
-const TOKEN =
-  /<!--[\s\S]*?-->|<\/([\w-]+)\s*>|<([\w-]+)((?:\s+[^\s=>/]+(?:\s*=\s*(?:"[^"]*"|[^\s>"]+))?)*)\s*(\/?)>|([^<]+)/g
-const VOID = ['input', 'br', 'img']
-
-function nodesOf(content: unknown): (PageElement | string)[] {
-  if (content === nothing || content === undefined || content === null) return []
-  if (Array.isArray(content)) return content.flatMap(nodesOf)
-  if (typeof content !== 'object') return [String(content)]
-  if ('strings' in content) return treeOf(content as Template)
-  // Directives such as `keyed`.
-  return nodesOf((content as Template).values.at(-1))
-}
-
-function treeOf({ strings, values }: Template): (PageElement | string)[] {
-  const text = strings.map((part, k) => (k === 0 ? part : `${MARK}${k - 1}${MARK}${part}`)).join('')
-  const top = new PageElement()
-  let at = top
-  for (const [, closed, opened, attributes = '', isClosed, plain] of text.matchAll(TOKEN)) {
-    if (plain !== undefined) {
-      at.append(...plain.split(MARK).flatMap((part, k) => (k % 2 === 0 ? [part] : nodesOf(values[Number(part)]))))
-    } else if (closed !== undefined) {
-      at = at.parent as PageElement
-    } else if (opened !== undefined) {
-      const element = new PageElement(opened)
-      at.append(element)
-      for (const [, name = '', quoted, bare = ''] of attributes.matchAll(/([^\s=]+)(?:\s*=\s*(?:"([^"]*)"|(\S+)))?/g)) {
-        const parts = (quoted ?? bare).split(MARK)
-        const isValue = parts.length === 3 && parts[0] === '' && parts[2] === ''
-        const written = parts.map((part, k) => (k % 2 === 0 ? part : String(values[Number(part)]))).join('')
-        give(element, name, isValue ? values[Number(parts[1])] : written)
-      }
-      if (isClosed === '' && !VOID.includes(opened)) at = element
-    }
-  }
-  return [...top.nodes]
-}
-
-function give(element: PageElement, name: string, value: unknown): void {
-  const [kind, rest] = [name[0], name.slice(1)]
-  if (kind === '@') element.addEventListener(rest, value as EventListener)
-  else if (kind === '.') Object.assign(element, { [rest]: value })
-  else if (kind === '?') Object.assign(element, { [rest]: Boolean(value) })
-  else if (value !== nothing) {
-    element.setAttribute(name, String(value))
-    if (name === 'class') element.className = String(value)
-    else if (name in element && !['label', 'style'].includes(name))
-      Object.assign(element, { [name]: value === '' ? true : value })
-  }
-}
-
-/** Makes a document whose elements exist once they are asked for. Tests end with `vi.unstubAllGlobals()`. */
-export function stubPage() {
-  const known = new Map<string, PageElement>()
-  const element = (id: string): PageElement => {
-    const made = [...known.values()].flatMap(({ elements }) => elements).find((other) => other.id === id)
-    if (made !== undefined) return made
-    if (!known.has(id)) known.set(id, Object.assign(new PageElement(), { id }))
-    return known.get(id) as PageElement
-  }
-  const stored = new Map<string, string>()
+/** Fills the document, usually with the markup of the page. Tests end with `vi.unstubAllGlobals()`. */
+export function openPage(body = BODY) {
+  document.body.innerHTML = body
+  document.body.className = ''
+  localStorage.clear()
   const media = Object.assign(new EventTarget(), { matches: false })
-  const page = Object.assign(new EventTarget(), {
-    body: new PageElement('body'),
-    documentElement: new PageElement('html'),
-    activeElement: undefined as PageElement | undefined,
-    title: 'circle-voronoi',
-    baseURI: 'https://a.example/b/',
-    getElementById: element,
-    createElement: (name: string) => new PageElement(name),
-    /** Finds the button of a panel. */
-    querySelector: (selector: string) => element(`${/aria-controls="(.*)"/.exec(selector)?.[1]}-button`),
-  })
-  vi.stubGlobal('document', page)
-  vi.stubGlobal('localStorage', {
-    getItem: (name: string) => stored.get(name) ?? null,
-    setItem: (name: string, text: string) => stored.set(name, text),
-  })
   vi.stubGlobal('matchMedia', () => media)
-  for (const kind of [
-    '',
-    'HTML',
-    'HTMLInput',
-    'HTMLButton',
-    'HTMLParagraph',
-    'HTMLHeading',
-    'HTMLUList',
-    'HTMLSelect',
-  ]) {
-    vi.stubGlobal(`${kind}Element`, PageElement)
+  return { media }
+}
+
+export const element = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind
+
+/** The button that opens a panel. */
+export const buttonOf = (id: string) => document.querySelector(`[aria-controls="${id}"]`) as HTMLButtonElement
+
+/** The text as it is read, without the white space of templates. */
+export const textOf = (node: Node | null | undefined) => node?.textContent?.replace(/\s+/g, ' ').trim()
+
+export function all<Name extends keyof HTMLElementTagNameMap>(
+  within: Element,
+  name: Name,
+): HTMLElementTagNameMap[Name][]
+export function all(within: Element, selectors?: string): HTMLElement[]
+export function all(within: Element, selectors = '*') {
+  return [...within.querySelectorAll<HTMLElement>(selectors)]
+}
+
+/** A control of any kind. Each has only some of the members. */
+export type Control = HTMLInputElement & Pick<HTMLSelectElement, 'options' | 'selectedIndex'>
+
+/** The accessible name. The choices of a menu are not part of it. */
+function nameOf(control: Control): string {
+  const name = control.getAttribute('aria-label')
+  if (name !== null) return name
+  if (control.localName === 'button') return textOf(control) ?? ''
+  return (textOf(control.labels?.[0]) ?? '').replace(textOf(control) ?? '', '').trim()
+}
+
+/** The controls by their accessible names. */
+export const controls = (within: Element) =>
+  new Map((all(within, 'button, input, select, textarea') as Control[]).map((control) => [nameOf(control), control]))
+
+export function control(within: Element, name: string): Control {
+  const known = controls(within)
+  const found = known.get(name)
+  if (found === undefined) throw new Error(`There is no ${name}, but ${[...known.keys()].join(' | ')}.`)
+  return found
+}
+
+export const press = (within: Element, name: string) => control(within, name).click()
+
+/** Sends an event with further members, and returns it. */
+export function send(target: EventTarget, type: string, more: object = {}) {
+  const event = Object.assign(new Event(type, { bubbles: true, cancelable: true }), more)
+  target.dispatchEvent(event)
+  return event
+}
+
+/** Enters a value as a user does. */
+export function enter(
+  within: Element,
+  name: string,
+  entered: string | boolean,
+  types: readonly string[] = ['input', 'change'],
+) {
+  const found = control(within, name)
+  if (typeof entered === 'string') found.value = entered
+  else found.checked = entered
+  for (const type of types) send(found, type)
+}
+
+/** Chooses files as a user does in the dialog of the browser. */
+export function choose(input: HTMLInputElement, ...files: File[]) {
+  input.files = files as unknown as FileList
+  send(input, 'change')
+}
+
+/** The least and the largest number of a field, and its step. */
+export const limitsOf = (field: Element) => ['min', 'max', 'step'].map((name) => field.getAttribute(name))
+
+/** The choices of a menu. */
+export const optionsOf = (menu: Element) => all(menu, 'option').map(textOf)
+
+/** The chosen option of a menu. */
+export const chosenOf = (menu: Control) => textOf(menu.options[menu.selectedIndex])
+
+type Lengths = Pick<HTMLElement, 'clientWidth' | 'clientHeight' | 'offsetWidth' | 'offsetHeight'>
+
+/** Gives an element lengths, which happy-dom does not compute. */
+export function measure(element: HTMLElement, lengths: Partial<Lengths>) {
+  for (const [name, value] of Object.entries(lengths)) {
+    Object.defineProperty(element, name, { value, configurable: true })
   }
-  for (const kind of ['Dialog', 'Anchor']) vi.stubGlobal(`HTML${kind}Element`, PageElement)
-  return { page, element, media, stored }
 }
 
 /** An object whose functions note their calls. `known` has other members. */

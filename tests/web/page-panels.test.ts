@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panels of circles, motion, numbers and the table, the help, and the button of the method.
+// @vitest-environment happy-dom
+import { render } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { DATA_SETS, nameOf } from '../../web/app/data-sets.ts'
 import type { FileActions } from '../../web/app/files/file-actions.ts'
@@ -23,12 +25,23 @@ import { ENGLISH_KEYS } from '../../web/editing/key-help.ts'
 import type { State } from '../../web/editing/state.ts'
 import type { Computed, Distribution } from '../../web/view/protocol.ts'
 import type { View } from '../../web/view/view.ts'
-import { noting, PageElement, stateOf, stubPage } from './page-document.ts'
+import {
+  all,
+  buttonOf,
+  choose,
+  control,
+  element,
+  enter,
+  limitsOf,
+  noting,
+  openPage,
+  optionsOf,
+  press,
+  stateOf,
+  textOf,
+} from './page-document.ts'
 
-vi.mock('lit/html.js', async (load) => ({
-  ...(await load<object>()),
-  render: (await import('./page-document.ts')).render,
-}))
+vi.mock('lit/html.js', { spy: true })
 vi.mock('../../web/app/motion/film.ts', () => ({ filmed: vi.fn() }))
 const { saved, charts, grids } = vi.hoisted(() => ({
   saved: [] as unknown[],
@@ -65,9 +78,8 @@ vi.mock('../../web/app/table/circle-grid.ts', () => ({
   },
 }))
 
-let stub: ReturnType<typeof stubPage>
 beforeEach(() => {
-  stub = stubPage()
+  openPage()
   for (const list of [saved, charts, grids]) list.length = 0
 })
 afterEach(() => {
@@ -99,19 +111,16 @@ describe('the panel of circles', () => {
     const actions = noting(done, {})
     const files = { call }
     const generate = mountGenerate(actions as unknown as PageActions, files as unknown as FilesClient)
-    const panel = stub.element('generate')
+    const panel = element('generate')
     const listed = () =>
-      panel
-        .querySelectorAll('ul')
-        .map((list) => [
-          list.getAttribute('aria-label'),
-          list.querySelectorAll('button').map((button) => button.getAttribute('data-name')),
-        ])
+      all(panel, 'ul').map((list) => [
+        list.getAttribute('aria-label'),
+        all(list, 'button').map((button) => button.getAttribute('data-name')),
+      ])
     const button = (name: string) =>
-      panel.querySelectorAll('button').find((other) => other.getAttribute('data-name') === name) as PageElement
+      all(panel, 'button').find((other) => other.getAttribute('data-name') === name) as HTMLElement
     const isShown = () =>
-      panel
-        .querySelectorAll('button')
+      all(panel, 'button')
         .filter((other) => other.getAttribute('aria-current') === 'true')
         .map((other) => other.getAttribute('data-name'))
     return { done, generate, panel, listed, button, isShown }
@@ -120,7 +129,7 @@ describe('the panel of circles', () => {
   it('lists prepared circles, families by their kind, and figures, and opens each', async () => {
     const { done, generate, panel, listed, button } = mounted()
     generate.open()
-    expect(panel.text).toContain('Loading …')
+    expect(textOf(panel)).toContain('Loading …')
     await imported()
     await settled()
     const prepared = DATA_SETS.filter(({ random }) => random === undefined).map(({ id }) => id)
@@ -132,9 +141,9 @@ describe('the panel of circles', () => {
       ['Figures of the paper', ['3']],
     ])
     for (const { id, label, about, credit = '' } of DATA_SETS.filter(({ id }) => prepared.includes(id))) {
-      expect(button(id).text).toBe(`${label}${about}${credit}`)
+      expect(textOf(button(id))).toBe(`${label}${about}${credit}`)
     }
-    expect(button('3').text).toBe('Figure 3about 3')
+    expect(textOf(button('3'))).toBe('Figure 3about 3')
     for (const name of ['spruces', 'grid', '3']) button(name).click()
     expect(done).toEqual([
       ['load', 'spruces'],
@@ -148,7 +157,7 @@ describe('the panel of circles', () => {
     generate.open()
     await imported()
     await settled()
-    const fields = () => ['n', 'seed'].map((label) => panel.control(label).value)
+    const fields = () => ['n', 'seed'].map((label) => control(panel, label).value)
     for (const [name, shown, ...values] of [
       ['spruces', 'spruces', '300', '1'],
       [nameOf({ kind: 'family', family: 'dense', seed: 7, count: 50 }), 'dense', '50', '7'],
@@ -157,34 +166,33 @@ describe('the panel of circles', () => {
       generate.show(name)
       expect([isShown(), fields()]).toEqual([[shown], values])
     }
-    const [first] = panel.elements
+    vi.mocked(render).mockClear()
     generate.show('figure-3')
-    expect(panel.elements[0], 'nothing has changed').toBe(first)
+    expect(render, 'nothing has changed').not.toHaveBeenCalled()
   })
 
   it('generates the family that is shown again where its number or its seed is changed', () => {
     const { done, generate, panel } = mounted()
     generate.open()
-    panel.enter('n', '9', ['change'])
-    panel.press('Another seed')
+    enter(panel, 'n', '9', ['change'])
+    press(panel, 'Another seed')
     expect(done).toEqual([])
-    const seed = Number(panel.control('seed').value)
+    const seed = Number(control(panel, 'seed').value)
     generate.show('dense:5:9')
     expect(seed).toBeGreaterThanOrEqual(0)
-    panel.enter('n', '8', ['change'])
-    panel.enter('seed', '6', ['change'])
-    panel.press('Another seed')
+    enter(panel, 'n', '8', ['change'])
+    enter(panel, 'seed', '6', ['change'])
+    press(panel, 'Another seed')
     const recipe = { kind: 'family', family: 'dense' }
     expect(done).toEqual([
       ['generate', { ...recipe, seed: 5, count: 8 }],
       ['generate', { ...recipe, seed: 6, count: 8 }],
       ['generate', { ...recipe, seed: expect.any(Number), count: 8 }],
     ])
-    panel.control('n').isValid = false
-    panel.enter('n', '-1', ['change'])
+    enter(panel, 'n', '-1', ['change'])
     expect(done).toHaveLength(3)
-    expect(panel.control('n').limits).toEqual(['1', '1000000', '1'])
-    expect(panel.control('seed').limits).toEqual(['0', String(Number.MAX_SAFE_INTEGER), '1'])
+    expect(limitsOf(control(panel, 'n'))).toEqual(['1', '1000000', '1'])
+    expect(limitsOf(control(panel, 'seed'))).toEqual(['0', String(Number.MAX_SAFE_INTEGER), '1'])
   })
 
   it('says that the lists were not loaded, and loads them when it is opened again', async () => {
@@ -193,9 +201,9 @@ describe('the panel of circles', () => {
     generate.open()
     await imported()
     await settled()
-    expect(panel.querySelector('.quiet')?.text).toBe('no network')
+    expect(textOf(panel.querySelector('.quiet'))).toBe('no network')
     call = async () => CATALOGUE
-    panel.press('Close')
+    press(panel, 'Close')
     generate.open()
     await imported()
     await settled()
@@ -205,7 +213,7 @@ describe('the panel of circles', () => {
   it('has the focus at its first control when it is opened from the menu', () => {
     const { generate } = mounted()
     generate.open()
-    expect((stub.page.activeElement as PageElement).getAttribute('data-name')).toBe('start')
+    expect((document.activeElement as HTMLElement).getAttribute('data-name')).toBe('start')
   })
 })
 
@@ -231,22 +239,22 @@ describe('the panel of motion', () => {
     }
     const view = { stream: () => 'stream' }
     mountMotion(known as unknown as Motion, view as unknown as View, noting(done, {}) as unknown as PageActions)
-    stub.element('motion-button').click()
-    return { done, panel: stub.element('motion') }
+    buttonOf('motion').click()
+    return { done, panel: element('motion') }
   }
 
   it('plays and stops the chosen animation, and changes it while it plays', () => {
     const { done, panel } = mounted()
-    const checked = () => Object.values(MOVEMENTS).filter((label) => panel.control(label).checked)
+    const checked = () => Object.values(MOVEMENTS).filter((label) => control(panel, label).checked)
     expect(checked()).toEqual(['Bounce'])
-    panel.enter('Breathe', true, ['change'])
+    enter(panel, 'Breathe', true, ['change'])
     expect([checked(), done]).toEqual([['Breathe'], []])
-    expect(panel.text).toContain('Each circle grows and shrinks at its own time.')
-    panel.press('Play')
-    expect(panel.control('Stop').getAttribute('aria-pressed')).toBe('true')
-    panel.enter('Grow from points', true, ['change'])
-    panel.press('Stop')
-    expect(panel.control('Play').getAttribute('aria-pressed')).toBe('false')
+    expect(textOf(panel)).toContain('Each circle grows and shrinks at its own time.')
+    press(panel, 'Play')
+    expect(control(panel, 'Stop').getAttribute('aria-pressed')).toBe('true')
+    enter(panel, 'Grow from points', true, ['change'])
+    press(panel, 'Stop')
+    expect(control(panel, 'Play').getAttribute('aria-pressed')).toBe('false')
     expect(done).toEqual([['start', 'breathe'], ['start', 'grow'], ['stop']])
   })
 
@@ -261,21 +269,21 @@ describe('the panel of motion', () => {
           fail = reject
         }),
     )
-    panel.press('Record 6 s')
+    press(panel, 'Record 6 s')
     expect(done).toEqual([['start', 'bounce']])
     expect(vi.mocked(filmed).mock.lastCall).toEqual(['stream', 6])
-    expect(panel.control('Recording …').disabled).toBe(true)
+    expect(control(panel, 'Recording …').disabled).toBe(true)
     end({ film: 'film', ending: '.mp4' })
     await settled()
     expect(saved).toEqual([['film', 'circles-bounce.mp4']])
-    panel.press('Record 6 s')
+    press(panel, 'Record 6 s')
     fail(new Error('no video'))
     await settled()
     expect(done).toEqual([
       ['start', 'bounce'],
       ['complain', 'no video'],
     ])
-    expect(panel.control('Record 6 s').disabled).toBe(false)
+    expect(control(panel, 'Record 6 s').disabled).toBe(false)
   })
 })
 
@@ -317,7 +325,7 @@ describe('the panel of numbers', () => {
     }
     const { store, change } = stateOf({ edited: editedOf(2) })
     mountNumbers(store, view as unknown as View)
-    const panel = stub.element('numbers')
+    const panel = element('numbers')
     const answer = async (value: unknown) => {
       answers.shift()?.(value)
       await settled()
@@ -325,10 +333,8 @@ describe('the panel of numbers', () => {
       await settled()
     }
     const entries = () =>
-      Object.fromEntries(
-        panel.querySelectorAll('dt').map(({ text }, k) => [text, panel.querySelectorAll('dd')[k]?.text]),
-      )
-    const toggle = () => stub.element('numbers-button').click()
+      Object.fromEntries(all(panel, 'dt').map((name, k) => [textOf(name), textOf(all(panel, 'dd')[k])]))
+    const toggle = () => buttonOf('numbers').click()
     return { change, panel, asked, answers, answer, entries, toggle }
   }
 
@@ -340,7 +346,7 @@ describe('the panel of numbers', () => {
     expect(asked, 'closed').toEqual([])
     toggle()
     expect(entries()).toEqual({ Circles: '3', Hidden: '1', Vertices: '3', Edges: '4,000' })
-    expect(panel.text).toContain('Counting …')
+    expect(textOf(panel)).toContain('Counting …')
     vi.advanceTimersByTime(249)
     change({ edited: editedOf(4) })
     vi.advanceTimersByTime(249)
@@ -348,12 +354,12 @@ describe('the panel of numbers', () => {
     vi.advanceTimersByTime(1)
     expect(asked).toEqual([['measure']])
     await answer(DISTRIBUTION)
-    expect(panel.text).not.toContain('Counting …')
+    expect(textOf(panel)).not.toContain('Counting …')
     change({ selection: [1] })
     vi.runAllTimers()
     expect(asked).toHaveLength(1)
     change({ edited: editedOf(5) })
-    expect(panel.text).toContain('Counting …')
+    expect(textOf(panel)).toContain('Counting …')
     toggle()
     toggle()
     vi.runAllTimers()
@@ -371,7 +377,7 @@ describe('the panel of numbers', () => {
       ['show', DISTRIBUTION.areas, 0.5, 0],
       ['show', DISTRIBUTION.degrees, 1, -0.5],
     ])
-    expect(panel.querySelectorAll('figcaption').map(({ text }) => text)).toEqual([
+    expect(all(panel, 'figcaption').map(textOf)).toEqual([
       'Areas of bounded cells: half are below 1.5; the last bar: above 1',
       'Neighbors: 2.75 on average',
     ])
@@ -385,11 +391,11 @@ describe('the panel of numbers', () => {
       degrees: Int32Array.of(),
       certificate: { certified: false, message: 'a disc.' },
     })
-    expect(panel.querySelectorAll('figcaption').map(({ text }) => text)).toEqual([
+    expect(all(panel, 'figcaption').map(textOf)).toEqual([
       'Area of the bounded cell: 1.5',
       'Neighbors: 0.00 on average',
     ])
-    expect(panel.querySelector('.certificate')?.text).toBe('Not proven: a disc.')
+    expect(textOf(panel.querySelector('.certificate'))).toBe('Not proven: a disc.')
     vi.advanceTimersByTime(0)
     charts.length = 0
     toggle()
@@ -402,11 +408,11 @@ describe('the panel of numbers', () => {
     vi.runAllTimers()
     change({ edited: editedOf(5) })
     await answer(DISTRIBUTION)
-    expect(panel.text).toContain('Counting …')
+    expect(textOf(panel)).toContain('Counting …')
     vi.runAllTimers()
     expect(answers).toHaveLength(1)
     await answer(undefined)
-    expect(panel.text).toContain('Counting …')
+    expect(textOf(panel)).toContain('Counting …')
   })
 
   it('computes once more by the chosen way, and says how', async () => {
@@ -420,18 +426,19 @@ describe('the panel of numbers', () => {
       { method: 'touching-disc', candidates: 'all-pairs' },
       { method: 'flip' },
     ]
-    panel.press('Compute')
+    press(panel, 'Compute')
     expect(asked.pop()).toEqual(['compute', {}])
     await answer(undefined)
     for (const [selectedIndex, options] of ways.entries()) {
-      Object.assign(panel.control('Compute once more by'), { selectedIndex })
-      panel.enter('Compute once more by', '', ['change'])
-      panel.press('Compute')
-      expect([asked.pop(), panel.control('Compute').disabled]).toEqual([['compute', options], true])
-      expect(panel.text).toMatch(/Computing …$/)
-      expect(panel.querySelectorAll('option')[selectedIndex]?.selected).toBe(true)
+      const menu = control(panel, 'Compute once more by')
+      menu.selectedIndex = selectedIndex
+      menu.dispatchEvent(new Event('change'))
+      press(panel, 'Compute')
+      expect([asked.pop(), control(panel, 'Compute').disabled]).toEqual([['compute', options], true])
+      expect(textOf(panel)).toMatch(/Computing …$/)
+      expect(all(panel, 'option')[selectedIndex]?.selected).toBe(true)
       await answer({ stats: STATS, certificate: { certified: true, message: '' } } as unknown as Computed)
-      expect(panel.control('Compute').disabled).toBe(false)
+      expect(control(panel, 'Compute').disabled).toBe(false)
     }
     expect(entries()).toMatchObject({
       'Made by': 'flip',
@@ -447,14 +454,14 @@ describe('the panel of numbers', () => {
     })
     expect(Object.keys(entries())).not.toContain('Samples')
     expect(Object.keys(entries())).not.toContain('Time to judge')
-    expect(panel.text).toMatch(/This one is certified, too\.$/)
-    panel.press('Compute')
+    expect(textOf(panel)).toMatch(/This one is certified, too\.$/)
+    press(panel, 'Compute')
     await answer({ stats: STATS, certificate: { certified: false, message: 'an edge.' } })
-    expect(panel.text).toMatch(/This one is wrong: an edge\.$/)
-    panel.press('Compute')
+    expect(textOf(panel)).toMatch(/This one is wrong: an edge\.$/)
+    press(panel, 'Compute')
     await answer({ problem: 'It failed.' })
-    expect(panel.querySelector('.wrong')?.text).toBe('It failed.')
-    panel.press('Compute')
+    expect(textOf(panel.querySelector('.wrong'))).toBe('It failed.')
+    press(panel, 'Compute')
     change({ edited: editedOf(7) })
     await answer({ problem: 'It failed.' })
     expect(panel.querySelector('.wrong'), 'of former circles').toBeNull()
@@ -467,13 +474,13 @@ describe('the panel of the table', () => {
     const { store, change } = stateOf()
     const actions = noting(done, {}) as unknown as PageActions
     mountTable(store, {} as Editing, actions, {} as View)
-    const panel = stub.element('table')
+    const panel = element('table')
     change({ selection: [1] })
     expect(grids).toEqual([])
-    stub.element('table-button').click()
+    buttonOf('table').click()
     await imported()
     await settled()
-    expect(grids).toEqual([['new', stub.element('circle-grid')]])
+    expect(grids).toEqual([['new', element('circle-grid')]])
     change({ selection: [2] })
     expect(grids.splice(0)[1]).toEqual(['update', store.get()])
     const columns = (values: string[]) => ({ columns: [{ name: 'n', values }], ids: [], heights: [], collection: '' })
@@ -485,9 +492,9 @@ describe('the panel of the table', () => {
     }
     change({ attributes: columns(['"b"']) })
     expect(grids.splice(0).map(([name]) => name)).toEqual(['update'])
-    for (const label of ['Add', 'Delete']) panel.press(label)
+    for (const label of ['Add', 'Delete']) press(panel, label)
     expect(done).toEqual([['addInRoom'], ['removeSelected']])
-    stub.element('table-button').click()
+    buttonOf('table').click()
     expect(grids).toEqual([['dispose']])
     change({ selection: [] })
     expect(grids).toHaveLength(1)
@@ -499,46 +506,45 @@ describe('the panel for files', () => {
     const done: unknown[][] = []
     const actions = noting(done, { openFile: async (file: unknown) => done.push(['openFile', file]) })
     mountFiles(actions as unknown as FileActions)
-    stub.element('files-button').click()
-    return { done, panel: stub.element('files') }
+    buttonOf('files').click()
+    return { done, panel: element('files') }
   }
 
   it('opens a file, the same one again too', async () => {
     const { done, panel } = mounted()
-    const input = panel.control('Open …')
+    const input = control(panel, 'Open …')
     expect(input.getAttribute('accept')).toBe('.csv,.tsv,.txt,.json,.geojson,.wkt,.svg,image/*')
-    for (const files of [['a.csv'], []]) {
-      Object.assign(input, { files, value: 'a.csv' })
-      input.dispatchEvent(new Event('change'))
+    const file = new File([], 'a.csv')
+    for (const files of [[file], []]) {
+      choose(input, ...files)
       await settled()
       expect(input.value).toBe('')
     }
-    expect(done).toEqual([['openFile', 'a.csv']])
+    expect(done).toEqual([['openFile', file]])
   })
 
   it('saves the picture of a part, as large as it is said, and the data', () => {
     const { done, panel } = mounted()
     const save = (...labels: string[]) => {
-      for (const label of labels) panel.press(label)
+      for (const label of labels) press(panel, label)
       return done.splice(0)
     }
-    expect(panel.control('What the picture shows').options).toEqual(['what you see', 'all circles'])
+    expect(optionsOf(control(panel, 'What the picture shows'))).toEqual(['what you see', 'all circles'])
     expect(save('SVG', 'Poster, A3', 'PNG')).toEqual([
       ['saveDrawing', 'seen'],
       ['savePoster', 'seen'],
       ['savePicture', 'seen', 2],
     ])
-    panel.enter('What the picture shows', 'all', ['change'])
-    panel.enter('× its size', '3.5', ['change'])
+    enter(panel, 'What the picture shows', 'all', ['change'])
+    enter(panel, '× its size', '3.5', ['change'])
     expect(save('SVG', 'Poster, A3', 'PNG')).toEqual([
       ['saveDrawing', 'all'],
       ['savePoster', 'all'],
       ['savePicture', 'all', 3.5],
     ])
-    const field = panel.control('× its size')
-    expect(field.limits).toEqual(['0.1', null, 'any'])
-    field.isValid = false
-    panel.enter('× its size', '0', ['change'])
+    const field = control(panel, '× its size')
+    expect(limitsOf(field)).toEqual(['0.1', null, 'any'])
+    enter(panel, '× its size', '0', ['change'])
     expect([field.value, save('PNG')]).toEqual(['3.5', [['savePicture', 'all', 3.5]]])
     expect(save('CSV', 'JSON', 'GeoJSON', 'Cells').map(([, format]) => format)).toEqual([
       'csv',
@@ -551,33 +557,24 @@ describe('the panel for files', () => {
 
 describe('the menu of circles', () => {
   function mounted() {
-    vi.stubGlobal(
-      'Option',
-      class extends PageElement {
-        constructor(text: string, value: string) {
-          super('option')
-          Object.assign(this, { textContent: text, value })
-        }
-      },
-    )
     const { store, change } = stateOf()
     mountToolbar(store, noting([], {}) as unknown as PageActions, () => {})
-    const menu = stub.element('data-set')
-    const own = menu.querySelectorAll('option')[0] as PageElement
+    const menu = element<HTMLSelectElement>('data-set')
+    const own = all(menu, 'option')[0] as HTMLElement
     const history = (kind?: string) =>
       ({ done: kind === undefined ? [] : [{ kind }], undone: [] }) as unknown as State['history']
-    return { change, menu, own, history, again: stub.element('again') }
+    return { change, menu, own, history, again: element('again') }
   }
 
   it('has the open circles, and says whether they are edited', () => {
     const { change, menu, own, history } = mounted()
-    expect([menu.options, own.hidden]).toEqual([
+    expect([optionsOf(menu), own.hidden]).toEqual([
       ['Your circles', ...DATA_SETS.map(({ label }) => label), 'More …'],
       true,
     ])
     const shown = (dataSet: string, kind?: string, circles = 8) => {
       change({ dataSet, history: history(kind), edited: { counts: { circles } } as State['edited'] })
-      return [menu.value, own.text]
+      return [menu.value, textOf(own)]
     }
     expect(shown('spruces')).toEqual(['spruces', 'Spruces'])
     expect(shown('spruces', 'opening')).toEqual(['spruces', 'Spruces'])
@@ -600,42 +597,40 @@ describe('the menu of circles', () => {
 
   it('has a second row of tools on phones', () => {
     mounted()
-    const [more, rail] = [stub.element('more'), stub.element('rail')]
+    const [more, rail] = [element('more'), element('rail')]
     for (const isOpen of [true, false]) {
       more.click()
-      expect([rail.classList.has('open'), more.getAttribute('aria-expanded')]).toEqual([isOpen, String(isOpen)])
+      expect([rail.classList.contains('open'), more.getAttribute('aria-expanded')]).toEqual([isOpen, String(isOpen)])
     }
   })
 })
 
 it('the help has the shortcuts of figures and of the page, and is closed by a click beside it', () => {
-  const dialog = Object.assign(stub.element('help'), { shown: 0, closed: 0 })
-  Object.assign(dialog, { showModal: () => dialog.shown++, close: () => dialog.closed++ })
-  Object.assign(stub.element('source'), { href: 'https://source.example/' })
+  const dialog = element<HTMLDialogElement>('help')
+  element<HTMLAnchorElement>('source').href = 'https://source.example/'
   showHelp()
-  expect(dialog.shown).toBe(1)
-  expect(dialog.querySelectorAll('h3').map(({ text }) => text)).toEqual(['Look', 'Select', 'Tools', 'Edit'])
-  const rows = dialog.querySelectorAll('dd').map(({ text }, k) => [dialog.querySelectorAll('dt')[k]?.text, text])
+  expect(dialog.open).toBe(true)
+  expect(all(dialog, 'h3').map(textOf)).toEqual(['Look', 'Select', 'Tools', 'Edit'])
+  const rows = all(dialog, 'dd').map((text, k) => [textOf(all(dialog, 'dt')[k]), textOf(text)])
   const { select, edit, look } = ENGLISH_KEYS
   for (const row of [select.next, select.neighbor, select.all, select.zoom, look.fit, ...Object.values(edit)]) {
     expect(rows).toContainEqual(row)
   }
   expect(rows).toContainEqual(['wheel, pinch, + −', 'zoom'])
-  expect(dialog.elements.map((element) => element.getAttribute('href'))).toContain('https://source.example/')
-  const click = (target: unknown) => (dialog as unknown as { onclick: (event: object) => void }).onclick({ target })
-  click(dialog.elements[0])
-  expect(dialog.closed).toBe(0)
-  click(dialog)
-  expect(dialog.closed).toBe(1)
+  expect(all(dialog).map((element) => element.getAttribute('href'))).toContain('https://source.example/')
+  dialog.querySelector('h3')?.click()
+  expect(dialog.open).toBe(true)
+  dialog.click()
+  expect(dialog.open).toBe(false)
 })
 
 describe('the button of the method', () => {
   function mounted() {
     const done: unknown[][] = []
     const { store, change } = stateOf()
-    const choice = Object.assign(stub.element('player-method'), { selectedIndex: 0 })
+    const choice = element<HTMLSelectElement>('player-method')
     const played = mountMethod(store, noting(done, {}) as unknown as PageActions)
-    const [button, player] = [stub.element('method'), stub.element('player')]
+    const [button, player] = [element('method'), element('player')]
     return { done, change, choice, played, button, player }
   }
 
@@ -646,8 +641,8 @@ describe('the button of the method', () => {
     change({ step: 0 })
     expect([player.hidden, button.getAttribute('aria-expanded')]).toEqual([false, 'true'])
     button.click()
-    expect(stub.page.activeElement).toBe(button)
-    stub.element('close-player').click()
+    expect(document.activeElement).toBe(button)
+    element('close-player').click()
     expect(done).toEqual([
       ['showStep', 0],
       ['showStep', undefined],
@@ -657,20 +652,19 @@ describe('the button of the method', () => {
 
   it('plays the method of the menu, and for an unknown one of a link the first', () => {
     const { done, choice, played } = mounted()
-    choice.value = 'flip'
+    choice.value = 'auto'
     choice.dispatchEvent(new Event('change'))
-    expect(done).toEqual([['showStep', 0, 'flip']])
-    expect(played('flip')).toEqual({ method: 'flip' })
-    expect(played(undefined)).toEqual({ method: '' })
-    choice.selectedIndex = -1
-    played('unknown')
-    expect(choice.selectedIndex).toBe(0)
+    expect(done).toEqual([['showStep', 0, 'auto']])
+    for (const kept of [undefined, 'auto', 'unknown']) {
+      const method = kept === 'auto' ? kept : 'touching-disc'
+      expect([played(kept), choice.value]).toEqual([{ method }, method])
+    }
   })
 })
 
 it('the buttons beside the picture zoom in and out and show everything', () => {
   const done: unknown[][] = []
   mountViewControls(noting(done, {}) as unknown as PageActions)
-  for (const id of ['zoom-in', 'zoom-out', 'fit']) stub.element(id).click()
+  for (const id of ['zoom-in', 'zoom-out', 'fit']) element(id).click()
   expect(done).toEqual([['zoomAtMiddle', 1], ['zoomAtMiddle', -1], ['fit']])
 })

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Services around the figure: data sets that are fetched, links in threads, free space, print, and style sheets.
+// @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { arrangeAround } from '../../web/app/arrange.ts'
 import { askAhead, loadDataSet } from '../../web/app/data-sets.ts'
@@ -14,13 +15,11 @@ import { styleSheetsLoaded } from '../../web/app/style-sheets.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import type { View } from '../../web/view/view.ts'
-import { PageElement, stubPage } from './page-document.ts'
+import { all, element, openPage, textOf } from './page-document.ts'
 
-let stub: ReturnType<typeof stubPage>
-beforeEach(() => {
-  stub = stubPage()
-})
+beforeEach(() => void openPage())
 afterEach(() => {
+  vi.restoreAllMocks()
   vi.unstubAllGlobals()
   vi.useRealTimers()
 })
@@ -33,6 +32,7 @@ describe('a data set', () => {
   let asked: string[]
   beforeEach(() => {
     asked = []
+    document.body.innerHTML = '<base href="https://a.example/b/">'
     Object.assign(files, {
       'start.csv': 'x,y,r\n1,2,3\n',
       'spruces.csv': 'x,y,r,name\n1,2,3,A\n',
@@ -145,15 +145,12 @@ describe('the free part of the picture', () => {
     vi.stubGlobal('innerWidth', width)
     vi.stubGlobal('innerHeight', height)
     vi.stubGlobal('getComputedStyle', () => ({ fontSize: '16px' }))
+    openPage()
+    element('files').hidden = panel === undefined
+    for (const [id, box = NONE] of Object.entries({ ...boxes, files: panel })) {
+      element(id).getBoundingClientRect = () => box as DOMRect
+    }
     vi.stubGlobal('matchMedia', (query: string) => ({ matches: is.some((size) => query.includes(size)) }))
-    const elements = new Map<string, PageElement>()
-    Object.assign(stub.page, {
-      getElementById: (id: string) => {
-        const element = elements.get(id) ?? new PageElement()
-        return Object.assign(element, { getBoundingClientRect: () => boxes[id] ?? NONE })
-      },
-      querySelector: () => (panel === undefined ? null : { getBoundingClientRect: () => panel }),
-    })
     const { paddingOfPage } = await import('../../web/app/padding.ts')
     return paddingOfPage()
   }
@@ -220,12 +217,11 @@ describe('all circles', () => {
         constructor(act: () => void) {
           resize = act
         }
-        observe(element: unknown) {
-          observed.push(element)
+        observe({ id }: Element) {
+          observed.push(id)
         }
       },
     )
-    Object.assign(stub.page, { querySelectorAll: () => ['figure', 'rail'] })
     const view = {
       circles: {},
       covered: undefined as undefined | (() => unknown),
@@ -239,7 +235,8 @@ describe('all circles', () => {
 
   it('stay visible when panels open, if they were', () => {
     const { resize, observed, view, looked, actions } = arranged()
-    expect([observed, view.covered?.()]).toEqual([['figure', 'rail'], 'padding'])
+    const panels = ['generate', 'files', 'layers', 'region', 'numbers', 'table', 'motion']
+    expect([observed, view.covered?.()]).toEqual([['figure', 'top', 'rail', ...panels, 'share', 'player'], 'padding'])
     resize()
     expect(looked, 'they are').toEqual([])
     actions.isWhole = false
@@ -273,7 +270,6 @@ describe('all circles', () => {
 describe('print', () => {
   it('has a drawing of few circles, made anew after each change', async () => {
     vi.useFakeTimers()
-    vi.stubGlobal('addEventListener', () => {})
     const events = new Map<string, () => void>()
     const printed: number[] = []
     const view = {
@@ -285,7 +281,7 @@ describe('print', () => {
       },
       on: (name: string, act: () => void) => events.set(name, act),
     }
-    printDrawing(view as unknown as View, stub.element('paper') as unknown as HTMLElement)
+    printDrawing(view as unknown as View, element('paper'))
     await vi.runAllTimersAsync()
     expect([printed, [...events.keys()]]).toEqual([[5000], ['camera', 'layers', 'diagram', 'found', 'changed']])
     for (const act of events.values()) {
@@ -315,29 +311,21 @@ describe('print', () => {
   ])(
     'has a worksheet with the question and a code, until it is closed: %j',
     async (frame, lang, names, tried, long) => {
-      const around = new EventTarget()
-      vi.stubGlobal('addEventListener', around.addEventListener.bind(around))
       let prints = 0
       vi.stubGlobal('print', () => prints++)
-      Object.assign(stub.page, { createElementNS: (_: string, name: string) => new PageElement(name) })
-      const place = Object.assign(new PageElement(), { lang: '' })
+      const place = element('worksheet')
       const sheet = async (address: string) => {
-        const printing = printWorksheet(
-          place as unknown as HTMLElement,
-          { title: 'T', question: 'Q?', ...frame },
-          '<svg><g/></svg>',
-          address,
-        )
+        const printing = printWorksheet(place, { title: 'T', question: 'Q?', ...frame }, '<svg><g/></svg>', address)
         const shown = {
-          spans: place.querySelectorAll('span').map(({ text }) => text),
-          texts: [place.querySelector('h1')?.text, place.querySelectorAll('p')[1]?.text],
-          figures: place.querySelector('figure')?.elements.map(({ localName }) => localName),
-          foot: place.querySelector('footer')?.text,
+          spans: all(place, 'span').map(textOf),
+          texts: [textOf(place.querySelector('h1')), textOf(all(place, 'p')[1])],
+          figures: all(place, 'figure *').map(({ localName }) => localName),
+          foot: textOf(place.querySelector('footer')),
           code: place.querySelector('footer svg')?.getAttribute('viewBox'),
           isShown: !place.hidden,
           lang: place.lang,
         }
-        around.dispatchEvent(new Event('afterprint'))
+        window.dispatchEvent(new Event('afterprint'))
         await printing
         return shown
       }
@@ -353,7 +341,7 @@ describe('print', () => {
       })
       // The white squares around the code.
       expect(code).toMatch(/^-4 -4 (\d+) \1$/)
-      expect([prints, place.hidden, place.nodes]).toEqual([1, true, []])
+      expect([prints, place.hidden, place.childNodes.length]).toEqual([1, true, 0])
       expect((await sheet(address.padEnd(1800, 'a'))).code).toBeDefined()
       expect(await sheet(address.padEnd(1801, 'a'))).toMatchObject({ code: undefined, foot: long })
     },
@@ -395,10 +383,10 @@ it('a file is saved by a link, whose address ends after a while', () => {
   vi.useFakeTimers()
   const revoked: unknown[] = []
   vi.stubGlobal('URL', { createObjectURL: () => 'blob:1', revokeObjectURL: (address: string) => revoked.push(address) })
-  const link = Object.assign(new PageElement('a'), { href: '', download: '' })
   const clicked: unknown[] = []
-  link.addEventListener('click', () => clicked.push([link.href, link.download]))
-  Object.assign(stub.page, { createElement: () => link })
+  vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
+    clicked.push([this.href, this.download])
+  })
   save(new Blob(['a']), 'a.csv')
   expect(clicked).toEqual([['blob:1', 'a.csv']])
   vi.advanceTimersByTime(59_999)
@@ -408,8 +396,9 @@ it('a file is saved by a link, whose address ends after a while', () => {
 })
 
 it.each(['load', 'error'])('style sheets are waited for until each has loaded or failed: %s', async (kind) => {
-  const links = [null, {}, null].map((sheet) => Object.assign(new PageElement('link'), { sheet }))
-  Object.assign(stub.page, { querySelectorAll: () => links })
+  openPage('<link rel="stylesheet">'.repeat(3))
+  const links = all(document.body, 'link')
+  Object.defineProperty(links[1], 'sheet', { value: {} })
   let isLoaded = false
   const loaded = styleSheetsLoaded().then(() => {
     isLoaded = true

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame of panels: opening, closing, reloads, and the sheet of phones.
+// @vitest-environment happy-dom
 import { html } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
-import { type PageElement, stubPage } from './page-document.ts'
-
-vi.mock('lit/html.js', async (load) => ({
-  ...(await load<object>()),
-  render: (await import('./page-document.ts')).render,
-}))
+import { buttonOf, control, element, openPage, press, send, textOf } from './page-document.ts'
 
 const STORED = 'circle-voronoi:open-panel'
-let stub: ReturnType<typeof stubPage>
 let panels: typeof import('../../web/app/panels/panel.ts')
 beforeEach(async () => {
-  stub = stubPage()
+  const panelHtml = (id: string) => `<section id="${id}" hidden></section><button aria-controls="${id}"></button>`
+  openPage(`${panelHtml('a')}${panelHtml('b')}<button id="other"></button>`)
   // The open panel is a variable of the module.
   vi.resetModules()
   panels = await import('../../web/app/panels/panel.ts')
@@ -23,36 +19,34 @@ afterEach(() => vi.unstubAllGlobals())
 
 function panelOf(id: string, isKept = true) {
   const done: string[] = []
-  const [element, button] = [stub.element(id), stub.element(`${id}-button`)]
+  const [place, button] = [element(id), buttonOf(id)]
   const draw = () => {
     done.push('draw')
     panel.render(() => html`<p>${id}</p>`)
   }
   const onopen = () => done.push('open')
-  const panel = panels.panelOf(element as unknown as HTMLElement, `Title of ${id}`, draw, { onopen, isKept })
-  return { panel, done, element, button }
+  const panel = panels.panelOf(place, `Title of ${id}`, draw, { onopen, isKept })
+  return { panel, done, place, button }
 }
 
-function key(element: PageElement, key: string, more: object = {}) {
-  const event = Object.assign(new Event('keydown', { cancelable: true }), { key, shiftKey: false, ...more })
-  element.dispatchEvent(event)
-  return event.defaultPrevented
+function key(target: HTMLElement, key: string, more: KeyboardEventInit = {}) {
+  return !target.dispatchEvent(new KeyboardEvent('keydown', { key, cancelable: true, ...more }))
 }
 
 describe('a panel', () => {
   it('is opened and closed by its button, and drawn each time', () => {
-    const { panel, done, element, button } = panelOf('a')
+    const { panel, done, place, button } = panelOf('a')
     button.click()
-    expect([panel.isOpen, element.hidden, button.getAttribute('aria-expanded')]).toEqual([true, false, 'true'])
+    expect([panel.isOpen, place.hidden, button.getAttribute('aria-expanded')]).toEqual([true, false, 'true'])
     expect(done).toEqual(['draw', 'open'])
-    expect(element.text).toBe('Title of a a')
-    expect(stub.stored.get(STORED)).toBe('a')
+    expect(textOf(place)).toBe('Title of a a')
+    expect(localStorage.getItem(STORED)).toBe('a')
     panel.open()
     expect(done, 'nothing: it is open').toHaveLength(2)
     button.click()
-    expect([panel.isOpen, element.hidden, button.getAttribute('aria-expanded')]).toEqual([false, true, 'false'])
-    expect(element.text, 'no body').toBe('Title of a')
-    expect(stub.stored.get(STORED)).toBe('')
+    expect([panel.isOpen, place.hidden, button.getAttribute('aria-expanded')]).toEqual([false, true, 'false'])
+    expect(textOf(place), 'no body').toBe('Title of a')
+    expect(localStorage.getItem(STORED)).toBe('')
     panel.close()
     expect(done, 'nothing: it is closed').toHaveLength(3)
   })
@@ -64,20 +58,20 @@ describe('a panel', () => {
     expect([a.panel.isOpen, b.panel.isOpen]).toEqual([false, true])
     a.panel.close()
     expect(b.panel.isOpen).toBe(true)
-    b.element.press('Close')
+    press(b.place, 'Close')
     a.button.click()
     expect([a.panel.isOpen, b.panel.isOpen]).toEqual([true, false])
     expect(b.done).toEqual(['draw', 'open', 'draw'])
   })
 
   it('opens again after a reload if it is kept', async () => {
-    stub.stored.set(STORED, 'a')
+    localStorage.setItem(STORED, 'a')
     const [a, b, other] = [panelOf('a'), panelOf('b'), panelOf('a', false)]
     expect(a.panel.isOpen, 'the caller has no panel yet').toBe(false)
     await Promise.resolve()
     expect([a.panel.isOpen, b.panel.isOpen, other.panel.isOpen]).toEqual([true, false, false])
     other.button.click()
-    expect(stub.stored.get(STORED)).toBe('')
+    expect(localStorage.getItem(STORED)).toBe('')
   })
 
   it('opens and closes without storage', () => {
@@ -91,68 +85,67 @@ describe('a panel', () => {
   })
 
   it('is closed by Escape within it or on its button, unless something else has used the key', () => {
-    const { panel, element, button } = panelOf('a')
-    for (const place of [element, button]) {
+    const { panel, place, button } = panelOf('a')
+    for (const focused of [place, button]) {
       panel.open()
-      key(place, 'a')
+      key(focused, 'a')
       expect(panel.isOpen).toBe(true)
-      const used = Object.assign(new Event('keydown', { cancelable: true }), { key: 'Escape' })
+      const used = new KeyboardEvent('keydown', { key: 'Escape', cancelable: true })
       used.preventDefault()
-      place.dispatchEvent(used)
+      focused.dispatchEvent(used)
       expect(panel.isOpen).toBe(true)
-      const pressed = Object.assign(new Event('keydown', { bubbles: true }), { key: 'Escape' })
+      const pressed = new KeyboardEvent('keydown', { key: 'Escape', bubbles: true })
       const stop = vi.spyOn(pressed, 'stopPropagation')
-      place.dispatchEvent(pressed)
+      focused.dispatchEvent(pressed)
       expect([panel.isOpen, stop.mock.calls.length]).toEqual([false, 1])
-      place.dispatchEvent(pressed)
+      focused.dispatchEvent(pressed)
       expect(stop, 'a closed panel uses no key').toHaveBeenCalledTimes(1)
     }
   })
 
   it('gives the focus to its button as it closes, if it had the focus', () => {
-    const { panel, element, button } = panelOf('a')
+    const { panel, place, button } = panelOf('a')
     panel.open()
-    const other = stub.element('other')
+    const other = element('other')
     other.focus()
     panel.close()
-    expect(stub.page.activeElement).toBe(other)
+    expect(document.activeElement).toBe(other)
     panel.open()
-    element.control('Close').focus()
+    control(place, 'Close').focus()
     panel.close()
-    expect(stub.page.activeElement).toBe(button)
+    expect(document.activeElement).toBe(button)
   })
 
   it('has the focus after Tab on its button while it is open', () => {
-    const { panel, element, button } = panelOf('a')
+    const { panel, place, button } = panelOf('a')
     expect(key(button, 'Tab')).toBe(false)
     panel.open()
     expect([key(button, 'Tab', { shiftKey: true }), key(button, 'a')]).toEqual([false, false])
     expect(key(button, 'Tab')).toBe(true)
-    expect(stub.page.activeElement).toBe(element.control('Close'))
+    expect(document.activeElement).toBe(control(place, 'Close'))
   })
 })
 
 describe('the handle of a sheet', () => {
   function pulled() {
-    const { panel, element } = panelOf('a')
+    const { panel, place } = panelOf('a')
     panel.open()
     const captured: number[] = []
-    const handle = Object.assign(element.control('Larger or smaller'), {
+    const handle = Object.assign(control(place, 'Larger or smaller'), {
       setPointerCapture: (id: number) => captured.push(id),
     })
-    const send = (type: string, clientY = 0) =>
-      handle.dispatchEvent(Object.assign(new Event(type), { clientY, pointerId: 7 }))
-    const isLarge = () => stub.page.body.classList.has('large-sheet')
-    return { panel, handle, send, isLarge, captured }
+    const move = (type: string, clientY = 0) => send(handle, type, { clientY, pointerId: 7 })
+    const isLarge = () => document.body.classList.contains('large-sheet')
+    return { panel, handle, move, isLarge, captured }
   }
 
   it('enlarges it when pulled up, reduces it when pulled down, and closes it when pulled down again', () => {
-    const { panel, send, isLarge, captured } = pulled()
+    const { panel, move, isLarge, captured } = pulled()
     const pull = (to: number) => {
-      send('pointerdown', 100)
-      send('pointermove', 100 + to)
-      send('pointerup')
-      send('click')
+      move('pointerdown', 100)
+      move('pointermove', 100 + to)
+      move('pointerup')
+      move('click')
       return [isLarge(), panel.isOpen]
     }
     // The click after a pull is ignored.
@@ -163,26 +156,26 @@ describe('the handle of a sheet', () => {
   })
 
   it('toggles its size when clicked, also after a short pull', () => {
-    const { send, isLarge } = pulled()
+    const { move, isLarge } = pulled()
     const sizes = [0, 23].map((to) => {
-      send('pointerdown', 100)
-      send('pointermove', 100 + to)
-      send('pointerup')
-      send('click')
+      move('pointerdown', 100)
+      move('pointermove', 100 + to)
+      move('pointerup')
+      move('click')
       return isLarge()
     })
     expect(sizes).toEqual([true, false])
   })
 
   it.each(['pointerup', 'pointercancel'])('is followed once, and until %s', (end) => {
-    const { panel, send, isLarge } = pulled()
-    send('pointerdown', 100)
-    send(end)
-    send('pointermove', 0)
+    const { panel, move, isLarge } = pulled()
+    move('pointerdown', 100)
+    move(end)
+    move('pointermove', 0)
     expect(isLarge()).toBe(false)
-    send('pointerdown', 100)
-    send('pointermove', 0)
-    send('pointermove', 200)
+    move('pointerdown', 100)
+    move('pointermove', 0)
+    move('pointermove', 200)
     expect([isLarge(), panel.isOpen]).toEqual([true, true])
   })
 })
@@ -193,7 +186,7 @@ describe('a panel that is loaded later', () => {
   }
 
   it('is loaded by a press, which then opens it, once', async () => {
-    const button = stub.element('a-button')
+    const button = buttonOf('a')
     let mounted = 0
     let opened = 0
     panels.panelLater('a', expect.unreachable, async () => {
@@ -210,9 +203,9 @@ describe('a panel that is loaded later', () => {
   })
 
   it('is loaded at once if it was open before a reload, and is not pressed', async () => {
-    stub.stored.set(STORED, 'a')
+    localStorage.setItem(STORED, 'a')
     const mounted: string[] = []
-    const button = stub.element('a-button')
+    const button = buttonOf('a')
     button.addEventListener('click', () => mounted.push('pressed'))
     for (const id of ['a', 'b']) panels.panelLater(id, expect.unreachable, async () => void mounted.push(id))
     await settled()
@@ -231,7 +224,7 @@ describe('a panel that is loaded later', () => {
       },
     )
     for (let k = 1; k <= 2; k++) {
-      stub.element('a-button').click()
+      buttonOf('a').click()
       await settled()
       expect([asked, problems]).toEqual([k, Array(k).fill(NOT_LOADED)])
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel of the region, the areas and the periodic box, and the share of the selected cell.
+// @vitest-environment happy-dom
+import { render } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FileActions } from '../../web/app/files/file-actions.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
@@ -8,17 +10,27 @@ import { mountRegion } from '../../web/app/panels/region.ts'
 import type { RegionPen } from '../../web/app/region-pen.ts'
 import type { State } from '../../web/editing/state.ts'
 import type { Domain } from '../../web/view/domain.ts'
-import { noting, PageElement, stateOf, stubPage } from './page-document.ts'
+import {
+  all,
+  buttonOf,
+  choose,
+  chosenOf,
+  control,
+  controls,
+  element,
+  enter,
+  limitsOf,
+  noting,
+  openPage,
+  optionsOf,
+  press,
+  stateOf,
+  textOf,
+} from './page-document.ts'
 
-vi.mock('lit/html.js', async (load) => ({
-  ...(await load<object>()),
-  render: (await import('./page-document.ts')).render,
-}))
+vi.mock('lit/html.js', { spy: true })
 
-let stub: ReturnType<typeof stubPage>
-beforeEach(() => {
-  stub = stubPage()
-})
+beforeEach(() => void openPage())
 afterEach(() => vi.unstubAllGlobals())
 
 const SQUARE = [
@@ -56,9 +68,9 @@ function mounted(domain: Partial<Domain> = {}, columns: readonly string[] = []) 
   const files = { mergesPolygons: false, openRegion: async (file: unknown) => done.push(['openRegion', file]) }
   const pen = noting(done, { count: 0 })
   mountRegion(store, actions as unknown as PageActions, files as unknown as FileActions, pen as unknown as RegionPen)
-  stub.element('region-button').click()
-  const panel = stub.element('region')
-  const says = () => panel.querySelectorAll('p').map(({ text }) => text)
+  buttonOf('region').click()
+  const panel = element('region')
+  const says = () => all(panel, 'p').map(textOf)
   return { panel, done, change, set, known, files, pen, says, store }
 }
 
@@ -78,12 +90,12 @@ describe('the panel of the region', () => {
 
   it('draws: begins, closes from three corners on, takes corners back, and cancels', () => {
     const { panel, done, change, pen, says } = mounted()
-    panel.press('Draw')
+    press(panel, 'Draw')
     expect(done).toEqual([['useTool', 'draw']])
-    expect(stub.page.activeElement).toBe(stub.element('figure'))
+    expect(document.activeElement).toBe(element('figure'))
     change({ tool: 'draw' })
     expect(says()[1]).toMatch(/Inside the region it becomes a hole\.$/)
-    const disabled = () => ['Close polygon', 'Undo corner', 'Cancel'].map((name) => panel.control(name).disabled)
+    const disabled = () => ['Close polygon', 'Undo corner', 'Cancel'].map((name) => control(panel, name).disabled)
     expect(disabled()).toEqual([true, true, false])
     for (const [count, ...expected] of [
       [1, true, false],
@@ -95,44 +107,44 @@ describe('the panel of the region', () => {
       expect(disabled()).toEqual([...expected, false])
     }
     done.length = 0
-    for (const name of ['Close polygon', 'Undo corner', 'Cancel']) panel.press(name)
+    for (const name of ['Close polygon', 'Undo corner', 'Cancel']) press(panel, name)
     expect(done).toEqual([['close'], ['undo'], ['useTool', 'select']])
   })
 
   it('opens a file, the same one again too, and removes the region', async () => {
     const { panel, done, set } = mounted()
-    const input = panel.control('Open …')
-    expect(panel.controls.has('Remove region')).toBe(false)
-    Object.assign(input, { files: ['a.geojson'], value: 'a.geojson' })
-    input.dispatchEvent(new Event('change'))
+    const input = control(panel, 'Open …')
+    expect(controls(panel).has('Remove region')).toBe(false)
+    const file = new File([], 'a.geojson')
+    choose(input, file)
+    expect(input.value).toMatch(/a\.geojson$/)
     await settled()
     expect(input.value).toBe('')
-    input.files = []
-    input.dispatchEvent(new Event('change'))
+    choose(input)
     await settled()
-    expect(done).toEqual([['openRegion', 'a.geojson']])
+    expect(done).toEqual([['openRegion', file]])
     set({ region: [SQUARE] })
-    panel.press('Remove region')
+    press(panel, 'Remove region')
     expect(done[1]).toEqual(['removeRegion'])
-    expect(panel.controls.has('Draw more')).toBe(true)
+    expect(controls(panel).has('Draw more')).toBe(true)
   })
 
   it('merges polygons that are opened, and those that are there', async () => {
     const { panel, done, set, files, change, says } = mounted()
-    panel.enter(MERGE, true, ['change'])
+    enter(panel, MERGE, true, ['change'])
     await settled()
-    expect([files.mergesPolygons, panel.control(MERGE).checked, done]).toEqual([true, true, []])
+    expect([files.mergesPolygons, control(panel, MERGE).checked, done]).toEqual([true, true, []])
     set({ region: [SQUARE] })
-    expect(panel.control(MERGE).checked).toBe(false)
-    panel.enter(MERGE, true, ['change'])
+    expect(control(panel, MERGE).checked).toBe(false)
+    enter(panel, MERGE, true, ['change'])
     await settled()
     expect(done).toEqual([['setDomain', { region: expect.objectContaining({ dissolve: true }) }]])
-    expect(panel.control(MERGE).checked).toBe(true)
+    expect(control(panel, MERGE).checked).toBe(true)
     change({ tool: 'draw' })
     expect(says()[1]).toMatch(/It is merged with the region\.$/)
-    panel.enter(MERGE, false, ['change'])
+    enter(panel, MERGE, false, ['change'])
     await settled()
-    expect([panel.control(MERGE).checked, files.mergesPolygons]).toEqual([false, false])
+    expect([control(panel, MERGE).checked, files.mergesPolygons]).toEqual([false, false])
   })
 })
 
@@ -145,35 +157,38 @@ describe('areas', () => {
   ])('are chosen by %s, shown as chosen again after undo, and not fixed any more', async (value, name, areas) => {
     const { panel, done, set, store } = mounted({ region: [SQUARE] }, ['n'])
     const labels = { equal: 'equal', radius: 'by radius', disc: 'by disc area', 'column:n': 'by n' } as const
-    expect(panel.control(AREAS).options).toEqual(['not fixed', ...Object.values(labels)])
-    panel.enter(AREAS, value, ['change'])
+    expect(optionsOf(control(panel, AREAS))).toEqual(['not fixed', ...Object.values(labels)])
+    enter(panel, AREAS, value, ['change'])
     await settled()
     expect(done).toEqual([[name, { areas }]])
-    expect(panel.control(AREAS).chosen).toBe(labels[value as keyof typeof labels])
+    expect(chosenOf(control(panel, AREAS))).toBe(labels[value as keyof typeof labels])
     const { areas: given } = store.get().domain
-    panel.enter(AREAS, 'free', ['change'])
+    enter(panel, AREAS, 'free', ['change'])
     await settled()
     expect(done[1]).toEqual(['setAreas', { areas: undefined }])
-    expect(panel.control(AREAS).chosen).toBe('not fixed')
+    expect(chosenOf(control(panel, AREAS))).toBe('not fixed')
     set({ areas: given })
-    expect(panel.control(AREAS).chosen).toBe(labels[value as keyof typeof labels])
+    expect(chosenOf(control(panel, AREAS))).toBe(labels[value as keyof typeof labels])
   })
 
   it('of their own are a choice that changes nothing, and a refused choice is taken back', async () => {
     const { panel, done, known, set } = mounted({ region: [SQUARE], areas: [3, 2, 1] })
-    expect([panel.control(AREAS).chosen, panel.control(AREAS).options.at(-1)]).toEqual(['one by one', 'one by one'])
-    panel.enter(AREAS, 'own', ['change'])
+    expect([chosenOf(control(panel, AREAS)), optionsOf(control(panel, AREAS)).at(-1)]).toEqual([
+      'one by one',
+      'one by one',
+    ])
+    enter(panel, AREAS, 'own', ['change'])
     await settled()
     expect(done).toEqual([])
     known.isRefused = true
-    const select = panel.control(AREAS)
-    panel.enter(AREAS, 'equal', ['change'])
+    const select = control(panel, AREAS)
+    enter(panel, AREAS, 'equal', ['change'])
     await settled()
     expect(select.value).toBe('own')
     set({ areas: undefined })
-    panel.enter(AREAS, 'equal', ['change'])
+    enter(panel, AREAS, 'equal', ['change'])
     await settled()
-    expect(panel.control(AREAS).chosen).toBe('not fixed')
+    expect(chosenOf(control(panel, AREAS))).toBe('not fixed')
   })
 
   it('by a column say how many circles have no number', async () => {
@@ -184,19 +199,19 @@ describe('areas', () => {
       [1, '1 of the circles have no number in n: they get the mean.'],
     ] as const) {
       known.missing = missing
-      panel.enter(AREAS, 'column:n', ['change'])
+      enter(panel, AREAS, 'column:n', ['change'])
       await settled()
-      expect(stub.element('toast').text).toBe(said)
+      expect(textOf(element('toast'))).toBe(said)
     }
-    expect(panel.text).toContain('but not the columns of the opened file.')
+    expect(textOf(panel)).toContain('but not the columns of the opened file.')
   })
 
   it('need a region, and say their largest error', () => {
     const { panel, set, change } = mounted()
-    const said = () => stub.element('areas-said').text
-    const isDisabled = () => panel.querySelectorAll('fieldset').map(({ disabled }) => disabled)
+    const said = () => textOf(element('areas-said'))
+    const isDisabled = () => all(panel, 'fieldset').map(({ disabled }) => disabled)
     expect([said(), isDisabled()]).toEqual(['Areas need a region: the cells divide it.', [true, false]])
-    expect(panel.text).not.toContain('columns of the opened file')
+    expect(textOf(panel)).not.toContain('columns of the opened file')
     set({ region: [SQUARE] })
     expect([said(), isDisabled()]).toEqual([expect.stringMatching(/^Choose areas,/), [false, false]])
     set({ areas: 'equal' })
@@ -211,36 +226,36 @@ describe('the periodic box', () => {
     const { panel, done, known, says, set } = mounted()
     expect(says().at(-1)).toBe('For packings, foams and tissues in a box whose opposite sides are glued together.')
     known.isRefused = true
-    const box = panel.control(REPEAT)
-    panel.enter(REPEAT, true, ['change'])
+    const box = control(panel, REPEAT)
+    enter(panel, REPEAT, true, ['change'])
     await settled()
     expect(box.checked).toBe(false)
     known.isRefused = false
-    panel.enter(REPEAT, true, ['change'])
+    enter(panel, REPEAT, true, ['change'])
     await settled()
-    expect(panel.control(REPEAT).checked).toBe(true)
+    expect(control(panel, REPEAT).checked).toBe(true)
     expect(says().at(-1)).toMatch(/^Opposite sides are glued together: /)
-    panel.enter(REPEAT, false, ['change'])
+    enter(panel, REPEAT, false, ['change'])
     await settled()
     expect(done).toEqual([
       ['repeat', expect.anything()],
       ['repeat', expect.anything()],
       ['setLattice', { lattice: undefined }],
     ])
-    expect([...panel.controls.keys()].filter((label) => label.startsWith('Period'))).toEqual([])
+    expect([...controls(panel).keys()].filter((label) => label.startsWith('Period'))).toEqual([])
     set({ region: [SQUARE] })
     expect(says().at(-1)).toMatch(/ It replaces the region\.$/)
   })
 
   it('has a field for each number, which changes that number alone', async () => {
     const { panel, done, known } = mounted({ lattice: { a: [1, 2], b: [3, 4] } })
-    const fields = [...panel.controls.keys()].filter((label) => label.startsWith('Period'))
+    const fields = [...controls(panel).keys()].filter((label) => label.startsWith('Period'))
     expect(fields).toEqual(['Period a, x', 'Period a, y', 'Period b, x', 'Period b, y'])
-    expect(fields.map((label) => panel.control(label).value)).toEqual(['1', '2', '3', '4'])
+    expect(fields.map((label) => control(panel, label).value)).toEqual(['1', '2', '3', '4'])
     known.isRefused = true
     for (const label of fields) {
-      const field = panel.control(label)
-      panel.enter(label, '9', ['change'])
+      const field = control(panel, label)
+      enter(panel, label, '9', ['change'])
       await settled()
       expect(field.value, 'goes back').toBe(String(fields.indexOf(label) + 1))
     }
@@ -262,21 +277,16 @@ describe('the periodic box', () => {
         [3, 9],
       ],
     ])
-    panel.control('Period a, x').isValid = false
-    panel.enter('Period a, x', '', ['change'])
+    enter(panel, 'Period a, x', '', ['change'])
     await settled()
     expect(done).toHaveLength(4)
   })
 })
 
 it('the panel is drawn again with what it shows, and with nothing else', () => {
-  const { panel, change, set, known } = mounted()
-  let before = panel.elements[0]
-  const isDrawn = () => {
-    const isNew = panel.elements[0] !== before
-    before = panel.elements[0]
-    return isNew
-  }
+  const { change, set, known } = mounted()
+  const { calls } = vi.mocked(render).mockClear().mock
+  const isDrawn = () => calls.splice(0).length > 0
   change({ selection: [1], said: { text: 'a' }, edited: {} as State['edited'] })
   expect(isDrawn()).toBe(false)
   set({ areas: 'equal' })
@@ -293,13 +303,11 @@ describe('the share of the selected cell', () => {
     const done: unknown[][] = []
     let gestures = 0
     const { store, change } = stateOf({ edited: { counts: { circles: 4 } } as State['edited'] })
-    const label = new PageElement('label')
-    const text = Object.assign(new PageElement(), { textContent: 'r ' })
-    Object.assign(label, { firstChild: text })
-    const radius = Object.assign(stub.element('field-r'), { labels: [label] })
+    const radius = element<HTMLInputElement>('field-r')
+    const text = radius.labels?.[0]?.firstChild as Node
     const actions = noting(done, { shareOf: () => share, beginGesture: () => ++gestures })
     mountInspectorShare(store, actions as unknown as PageActions)
-    const place = stub.element('inspector-share')
+    const place = element('inspector-share')
     return { done, change, place, radius, text }
   }
   const WITH_AREAS: Partial<State> = { selected: 3, domain: { region: [SQUARE], areas: 'equal' } }
@@ -311,9 +319,9 @@ describe('the share of the selected cell', () => {
     expect(isShown()).toEqual([false, false, 'r '])
     change(WITH_AREAS)
     expect(isShown()).toEqual([true, true, 'w '])
-    expect([place.control(NUMBER).value, place.control(NUMBER).limits]).toEqual(['50', ['0.0001', '99', 'any']])
-    expect([place.control(SLIDER).value, place.control(SLIDER).limits]).toEqual(['1', ['-5', '5', 'any']])
-    expect(place.querySelector('output')?.text).toBe('2.00 × mean')
+    expect([control(place, NUMBER).value, limitsOf(control(place, NUMBER))]).toEqual(['50', ['0.0001', '99', 'any']])
+    expect([control(place, SLIDER).value, limitsOf(control(place, SLIDER))]).toEqual(['1', ['-5', '5', 'any']])
+    expect(textOf(place.querySelector('output'))).toBe('2.00 × mean')
     change({ selected: undefined })
     expect(isShown()).toEqual([false, false, 'r '])
     change({ selected: 3, domain: { region: [SQUARE], areas: undefined } })
@@ -323,23 +331,24 @@ describe('the share of the selected cell', () => {
   it('is set by a number in percent, at most 99, and by a slider in powers of two of the mean', () => {
     const { done, change, place } = share(0.5)
     change(WITH_AREAS)
-    place.enter(NUMBER, '12', ['change'])
-    place.enter(NUMBER, '100', ['change'])
-    place.enter(SLIDER, '-1', ['input'])
+    enter(place, NUMBER, '12', ['change'])
+    enter(place, NUMBER, '99', ['change'])
+    enter(place, SLIDER, '-1', ['input', 'change'])
+    enter(place, SLIDER, '5', ['input', 'change'])
     expect(done).toEqual([
       ['setShare', 3, 0.12, 1],
       ['setShare', 3, 0.99, 2],
       ['setShare', 3, 0.125, 3],
+      ['setShare', 3, 0.99, 4],
     ])
-    place.control(NUMBER).isValid = false
-    place.enter(NUMBER, '', ['change'])
-    expect(done).toHaveLength(3)
+    for (const invalid of ['', '99.5', '0']) enter(place, NUMBER, invalid, ['change'])
+    expect(done).toHaveLength(4)
   })
 
   it('of one drag of the slider is one step', () => {
     const { done, change, place } = share(0.5)
     change(WITH_AREAS)
-    place.enter(SLIDER, '1', ['input', 'input', 'change', 'input'])
+    enter(place, SLIDER, '1', ['input', 'input', 'change', 'input'])
     expect(done.map(([, , , gesture]) => gesture)).toEqual([1, 1, 2])
   })
 })

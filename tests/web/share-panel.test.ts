@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel for links, and its form for questions.
+// @vitest-environment happy-dom
+import { nothing, render } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FileActions } from '../../web/app/files/file-actions.ts'
 import { recordClip } from '../../web/app/motion/clip.ts'
@@ -13,19 +15,28 @@ import type { LinkFrame } from '../../web/lib/link.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import type { CellFacts, Facts } from '../../web/view/protocol.ts'
 import type { View } from '../../web/view/view.ts'
-import { noting, stateOf, stubPage } from './page-document.ts'
+import {
+  buttonOf,
+  chosenOf,
+  control,
+  controls,
+  element,
+  enter,
+  limitsOf,
+  noting,
+  openPage,
+  optionsOf,
+  press,
+  stateOf,
+  textOf,
+} from './page-document.ts'
 
-vi.mock('lit/html.js', async (load) => ({
-  ...(await load<object>()),
-  render: (await import('./page-document.ts')).render,
-}))
 vi.mock('../../web/app/motion/clip.ts', () => ({ recordClip: vi.fn() }))
 const saved = vi.hoisted(() => [] as unknown[])
 vi.mock('../../web/app/files/saving.ts', () => ({ save: (...what: unknown[]) => saved.push(what) }))
 
-let stub: ReturnType<typeof stubPage>
 beforeEach(() => {
-  stub = stubPage()
+  openPage()
   vi.stubGlobal('navigator', {})
   saved.length = 0
   vi.useFakeTimers()
@@ -93,16 +104,16 @@ function mounted(frame?: LinkFrame, state: Partial<State> = {}) {
     'motion' as unknown as Motion,
     () => 8,
   )
-  stub.element('share-button').click()
-  const panel = stub.element('share')
+  buttonOf('share').click()
+  const panel = element('share')
   const answer = async (facts: Facts) => {
     for (const act of answers.splice(0)) act(facts)
     await settled()
   }
-  const makeQuestion = () => panel.press('Make a question')
+  const makeQuestion = () => press(panel, 'Make a question')
   /** The frame that is copied now. */
   const frameNow = async () => {
-    panel.press('Copy question code')
+    press(panel, 'Copy question code')
     await settled()
     return done.pop()?.[2]
   }
@@ -116,33 +127,33 @@ describe('the panel Share', () => {
     ['Copy element', 'copyElementCode', 'The code'],
   ])('has a button that copies: %s', async (label, name, what) => {
     const { panel, done, known } = mounted()
-    const toast = stub.element('toast')
-    panel.press(label)
+    const toast = element('toast')
+    press(panel, label)
     await settled()
-    expect([done, toast.text]).toEqual([[[name]], `${what} is in the clipboard.`])
+    expect([done, textOf(toast)]).toEqual([[[name]], `${what} is in the clipboard.`])
     known.length = 8001
-    panel.press(label)
+    press(panel, label)
     await settled()
-    expect(toast.text).toMatch(/It has 8,001 letters, and some programs cut long ones/)
+    expect(textOf(toast)).toMatch(/It has 8,001 letters, and some programs cut long ones/)
     known.length = undefined
-    toast.replaceChildren()
-    panel.press(label)
+    render(nothing, toast)
+    press(panel, label)
     await settled()
-    expect(toast.text, 'nothing was copied').toBe('')
+    expect(textOf(toast), 'nothing was copied').toBe('')
   })
 
   it('sends a link where the browser can, and saves a card', () => {
-    expect(mounted().panel.controls.has('Send')).toBe(false)
+    expect(controls(mounted().panel).has('Send')).toBe(false)
     vi.stubGlobal('navigator', { share() {} })
     const { panel, done } = mounted()
-    panel.press('Send')
-    panel.press('Save a card')
+    press(panel, 'Send')
+    press(panel, 'Save a card')
     expect(done).toEqual([['shareLink'], ['saveCard']])
   })
 
   it('records one clip at a time, and says what went wrong', async () => {
     const { panel, done } = mounted()
-    const clip = () => panel.control('Record a clip')
+    const clip = () => control(panel, 'Record a clip')
     const film = { film: 'film', ending: '.webm' } as never
     for (const [result, expected] of [
       [() => film, [['film', 'circles-clip.webm']]],
@@ -155,12 +166,12 @@ describe('the panel Share', () => {
         end = resolve
       })
       vi.mocked(recordClip).mockImplementation(() => waiting.then(result))
-      expect([clip().disabled, clip().text]).toEqual([false, 'Clip'])
+      expect([clip().disabled, textOf(clip())]).toEqual([false, 'Clip'])
       clip().click()
-      expect([clip().disabled, clip().text]).toEqual([true, 'Recording …'])
+      expect([clip().disabled, textOf(clip())]).toEqual([true, 'Recording …'])
       end()
       await settled()
-      expect([clip().disabled, clip().text]).toEqual([false, 'Clip'])
+      expect([clip().disabled, textOf(clip())]).toEqual([false, 'Clip'])
       expect(saved).toEqual(expected)
     }
     expect(done).toEqual([['complain', 'no video']])
@@ -175,16 +186,16 @@ describe('the form for a question', () => {
       [undefined, '0'],
     ] as const) {
       const { panel, makeQuestion, asked } = mounted(undefined, { selected })
-      expect([...panel.controls.keys()].some((label) => label.startsWith('Circle of'))).toBe(false)
+      expect([...controls(panel).keys()].some((label) => label.startsWith('Circle of'))).toBe(false)
       makeQuestion()
-      expect(panel.control('Circle of condition 1').value).toBe(circle)
+      expect(control(panel, 'Circle of condition 1').value).toBe(circle)
       expect(asked.at(-1)).toEqual([Number(circle)])
-      expect(panel.control('Make a question').getAttribute('aria-expanded')).toBe('true')
+      expect(control(panel, 'Make a question').getAttribute('aria-expanded')).toBe('true')
       makeQuestion()
-      expect(panel.control('Make a question').getAttribute('aria-expanded')).toBe('false')
-      expect(stub.element('make-question').hidden).toBe(true)
+      expect(control(panel, 'Make a question').getAttribute('aria-expanded')).toBe('false')
+      expect(element('make-question').hidden).toBe(true)
       makeQuestion()
-      expect(panel.controls.has('Circle of condition 2'), 'it has one already').toBe(false)
+      expect(controls(panel).has('Circle of condition 2'), 'it has one already').toBe(false)
     }
   })
 
@@ -192,16 +203,16 @@ describe('the form for a question', () => {
     const { panel, makeQuestion, frameNow } = mounted(undefined, { selected: 1 })
     makeQuestion()
     const longest = ['Question', 'Title', 'Description for screen readers'].map((label) =>
-      panel.control(label).getAttribute('maxlength'),
+      control(panel, label).getAttribute('maxlength'),
     )
     expect(longest).toEqual(['2000', '200', '200'])
     const check = { cell: 1, edges: 3 }
     expect(await frameNow()).toEqual({ question: 'Move the circles until the cell of circle 1 has 3 edges.', check })
-    panel.enter('Question', ' Which? ', ['input'])
-    panel.enter('Title', ' A title ', ['input'])
-    panel.enter('Description for screen readers', ' alt ', ['input'])
-    panel.enter('Readers may', 'look', ['change'])
-    panel.enter('Language', 'de', ['change'])
+    enter(panel, 'Question', ' Which? ', ['input'])
+    enter(panel, 'Title', ' A title ', ['input'])
+    enter(panel, 'Description for screen readers', ' alt ', ['input'])
+    enter(panel, 'Readers may', 'look', ['change'])
+    enter(panel, 'Language', 'de', ['change'])
     expect(await frameNow()).toEqual({
       title: 'A title',
       question: 'Which?',
@@ -210,16 +221,16 @@ describe('the form for a question', () => {
       alt: 'alt',
       lang: 'de',
     })
-    expect(panel.control('Readers may').chosen).toBe('only look')
-    expect(panel.control('Language').chosen).toBe('German')
-    expect(panel.control('Question').placeholder).toBe('Bewege die Kreise, bis die Zelle von Kreis 1 3 Kanten hat.')
-    for (const label of ['Question', 'Title', 'Description for screen readers']) panel.enter(label, ' ', ['input'])
-    panel.enter('Readers may', 'edit', ['change'])
-    panel.enter('Language', 'en', ['change'])
+    expect(chosenOf(control(panel, 'Readers may'))).toBe('only look')
+    expect(chosenOf(control(panel, 'Language'))).toBe('German')
+    expect(control(panel, 'Question').placeholder).toBe('Bewege die Kreise, bis die Zelle von Kreis 1 3 Kanten hat.')
+    for (const label of ['Question', 'Title', 'Description for screen readers']) enter(panel, label, ' ', ['input'])
+    enter(panel, 'Readers may', 'edit', ['change'])
+    enter(panel, 'Language', 'en', ['change'])
     expect(Object.keys((await frameNow()) as object)).toEqual(['question', 'check'])
-    expect(panel.control('Language').chosen).toBe('English')
-    expect(panel.control('Readers may').chosen).toBe('edit circles')
-    panel.press('Remove condition 1')
+    expect(chosenOf(control(panel, 'Language'))).toBe('English')
+    expect(chosenOf(control(panel, 'Readers may'))).toBe('edit circles')
+    press(panel, 'Remove condition 1')
     expect(await frameNow()).toEqual({})
   })
 
@@ -227,7 +238,7 @@ describe('the form for a question', () => {
     const { panel, done, makeQuestion, known } = mounted()
     makeQuestion()
     const frame = { check: { cell: 0, edges: 3 }, question: expect.any(String) }
-    const toast = stub.element('toast')
+    const toast = element('toast')
     for (const [label, said, ...call] of [
       ['Copy question code', 'The code of the question is in the clipboard.', 'copyQuestion', 'code'],
       ['Copy question link', 'The link of the question is in the clipboard.', 'copyQuestion', 'link'],
@@ -235,34 +246,34 @@ describe('the form for a question', () => {
       ['Worksheet', '', 'printWorksheet'],
       ['Try it', '', 'openQuestion'],
     ] as const) {
-      toast.replaceChildren()
-      panel.press(label)
+      render(nothing, toast)
+      press(panel, label)
       await settled()
-      expect([done.pop(), toast.text]).toEqual([[...call, frame], said])
+      expect([done.pop(), textOf(toast)]).toEqual([[...call, frame], said])
     }
     known.length = undefined
-    panel.press('Copy question link')
+    press(panel, 'Copy question link')
     await settled()
-    expect(toast.text).toBe('')
+    expect(textOf(toast)).toBe('')
   })
 
   it('adds conditions, of which all or one must be met, and changes and removes each alone', async () => {
     const { panel, makeQuestion, frameNow } = mounted(undefined, { selected: 1 })
     makeQuestion()
-    expect(panel.controls.has('How many conditions are needed')).toBe(false)
-    panel.press('Add a condition')
-    panel.enter('Circle of condition 2', '2', ['change'])
+    expect(controls(panel).has('How many conditions are needed')).toBe(false)
+    press(panel, 'Add a condition')
+    enter(panel, 'Circle of condition 2', '2', ['change'])
     const parts = [
       { cell: 1, edges: 3 },
       { cell: 2, edges: 3 },
     ]
     expect(await frameNow()).toMatchObject({ check: { all: parts } })
-    panel.enter('How many conditions are needed', 'any', ['change'])
+    enter(panel, 'How many conditions are needed', 'any', ['change'])
     expect(await frameNow()).toMatchObject({ check: { any: parts } })
-    expect(panel.control('How many conditions are needed').chosen).toBe('one of these is met')
-    panel.enter('How many conditions are needed', 'all', ['change'])
-    expect(panel.control('How many conditions are needed').chosen).toBe('all of these are met')
-    panel.press('Remove condition 1')
+    expect(chosenOf(control(panel, 'How many conditions are needed'))).toBe('one of these is met')
+    enter(panel, 'How many conditions are needed', 'all', ['change'])
+    expect(chosenOf(control(panel, 'How many conditions are needed'))).toBe('all of these are met')
+    press(panel, 'Remove condition 1')
     expect(await frameNow()).toMatchObject({ check: parts[1] })
   })
 
@@ -285,55 +296,55 @@ describe('the form for a question', () => {
       edges: 'now 9',
     }
     for (const { key, label, type, of, name } of KINDS) {
-      panel.enter('What condition 1 is about', key, ['change'])
+      enter(panel, 'What condition 1 is about', key, ['change'])
       await answer(factsOf())
-      const kinds = panel.control('What condition 1 is about')
-      expect([kinds.chosen, kinds.options]).toEqual([label, KINDS.map(({ label }) => label)])
+      const kinds = control(panel, 'What condition 1 is about')
+      expect([chosenOf(kinds), optionsOf(kinds)]).toEqual([label, KINDS.map(({ label }) => label)])
       expect(panel.querySelector('.condition')?.getAttribute('aria-label')).toBe('Condition 1')
-      expect([key, panel.querySelector('.condition small')?.text]).toEqual([key, now[key]])
-      expect(panel.controls.has('Circle of condition 1')).toBe(of === 'cell')
+      expect([key, textOf(panel.querySelector('.condition small'))]).toEqual([key, now[key]])
+      expect(controls(panel).has('Circle of condition 1')).toBe(of === 'cell')
       const at = of === 'cell' ? { cell: 1 } : {}
       if (type === 'flag') {
-        panel.enter('Value of condition 1', 'no', ['change'])
+        enter(panel, 'Value of condition 1', 'no', ['change'])
         expect(await frameNow()).toMatchObject({ check: { ...at, [name]: false } })
-        expect(panel.control('Value of condition 1').chosen).toBe('no')
-        panel.enter('Value of condition 1', 'yes', ['change'])
+        expect(chosenOf(control(panel, 'Value of condition 1'))).toBe('no')
+        enter(panel, 'Value of condition 1', 'yes', ['change'])
         expect(await frameNow()).toMatchObject({ check: { ...at, [name]: true } })
-        expect(panel.control('Value of condition 1').chosen).toBe('yes')
+        expect(chosenOf(control(panel, 'Value of condition 1'))).toBe('yes')
       } else if (type === 'circle') {
-        panel.enter('Neighbor of condition 1', '2', ['change'])
+        enter(panel, 'Neighbor of condition 1', '2', ['change'])
         expect(await frameNow()).toMatchObject({ check: { ...at, [name]: 2 } })
       } else {
         const comparisons = type === 'measure' ? [] : ['exactly']
-        expect(panel.control('Comparison of condition 1').options).toEqual([
+        expect(optionsOf(control(panel, 'Comparison of condition 1'))).toEqual([
           ...comparisons,
           'at least',
           'at most',
           'between',
         ])
-        expect(panel.control('Value of condition 1').limits[2]).toBe(type === 'count' ? '1' : 'any')
-        panel.enter('Comparison of condition 1', 'between', ['change'])
-        panel.enter('Value of condition 1', '6', ['change'])
-        panel.enter('Upper value of condition 1', '8', ['change'])
+        expect(limitsOf(control(panel, 'Value of condition 1'))[2]).toBe(type === 'count' ? '1' : 'any')
+        enter(panel, 'Comparison of condition 1', 'between', ['change'])
+        enter(panel, 'Value of condition 1', '6', ['change'])
+        enter(panel, 'Upper value of condition 1', '8', ['change'])
         expect(await frameNow()).toMatchObject({ check: { ...at, [name]: { min: 6, max: 8 } } })
-        expect(panel.control('Comparison of condition 1').chosen).toBe('between')
-        panel.enter('Comparison of condition 1', 'max', ['change'])
+        expect(chosenOf(control(panel, 'Comparison of condition 1'))).toBe('between')
+        enter(panel, 'Comparison of condition 1', 'max', ['change'])
         expect(await frameNow()).toMatchObject({ check: { ...at, [name]: { max: 6 } } })
-        panel.enter('Comparison of condition 1', type === 'measure' ? 'min' : 'is', ['change'])
+        enter(panel, 'Comparison of condition 1', type === 'measure' ? 'min' : 'is', ['change'])
       }
     }
     // A measure cannot be compared exactly.
-    panel.enter('What condition 1 is about', 'cell.area', ['change'])
-    expect(panel.control('Comparison of condition 1').chosen).toBe('at least')
+    enter(panel, 'What condition 1 is about', 'cell.area', ['change'])
+    expect(chosenOf(control(panel, 'Comparison of condition 1'))).toBe('at least')
   })
 
   it('says the value of a cell without neighbors or of a circle that is hidden, and that there is no such circle', async () => {
     const { panel, makeQuestion, answer } = mounted(undefined, { selected: 1 })
     makeQuestion()
     const nowOf = async (kind: string, facts: Facts) => {
-      panel.enter('What condition 1 is about', kind, ['change'])
+      enter(panel, 'What condition 1 is about', kind, ['change'])
       await answer(facts)
-      return panel.querySelector('.condition small')?.text
+      return textOf(panel.querySelector('.condition small'))
     }
     expect(await nowOf('cell.neighbor', factsOf({ neighbors: [] }))).toBe('now none')
     expect(await nowOf('cell.bounded', factsOf({ bounded: false }))).toBe('now no')
@@ -344,36 +355,35 @@ describe('the form for a question', () => {
   it('gives a field its number again where an invalid one was entered', async () => {
     const { panel, makeQuestion, frameNow } = mounted(undefined, { selected: 1 })
     makeQuestion()
-    panel.enter('Comparison of condition 1', 'between', ['change'])
+    enter(panel, 'Comparison of condition 1', 'between', ['change'])
     const before = await frameNow()
     for (const label of ['Circle of condition 1', 'Value of condition 1', 'Upper value of condition 1']) {
-      const field = panel.control(label)
+      const field = control(panel, label)
       const { value } = field
-      field.isValid = false
-      panel.enter(label, '-1', ['change'])
+      enter(panel, label, '', ['change'])
       expect([label, field.value]).toEqual([label, value])
     }
     expect(await frameNow()).toEqual(before)
-    expect(panel.control('Circle of condition 1').limits).toEqual(['0', null, '1'])
+    expect(limitsOf(control(panel, 'Circle of condition 1'))).toEqual(['0', null, '1'])
   })
 
   it('says whether there is something to do', async () => {
     const { panel, makeQuestion, answer, frameNow } = mounted(undefined, { selected: 1 })
     makeQuestion()
-    const now = () => [stub.element('question-now').text, [...stub.element('question-now').classList].join()]
+    const now = () => [textOf(element('question-now')), [...element('question-now').classList].join()]
     expect(now()).toEqual(['', 'quiet'])
     await answer(factsOf())
     expect(now()).toEqual(['The circles do not meet this yet, so there is something to do.', 'quiet'])
-    panel.enter('Value of condition 1', '4', ['change'])
+    enter(panel, 'Value of condition 1', '4', ['change'])
     await answer(factsOf())
     expect(now()).toEqual(['The circles meet this already. Move them, so that there is something to do.', 'wrong'])
-    panel.enter('Value of condition 1', '5', ['change'])
+    enter(panel, 'Value of condition 1', '5', ['change'])
     await answer(factsOf())
-    panel.enter('Readers may', 'look', ['change'])
+    enter(panel, 'Readers may', 'look', ['change'])
     expect(now()).toEqual(['Readers who may only look cannot solve this.', 'wrong'])
-    panel.enter('Circle of condition 1', '9', ['change'])
+    enter(panel, 'Circle of condition 1', '9', ['change'])
     expect(now()).toEqual(['There is no circle 9.', 'wrong'])
-    panel.press('Remove condition 1')
+    press(panel, 'Remove condition 1')
     expect(now()).toEqual(['Without a condition, the frame shows the text alone.', 'quiet'])
     expect(await frameNow()).toEqual({ readonly: true })
   })
@@ -383,10 +393,10 @@ describe('the form for a question', () => {
     makeQuestion()
     const [late, ...others] = answers.splice(0)
     expect(others).toHaveLength(1)
-    panel.enter('Value of condition 1', '4', ['change'])
+    enter(panel, 'Value of condition 1', '4', ['change'])
     late?.(factsOf())
     await settled()
-    expect(panel.querySelector('.condition small')?.text).toBe('')
+    expect(textOf(panel.querySelector('.condition small'))).toBe('')
   })
 
   it('measures again after an edit while it is open', () => {
@@ -407,16 +417,16 @@ describe('the form for a question', () => {
     const frame: LinkFrame = { title: 'T', question: 'Q?', check, readonly: true, alt: 'A', lang: 'de-AT' }
     const { panel, actions, frameNow, asked, answer } = mounted(frame)
     await answer(factsOf())
-    expect(panel.querySelector('code')?.text).toBe(JSON.stringify(check))
+    expect(textOf(panel.querySelector('code'))).toBe(JSON.stringify(check))
     expect(asked.at(-1)).toEqual([1])
     expect(await frameNow()).toEqual({ ...frame, lang: 'de' })
-    panel.press('Add a condition')
+    press(panel, 'Add a condition')
     expect(await frameNow()).toMatchObject({ check: { all: [check, { cell: 0, edges: 3 }] } })
-    panel.press('Remove this condition')
+    press(panel, 'Remove this condition')
     expect(await frameNow()).toMatchObject({ check: { cell: 0, edges: 3 } })
     const again = () => {
-      stub.element('share-button').click()
-      stub.element('share-button').click()
+      buttonOf('share').click()
+      buttonOf('share').click()
     }
     again()
     expect(await frameNow(), 'kept').toMatchObject({ check: { cell: 0, edges: 3 }, title: 'T' })
@@ -435,6 +445,6 @@ describe('the form for a question', () => {
   ])('of %j is closed: %s', async (frame, isClosed) => {
     const { answer } = mounted(frame)
     await answer(factsOf())
-    expect(stub.element('make-question').hidden).toBe(isClosed)
+    expect(element('make-question').hidden).toBe(isClosed)
   })
 })

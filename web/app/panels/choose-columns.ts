@@ -48,7 +48,7 @@ function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
           draw()
         }}
       >
-        ${heading.map((name, k) => html`<option value=${k} ?selected=${k === value}>${name}</option>`)}
+        ${heading.map((name, k) => html`<option value=${k} .selected=${k === value}>${name}</option>`)}
         ${more}
       </select>
     </label>
@@ -79,7 +79,7 @@ function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
               (column) => {
                 r = column
               },
-              html`<option value=${SAME} ?selected=${r === SAME}>the same for all</option>`,
+              html`<option value=${SAME} .selected=${r === SAME}>the same for all</option>`,
             )}
             ${
               r === SAME
