@@ -57,11 +57,19 @@ Object.assign(globalThis, {
   },
 })
 
+const listen = document.addEventListener.bind(document)
+let listening = new AbortController()
+
 /** Fills the document, usually with the markup of the page. Tests end with `vi.unstubAllGlobals()`. */
 export function openPage(body = BODY) {
   document.body.innerHTML = body
   document.body.className = ''
   localStorage.clear()
+  listening.abort()
+  listening = new AbortController()
+  const { signal } = listening
+  document.addEventListener = (type: string, listener: EventListener, options?: boolean | AddEventListenerOptions) =>
+    listen(type, listener, { signal, ...(typeof options === 'object' ? options : { capture: options === true }) })
   const media = Object.assign(new EventTarget(), { matches: false })
   vi.stubGlobal('matchMedia', () => media)
   return { media }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clipboard, drops and fields of the page, on a document without a browser.
+// Clipboard, drops and fields of the page.
+// @vitest-environment happy-dom
+import { render } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FileActions } from '../../web/app/files/file-actions.ts'
 import { listenToPresses } from '../../web/app/input/after-press.ts'
@@ -15,83 +17,15 @@ import { mountToolbar } from '../../web/app/panels/toolbar.ts'
 import type { Editing } from '../../web/editing/editing.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore, type Store } from '../../web/editing/store.ts'
-
-/** A stub of an element. */
-class FakeElement extends EventTarget {
-  readonly inside: string | undefined
-  readonly attributes = new Map<string, string>()
-  hidden = false
-  textContent = ''
-  title = ''
-  value = ''
-  focused = 0
-  disabled = false
-  constructor(inside?: string) {
-    super()
-    this.inside = inside
-  }
-  get valueAsNumber() {
-    return this.value === '' ? Number.NaN : Number(this.value)
-  }
-  closest(selectors: string) {
-    return this.inside !== undefined && selectors.split(', ').includes(this.inside) ? this : null
-  }
-  contains() {
-    return false
-  }
-  matches() {
-    return false
-  }
-  append() {}
-  setAttribute(name: string, value: string) {
-    this.attributes.set(name, value)
-  }
-  focus() {
-    this.focused += 1
-  }
-}
+import { controls, element, openPage, press, send } from './page-document.ts'
 
 const OWN = 'application/x-circle-voronoi'
 
-let page: EventTarget & { body: { classList: Set<string> & { remove?: (name: string) => void } } }
-let isTextSelected = false
-const elements = new Map<string, FakeElement>()
-beforeEach(() => {
-  const classes = Object.assign(new Set<string>(), { remove: (name: string) => classes.delete(name) })
-  elements.clear()
-  page = Object.assign(new EventTarget(), {
-    body: { classList: classes },
-    activeElement: undefined,
-    getSelection: () => ({ isCollapsed: !isTextSelected }),
-    getElementById: (id: string) => {
-      if (!elements.has(id)) elements.set(id, new FakeElement())
-      return elements.get(id)
-    },
-  })
-  isTextSelected = false
-  vi.stubGlobal('document', page)
-  for (const name of [
-    '',
-    'HTML',
-    'HTMLInput',
-    'HTMLButton',
-    'HTMLParagraph',
-    'HTMLHeading',
-    'HTMLUList',
-    'HTMLSelect',
-  ]) {
-    vi.stubGlobal(`${name}Element`, FakeElement)
-  }
+beforeEach(() => void openPage())
+afterEach(() => {
+  vi.unstubAllGlobals()
+  vi.restoreAllMocks()
 })
-afterEach(() => vi.unstubAllGlobals())
-
-/** Sends an event to the page and returns it. */
-function send(type: string, more: object, target: EventTarget = page) {
-  const event = Object.assign(new Event(type, { cancelable: true }), more)
-  Object.defineProperty(event, 'target', { value: target })
-  page.dispatchEvent(event)
-  return event
-}
 
 class Data {
   readonly kinds = new Map<string, string>()
@@ -113,20 +47,20 @@ describe('what may move where a pointer is pressed', () => {
   })
 
   it.each(['pointerup', 'pointercancel'])('is done at once, or after the click of a press that ends with %s', (end) => {
-    const afterPress = listenToPresses(page as unknown as Document)
+    const afterPress = listenToPresses(document)
     const done: string[] = []
     afterPress(() => done.push('at once'))
-    send('pointerdown', {})
+    send(document, 'pointerdown')
     afterPress(() => done.push('after the press'))
     vi.runAllTimers()
     expect(done).toEqual(['at once'])
-    send(end, {})
+    send(document, end)
     expect(done).toEqual(['at once'])
     vi.runAllTimers()
     expect(done).toEqual(['at once', 'after the press'])
     afterPress(() => done.push('again at once'))
-    send('pointerdown', {})
-    send(end, {})
+    send(document, 'pointerdown')
+    send(document, end)
     vi.runAllTimers()
     expect(done).toHaveLength(3)
   })
@@ -134,11 +68,11 @@ describe('what may move where a pointer is pressed', () => {
 
 describe('a number field that is left with an invalid number', () => {
   const field = (value: string) => {
-    const isValid = () => Number(added.value) >= 0
-    const added = Object.assign(new FakeElement(), { type: 'number', value, checkValidity: isValid })
+    const added = Object.assign(document.createElement('input'), { type: 'number', min: '0', value })
+    document.body.append(added)
     return added
   }
-  beforeEach(() => restoreInvalidNumbers(page as unknown as Document))
+  beforeEach(() => restoreInvalidNumbers(document))
 
   it.each([
     ['the number at the start', ['focusin'], '3'],
@@ -147,20 +81,20 @@ describe('a number field that is left with an invalid number', () => {
   ])('gets %s back', (_, steps, restored) => {
     const typed = field('3')
     for (const step of steps) {
-      if (Number.isNaN(Number(step))) send(step, {}, typed)
+      if (Number.isNaN(Number(step))) send(typed, step)
       else typed.value = step
     }
     typed.value = '-1'
-    send('focusout', {}, typed)
+    send(typed, 'focusout')
     expect(typed.value).toBe(restored)
   })
 
   it('keeps a valid number, and each field has its own', () => {
     const [first, second] = [field('1'), field('2')]
-    for (const each of [first, second]) send('focusin', {}, each)
+    for (const each of [first, second]) send(each, 'focusin')
     first.value = '4'
     second.value = '-1'
-    for (const each of [first, second]) send('focusout', {}, each)
+    for (const each of [first, second]) send(each, 'focusout')
     expect([first.value, second.value]).toEqual(['4', '2'])
   })
 })
@@ -181,7 +115,7 @@ describe('the clipboard', () => {
     const { held } = listening()
     held.push({ id: 9, circle: { x: -4, y: 0, r: 1e-9 } })
     const clipboardData = new Data()
-    expect(send('copy', { clipboardData }).defaultPrevented).toBe(true)
+    expect(send(document, 'copy', { clipboardData }).defaultPrevented).toBe(true)
     expect([...clipboardData.kinds]).toEqual([
       [OWN, '[[1,2,0.5],[-4,0,1e-9]]'],
       ['text/plain', '1\t2\t0.5\n-4\t0\t1e-9\n'],
@@ -190,15 +124,15 @@ describe('the clipboard', () => {
 
   it('is left to the browser in a field, where text is selected, and where no circle is', () => {
     const { done, held } = listening()
-    const refused = (target?: EventTarget) => {
+    const refused = (target: EventTarget = document) => {
       const clipboardData = new Data()
-      expect(send('cut', { clipboardData }, target).defaultPrevented).toBe(false)
+      expect(send(target, 'cut', { clipboardData }).defaultPrevented).toBe(false)
       expect(clipboardData.kinds.size).toBe(0)
     }
-    refused(new FakeElement('input'))
-    isTextSelected = true
+    refused(element('field-name'))
+    const selected = vi.spyOn(document, 'getSelection').mockReturnValue({ isCollapsed: false } as Selection)
     refused()
-    isTextSelected = false
+    selected.mockRestore()
     held.length = 0
     refused()
     expect(done).toEqual([])
@@ -207,11 +141,11 @@ describe('the clipboard', () => {
   it('keeps pasted circles from being opened as a file, and nothing else', () => {
     listening()
     const others: string[] = []
-    page.addEventListener('paste', (event) => others.push((event as ClipboardEvent).clipboardData?.getData(OWN) ?? ''))
+    document.addEventListener('paste', ({ clipboardData }) => others.push(clipboardData?.getData(OWN) ?? ''))
     for (const text of ['[[1,2,3]]', '[]']) {
       const clipboardData = new Data()
       clipboardData.setData(OWN, text)
-      send('paste', { clipboardData })
+      send(document, 'paste', { clipboardData })
     }
     expect(others).toEqual(['[]'])
   })
@@ -220,11 +154,11 @@ describe('the clipboard', () => {
     const { done } = listening()
     const clipboardData = new Data()
     const circles = [{ x: 1, y: 2, r: 0.5 }]
-    send('cut', { clipboardData })
-    send('paste', { clipboardData })
-    send('paste', { clipboardData })
-    send('copy', { clipboardData })
-    expect(send('paste', { clipboardData }).defaultPrevented).toBe(true)
+    send(document, 'cut', { clipboardData })
+    send(document, 'paste', { clipboardData })
+    send(document, 'paste', { clipboardData })
+    send(document, 'copy', { clipboardData })
+    expect(send(document, 'paste', { clipboardData }).defaultPrevented).toBe(true)
     expect(done).toEqual([['remove'], ['paste', circles, 1], ['paste', circles, 2], ['paste', circles, 1]])
   })
 
@@ -234,7 +168,7 @@ describe('the clipboard', () => {
       const { done } = listening()
       const clipboardData = new Data()
       clipboardData.setData(OWN, text)
-      expect(send('paste', { clipboardData }).defaultPrevented).toBe(false)
+      expect(send(document, 'paste', { clipboardData }).defaultPrevented).toBe(false)
       expect(done).toEqual([])
     },
   )
@@ -254,20 +188,20 @@ describe('what is dropped', () => {
 
   it('is announced until it has left the page or was dropped', async () => {
     const opened = listening()
-    const { classList } = page.body
+    const { classList } = document.body
     const over = () => {
-      expect(send('dragover', {}).defaultPrevented, 'else the browser would go to the file').toBe(true)
+      expect(send(document, 'dragover').defaultPrevented, 'else the browser would go to the file').toBe(true)
       expect([...classList]).toEqual(['dropping'])
     }
     over()
-    send('dragleave', { relatedTarget: new FakeElement() })
+    send(document, 'dragleave', { relatedTarget: element('figure') })
     expect([...classList], 'only from one element to another').toEqual(['dropping'])
-    send('dragleave', { relatedTarget: null })
+    send(document, 'dragleave', { relatedTarget: null })
     expect([...classList]).toEqual([])
     over()
     const dataTransfer = new Data()
     dataTransfer.files = ['a.csv']
-    expect(send('drop', { dataTransfer }).defaultPrevented).toBe(true)
+    expect(send(document, 'drop', { dataTransfer }).defaultPrevented).toBe(true)
     expect([...classList]).toEqual([])
     await vi.waitFor(() => expect(opened).toEqual(['a.csv']))
   })
@@ -276,11 +210,13 @@ describe('what is dropped', () => {
     const opened = listening()
     const clipboardData = new Data()
     clipboardData.setData('text/plain', ' \n')
-    expect(send('paste', { clipboardData }).defaultPrevented).toBe(false)
+    expect(send(document, 'paste', { clipboardData }).defaultPrevented).toBe(false)
     clipboardData.setData('text/plain', '1,2,3')
-    expect(send('paste', { clipboardData }, new FakeElement('textarea')).defaultPrevented).toBe(false)
+    const textarea = document.createElement('textarea')
+    document.body.append(textarea)
+    expect(send(textarea, 'paste', { clipboardData }).defaultPrevented).toBe(false)
     expect(opened).toEqual([])
-    expect(send('paste', { clipboardData }).defaultPrevented).toBe(true)
+    expect(send(document, 'paste', { clipboardData }).defaultPrevented).toBe(true)
     await vi.waitFor(() => expect(opened).toEqual(['1,2,3']))
   })
 
@@ -288,7 +224,7 @@ describe('what is dropped', () => {
     const opened = listening(() => Promise.reject(new Error('no network')))
     const dataTransfer = new Data()
     dataTransfer.files = ['a.csv']
-    send('drop', { dataTransfer })
+    send(document, 'drop', { dataTransfer })
     await vi.waitFor(() => expect(opened).toEqual([NOT_LOADED]))
   })
 })
@@ -312,17 +248,17 @@ describe('the fields of the selected circle', () => {
     const frames: (() => void)[] = []
     vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
     const focusNumbers = mountInspector(store, actions as unknown as PageActions)
-    const [x, y, r] = ['x', 'y', 'r'].map((name) => elements.get(`field-${name}`) as FakeElement)
+    const fields = ['x', 'y', 'r'].map((name) => element<HTMLInputElement>(`field-${name}`))
     const change = (more: Partial<State>) => {
       store.update((state) => ({ ...state, ...more }))
       for (const frame of frames.splice(0)) frame()
     }
-    const type = (field: FakeElement | undefined, text: string, types = ['input', 'change']) => {
+    const type = (field: HTMLInputElement | undefined, text: string, types = ['input', 'change']) => {
       if (field === undefined) throw new Error('There is no such field.')
       field.value = text
-      for (const type of types) field.dispatchEvent(new Event(type))
+      for (const type of types) send(field, type)
     }
-    return { set, held, state: store.get, fields: [x, y, r] as FakeElement[], change, type, focusNumbers }
+    return { set, held, state: store.get, fields, change, type, focusNumbers }
   }
 
   it('set the number that each is for', () => {
@@ -347,23 +283,23 @@ describe('the fields of the selected circle', () => {
     change({ selected: undefined, circle: undefined })
     type(fields[0], '9')
     expect(set).toEqual([])
-    expect(elements.get('inspector')?.hidden).toBe(true)
+    expect(element('inspector').hidden).toBe(true)
   })
 
   it('keep what is being typed, and say that it was refused, until they are left', () => {
     const { fields, change, type, state } = mounted()
     const [x, y] = fields
-    type(x, '-', ['input'])
+    type(x, '40', ['input'])
     change({ circle: { x: 5, y: 6, r: 3 }, problem: 'no number' })
-    expect([x?.value, y?.value]).toEqual(['-', '6'])
-    expect([x, y].map((field) => field?.attributes.get('aria-invalid'))).toEqual(['true', 'false'])
+    expect([x?.value, y?.value]).toEqual(['40', '6'])
+    expect([x, y].map((field) => field?.getAttribute('aria-invalid'))).toEqual(['true', 'false'])
     x?.dispatchEvent(new Event('blur'))
     // Neither the refused value nor its error remains.
     expect(x?.value).toBe('5')
     expect(state().problem).toBe('')
     change({ problem: '', circle: { x: 8, y: 6, r: 4 } })
     expect(x?.value).toBe('8')
-    expect(x?.attributes.get('aria-invalid')).toBe('false')
+    expect(x?.getAttribute('aria-invalid')).toBe('false')
   })
 
   it('take back only the error of what was refused, not one that came while the pointer was pressed', () => {
@@ -372,10 +308,10 @@ describe('the fields of the selected circle', () => {
     for (const problem of ['no number', 'no file']) {
       type(fields[0], '-', ['input'])
       change({ problem: 'no number' })
-      send('pointerdown', {})
+      send(document, 'pointerdown')
       fields[0]?.dispatchEvent(new Event('blur'))
       change({ problem })
-      send('pointerup', {})
+      send(document, 'pointerup')
       vi.runAllTimers()
       expect(state().problem).toBe(problem === 'no file' ? problem : '')
     }
@@ -385,10 +321,11 @@ describe('the fields of the selected circle', () => {
   it('give the focus back to the figure at Escape', () => {
     const { fields, focusNumbers } = mounted()
     focusNumbers()
-    expect(fields[0]?.focused).toBe(1)
-    const figure = elements.get('figure') as FakeElement
-    for (const key of ['a', 'Escape']) fields[1]?.dispatchEvent(Object.assign(new Event('keydown'), { key }))
-    expect(figure.focused).toBe(1)
+    expect(document.activeElement).toBe(fields[0])
+    send(fields[1] as HTMLElement, 'keydown', { key: 'a' })
+    expect(document.activeElement).toBe(fields[0])
+    send(fields[1] as HTMLElement, 'keydown', { key: 'Escape' })
+    expect(document.activeElement).toBe(element('figure'))
   })
 })
 
@@ -399,12 +336,12 @@ describe('the name and the color of the selected circle', () => {
   const draw = () => {
     for (const frame of frames.splice(0)) frame()
   }
-  const element = (id: string) => elements.get(id) as FakeElement
-  const send = (id: string, type: string, more: object = {}) => {
-    const event = Object.assign(new Event(type, { bubbles: true }), more)
-    Object.defineProperty(event, 'target', { value: element(id) })
+  const field = (name: string) => element<HTMLInputElement>(`field-${name}`)
+  /** Whether other elements do not get to know of the key. */
+  const pressKey = (key: string) => {
+    const event = Object.assign(new Event('keydown', { bubbles: true }), { key })
     const stop = vi.spyOn(event, 'stopPropagation')
-    element(id).dispatchEvent(event)
+    field('name').dispatchEvent(event)
     return stop.mock.calls.length > 0
   }
 
@@ -440,12 +377,17 @@ describe('the name and the color of the selected circle', () => {
 
   it('are those of the circle', () => {
     const { select } = mounted()
-    const shown = () => ['inspector-title', 'field-name', 'field-color'].map((id) => Object.values(element(id)))
-    expect([element('inspector-title').textContent, element('field-name').value]).toEqual(['Ulm', 'Ulm'])
-    expect(element('field-color').value).toBe('#aa0000')
+    const shown = () => [
+      element('inspector-title').textContent,
+      field('name').value,
+      field('color').value,
+      field('name').placeholder,
+    ]
+    expect([element('inspector-title').textContent, field('name').value]).toEqual(['Ulm', 'Ulm'])
+    expect(field('color').value).toBe('#aa0000')
     select(4, { described: { color: '#00bb00' } as never })
-    expect([element('inspector-title').textContent, element('field-name').value]).toEqual(['Circle 4', ''])
-    expect(element('field-color').value).toBe('#00bb00')
+    expect([element('inspector-title').textContent, field('name').value]).toEqual(['Circle 4', ''])
+    expect(field('color').value).toBe('#00bb00')
     const before = shown()
     select(undefined)
     expect(shown()).toEqual(before)
@@ -454,59 +396,60 @@ describe('the name and the color of the selected circle', () => {
   it('a name that is being written stays while the circle changes, and is for the circle it was begun for', () => {
     const { select } = mounted()
     const type = (text: string) => {
-      element('field-name').value = text
-      send('field-name', 'input')
+      field('name').value = text
+      send(field('name'), 'input')
     }
     type(' Bonn ')
     select(3, { attributes: { ...INITIAL_STATE.attributes } })
-    expect(element('field-name').value).toBe(' Bonn ')
+    expect(field('name').value).toBe(' Bonn ')
     select(4)
-    expect(element('field-name').value).toBe('')
-    element('field-name').value = 'Bonn'
-    send('field-name', 'change')
+    expect(field('name').value).toBe('')
+    field('name').value = 'Bonn'
+    send(field('name'), 'change')
     expect(done).toEqual([['name', 3, 'Bonn']])
     // An unchanged name is not written again.
-    send('field-name', 'change')
+    send(field('name'), 'change')
     select(3)
     type('Kiel')
-    expect(send('field-name', 'keydown', { key: 'a' })).toBe(false)
-    expect(send('field-name', 'keydown', { key: 'Escape' }), 'the panel stays open').toBe(true)
-    expect([element('field-name').value, element('figure').focused]).toEqual(['Ulm', 1])
-    send('field-name', 'change')
+    expect(pressKey('a')).toBe(false)
+    expect(pressKey('Escape'), 'the panel stays open').toBe(true)
+    expect([field('name').value, document.activeElement]).toEqual(['Ulm', element('figure')])
+    send(field('name'), 'change')
     type('Ulm')
-    send('field-name', 'keydown', { key: 'Enter' })
+    pressKey('Enter')
     expect(done).toHaveLength(1)
   })
 
   it('a color that is picked is one step, however many are tried', () => {
     mounted()
-    element('field-color').value = '#123456'
-    for (const type of ['input', 'input', 'change', 'input']) send('field-color', type)
+    field('color').value = '#123456'
+    for (const type of ['input', 'input', 'change', 'input']) send(field('color'), type)
     expect(done.map(([, , , gesture]) => gesture)).toEqual([1, 1, 2])
     expect(done[0]).toEqual(['color', [3], '#123456', 1])
   })
 
   it('a color that is being picked is not replaced', () => {
     const { select } = mounted()
-    Object.assign(page, { activeElement: element('field-color') })
+    field('color').focus()
     select(4, { described: { color: '#00bb00' } as never })
-    expect(element('field-color').value).toBe('#aa0000')
+    expect(field('color').value).toBe('#aa0000')
   })
 
   it('the figure has the focus again after a button of the selection', () => {
     const { actions } = mounted()
-    const buttons = selectionActions(actions, [4]).values.filter((value) => typeof value === 'function')
-    expect(buttons).toHaveLength(3)
-    ;(buttons[0] as () => void)()
-    expect([done, element('figure').focused]).toEqual([[['zoom']], 1])
+    const place = document.createElement('div')
+    render(selectionActions(actions, [4]), place)
+    expect(controls(place).size).toBe(3)
+    press(place, 'Zoom to')
+    expect([done, document.activeElement]).toEqual([[['zoom']], element('figure')])
     // A circle with a color of its own can have an automatic one.
-    expect(selectionActions(actions, [3, 4]).values[0]).not.toBe(selectionActions(actions, [4]).values[0])
+    render(selectionActions(actions, [3, 4]), place)
+    expect([...controls(place).keys()]).toContain('Automatic color')
   })
 })
 
 describe('the toolbar', () => {
-  beforeEach(() => vi.stubGlobal('Option', FakeElement))
-  const button = (id: string) => elements.get(id) as FakeElement
+  const button = (id: string) => element<HTMLButtonElement>(id)
 
   it('has undo and redo where there is something to undo and to redo, and the tool in use pressed', () => {
     let show = (_: State) => {}
@@ -526,7 +469,7 @@ describe('the toolbar', () => {
     }
     for (const tool of ['select', 'pan', 'add', 'draw'] as const) {
       show({ ...INITIAL_STATE, tool })
-      const pressed = ['select', 'pan', 'add'].filter((id) => button(id).attributes.get('aria-pressed') === 'true')
+      const pressed = ['select', 'pan', 'add'].filter((id) => button(id).getAttribute('aria-pressed') === 'true')
       expect(pressed).toEqual(tool === 'draw' ? [] : [tool])
     }
   })
@@ -544,9 +487,11 @@ describe('the toolbar', () => {
     )
     const store = { get: () => INITIAL_STATE, subscribe() {} }
     mountToolbar(store as unknown as Store<State>, actions as PageActions, () => done.push(['more']))
-    for (const id of ['select', 'pan', 'add', 'undo', 'redo', 'again']) button(id).dispatchEvent(new Event('click'))
+    for (const id of ['select', 'pan', 'add', 'undo', 'redo', 'again']) button(id).click()
+    const menu = element<HTMLSelectElement>('data-set')
     for (const value of ['spruces', 'more']) {
-      Object.assign(button('data-set'), { value }).dispatchEvent(new Event('change'))
+      menu.value = value
+      send(menu, 'change')
     }
     expect(done).toEqual([
       ['useTool', 'select'],
@@ -559,6 +504,6 @@ describe('the toolbar', () => {
       ['more'],
     ])
     // The menu shows the open circles again.
-    expect(button('data-set').value).toBe('')
+    expect(menu.value).toBe('')
   })
 })

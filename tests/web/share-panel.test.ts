@@ -419,6 +419,8 @@ describe('the form for a question', () => {
     await answer(factsOf())
     expect(textOf(panel.querySelector('code'))).toBe(JSON.stringify(check))
     expect(asked.at(-1)).toEqual([1])
+    const chosen = (...labels: string[]) => labels.map((label) => chosenOf(control(panel, label)))
+    expect(chosen('Readers may', 'Language')).toEqual(['only look', 'German'])
     expect(await frameNow()).toEqual({ ...frame, lang: 'de' })
     press(panel, 'Add a condition')
     expect(await frameNow()).toMatchObject({ check: { all: [check, { cell: 0, edges: 3 }] } })
@@ -430,9 +432,26 @@ describe('the form for a question', () => {
     }
     again()
     expect(await frameNow(), 'kept').toMatchObject({ check: { cell: 0, edges: 3 }, title: 'T' })
-    actions.frame = { title: 'Other', check: { any: [{ cell: 1, x: { min: 2 } }, { circles: 3 }] } }
+    actions.frame = {
+      title: 'Other',
+      check: {
+        any: [
+          { cell: 1, x: { max: 2 } },
+          { cell: 1, bounded: false },
+        ],
+      },
+    }
     again()
     expect(await frameNow()).toEqual({ ...actions.frame, question: expect.stringMatching(/ or /) })
+    await answer(factsOf())
+    const kinds = [1, 2].map((k) => `What condition ${k} is about`)
+    expect(chosen('Readers may', 'Language', 'How many conditions are needed', ...kinds)).toEqual([
+      'edit circles',
+      'English',
+      'one of these is met',
+      ...['x', 'bounded'].map((kind) => KINDS.find(({ name }) => name === kind)?.label),
+    ])
+    expect(chosen('Comparison of condition 1', 'Value of condition 2')).toEqual(['at most', 'no'])
     actions.frame = undefined
     again()
     expect(await frameNow(), 'kept').toMatchObject({ title: 'Other' })
