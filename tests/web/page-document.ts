@@ -4,58 +4,9 @@ import { vi } from 'vitest'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import type { Store } from '../../web/editing/store.ts'
 import html from '../../web/index.html?raw'
+import './happy-dom-fixes.ts'
 
 const [BODY = ''] = /<main>.*<\/main>/s.exec(html) ?? []
-
-const menus = HTMLSelectElement.prototype as unknown as Record<symbol, (option?: unknown) => void>
-const update = Object.getOwnPropertySymbols(menus).find(({ description }) => description === 'updateSelectedness')
-const updated = menus[update as symbol]
-const former = new WeakMap<HTMLSelectElement, HTMLOptionElement | undefined>()
-// happy-dom 21.0.4 selects a wrong option where one that is selected is inserted. Browsers select the inserted one.
-menus[update as symbol] = function (this: HTMLSelectElement, option?: unknown) {
-  const selected = all(this, 'option').filter((one) => one.selected)
-  updated?.call(this, option ?? selected.find((one) => one !== former.get(this)) ?? selected[0])
-  former.set(
-    this,
-    all(this, 'option').find((one) => one.selected),
-  )
-}
-
-// happy-dom 21.0.4 reflects no ARIA attributes.
-for (const name of [
-  'Busy',
-  'ColCount',
-  'ColIndex',
-  'Hidden',
-  'Invalid',
-  'Label',
-  'Live',
-  'MultiSelectable',
-  'Pressed',
-  'ReadOnly',
-  'RowCount',
-  'RowIndex',
-  'Selected',
-  'Sort',
-]) {
-  const attribute = `aria-${name.toLowerCase()}`
-  Object.defineProperty(Element.prototype, `aria${name}`, {
-    get(this: Element) {
-      return this.getAttribute(attribute)
-    },
-    set(this: Element, value: string | null) {
-      if (value === null) this.removeAttribute(attribute)
-      else this.setAttribute(attribute, value)
-    },
-  })
-}
-
-// happy-dom 21.0.4 has no constructor of options.
-Object.assign(globalThis, {
-  Option: function Option(text: string, value: string) {
-    return Object.assign(document.createElement('option'), { text, value })
-  },
-})
 
 const listen = document.addEventListener.bind(document)
 let listening = new AbortController()

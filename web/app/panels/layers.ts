@@ -88,10 +88,10 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
     return html`
       <div class="layer">
         <label for="candidates">Candidates</label>
-        <select id="candidates" .value=${candidates} @change=${choose}>
+        <select id="candidates" @change=${choose}>
           ${CANDIDATES.map(
             (name) =>
-              html`<option value=${name} ?selected=${name === candidates} ?disabled=${name === 'all-pairs' && circles > MOST_PAIRED}>
+              html`<option value=${name} .selected=${name === candidates} ?disabled=${name === 'all-pairs' && circles > MOST_PAIRED}>
                 ${CANDIDATE_NAMES[name]}
               </option>`,
           )}
@@ -127,17 +127,13 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
       ${toggle('circles', 'Circles')} ${toggle('labels', 'Names')}
       <div class="layer">
         ${pictureOf('cells')}<label for="cell-colors">Colors</label>
-        <select
-          id="cell-colors"
-          .value=${layers.column === undefined ? layers.cells : COLUMN + layers.column.name}
-          @change=${chooseColors}
-        >
-          ${CELL_COLORS.map((name) => html`<option value=${name} ?selected=${layers.column === undefined && name === layers.cells}>${COLOR_NAMES[name]}</option>`)}
+        <select id="cell-colors" @change=${chooseColors}>
+          ${CELL_COLORS.map((name) => html`<option value=${name} .selected=${layers.column === undefined && name === layers.cells}>${COLOR_NAMES[name]}</option>`)}
           ${
             attributes.columns.length === 0
               ? nothing
               : html`<optgroup label="Columns of the file">
-                  ${attributes.columns.map(({ name }) => html`<option value=${COLUMN + name} ?selected=${layers.column?.name === name}>${name}</option>`)}
+                  ${attributes.columns.map(({ name }) => html`<option value=${COLUMN + name} .selected=${layers.column?.name === name}>${name}</option>`)}
                 </optgroup>`
           }
         </select>

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Corrections of happy-dom 21.0.4.
+
+const menus = HTMLSelectElement.prototype as unknown as Record<symbol, (option?: unknown) => void>
+const update = Object.getOwnPropertySymbols(menus).find(({ description }) => description === 'updateSelectedness')
+const updated = menus[update as symbol]
+const former = new WeakMap<HTMLSelectElement, HTMLOptionElement | undefined>()
+// A wrong option is selected where one that is selected is inserted. Browsers select the inserted one.
+menus[update as symbol] = function (this: HTMLSelectElement, option?: unknown) {
+  const selected = [...this.options].filter((one) => one.selected)
+  updated?.call(this, option ?? selected.find((one) => one !== former.get(this)) ?? selected[0])
+  former.set(this, this.selectedOptions[0])
+}
+
+// ARIA attributes are not reflected.
+const REFLECTED =
+  'Busy ColCount ColIndex Hidden Invalid Label Live MultiSelectable Pressed ReadOnly RowCount RowIndex Selected Sort'
+for (const name of REFLECTED.split(' ')) {
+  const attribute = `aria-${name.toLowerCase()}`
+  Object.defineProperty(Element.prototype, `aria${name}`, {
+    get(this: Element) {
+      return this.getAttribute(attribute)
+    },
+    set(this: Element, value: string | null) {
+      if (value === null) this.removeAttribute(attribute)
+      else this.setAttribute(attribute, value)
+    },
+  })
+}
+
+// Options have no constructor.
+Object.assign(globalThis, {
+  Option: function Option(text: string, value: string) {
+    return Object.assign(document.createElement('option'), { text, value })
+  },
+})
