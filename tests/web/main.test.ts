@@ -139,7 +139,12 @@ async function started(
   const window = new EventTarget()
   vi.stubGlobal('location', address)
   vi.stubGlobal('window', window)
-  Object.assign(stub.element('first-picture'), { remove: () => removed.push('first picture') })
+  Object.assign(stub.element('first-picture'), {
+    remove: () => {
+      removed.push('first picture')
+      world.done.push(['remove'])
+    },
+  })
   let paint = () => {}
   Object.assign(world.results, {
     begin: Promise.resolve(kept),
@@ -215,7 +220,7 @@ describe('the first scene', () => {
     const { removed, count } = await started('#v1.a', { kept: 'v1.b' })
     expect([world.last.openLink, count('load'), count('askAhead'), count('driftAtStart')]).toEqual([['v1.b'], 0, 0, 0])
     // The picture of another scene is removed at once.
-    expect(removed[0]).toBe('first picture')
+    expect([removed[0], world.done[0]]).toEqual(['first picture', ['remove']])
     expect(count('changed')).toBe(0)
   })
 

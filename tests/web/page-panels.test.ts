@@ -30,7 +30,8 @@ vi.mock('lit/html.js', async (load) => ({
   render: (await import('./page-document.ts')).render,
 }))
 vi.mock('../../web/app/motion/film.ts', () => ({ filmed: vi.fn() }))
-const { saved, charts, grids } = vi.hoisted(() => ({
+const { saved, charts, grids, world } = vi.hoisted(() => ({
+  world: { isTableBroken: false },
   saved: [] as unknown[],
   charts: [] as unknown[][],
   grids: [] as unknown[][],
@@ -54,6 +55,7 @@ vi.mock('../../web/app/panels/histogram.ts', () => ({
 vi.mock('../../web/app/table/circle-grid.ts', () => ({
   CircleGrid: class {
     constructor(place: unknown) {
+      if (world.isTableBroken) throw new Error('broken')
       grids.push(['new', place])
     }
     update(state: unknown) {
@@ -166,11 +168,10 @@ describe('the panel of circles', () => {
     const { done, generate, panel } = mounted()
     generate.open()
     panel.enter('n', '9', ['change'])
+    vi.spyOn(Math, 'random').mockReturnValueOnce(0.25)
     panel.press('Another seed')
-    expect(done).toEqual([])
-    const seed = Number(panel.control('seed').value)
+    expect([done, panel.control('seed').value]).toEqual([[], '250000'])
     generate.show('dense:5:9')
-    expect(seed).toBeGreaterThanOrEqual(0)
     panel.enter('n', '8', ['change'])
     panel.enter('seed', '6', ['change'])
     panel.press('Another seed')
@@ -454,6 +455,8 @@ describe('the panel of numbers', () => {
     panel.press('Compute')
     await answer({ problem: 'It failed.' })
     expect(panel.querySelector('.wrong')?.text).toBe('It failed.')
+    change({ edited: editedOf(6) })
+    expect(panel.querySelector('.wrong')).toBeNull()
     panel.press('Compute')
     change({ edited: editedOf(7) })
     await answer({ problem: 'It failed.' })
@@ -491,6 +494,16 @@ describe('the panel of the table', () => {
     expect(grids).toEqual([['dispose']])
     change({ selection: [] })
     expect(grids).toHaveLength(1)
+  })
+
+  it('says that the table was not loaded', async () => {
+    world.isTableBroken = true
+    mountTable(stateOf().store, {} as Editing, noting([], {}) as unknown as PageActions, {} as View)
+    stub.element('table-button').click()
+    await imported()
+    await settled()
+    world.isTableBroken = false
+    expect(stub.element('table').text).toMatch(/The table could not be loaded\.$/)
   })
 })
 
