@@ -242,7 +242,10 @@ describe('the card of a circle', () => {
     const { change, chips, card, done } = inspector()
     const show = (...neighbors: number[]) =>
       change({ selected: 1, circle: CIRCLE, described: describedOf(1, { neighbors: Int32Array.from(neighbors) }) })
+    const other = new PageElement()
+    other.focus()
     show(4, 5)
+    expect(stub.page.activeElement).toBe(other)
     chips.control('Kiel').focus()
     show(7)
     expect(stub.page.activeElement).toBe(chips.control('Circle 7'))

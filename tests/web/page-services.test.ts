@@ -263,8 +263,9 @@ describe('all circles', () => {
     resize()
     expect(looked, 'the same circles').toEqual([])
     view.circles = {}
-    actions.isWhole = true
     events.get('changed')?.()
+    // The caller sets the region of the new circles.
+    actions.isWhole = true
     await settled()
     actions.isWhole = false
     resize()
