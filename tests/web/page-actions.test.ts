@@ -239,8 +239,11 @@ describe('colors by a column', () => {
     await actions.open(async () => ({ ...sceneOf(THREE), ...COLUMNS, layers: { column: 'kind' } }) as never)
     expect(fake.layers.column).toMatchObject({ name: 'kind', categories: ['a', 'b'] })
     const { column } = fake.layers
-    expect(await actions.open(() => Promise.reject(new Error('no')))).toBe('refused')
-    expect(fake.layers.column).toBe(column)
+    const refused = { ...sceneOf(Float64Array.of(0, 0, -1)), ...COLUMNS, layers: { column: 'n' } } as never
+    for (const load of [() => Promise.reject(new Error('no')), async () => refused]) {
+      expect(await actions.open(load)).toBe('refused')
+      expect(fake.layers.column).toBe(column)
+    }
   })
 
   it('follow new circles, new values and an opening, and no other edit', async () => {
