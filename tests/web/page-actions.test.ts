@@ -441,6 +441,27 @@ describe('opening', () => {
     expect(editing.scene).toMatchObject({ dataSet: '', isEdited: false })
   })
 
+  it('a link of a data set has its region, unless the link has another one or none', async () => {
+    const own = [
+      [0, 0],
+      [9, 0],
+      [0, 9],
+    ]
+    vi.stubGlobal('document', { baseURI: 'https://a.example/' })
+    vi.stubGlobal('fetch', async ({ href }: URL) => ({
+      ok: true,
+      text: async () => (href.endsWith('.csv') ? 'x,y,r\n1,1,1\n' : JSON.stringify([own])),
+    }))
+    const { actions, domain } = await started()
+    const regionOf = async (more: object) => {
+      expect(await actions.openLink(await encodeLink({ dataSet: 'cities', ...more }))).toBe('opened')
+      return domain().region
+    }
+    expect(await regionOf({})).toEqual([own])
+    expect(await regionOf({ region: REGION })).toEqual(REGION)
+    expect(await regionOf({ region: null })).toBeUndefined()
+  })
+
   it('offers a remedy', async () => {
     const { actions, store } = await started()
     const remedy = { problem: NOT_LOADED, label: 'Again', act() {} }
