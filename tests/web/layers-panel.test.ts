@@ -79,7 +79,7 @@ it.each(SWITCHES)('%s is a switch of its layer', (label, name) => {
     const shown = [...panel.controls.keys()].find((other) => other.startsWith(label)) as string
     expect(panel.control(shown).checked).toBe(isOn)
     panel.enter(shown, !isOn, ['change'])
-    expect(done.pop()).toEqual(['setLayers', { [name]: !isOn }])
+    expect(done.pop()).toStrictEqual(['setLayers', { [name]: !isOn }])
   }
 })
 
@@ -95,7 +95,7 @@ it('colors are by a measure or by a column of the file', () => {
   expect(values).toEqual([...CELL_COLORS, 'column:n'])
   panel.enter('Colors', 'area', ['change'])
   panel.enter('Colors', 'column:n', ['change'])
-  expect(done).toEqual([
+  expect(done).toStrictEqual([
     ['setLayers', { cells: 'area', column: undefined }],
     ['colorBy', 'n'],
   ])
@@ -111,7 +111,7 @@ it('the grid is switched together with snapping', () => {
   change({ isSnapping: true })
   panel.enter('Axes and grid', true, ['change'])
   panel.enter('Axes and grid', false, ['change'])
-  expect(done).toEqual([
+  expect(done).toStrictEqual([
     ['setLayers', { grid: true }],
     ['toggleSnapping'],
     ['setLayers', { grid: true }],
@@ -124,7 +124,7 @@ it('the path goes across the picture, and its clearance and the radius of the la
   const { panel, done, change, layers, path } = mounted()
   panel.enter('Clearest path', true, ['change'])
   panel.enter('Clearest path', false, ['change'])
-  expect(done).toEqual([
+  expect(done).toStrictEqual([
     ['setLayers', { path }],
     ['setLayers', { path: undefined }],
   ])
@@ -155,7 +155,7 @@ it('vertices are merged up to a length, which is at first just above rounding er
   const field = 'Length up to which vertices are merged'
   expect([panel.control(field).value, panel.control(field).limits]).toEqual(['0.5', ['0', null, 'any']])
   for (const text of ['0', '-1', '', '2']) panel.enter(field, text, ['change'])
-  expect(done).toEqual(
+  expect(done).toStrictEqual(
     [{ nearZero: 5e-8 }, { nearZero: undefined }, { nearZero: 0 }, { nearZero: 2 }].map((change) => [
       'setLayers',
       change,
@@ -176,7 +176,7 @@ it('the distance at which cells end grows with the square of the slider, up to a
   expect(panel.querySelector('output')?.text).toBe('3.13')
   panel.enter(slider, '1', ['input'])
   panel.enter(slider, '0.5', ['input'])
-  expect(done).toEqual([1.25, undefined, 12.5, 3.13].map((maxDistance) => ['setLayers', { maxDistance }]))
+  expect(done).toStrictEqual([1.25, undefined, 12.5, 3.13].map((maxDistance) => ['setLayers', { maxDistance }]))
 })
 
 it('candidates are chosen without the former number of samples, all pairs only of few circles', () => {
@@ -185,7 +185,7 @@ it('candidates are chosen without the former number of samples, all pairs only o
   layers({ samples: true })
   expect(panel.control('N_s, samples inside an angle').value).toBe(String(SAMPLES.dynamic.usual))
   panel.enter('Candidates', 'uniform', ['change'])
-  expect(done.pop()).toEqual(['setLayers', { candidates: 'uniform', sampleCount: undefined }])
+  expect(done.pop()).toStrictEqual(['setLayers', { candidates: 'uniform', sampleCount: undefined }])
   layers({ samples: true, candidates: 'uniform', sampleCount: 7 })
   const count = panel.control('m, samples on a circle')
   expect(count.limits).toEqual([String(SAMPLES.uniform.least), String(SAMPLES.uniform.most), '1'])
@@ -195,10 +195,10 @@ it('candidates are chosen without the former number of samples, all pairs only o
     'equally spaced samples',
   ])
   panel.enter('m, samples on a circle', '9', ['change'])
-  expect(done.pop()).toEqual(['setLayers', { sampleCount: 9 }])
+  expect(done.pop()).toStrictEqual(['setLayers', { sampleCount: 9 }])
   count.isValid = false
   panel.enter('m, samples on a circle', '-1', ['change'])
-  expect(done).toEqual([])
+  expect(done).toStrictEqual([])
   const pairs = () => panel.querySelectorAll('option').find(({ text }) => text === 'all pairs of circles')?.disabled
   expect(pairs()).toBe(false)
   change({ edited: countsOf(MOST_PAIRED) })
@@ -234,7 +234,7 @@ it('radii are scaled by a slider, and animated where motion is welcome', () => {
   events.get('motion')?.()
   expect(panel.control('Stop').getAttribute('aria-pressed')).toBe('true')
   panel.press('Stop')
-  expect(done).toEqual([['scale', 0.25], ['start', 'compare'], ['stop']])
+  expect(done).toStrictEqual([['scale', 0.25], ['start', 'compare'], ['stop']])
   radii.share = 0.75
   change({})
   expect(panel.control('Radii').value).toBe('0.75')

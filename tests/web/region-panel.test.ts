@@ -79,7 +79,7 @@ describe('the panel of the region', () => {
   it('draws: begins, closes from three corners on, takes corners back, and cancels', () => {
     const { panel, done, change, pen, says } = mounted()
     panel.press('Draw')
-    expect(done).toEqual([['useTool', 'draw']])
+    expect(done).toStrictEqual([['useTool', 'draw']])
     expect(stub.page.activeElement).toBe(stub.element('figure'))
     change({ tool: 'draw' })
     expect(says()[1]).toMatch(/Inside the region it becomes a hole\.$/)
@@ -96,7 +96,7 @@ describe('the panel of the region', () => {
     }
     done.length = 0
     for (const name of ['Close polygon', 'Undo corner', 'Cancel']) panel.press(name)
-    expect(done).toEqual([['close'], ['undo'], ['useTool', 'select']])
+    expect(done).toStrictEqual([['close'], ['undo'], ['useTool', 'select']])
   })
 
   it('opens a file, the same one again too, and removes the region', async () => {
@@ -110,10 +110,10 @@ describe('the panel of the region', () => {
     input.files = []
     input.dispatchEvent(new Event('change'))
     await settled()
-    expect(done).toEqual([['openRegion', 'a.geojson']])
+    expect(done).toStrictEqual([['openRegion', 'a.geojson']])
     set({ region: [SQUARE] })
     panel.press('Remove region')
-    expect(done[1]).toEqual(['removeRegion'])
+    expect(done[1]).toStrictEqual(['removeRegion'])
     expect(panel.controls.has('Draw more')).toBe(true)
   })
 
@@ -126,7 +126,7 @@ describe('the panel of the region', () => {
     expect(panel.control(MERGE).checked).toBe(false)
     panel.enter(MERGE, true, ['change'])
     await settled()
-    expect(done).toEqual([['setDomain', { region: expect.objectContaining({ dissolve: true }) }]])
+    expect(done).toStrictEqual([['setDomain', { region: expect.objectContaining({ dissolve: true }) }]])
     expect(panel.control(MERGE).checked).toBe(true)
     change({ tool: 'draw' })
     expect(says()[1]).toMatch(/It is merged with the region\.$/)
@@ -148,12 +148,12 @@ describe('areas', () => {
     expect(panel.control(AREAS).options).toEqual(['not fixed', ...Object.values(labels)])
     panel.enter(AREAS, value, ['change'])
     await settled()
-    expect(done).toEqual([[name, { areas }]])
+    expect(done).toStrictEqual([[name, { areas }]])
     expect(panel.control(AREAS).chosen).toBe(labels[value as keyof typeof labels])
     const { areas: given } = store.get().domain
     panel.enter(AREAS, 'free', ['change'])
     await settled()
-    expect(done[1]).toEqual(['setAreas', { areas: undefined }])
+    expect(done[1]).toStrictEqual(['setAreas', { areas: undefined }])
     expect(panel.control(AREAS).chosen).toBe('not fixed')
     set({ areas: given })
     expect(panel.control(AREAS).chosen).toBe(labels[value as keyof typeof labels])
@@ -164,7 +164,7 @@ describe('areas', () => {
     expect([panel.control(AREAS).chosen, panel.control(AREAS).options.at(-1)]).toEqual(['one by one', 'one by one'])
     panel.enter(AREAS, 'own', ['change'])
     await settled()
-    expect(done).toEqual([])
+    expect(done).toStrictEqual([])
     known.isRefused = true
     const select = panel.control(AREAS)
     panel.enter(AREAS, 'equal', ['change'])
@@ -222,7 +222,7 @@ describe('the periodic box', () => {
     expect(says().at(-1)).toMatch(/^Opposite sides are glued together: /)
     panel.enter(REPEAT, false, ['change'])
     await settled()
-    expect(done).toEqual([
+    expect(done).toStrictEqual([
       ['repeat', expect.anything()],
       ['repeat', expect.anything()],
       ['setLattice', { lattice: undefined }],
@@ -326,7 +326,7 @@ describe('the share of the selected cell', () => {
     place.enter(NUMBER, '12', ['change'])
     place.enter(NUMBER, '100', ['change'])
     place.enter(SLIDER, '-1', ['input'])
-    expect(done).toEqual([
+    expect(done).toStrictEqual([
       ['setShare', 3, 0.12, 1],
       ['setShare', 3, 0.99, 2],
       ['setShare', 3, 0.125, 3],
