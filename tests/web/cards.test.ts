@@ -244,7 +244,9 @@ describe('the card of a circle', () => {
     const { change, chips, card, done } = inspector()
     const show = (...neighbors: number[]) =>
       change({ selected: 1, circle: CIRCLE, described: describedOf(1, { neighbors: Int32Array.from(neighbors) }) })
+    element('undo').focus()
     show(4, 5)
+    expect(document.activeElement).toBe(element('undo'))
     control(chips, 'Kiel').focus()
     show(7)
     expect(document.activeElement).toBe(control(chips, 'Circle 7'))

@@ -16,7 +16,7 @@ const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
 
 it('what is selected stays after an edit if it is there, and not after other circles were opened', () => {
   const circles = new CircleTable(TWO.slice())
-  const state = { ...INITIAL_STATE, selection: [1, 7], selected: undefined }
+  const state = { ...INITIAL_STATE, selection: [1, 7], selected: undefined, problem: 'wrong', hovered: 1 }
   const outcome = {
     edited: undefined,
     history: EMPTY_HISTORY,
@@ -25,7 +25,9 @@ it('what is selected stays after an edit if it is there, and not after other cir
   } as unknown as Outcome
   const edited = stateAfter(state, outcome, circles)
   expect([edited.selection, edited.selected, edited.circle]).toEqual([[1], 1, { x: 5, y: 5, r: 2 }])
-  expect(stateAfter(state, { ...outcome, isOpened: true }, circles).selection).toEqual([])
+  expect([edited.problem, edited.hovered]).toEqual(['', 1])
+  const opened = stateAfter({ ...state, described: {} as never }, { ...outcome, isOpened: true }, circles)
+  expect([opened.selection, opened.problem, opened.hovered, opened.described]).toEqual([[], '', undefined, undefined])
 })
 
 /** Editing with an editor of the library as its backend. Each answer arrives a turn later. */

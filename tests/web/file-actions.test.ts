@@ -194,9 +194,11 @@ describe('a file', () => {
     [1, '1 row'],
     [2000, '2,000 rows'],
   ])('with %d invalid rows offers to skip them', async (count, rows) => {
-    const { files, answers, problem, remedy, toast, now } = await started()
+    const { files, answers, done, problem, remedy, toast, now } = await started()
     answers.read = invalid(count)
     expect(await files.openFile(fileOf('1,2,3'))).toBe('refused')
+    // The thread takes over the bytes of each call.
+    expect(done.map(([, bytes]) => bytes)[1]).not.toBe(done[0]?.[1])
     expect([problem(), remedy()?.problem, remedy()?.label, now()]).toEqual([
       'a.csv:2: no number.',
       'a.csv:2: no number.',

@@ -2,6 +2,7 @@
 // Keyboard shortcuts, on elements without a browser.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { EditorActions } from '../../web/editing/editor-actions.ts'
+import { ENGLISH_KEYS, spokenKeys } from '../../web/editing/key-help.ts'
 import { listenToKeyboard } from '../../web/editing/keyboard.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
@@ -276,4 +277,17 @@ describe('the keys of the figure', () => {
       expect([isPage, key, inside, isUsed, stop.mock.calls.length > 0]).toEqual([isPage, key, inside, isUsed, isHidden])
     }
   })
+})
+
+it('the shortcuts for screen readers are those of a figure, of the page, and without a selection', () => {
+  const rows = (part: object) => Object.values(part).map(([keys, action]) => `${keys}: ${action}.`)
+  const { select, edit, look, withoutSelection } = ENGLISH_KEYS
+  const more = [['P', 'draw']] as const
+  expect(spokenKeys(ENGLISH_KEYS, false, more)).toBe(
+    [...rows(select), ...rows(edit), 'P: draw.', withoutSelection, ...rows(look)].join(' '),
+  )
+  expect(spokenKeys(ENGLISH_KEYS, false)).toBe(
+    [...rows(select), ...rows(edit), withoutSelection, ...rows(look)].join(' '),
+  )
+  expect(spokenKeys(ENGLISH_KEYS, true, more)).toBe([...rows(select), ...rows(look)].join(' '))
 })

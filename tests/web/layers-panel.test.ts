@@ -93,7 +93,7 @@ it.each(SWITCHES)('%s is a switch of its layer', (label, name) => {
     const shown = [...controls(panel).keys()].find((other) => other.startsWith(label)) as string
     expect(control(panel, shown).checked).toBe(isOn)
     enter(panel, shown, !isOn, ['change'])
-    expect(done.pop()).toEqual(['setLayers', { [name]: !isOn }])
+    expect(done.pop()).toStrictEqual(['setLayers', { [name]: !isOn }])
   }
 })
 
@@ -106,7 +106,7 @@ it('colors are by a measure or by a column of the file', () => {
   expect(values).toEqual([...CELL_COLORS, 'column:n'])
   enter(panel, 'Colors', 'area', ['change'])
   enter(panel, 'Colors', 'column:n', ['change'])
-  expect(done).toEqual([
+  expect(done).toStrictEqual([
     ['setLayers', { cells: 'area', column: undefined }],
     ['colorBy', 'n'],
   ])
@@ -122,7 +122,7 @@ it('the grid is switched together with snapping', () => {
   change({ isSnapping: true })
   enter(panel, 'Axes and grid', true, ['change'])
   enter(panel, 'Axes and grid', false, ['change'])
-  expect(done).toEqual([
+  expect(done).toStrictEqual([
     ['setLayers', { grid: true }],
     ['toggleSnapping'],
     ['setLayers', { grid: true }],
@@ -135,7 +135,7 @@ it('the path goes across the picture, and its clearance and the radius of the la
   const { panel, done, change, layers, path } = mounted()
   enter(panel, 'Clearest path', true, ['change'])
   enter(panel, 'Clearest path', false, ['change'])
-  expect(done).toEqual([
+  expect(done).toStrictEqual([
     ['setLayers', { path }],
     ['setLayers', { path: undefined }],
   ])
@@ -166,7 +166,7 @@ it('vertices are merged up to a length, which is at first just above rounding er
   const field = 'Length up to which vertices are merged'
   expect([control(panel, field).value, limitsOf(control(panel, field))]).toEqual(['0.5', ['0', null, 'any']])
   for (const text of ['0', '-1', '', '2']) enter(panel, field, text, ['change'])
-  expect(done).toEqual(
+  expect(done).toStrictEqual(
     [{ nearZero: 5e-8 }, { nearZero: undefined }, { nearZero: 0 }, { nearZero: 2 }].map((change) => [
       'setLayers',
       change,
@@ -187,7 +187,7 @@ it('the distance at which cells end grows with the square of the slider, up to a
   expect(textOf(panel.querySelector('output'))).toBe('3.13')
   enter(panel, slider, '1', ['input'])
   enter(panel, slider, '0.5', ['input'])
-  expect(done).toEqual([1.25, undefined, 12.5, 3.13].map((maxDistance) => ['setLayers', { maxDistance }]))
+  expect(done).toStrictEqual([1.25, undefined, 12.5, 3.13].map((maxDistance) => ['setLayers', { maxDistance }]))
 })
 
 it('candidates are chosen without the former number of samples, all pairs only of few circles', () => {
@@ -196,7 +196,7 @@ it('candidates are chosen without the former number of samples, all pairs only o
   layers({ samples: true })
   expect(control(panel, 'N_s, samples inside an angle').value).toBe(String(SAMPLES.dynamic.usual))
   enter(panel, 'Candidates', 'uniform', ['change'])
-  expect(done.pop()).toEqual(['setLayers', { candidates: 'uniform', sampleCount: undefined }])
+  expect(done.pop()).toStrictEqual(['setLayers', { candidates: 'uniform', sampleCount: undefined }])
   layers({ samples: true, candidates: 'uniform', sampleCount: 7 })
   const count = control(panel, 'm, samples on a circle')
   expect(limitsOf(count)).toEqual([String(SAMPLES.uniform.least), String(SAMPLES.uniform.most), '1'])
@@ -206,9 +206,9 @@ it('candidates are chosen without the former number of samples, all pairs only o
     'equally spaced samples',
   ])
   enter(panel, 'm, samples on a circle', '9', ['change'])
-  expect(done.pop()).toEqual(['setLayers', { sampleCount: 9 }])
+  expect(done.pop()).toStrictEqual(['setLayers', { sampleCount: 9 }])
   enter(panel, 'm, samples on a circle', '-1', ['change'])
-  expect(done).toEqual([])
+  expect(done).toStrictEqual([])
   const pairs = () => all(panel, 'option').find((option) => textOf(option) === 'all pairs of circles')?.disabled
   expect(pairs()).toBe(false)
   change({ edited: countsOf(MOST_PAIRED) })
@@ -244,7 +244,7 @@ it('radii are scaled by a slider, and animated where motion is welcome', () => {
   events.get('motion')?.()
   expect(control(panel, 'Stop').getAttribute('aria-pressed')).toBe('true')
   press(panel, 'Stop')
-  expect(done).toEqual([['scale', 0.25], ['start', 'compare'], ['stop']])
+  expect(done).toStrictEqual([['scale', 0.25], ['start', 'compare'], ['stop']])
   radii.share = 0.75
   change({})
   expect(control(panel, 'Radii').value).toBe('0.75')

@@ -249,6 +249,7 @@ describe('the motion of the first scene', () => {
       },
     }
     const figure = { getBoundingClientRect: () => ({ left: 20, top: 30 }) }
+    const heard = vi.spyOn(page, 'addEventListener')
     let ends = 0
     driftAtStart(view as unknown as View, figure as unknown as HTMLElement, () => ends++)
     const at = async (time: number) => {
@@ -258,7 +259,9 @@ describe('the motion of the first scene', () => {
     }
     const press = (clientX: number, clientY: number) =>
       page.dispatchEvent(Object.assign(new Pressed('pointerdown'), { clientX, clientY }))
+    const isHeard = () => heard.mock.calls.some(([, , options]) => !(options as { signal: AbortSignal }).signal.aborted)
     return {
+      isHeard,
       at,
       press,
       page,
@@ -283,7 +286,8 @@ describe('the motion of the first scene', () => {
   })
 
   it.each(['pointerdown', 'keydown', 'wheel'])('goes home after %s, and ends', async (name) => {
-    const { at, page, ends, moved } = drifting()
+    const { at, page, ends, moved, isHeard } = drifting()
+    expect(isHeard()).toBe(true)
     await at(0)
     await at(4500)
     page.dispatchEvent(new Event(name))
@@ -294,7 +298,7 @@ describe('the motion of the first scene', () => {
     await at(5000)
     const { length } = moved
     await at(6000)
-    expect([ends(), moved.length, frames.size]).toEqual([1, length, 0])
+    expect([ends(), moved.length, frames.size, isHeard()]).toEqual([1, length, 0, false])
   })
 
   it('leaves the circle where a pointer grabs it, and moves on beside it', async () => {
@@ -315,11 +319,21 @@ describe('the motion of the first scene', () => {
 
   it('ends where other circles are opened, and where the circle cannot be moved', async () => {
     const opened = drifting()
+    let refuse = () => {}
+    opened.setAnswer(
+      () =>
+        new Promise((_, reject) => {
+          refuse = () => reject(new Error())
+        }),
+    )
     await opened.at(0)
     opened.view.circles = new CircleTable(new Float64Array())
     await opened.at(100)
     await opened.at(200)
-    expect([opened.ends(), opened.moved.length]).toEqual([1, 1])
+    expect([opened.ends(), opened.moved.length, opened.isHeard()]).toEqual([1, 1, false])
+    refuse()
+    await settled()
+    expect(opened.ends(), 'once').toBe(1)
     frames.clear()
     const refused = drifting()
     refused.setAnswer(() => Promise.reject(new Error()))

@@ -113,10 +113,12 @@ describe('what is opened', () => {
   it('is in view beside a panel that opens meanwhile, unless the camera was moved', async () => {
     for (const isMoved of [false, true]) {
       const padding = { top: 0, right: 0, bottom: 0, left: 0 }
-      const { actions, fake, editing } = editingSession({ before: aTurn, padding })
+      const { actions, fake, editing, store } = editingSession({ before: aTurn, padding })
+      actions.select([0])
       const opening = actions.open(async () => SECOND)
       for (let k = 0; k < 9; k++) await Promise.resolve()
       expect(fake.camera.x).toBe(3)
+      expect(store.get().selection, 'of the former circles').toEqual([])
       const camera = { x: 7, y: 8, scale: 9 }
       if (isMoved) fake.camera = camera
       Object.assign(padding, { left: 50 })

@@ -239,8 +239,11 @@ describe('colors by a column', () => {
     await actions.open(async () => ({ ...sceneOf(THREE), ...COLUMNS, layers: { column: 'kind' } }) as never)
     expect(fake.layers.column).toMatchObject({ name: 'kind', categories: ['a', 'b'] })
     const { column } = fake.layers
-    expect(await actions.open(() => Promise.reject(new Error('no')))).toBe('refused')
-    expect(fake.layers.column).toBe(column)
+    const refused = { ...sceneOf(Float64Array.of(0, 0, -1)), ...COLUMNS, layers: { column: 'n' } } as never
+    for (const load of [() => Promise.reject(new Error('no')), async () => refused]) {
+      expect(await actions.open(load)).toBe('refused')
+      expect(fake.layers.column).toBe(column)
+    }
   })
 
   it('follow new circles, new values and an opening, and no other edit', async () => {
@@ -436,6 +439,27 @@ describe('opening', () => {
     await actions.openLink(await encodeLink({ circles: THREE, lattice: LATTICE }))
     expect([domain().lattice, domain().region]).toEqual([LATTICE, undefined])
     expect(editing.scene).toMatchObject({ dataSet: '', isEdited: false })
+  })
+
+  it('a link of a data set has its region, unless the link has another one or none', async () => {
+    const own = [
+      [0, 0],
+      [9, 0],
+      [0, 9],
+    ]
+    vi.stubGlobal('document', { baseURI: 'https://a.example/' })
+    vi.stubGlobal('fetch', async ({ href }: URL) => ({
+      ok: true,
+      text: async () => (href.endsWith('.csv') ? 'x,y,r\n1,1,1\n' : JSON.stringify([own])),
+    }))
+    const { actions, domain } = await started()
+    const regionOf = async (more: object) => {
+      expect(await actions.openLink(await encodeLink({ dataSet: 'cities', ...more }))).toBe('opened')
+      return domain().region
+    }
+    expect(await regionOf({})).toEqual([own])
+    expect(await regionOf({ region: REGION })).toEqual(REGION)
+    expect(await regionOf({ region: null })).toBeUndefined()
   })
 
   it('offers a remedy', async () => {

@@ -43,7 +43,8 @@ import {
 
 vi.mock('lit/html.js', { spy: true })
 vi.mock('../../web/app/motion/film.ts', () => ({ filmed: vi.fn() }))
-const { saved, charts, grids } = vi.hoisted(() => ({
+const { saved, charts, grids, world } = vi.hoisted(() => ({
+  world: { isTableBroken: false },
   saved: [] as unknown[],
   charts: [] as unknown[][],
   grids: [] as unknown[][],
@@ -67,6 +68,7 @@ vi.mock('../../web/app/panels/histogram.ts', () => ({
 vi.mock('../../web/app/table/circle-grid.ts', () => ({
   CircleGrid: class {
     constructor(place: unknown) {
+      if (world.isTableBroken) throw new Error('broken')
       grids.push(['new', place])
     }
     update(state: unknown) {
@@ -175,11 +177,10 @@ describe('the panel of circles', () => {
     const { done, generate, panel } = mounted()
     generate.open()
     enter(panel, 'n', '9', ['change'])
+    vi.spyOn(Math, 'random').mockReturnValueOnce(0.25)
     press(panel, 'Another seed')
-    expect(done).toEqual([])
-    const seed = Number(control(panel, 'seed').value)
+    expect([done, control(panel, 'seed').value]).toEqual([[], '250000'])
     generate.show('dense:5:9')
-    expect(seed).toBeGreaterThanOrEqual(0)
     enter(panel, 'n', '8', ['change'])
     enter(panel, 'seed', '6', ['change'])
     press(panel, 'Another seed')
@@ -463,6 +464,8 @@ describe('the panel of numbers', () => {
     press(panel, 'Compute')
     await answer({ problem: 'It failed.' })
     expect(textOf(panel.querySelector('.wrong'))).toBe('It failed.')
+    change({ edited: editedOf(6) })
+    expect(panel.querySelector('.wrong')).toBeNull()
     press(panel, 'Compute')
     change({ edited: editedOf(7) })
     await answer({ problem: 'It failed.' })
@@ -500,6 +503,16 @@ describe('the panel of the table', () => {
     expect(grids).toEqual([['dispose']])
     change({ selection: [] })
     expect(grids).toHaveLength(1)
+  })
+
+  it('says that the table was not loaded', async () => {
+    world.isTableBroken = true
+    mountTable(stateOf().store, {} as Editing, noting([], {}) as unknown as PageActions, {} as View)
+    buttonOf('table').click()
+    await imported()
+    await settled()
+    world.isTableBroken = false
+    expect(textOf(element('table'))).toMatch(/The table could not be loaded\.$/)
   })
 })
 

@@ -9,7 +9,9 @@ import { save } from '../../web/app/files/saving.ts'
 import { pixelsOf } from '../../web/app/files/stipple.ts'
 import { printWorksheet } from '../../web/app/files/worksheet.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
+import { workOffline } from '../../web/app/offline.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
+import { byId } from '../../web/app/panels/by-id.ts'
 import { printDrawing } from '../../web/app/printing.ts'
 import { styleSheetsLoaded } from '../../web/app/style-sheets.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
@@ -258,8 +260,9 @@ describe('all circles', () => {
     resize()
     expect(looked, 'the same circles').toEqual([])
     view.circles = {}
-    actions.isWhole = true
     events.get('changed')?.()
+    // The caller sets the region of the new circles.
+    actions.isWhole = true
     await settled()
     actions.isWhole = false
     resize()
@@ -408,4 +411,45 @@ it.each(['load', 'error'])('style sheets are waited for until each has loaded or
   expect(isLoaded).toBe(false)
   links[2]?.dispatchEvent(new Event(kind))
   await loaded
+})
+
+describe('the service worker', () => {
+  const registered: string[] = []
+  let isForbidden = false
+  const register = async ({ href }: URL) => {
+    registered.push(href)
+    if (isForbidden) throw new Error('forbidden')
+  }
+  beforeEach(() => {
+    registered.length = 0
+    isForbidden = false
+    document.body.innerHTML = '<base href="https://a.example/b/">'
+    vi.stubEnv('PROD', true)
+    vi.stubGlobal('navigator', { serviceWorker: { register } })
+  })
+  afterEach(() => vi.unstubAllEnvs())
+
+  it('is registered in the folder of the site', async () => {
+    await workOffline()
+    await workOffline('../')
+    isForbidden = true
+    await workOffline()
+    expect(registered).toEqual(['b/', '', 'b/'].map((folder) => `https://a.example/${folder}service-worker.js`))
+  })
+
+  it('is not registered during development, nor where there are none', async () => {
+    vi.stubGlobal('navigator', {})
+    await workOffline()
+    vi.stubGlobal('navigator', { serviceWorker: { register } })
+    vi.stubEnv('PROD', false)
+    await workOffline()
+    expect(registered).toEqual([])
+  })
+})
+
+it('an element of the page that is not there, or of another kind, is an error', () => {
+  class Other {}
+  expect(byId('figure', HTMLElement)).toBe(element('figure'))
+  expect(() => byId('figure', Other as never)).toThrow('index.html has no Other with id figure')
+  expect(() => byId('a', HTMLElement)).toThrow('index.html has no HTMLElement with id a')
 })

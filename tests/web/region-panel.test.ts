@@ -91,7 +91,7 @@ describe('the panel of the region', () => {
   it('draws: begins, closes from three corners on, takes corners back, and cancels', () => {
     const { panel, done, change, pen, says } = mounted()
     press(panel, 'Draw')
-    expect(done).toEqual([['useTool', 'draw']])
+    expect(done).toStrictEqual([['useTool', 'draw']])
     expect(document.activeElement).toBe(element('figure'))
     change({ tool: 'draw' })
     expect(says()[1]).toMatch(/Inside the region it becomes a hole\.$/)
@@ -108,7 +108,7 @@ describe('the panel of the region', () => {
     }
     done.length = 0
     for (const name of ['Close polygon', 'Undo corner', 'Cancel']) press(panel, name)
-    expect(done).toEqual([['close'], ['undo'], ['useTool', 'select']])
+    expect(done).toStrictEqual([['close'], ['undo'], ['useTool', 'select']])
   })
 
   it('opens a file, the same one again too, and removes the region', async () => {
@@ -122,10 +122,10 @@ describe('the panel of the region', () => {
     expect(input.value).toBe('')
     choose(input)
     await settled()
-    expect(done).toEqual([['openRegion', file]])
+    expect(done).toStrictEqual([['openRegion', file]])
     set({ region: [SQUARE] })
     press(panel, 'Remove region')
-    expect(done[1]).toEqual(['removeRegion'])
+    expect(done[1]).toStrictEqual(['removeRegion'])
     expect(controls(panel).has('Draw more')).toBe(true)
   })
 
@@ -138,7 +138,7 @@ describe('the panel of the region', () => {
     expect(control(panel, MERGE).checked).toBe(false)
     enter(panel, MERGE, true, ['change'])
     await settled()
-    expect(done).toEqual([['setDomain', { region: expect.objectContaining({ dissolve: true }) }]])
+    expect(done).toStrictEqual([['setDomain', { region: expect.objectContaining({ dissolve: true }) }]])
     expect(control(panel, MERGE).checked).toBe(true)
     change({ tool: 'draw' })
     expect(says()[1]).toMatch(/It is merged with the region\.$/)
@@ -160,12 +160,12 @@ describe('areas', () => {
     expect(optionsOf(control(panel, AREAS))).toEqual(['not fixed', ...Object.values(labels)])
     enter(panel, AREAS, value, ['change'])
     await settled()
-    expect(done).toEqual([[name, { areas }]])
+    expect(done).toStrictEqual([[name, { areas }]])
     expect(chosenOf(control(panel, AREAS))).toBe(labels[value as keyof typeof labels])
     const { areas: given } = store.get().domain
     enter(panel, AREAS, 'free', ['change'])
     await settled()
-    expect(done[1]).toEqual(['setAreas', { areas: undefined }])
+    expect(done[1]).toStrictEqual(['setAreas', { areas: undefined }])
     expect(chosenOf(control(panel, AREAS))).toBe('not fixed')
     set({ areas: given })
     expect(chosenOf(control(panel, AREAS))).toBe(labels[value as keyof typeof labels])
@@ -179,7 +179,7 @@ describe('areas', () => {
     ])
     enter(panel, AREAS, 'own', ['change'])
     await settled()
-    expect(done).toEqual([])
+    expect(done).toStrictEqual([])
     known.isRefused = true
     const select = control(panel, AREAS)
     enter(panel, AREAS, 'equal', ['change'])
@@ -237,7 +237,7 @@ describe('the periodic box', () => {
     expect(says().at(-1)).toMatch(/^Opposite sides are glued together: /)
     enter(panel, REPEAT, false, ['change'])
     await settled()
-    expect(done).toEqual([
+    expect(done).toStrictEqual([
       ['repeat', expect.anything()],
       ['repeat', expect.anything()],
       ['setLattice', { lattice: undefined }],
@@ -335,7 +335,7 @@ describe('the share of the selected cell', () => {
     enter(place, NUMBER, '99', ['change'])
     enter(place, SLIDER, '-1', ['input', 'change'])
     enter(place, SLIDER, '5', ['input', 'change'])
-    expect(done).toEqual([
+    expect(done).toStrictEqual([
       ['setShare', 3, 0.12, 1],
       ['setShare', 3, 0.99, 2],
       ['setShare', 3, 0.125, 3],

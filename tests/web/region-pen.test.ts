@@ -133,9 +133,12 @@ it('a polygon is a hole or another ring, or merged with polygons that are merged
   expect(await drawn()).toEqual({ type: 'MultiPolygon', coordinates: [[ring], [added]], dissolve: true })
 })
 
-it('another tool takes the sketch away', async () => {
+it('another tool takes the sketch away, and no other change does', async () => {
   const { store, pen, press, sketch } = await started()
-  press('ArrowRight')
+  press('ArrowRight', ' ', 'ArrowRight')
+  store.update((state) => ({ ...state, hovered: 0 }))
+  await aTurn()
+  expect([pen.count, sketch()]).toEqual([1, [10, 0, 20, 0]])
   store.update((state) => ({ ...state, tool: 'pan' }))
   await aTurn()
   expect([pen.count, sketch()]).toEqual([0, []])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { editsOf, numberOf, rowsOf } from '../../web/app/table/numbers-written.ts'
+import { editsOf, notANumber, numberOf, rowsOf } from '../../web/app/table/numbers-written.ts'
 import { BY_ID, COLUMNS, isMeasured, ordered, placesOf } from '../../web/app/table/order.ts'
 import { circleAt } from '../../web/lib/index.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
@@ -57,6 +57,10 @@ describe('numbers as they are written', () => {
     for (const text of ['', 'x', '1 2', '0x10', 'Infinity', 'NaN', '1,2,3', '1.2.3', '--1', '1e']) {
       expect(numberOf(text), text).toBeUndefined()
     }
+  })
+
+  it('that are none are quoted in part, if they are long', () => {
+    expect(notANumber(` ${'a'.repeat(41)}`)).toBe(`“${'a'.repeat(40)}” is not a number. Nothing has changed.`)
   })
 
   it('come in rows, with a heading or without', () => {

@@ -159,3 +159,8 @@ it('a picture becomes circles in its colors that do not overlap, most of them wh
     for (const [u, v, s] of all.slice(i + 1)) expect(Math.hypot(x - u, y - v)).toBeGreaterThan(r + s)
   }
 })
+
+it('pseudorandom numbers are those of mulberry32', () => {
+  const random = randomNumbers(1)
+  expect([random(), random(), random()]).toEqual([0.6270739405881613, 0.002735721180215478, 0.5274470399599522])
+})

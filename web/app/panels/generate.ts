@@ -39,7 +39,6 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
       ])
       catalogue = loaded
       picture = pictureOf
-      problem = ''
     } catch (error) {
       problem = (error as Error).message
     }
