@@ -214,6 +214,7 @@ it('candidates are chosen without the former number of samples, all pairs only o
   change({ edited: countsOf(MOST_PAIRED) })
   expect(pairs()).toBe(false)
   layers({ samples: true, candidates: 'all-pairs' })
+  expect(chosenOf(control(panel, 'Candidates'))).toBe('all pairs of circles')
   expect([...controls(panel).keys()].filter((label) => label.includes('samples on'))).toEqual([])
   expect(textOf(panel)).toMatch(/all pairs of circles …$/)
   change({ edited: countsOf(MOST_PAIRED + 1) })

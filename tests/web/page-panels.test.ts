@@ -29,6 +29,7 @@ import {
   all,
   buttonOf,
   choose,
+  chosenOf,
   control,
   element,
   enter,
@@ -557,7 +558,10 @@ describe('the panel for files', () => {
       ['savePoster', 'all'],
       ['savePicture', 'all', 3.5],
     ])
+    for (let k = 0; k < 2; k++) buttonOf('files').click()
+    expect(chosenOf(control(panel, 'What the picture shows'))).toBe('all circles')
     const field = control(panel, '× its size')
+    expect(field.value).toBe('3.5')
     expect(limitsOf(field)).toEqual(['0.1', null, 'any'])
     enter(panel, '× its size', '0', ['change'])
     expect([field.value, save('PNG')]).toEqual(['3.5', [['savePicture', 'all', 3.5]]])

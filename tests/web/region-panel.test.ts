@@ -249,6 +249,7 @@ describe('the periodic box', () => {
 
   it('has a field for each number, which changes that number alone', async () => {
     const { panel, done, known } = mounted({ lattice: { a: [1, 2], b: [3, 4] } })
+    expect(control(panel, REPEAT).checked).toBe(true)
     const fields = [...controls(panel).keys()].filter((label) => label.startsWith('Period'))
     expect(fields).toEqual(['Period a, x', 'Period a, y', 'Period b, x', 'Period b, y'])
     expect(fields.map((label) => control(panel, label).value)).toEqual(['1', '2', '3', '4'])

@@ -421,6 +421,8 @@ describe('the form for a question', () => {
     expect(asked.at(-1)).toEqual([1])
     const chosen = (...labels: string[]) => labels.map((label) => chosenOf(control(panel, label)))
     expect(chosen('Readers may', 'Language')).toEqual(['only look', 'German'])
+    const fields = ['Question', 'Title', 'Description for screen readers']
+    expect(fields.map((label) => control(panel, label).value)).toEqual(['Q?', 'T', 'A'])
     expect(await frameNow()).toEqual({ ...frame, lang: 'de' })
     press(panel, 'Add a condition')
     expect(await frameNow()).toMatchObject({ check: { all: [check, { cell: 0, edges: 3 }] } })
