@@ -144,9 +144,13 @@ TEST_F(CliConvert, ADiagramBecomesWhatComputeWrites) {
 }
 
 TEST_F(CliConvert, ADiagramKeepsItsStats) {
-  const std::string diagram = computed();
-  EXPECT_EQ(textOf("convert " + diagram), readFile(diagram));
-  EXPECT_EQ(Json::parse(textOf("convert --format stats " + diagram)), Json::parse(readFile(diagram)).at("stats"));
+  const std::string diagram = path("diagram.json");
+  for (const std::string method : {"auto", "touching-disc --candidates uniform"}) {
+    textOf("compute " + fixture_ + " --method " + method + " -o " + diagram);
+    EXPECT_EQ(textOf("convert " + diagram), readFile(diagram));
+    EXPECT_EQ(Json::parse(textOf("convert --format stats " + diagram)), Json::parse(readFile(diagram)).at("stats"));
+  }
+  EXPECT_EQ(Json::parse(readFile(diagram)).at("stats").at("candidates"), "uniform");
 }
 
 TEST_F(CliConvert, StatsThatFitNothingAreLeftOut) {

@@ -498,6 +498,9 @@ TEST(Export, SvgOmitsPartsOutsideTheBox) {
   const std::string svg = textOf(writeSvg, circles, options);
   EXPECT_EQ(countOf(svg, "<circle data-circle="), 1U);
   EXPECT_EQ(countOf(svg, "<line"), 3U) << "the triangle of the first three circles";
+  for (const char* ends : {"0\" y1=\"0\" x2=\"9\" y2=\"0\"/>", "0\" y1=\"0\" x2=\"0\" y2=\"9\"/>"}) {
+    EXPECT_EQ(countOf(svg, "<line x1=\"" + std::string(ends)), 1U) << svg;
+  }
   for (const Circle& across : {Circle{-2.5, 3, 1}, Circle{7.5, 3, 1}, Circle{3, -2.5, 1}, Circle{3, 7.5, 1}}) {
     EXPECT_EQ(countOf(textOf(writeSvg, {across}, options), "<circle data-circle="), 1U) << across.x << " " << across.y;
   }
@@ -522,16 +525,18 @@ TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {
   figure.layers.push_back({.name = "discs", .discs = {{5, 6, 0.5}}});
   figure.layers.push_back({.name = "directed", .segments = {{{{0, 0}, {0, 5}}}}, .areArrows = true});
   figure.layers.push_back({.name = "arcs", .arcs = {segment({1, 1}, {2, 1})}});
+  figure.layers.push_back({.name = "still", .segments = {{{{7, 7}, {7, 7}}}}, .areArrows = true});
   const std::string svg = figureOf(figure);
   EXPECT_NE(svg.find("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\""), std::string::npos);
   EXPECT_NE(svg.find(".samples { stroke: red; }\n</style>"), std::string::npos);
-  EXPECT_EQ(countOf(svg, "<g class="), 5U);
+  EXPECT_EQ(countOf(svg, "<g class="), 6U);
   EXPECT_EQ(svg.find("class=\"cells\""), std::string::npos);
   EXPECT_NE(svg.find("<g class=\"samples\">\n<path d=\"M1 2h0M3 -4h0\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<circle cx=\"5\" cy=\"6\" r=\"0.5\"/>"), std::string::npos);
   // Seven pixels of a tenth: a head of length 0.7 at the end.
   EXPECT_NE(svg.find("<path d=\"M0 0L0 5M-0.28 4.3L0 5L0.28 4.3\"/>"), std::string::npos);
-  EXPECT_NE(svg.find("<path d=\"M1 1L2 1\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<path d=\"M1 1L2 1\"/>\n</g>"), std::string::npos) << "without points no path of points";
+  EXPECT_NE(svg.find("<path d=\"M7 7L7 7\"/>\n</g>"), std::string::npos) << "an arrow without a direction has no head";
 }
 
 TEST(Export, LayersHaveTheDigitsThatAreAskedFor) {

@@ -85,6 +85,7 @@ TEST(NumbersIn, TakesAColumnWhoseNameIsOneOfTheOutputOrThatIsQuoted) {
   EXPECT_EQ(*numbers, std::vector<double>{4.5});
   EXPECT_EQ(numbersIn(fileOf("x,y,r,area\n1,2,3,\n").attributes, "area").error().message,
             "circle 0 has no number \"area\".");
+  EXPECT_EQ(numbersIn({}, "area").error().message, "there is no column or property \"area\".");
 }
 
 TEST(ReadCircleFile, ColumnsAreThoseThatTheUserNames) {
@@ -292,6 +293,12 @@ TEST(CircleAttributes, IdsAndHeightsOfATableAreThoseOfFeatures) {
   std::ostringstream back;
   ASSERT_TRUE(writeCirclesCsv(back, fileOf(text.str()).circles, fileOf(text.str()).attributes));
   EXPECT_EQ(back.str(), "x,y,r,id,z\n0,0,1,A,1.50\n5,0,1,B,\n");
+  // Other attributes with these names get other names.
+  CircleAttributes others = file.attributes;
+  others.properties = {R"("ID":7,"Z":8)", R"("ID":9)"};
+  std::ostringstream both;
+  ASSERT_TRUE(writeCirclesCsv(both, file.circles, others));
+  EXPECT_EQ(both.str(), "x,y,r,id,z,input_ID,input_Z\n0,0,1,A,1.50,7,8\n5,0,1,B,,9,\n");
 }
 
 TEST(ReadCircleFile, ColumnsWithoutANameOrWithTheSameNameAreKept) {

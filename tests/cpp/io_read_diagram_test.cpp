@@ -132,6 +132,9 @@ TEST(ReadDiagram, ReportsTheErrorAndItsPlace) {
   EXPECT_EQ(errorAfter("\"version\": 1,", ""), "file:10: there is no version.");
   EXPECT_EQ(errorAfter("\"version\": 1,", "\"version\": 1, \"metric\": \"taxi\","),
             "file:1: there is no metric \"taxi\"; it is circles, centers or power.");
+  EXPECT_EQ(errorAfter("\"version\": 1,", "\"version\": 1, \"metric\": 1,"),
+            "file:1: expected a string for metric, not a number.");
+  EXPECT_EQ(errorAfter("\"circle-voronoi\"", "null"), "file:1: expected a string for format, not null.");
   EXPECT_EQ(errorAfter("\"format\": \"circle-voronoi\",", ""),
             "file:10: there is no format; a diagram has \"format\": \"circle-voronoi\".");
   EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hulls\": [0]"), "file:10: there is no list of hull.");
