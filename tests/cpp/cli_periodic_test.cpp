@@ -162,6 +162,9 @@ TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   const std::string other = textOf("compute " + circles_ + " --lattice 1,0,0.5,1 --format svg");
   EXPECT_EQ(other.find(id), std::string::npos);
   EXPECT_NE(svg.find("class=\"lattice\""), std::string::npos);
+  for (const std::string group : {"cells", "circles", "edges"}) {
+    EXPECT_NE(svg.find("<g class=\"" + group + "\" "), std::string::npos) << group;
+  }
   // Circle 0 is drawn once, and used at its own place and as image beside its neighbors.
   const auto count = [&](const std::string& part) {
     int found = 0;

@@ -285,9 +285,10 @@ TEST_F(Cli, WholeNumbersAreDecimal) {
 }
 
 TEST_F(Cli, NamesTheFilesThatCannotBeReadOrWritten) {
-  expectFailure(run("compute " + path("missing.csv")), 1, "missing.csv");
+  expectFailure(run("compute " + path("missing.csv")), 1, "missing.csv: No such file or directory.");
   expectFailure(run("compute " + path("")), 1, "Cannot read");
-  expectFailure(run("compute " + kFixture + " -o " + path("missing/out.json")), 1, "out.json");
+  expectFailure(run("compute " + kFixture + " -o " + path("missing/out.json")), 1,
+                "out.json: No such file or directory.");
   if (std::filesystem::exists("/dev/full")) expectFailure(run("compute " + kFixture + " -o /dev/full"), 1, "/dev/full");
 }
 

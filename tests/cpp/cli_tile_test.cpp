@@ -242,7 +242,6 @@ TEST_F(CliTile, RefusesInvalidTilesAndOptions) {
   fails(known + " --max-radius 0 --format csv --method flip", "--known needs --method auto.");
   fails(known + " --max-radius 0 --format csv --trace " + path("t.jsonl"), "--known takes no --trace.");
   fails(known + " --max-radius 0 --format csv --project local", "--known takes no --project.");
-  fails(known + " --max-radius 0 --format csv --skip-invalid", "--known takes no --skip-invalid.");
   fails(known + " --max-radius 0 --format csv --digits 3", "--known takes no --digits for csv.");
   fails("compute " + tile + " --known 0,0,nan,1 --max-radius 0 --format csv", "MAXX is not a number");
   fails("compute " + tile + " --core 0,0,1,1 --format csv", "--core needs --known.");

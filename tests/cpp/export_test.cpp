@@ -357,9 +357,34 @@ TEST(Export, SvgTakesTheLargeArcWhereTheHullTurnsByMoreThanHalf) {
   const std::string hull = svg.substr(svg.find("<g class=\"hull\""));
   EXPECT_EQ(countOf(hull, "A5 5 0 1 1 "), 1U) << hull;
   EXPECT_EQ(countOf(hull, "A1 1 0 0 1 "), 1U) << hull;
+  EXPECT_NE(textOf(writeSvg, {{0, 0, 1}, {9, 0, 1}}).find("<path d=\"M0 1A1 1 0 0 1 0 -1L9 -1A1 1 0 0 1 9 1Z\"/>"),
+            std::string::npos);
+  const std::string alone = textOf(writeSvg, {{2, 3, 1}});
+  EXPECT_NE(alone.find("<circle cx=\"2\" cy=\"3\" r=\"1\"/>"), std::string::npos) << alone;
   const std::string equal = textOf(writeSvg, {{0, 0, 1}, {9, 0, 1}, {4, 6, 1}});
   EXPECT_EQ(countOf(equal, "A1 1 0 0 1 "), 3U) << equal;
   EXPECT_EQ(countOf(equal, " 0 1 1 "), 0U) << equal;
+}
+
+TEST(Export, SvgFollowsTheSidesOfCells) {
+  // One circle in the middle, with four edges, and four around it. All edges are straight if all radii are equal.
+  for (const double r : {1.0, 2.0}) {
+    const std::string svg = textOf(writeSvg, {{0, 0, r}, {10, 0, 1}, {0, 10, 1}, {-10, 0, 1}, {0, -10, 1}});
+    const std::size_t begin = svg.find("<path data-circle=\"0\" d=\"");
+    const std::string cell = svg.substr(begin, svg.find("/>", begin) - begin);
+    const std::size_t group = svg.find("<g class=\"edges\"");
+    const std::string edges = svg.substr(group, svg.find("</g>", group) - group);
+    EXPECT_EQ(countOf(cell, "M"), 1U) << cell;
+    EXPECT_EQ(countOf(edges, "d=\"M"), 8U) << edges;
+    if (r == 1) {
+      EXPECT_EQ(countOf(cell, "L"), 4U) << cell;
+      EXPECT_EQ(countOf(edges, "L"), 8U) << edges;
+      for (const char* corner : {"L5 5", "L-5 5", "L-5 -5", "L5 -5"}) EXPECT_EQ(countOf(cell, corner), 1U) << cell;
+    } else {
+      EXPECT_GE(countOf(cell, "C"), 4U) << cell;
+      EXPECT_EQ(countOf(edges, "C"), countOf(cell, "C")) << edges;
+    }
+  }
 }
 
 TEST(Export, GeoJsonOfACellInTwoPartsIsAMultiPolygon) {
@@ -489,6 +514,8 @@ TEST(Export, SvgTellsHiddenCirclesAndPoints) {
   EXPECT_NE(svg.find("<circle data-circle=\"4\" class=\"point\" cx=\"0\" cy=\"8\" r=\"0.001\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<path data-circle=\"3\" class=\"point hidden\" d=\"M0 1h0\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<desc>5 circles, 2 of them hidden; 1 vertices, 3 edges</desc>"), std::string::npos);
+  const std::string corner = textOf(writeSvg, {{0, 0, 1}, {6, 0, 1}, {0, 8, 1}});
+  EXPECT_EQ(countOf(corner, "<circle data-vertex=\"0\" cx=\"3\" cy=\"4\" r=\""), 1U) << corner;
 }
 
 TEST(Export, SvgOmitsPartsOutsideTheBox) {

@@ -132,6 +132,16 @@ std::string circleCollection(const std::string& features, const std::string& mor
   return R"({"type": "FeatureCollection", )" + more + R"("features": [)" + features + "]}";
 }
 
+TEST(ReadGeoJson, TheThirdCoordinateIsTheHeight) {
+  for (const auto& [coordinates, heights] : std::vector<std::pair<std::string, Strings>>{
+           {"[1, 2]", {}}, {"[1, 2, 7.50]", {"7.50"}}, {"[1, 2, 7, 8]", {"7"}}, {"[1, 2, null, 8]", {}}}) {
+    const CircleFile file =
+        fileOf(circleCollection(circleFeature(R"({"type": "Point", "coordinates": )" + coordinates + "}")));
+    EXPECT_EQ(file.circles, (Circles{{1, 2, 1}}));
+    EXPECT_EQ(file.attributes.heights, heights) << coordinates;
+  }
+}
+
 TEST(ReadGeoJson, AMultiPointOfOnePointIsAPoint) {
   EXPECT_EQ(fileOf(circleCollection(circleFeature(R"({"type": "MultiPoint", "coordinates": [[1, 2, 7]]})"))).circles,
             (Circles{{1, 2, 1}}));

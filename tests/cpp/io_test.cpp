@@ -292,6 +292,10 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_TRUE(errorOf("[[1,2,3]]\n]").starts_with("test:2: bad JSON: "));
   EXPECT_EQ(errorOf("[[1,2,1e999]]"), "test:1: a number is beyond the range of a double: 1e999.");
   EXPECT_EQ(errorOf("[[1,2,3],]"), "test:1: bad JSON: expected a value, not \"]\".");
+  EXPECT_EQ(errorOf("[{\"name\": nil}]"), "test:1: bad JSON: expected a value, not \"n\".");
+  EXPECT_EQ(errorOf("[[1,2,-x]]"), "test:1: bad JSON: expected a digit, not \"x\".");
+  EXPECT_EQ(errorOf("[[1,2,3.]]"), "test:1: bad JSON: expected a digit, not \"]\".");
+  EXPECT_EQ(errorOf("[{\"na\tme\": 1}]"), "test:1: bad JSON: a string has a control character.");
   EXPECT_EQ(errorOf("[[1,2,3]"), "test:1: bad JSON: expected , or ], not the end of the text.");
   EXPECT_EQ(errorOf("[[1,2,3] \xC3\xA9"), "test:1: bad JSON: expected , or ], not \"\xC3\xA9\".");
 }

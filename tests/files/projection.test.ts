@@ -189,6 +189,13 @@ describe.each(KINDS)('--project %s', (kind) => {
       `circle-voronoi: ${region}: (400, -35.6) has no place on the map of --project, which takes degrees.\n`,
     ])
     expect(refused('POLYGON ((148.9 -35.6, 149.4 -89, 149.4 -35.1))').status).toBe(kind === 'mercator' ? 2 : 0)
+    const teeth = Array.from({ length: 40 }, (_, k) => {
+      const south = k / 5
+      return `350 ${south}, 350 ${south + 0.1}, -350 ${south + 0.1}, -350 ${south + 0.2}`
+    })
+    expect(refused(`POLYGON ((-355 0, ${teeth.join(', ')}, -355 8))`).stderr).toBe(
+      `circle-voronoi: ${region}: the sides of the region are too long for --project.\n`,
+    )
     const north = run(['compute', FILE, '--project', kind, '--format', 'wkt', '--bounds', '148,-91,149,-35'])
     expect([north.status, north.stderr.startsWith('circle-voronoi: --bounds: (')]).toEqual([2, true])
   })
