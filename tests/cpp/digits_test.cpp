@@ -100,7 +100,7 @@ TEST(Digits, RoundedNumbersHaveTheDecimalsOfTheGrid) {
   EXPECT_FALSE(std::signbit(DecimalGrid(0.1).round(-0.01)));
   EXPECT_EQ(DecimalGrid(1e-30).round(0.1), 0.1) << "too fine";
   EXPECT_EQ(DecimalGrid(1).round(1e300 / 3), 1e300 / 3) << "too large";
-  EXPECT_EQ(DecimalGrid(std::optional(3)).round(12345678901234.566), 12345678901234.566) << "too many steps";
+  EXPECT_EQ(DecimalGrid(std::optional(1)).round(123456789012345.67), 123456789012345.67) << "too many steps";
 }
 
 }  // namespace

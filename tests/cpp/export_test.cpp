@@ -589,6 +589,7 @@ TEST(Export, NoCirclesGiveValidFiles) {
   EXPECT_TRUE(Json::parse(textOf(writeGeoJson, {}))["features"].empty());
   EXPECT_EQ(textOf(writeWkt, {}), "");
   EXPECT_NE(textOf(writeSvg, {}).find("</svg>"), std::string::npos);
+  EXPECT_EQ(countOf(textOf(writeSvg, {}), "<path"), 0U);
 }
 
 }  // namespace

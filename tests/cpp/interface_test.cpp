@@ -255,7 +255,20 @@ TEST(Writers, RefuseDiagramsAndListsThatDoNotFitTogether) {
     EXPECT_EQ(refusalOf([&](std::ostream& out) { return writePartsGeoJsonLines(out, diagram, selection); }),
               ErrorCode::badInput);
   }
-  EXPECT_EQ(refusalOf([&](std::ostream& out) { return writeTile(out, {kCircles, {}, {}}, few); }), ErrorCode::badInput);
+  const std::vector<std::uint8_t> all(kCircles.size(), 1);
+  const std::vector<std::int64_t> ids(many.begin(), many.end() - 1);
+  EXPECT_EQ(refusalOf([&](std::ostream& out) {
+              return writeTile(out, {kCircles, {}, all}, all);
+            }),
+            ErrorCode::badInput);
+  EXPECT_EQ(refusalOf([&](std::ostream& out) {
+              return writeTile(out, {kCircles, ids, {}}, all);
+            }),
+            ErrorCode::badInput);
+  EXPECT_EQ(refusalOf([&](std::ostream& out) {
+              return writeTile(out, {kCircles, ids, all}, few);
+            }),
+            ErrorCode::badInput);
   EXPECT_EQ(refusalOf([](std::ostream& out) {
               return writeCirclesCsv(out, std::vector<Circle>{{NAN, 0, 1}});
             }),

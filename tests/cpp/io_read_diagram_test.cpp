@@ -77,6 +77,15 @@ TEST(ReadDiagram, SkipsOtherKeys) {
   EXPECT_EQ(file.value().circles, (std::vector<Circle>{{1, 2, 3}}));
 }
 
+TEST(ReadDiagram, SkipsAttributesOfAnotherKind) {
+  const auto file = readDiagramFile(R"({"format": "circle-voronoi", "version": 1, "collection": [1],
+      "circles": [{"x": 1, "y": 2, "r": 3, "id": true, "z": "high", "properties": 7}],
+      "hidden": [], "vertices": [], "edges": [], "hull": [0]})",
+                                    "file");
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_TRUE(file->attributes.empty());
+}
+
 TEST(ReadDiagram, OfAMemberThatIsGivenTwiceTheLastValueCounts) {
   const auto file = readDiagramFile(R"({"format": "circle-voronoi", "version": 1, "version": 1, "weights": true,
       "collection": {"crs": 7}, "circles": [{"x": 7, "y": 7, "r": -7, "id": "a"}, {"x": 7, "y": 7, "r": 7}],

@@ -296,6 +296,7 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("[[1,2,-x]]"), "test:1: bad JSON: expected a digit, not \"x\".");
   EXPECT_EQ(errorOf("[[1,2,3.]]"), "test:1: bad JSON: expected a digit, not \"]\".");
   EXPECT_EQ(errorOf("[{\"na\tme\": 1}]"), "test:1: bad JSON: a string has a control character.");
+  EXPECT_EQ(errorOf("[{\"\\ud800\": 1}]"), "test:1: bad JSON: a string has half of a pair of UTF-16.");
   EXPECT_EQ(errorOf("[[1,2,3]"), "test:1: bad JSON: expected , or ], not the end of the text.");
   EXPECT_EQ(errorOf("[[1,2,3] \xC3\xA9"), "test:1: bad JSON: expected , or ], not \"\xC3\xA9\".");
 }
