@@ -193,6 +193,7 @@ TEST_F(CliPeriodic, RefusesInvalidLatticesAndOptions) {
   fails("--lattice 1,0,0,1 --format svg --bounds 0,0,1,1", "--lattice takes no --bounds");
   fails("--lattice 1,0,0,1 --format svg --max-distance 1",
         "--lattice takes no --max-distance: cells are written whole.");
+  fails("--lattice 1,0,0,1 --format svg --tolerance 1 --max-distance 1", "--lattice takes no --max-distance");
   fails("--lattice 1,0,0,1 --trace t.jsonl", "--lattice takes no --trace.");
   fails("--lattice 1,0,0,1 --method flip", "--lattice needs --method auto.");
   fails("--lattice 1,0,0,1 --known 0,0,1,1 --max-radius 1 --format csv", "--lattice takes no --known.");
