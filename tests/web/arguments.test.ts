@@ -311,6 +311,26 @@ describe('limits of cells', () => {
     )
   })
 
+  it('are a box with an area, up to a limit', async () => {
+    for (const box of [
+      [0, 0, 9, 0],
+      [0, 0, 0, 9],
+      [9, 0, 0, 9],
+      [0, 9, 9, 0],
+      [0, 0, 9, Number.NaN],
+      [0, 0, 9, 2 ** 101],
+      [-(2 ** 101), 0, 9, 9],
+    ] as const) {
+      const [minX, minY, maxX, maxY] = box
+      for (const bounds of [box, { minX, minY, maxX, maxY }]) {
+        expect(await messageOf(() => diagram.render({ bounds }))).toBe(
+          'The box is empty, or a coordinate is not finite, or beyond 1.2e30 (2^100).',
+        )
+      }
+    }
+    expect(diagram.renderBounds({ bounds: [0, 0, 2 ** 100, 2 ** 100], digits: 0 })).toMatch(/^M0,0L/)
+  })
+
   it.each(['renderHull', 'hullPolygon'])('of %s are a region', async (name) => {
     expect(await messageOf(() => bound(diagram, name)({ region: 5 }))).toBe(
       `The region of ${name} is made by loadRegions().region, not 5.`,

@@ -148,8 +148,10 @@ describe('a link', () => {
   })
 
   it('has the colors of its circles', async () => {
-    const state = { circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors: '05' }
-    expect(await decodeLink(await encodeLink(state))).toEqual(state)
+    for (const colors of ['05', '']) {
+      const state = { circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors }
+      expect(await decodeLink(await encodeLink(state))).toEqual(state)
+    }
   })
 
   it('is short', async () => {
@@ -308,6 +310,19 @@ describe('what is no link', () => {
     ['conditions in one another', () => ({ check: { a: nested(20) } })],
   ])('is refused with too many %s', async (_, value) => {
     await expect(decodeLink(await said(value()))).rejects.toThrow(TOO_MUCH)
+  })
+
+  it('may be as long as it may be, packed and unpacked', async () => {
+    const padded = `{"step":1}${' '.repeat(LINK_LIMITS.bytes - 10)}`
+    expect(await decodeLink(await said(padded))).toEqual({ step: 1 })
+    await expect(decodeLink(await said(`${padded} `))).rejects.toThrow(TOO_MUCH)
+    // A text of the longest length is read up to its first wrong letter.
+    await expect(decodeLink('a'.repeat(LINK_LIMITS.letters))).rejects.toThrow('it is not a link of this page')
+    // A letter of base64 has six bits.
+    const most = Math.floor((6 * (LINK_LIMITS.letters - 3)) / 8) - 5 * 49 - '{"question":"","dataSet":""}'.length
+    const long = { layers: { a: 'x'.repeat(most) } }
+    expect(encodeLinkAtOnce(long).length).toBeLessThanOrEqual(LINK_LIMITS.letters)
+    expect(() => encodeLinkAtOnce({ layers: { a: 'x'.repeat(most + 100) } })).toThrow(TOO_MUCH)
   })
 
   it('is refused where a small text unpacks to a large one, or the text is long', async () => {

@@ -85,6 +85,16 @@ describe('a periodic diagram', () => {
         expect(own).toBeCloseTo(Math.hypot(bx + 4 * expected[0] + expected[1] - x, by + 3 * expected[1] - y) - br, 9)
       }
       expect(periodic.find(Number.NaN, 0)).toBeUndefined()
+      // The image of a far point is the image of a near one, moved by as many periods.
+      for (const [k, l] of [
+        [1000, 0],
+        [0, 1000],
+        [-300, 700],
+      ] as const) {
+        const { circle, shift } = periodic.find(1.5, 0.5) as { circle: number; shift: readonly [number, number] }
+        const moved = { circle, shift: [shift[0] + k, shift[1] + l] }
+        expect(periodic.find(1.5 + 4 * k + l, 0.5 + 3 * l)).toEqual(moved)
+      }
     }
     expect(library.computePeriodic([], BOX).find(0, 0)).toBeUndefined()
   })

@@ -176,6 +176,11 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
   })
 })
 
+it('the largest empty disc in the hull of one circle is a point of it', () => {
+  const disc = { x: 4, y: 2, r: 0 }
+  expect(largestEmptyDiscCenteredInHull(library.compute([[1, 2, 3]]))).toEqual({ disc, circles: [0] })
+})
+
 it('the largest empty disc may touch two circles from the edge of the hull', () => {
   const largest = largestEmptyDiscCenteredInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
   expect(largest?.disc.x).toBeCloseTo(5, 14)

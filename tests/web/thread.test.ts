@@ -5,7 +5,14 @@ import { afterEach, describe, expect, it, vi } from 'vitest'
 import type { Diagram } from '../../web/lib/index.ts'
 import { answerRequests } from '../../web/lib/threads/answer-requests.ts'
 import { startThread } from '../../web/lib/threads/thread.ts'
-import type { ComputeRequest, EditorCalls, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
+import type {
+  ComputeRequest,
+  EditorCalls,
+  FitRequest,
+  Reply,
+  Request,
+  Start,
+} from '../../web/lib/threads/worker-messages.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -266,6 +273,9 @@ describe('what a thread answers', () => {
     said.length = 0
     await ask(fitRequest(false))
     await ask(fitRequest(false, Float64Array.of(2, 2, 0, 2, 2, 0)))
+    const few = fitRequest(false) as FitRequest
+    await ask({ ...few, fit: { ...few.fit, maxSteps: 1 } })
+    expect(said.pop()).toEqual([{ error: expect.objectContaining({ weights: expect.any(Float64Array) }) }, []])
     expect(said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))).toEqual([
       'fit',
       'badInput',

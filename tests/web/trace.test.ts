@@ -106,6 +106,11 @@ describe('a trace', () => {
         const circles = circlesOf(count, seed, largest)
         const trace = library.trace(circles, { candidates })
         expect(replayedEdges(trace)).toEqual(edgesOf(trace.diagram))
+        for (let k = 0, made = 0; k < trace.length; k++) {
+          const { kind, vertex } = trace.event(k)
+          const last = kind === 'segmentFinished' ? made - 1 : undefined
+          expect(vertex).toBe(kind === 'branchDisc' ? made++ : last)
+        }
         const { vertices, hidden, edges } = library.compute(circles, { method: 'touching-disc', candidates })
         expect([trace.diagram.vertices, trace.diagram.hidden, trace.diagram.edges]).toEqual([vertices, hidden, edges])
       }),
