@@ -32,6 +32,10 @@ afterEach(() => {
   vi.restoreAllMocks()
 })
 
+function raise(error: Error): never {
+  throw error
+}
+
 /** Creates a module that Node runs as a thread. */
 function moduleOf(script: string): string {
   return `data:text/javascript,${encodeURIComponent(`
@@ -170,6 +174,66 @@ describe('a thread in a browser', () => {
     worker.dispatchEvent(new Event('message'))
     worker.dispatchEvent(new Event('message'))
     expect(revoke.mock.calls).toEqual([['blob:here']])
+  })
+
+  it('in a page with Trusted Types has an address of the policy circle-voronoi, and Worker stays as it is', async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    const { startModuleWorker } = await import('../../web/lib/threads/module-worker.ts')
+    const policies: string[] = []
+    const create = vi.fn((name: string, rules: { createScriptURL(url: string): string }) => {
+      policies.push(name)
+      return { createScriptURL: (url: string) => `trusted ${rules.createScriptURL(url)}` }
+    })
+    const started = (make: () => unknown) =>
+      startModuleWorker(make as () => Worker, () => '', 'x') as unknown as FakeWorker
+    // A page that has no Trusted Types may get them later.
+    expect(started(() => new Worker('a')).args).toEqual(['a'])
+    vi.stubGlobal('trustedTypes', { createPolicy: create })
+    for (let k = 0; k < 2; k++) {
+      const { args } = started(() => new Worker(new URL(PAGE), { type: 'module' }))
+      expect(args).toEqual([`trusted ${PAGE}`, { type: 'module' }])
+      expect(globalThis.Worker).toBe(FakeWorker)
+    }
+    expect(() => started(() => raise(new Error('no')))).toThrow('no')
+    expect(globalThis.Worker).toBe(FakeWorker)
+    expect(policies).toEqual(['circle-voronoi'])
+  })
+
+  it('in a page that forbids the policy starts as without Trusted Types', async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    vi.resetModules()
+    const { startModuleWorker } = await import('../../web/lib/threads/module-worker.ts')
+    const create = vi.fn(() => raise(new TypeError('forbidden')))
+    vi.stubGlobal('trustedTypes', { createPolicy: create })
+    for (let k = 0; k < 2; k++) {
+      const worker = startModuleWorker(
+        () => new Worker('a'),
+        () => '',
+        'x',
+      ) as unknown as FakeWorker
+      expect(worker.args).toEqual(['a'])
+    }
+    expect(create).toHaveBeenCalledOnce()
+  })
+
+  it('that has the text of its file runs the text', async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    const { startModuleWorker } = await import('../../web/lib/threads/module-worker.ts')
+    const refused = () => raise(new DOMException('another origin', 'SecurityError'))
+    let script: Blob | undefined
+    vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => {
+      script = blob as Blob
+      return 'blob:here'
+    })
+    const start = (file: () => URL | string) => startModuleWorker(refused, file, 'x') as unknown as FakeWorker
+    expect(start(() => 'the text').args).toEqual(['blob:here', { type: 'classic', name: 'x' }])
+    expect(await script?.text()).toBe('the text')
+    // In a frame without an origin, only a text is a blob.
+    vi.stubGlobal('origin', 'null')
+    const [url, options] = start(() => new URL(PAGE)).args
+    expect(url).toBe(`data:text/javascript,${encodeURIComponent(`import "${PAGE}"`)}`)
+    expect(options).toEqual({ type: 'module', name: 'x' })
+    expect(start(() => 'the text').args[0]).toBe('blob:here')
   })
 
   it('fails as the browser does for any other reason', () => {
