@@ -506,6 +506,28 @@ describe('a part of an input', () => {
     },
   )
 
+  it('of finalCells is a box and a radius', async () => {
+    const box = { minX: 0, minY: 0, maxX: 1, maxY: 1 }
+    for (const known of [
+      undefined,
+      { box },
+      { maxRadius: 1 },
+      { box, maxRadius: '1' },
+      ...Object.keys(box).map((side) => ({ box: { ...box, [side]: '0' }, maxRadius: 1 })),
+    ]) {
+      expect(await messageOf(() => library.finalCells(diagram, known as never))).toBe(
+        'finalCells takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.',
+      )
+    }
+    const wide = { box: { minX: -40, minY: -20, maxX: 70, maxY: 90 }, maxRadius: 1 }
+    expect([...library.finalCells(diagram, wide).vertices]).toEqual([1])
+    for (const [side, value] of Object.entries({ minX: 0, minY: 0, maxX: 5, maxY: 6 })) {
+      const { vertices } = library.finalCells(diagram, { ...wide, box: { ...wide.box, [side]: value } })
+      expect([...vertices]).toEqual([0])
+    }
+    expect([...library.finalCells(diagram, { ...wide, maxRadius: 99 }).vertices]).toEqual([0])
+  })
+
   it('of a core that judges is an array of the right kind and length', async () => {
     const kinds = {
       ...{ circles: 3, vertices: 3, vertexCircles: 3, edges: 4, hidden: 2 },

@@ -98,7 +98,7 @@ describe('circles with attributes', () => {
     const spaced = {
       properties: ['\n{\n"n":\r2 }\n', ''],
       ids: ['"p"\n', '\r7'],
-      heights: ['5\n', ''],
+      heights: ['\n5', ''],
       collection: '{"type":"a", "features":[],\n"bbox":[1],"crs":{"a":1}}',
     }
     expect(files.writeCircles(TWO, { format: 'geojson', attributes: spaced }).replaceAll(' ', '')).toBe(geojson)

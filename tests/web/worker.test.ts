@@ -127,7 +127,8 @@ describe('a worker', () => {
     expect(thread.posted).toHaveLength(3)
   })
 
-  it('computes one after the other', async () => {
+  it('computes one after the other, with a module that it compiles once', async () => {
+    const compile = vi.spyOn(WebAssembly, 'compile')
     const promises = [THREE, [], [[1, 2, 3]]].map((circles) => worker.compute(circles))
     const thread = await asked(1)
     thread.answer()
@@ -137,6 +138,8 @@ describe('a worker', () => {
     ;(await asked(3)).answer()
     const sizes = (await Promise.all(promises)).map(({ circles }) => circles.length)
     expect(sizes).toEqual([9, 0, 3])
+    expect(compile).toHaveBeenCalledOnce()
+    compile.mockRestore()
   })
 
   it('tells progress, to who asked for it alone', async () => {
