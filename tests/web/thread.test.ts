@@ -13,6 +13,7 @@ import type {
   Request,
   Start,
 } from '../../web/lib/threads/worker-messages.ts'
+import { circleVoronoiOf } from '../../web/lib/wasm/library.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -375,7 +376,11 @@ describe('what a thread answers', () => {
 
   it('is the reason for which the module does not load, each time', async () => {
     const { said, ask } = answering()
-    await ask({ module: new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)) })
+    const broken = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0))
+    await ask({ module: broken })
+    // The failure before the first request is not unhandled.
+    await expect(circleVoronoiOf(broken)).rejects.toThrow('cannot be loaded')
+    await new Promise((resolve) => setImmediate(resolve))
     await ask(request())
     await ask(request())
     expect(said).toHaveLength(2)
