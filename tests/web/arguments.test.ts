@@ -572,6 +572,15 @@ describe('a value of an option', () => {
     }
   })
 
+  it.each([
+    ['method', 'auto, touching-disc or flip'],
+    ['candidates', 'dynamic, uniform or all-pairs'],
+  ])('%s of compute is one of a few', async (name, choice) => {
+    for (const act of computes.slice(0, 2)) {
+      expect(await messageOf(() => act({ [name]: 'x' }))).toBe(`Unknown ${name}: the choice is ${choice}.`)
+    }
+  })
+
   const fits: readonly ((options: object) => unknown)[] = [
     (options) => regions.fitAreas([[1, 1]], [1], { region, ...options }),
     (options) => worker.fitAreas([[1, 1]], [1], { region, ...options }),

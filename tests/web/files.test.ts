@@ -37,6 +37,7 @@ it('a diagram is drawn where, how far and how closely it is asked for', () => {
   expect(wkt({ bounds: { minX: -5, minY: -5, maxX: 10, maxY: 10 } })).toBe(square)
   const sides = (options: object) => wkt(options)?.split(',').length ?? 0
   expect(sides({ maxDistance: 0.5, tolerance: 0.1 })).toBeLessThan(sides({ maxDistance: 0.5, tolerance: 0.001 }))
+  expect(wkt({ maxDistance: 0.5, digits: 1e10 })).toBe(wkt({ maxDistance: 0.5, digits: 999 }))
   expect(wkt({ maxDistance: 0.5, digits: 1 })).toMatch(/^POLYGON \(\((-?\d(\.\d)? -?\d(\.\d)?(, )?)+\)\)$/)
 })
 

@@ -20,11 +20,11 @@ const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 /** A busy machine may take long to start a thread. */
 const SOON = { timeout: 40_000 }
 const PAGE = 'https://example.org/worker-thread.js'
-const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
+const world = vi.hoisted(() => ({ file: '', text: '', newWorker: (): unknown => undefined }))
 
 vi.mock('../../web/lib/threads/thread-file.ts', () => ({
   THREAD_NAME: 'the name',
-  threadFile: () => new URL(world.file),
+  threadFile: () => world.text || new URL(world.file),
   newWorker: () => world.newWorker(),
 }))
 
@@ -73,16 +73,27 @@ describe('a thread in Node', () => {
   it('takes over no options of its process, some of which would break it', () => {
     const given: unknown[] = []
     class Worker extends EventTarget {
-      constructor(_: URL, options: unknown) {
+      readonly ref = () => given.push('ref')
+      readonly unref = () => given.push('unref')
+      readonly terminate = () => given.push('terminate')
+      constructor(file: URL | string, options: unknown) {
         super()
-        given.push(options)
+        given.push(String(file), options)
       }
       on() {}
     }
     const builtin = vi.spyOn(process, 'getBuiltinModule').mockReturnValue({ Worker } as never)
+    world.file = PAGE
+    const thread = startThread({ onReply() {}, onFailure() {} })
+    thread.keepAlive(true)
+    thread.keepAlive(false)
+    thread.terminate()
+    world.text = 'the text'
     startThread({ onReply() {}, onFailure() {} })
+    world.text = ''
     builtin.mockRestore()
-    expect(given).toEqual([expect.objectContaining({ execArgv: [] })])
+    const options = { eval: false, execArgv: [], workerData: 'the name' }
+    expect(given).toEqual([PAGE, options, 'ref', 'unref', 'terminate', 'the text', { ...options, eval: true }])
   })
 
   it('tells of its failure, and answers nothing', async () => {
@@ -294,6 +305,33 @@ describe('what a thread answers', () => {
     const arrays = [circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide]
     expect(new Set(transfer)).toEqual(new Set(arrays.map(({ buffer }) => buffer)))
     expect(transfer).toHaveLength(arrays.length)
+  })
+
+  it('is a periodic diagram, or a fit in a box, with the memory of all their arrays', async () => {
+    const { said, ask } = answering()
+    await ask({ module: await module })
+    const arraysOf = (value: object) => Object.values(value).filter((item) => ArrayBuffer.isView(item))
+    const expectAll = (transfer: ArrayBuffer[], arrays: readonly ArrayBufferView[]) => {
+      expect(new Set(transfer)).toEqual(new Set(arrays.map(({ buffer }) => buffer)))
+      expect(transfer).toHaveLength(arrays.length)
+    }
+    await ask({ ...request(), lattice: { a: [20, 0], b: [0, 20] } })
+    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
+    if (!('periodic' in reply)) throw new Error('It is no periodic diagram.')
+    const { periodic } = reply
+    expect(periodic.circleCount).toBe(3)
+    expectAll(transfer, [...arraysOf(periodic), ...arraysOf(periodic.diagram)])
+    const path = new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url)
+    const options = { shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0, lattice: Float64Array.of(9, 0, 0, 4) }
+    const fit = { sites: Float64Array.of(2, 2, 0, 7, 3, 0), areas: Float64Array.of(1, 3), ...options }
+    const wasm = await WebAssembly.compile(readFileSync(path))
+    await ask({ fit, region: undefined, wasm, tellsProgress: false })
+    const [answer, buffers] = said.at(-1) as [Reply, ArrayBuffer[]]
+    if (!('periodicFit' in answer)) throw new Error('It is no fit in a box.')
+    const { periodicFit } = answer
+    expect(periodicFit.areas[1]).toBeCloseTo(27, 6)
+    const parts = [periodicFit, periodicFit.periodic, periodicFit.periodic.diagram]
+    expectAll(buffers, parts.flatMap(arraysOf))
   })
 
   it('tells progress if it is to', async () => {

@@ -82,6 +82,12 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one():
     with pytest.raises(cv.CircleVoronoiError):
         diagram.write("cells.geojson", tolerance=-1)
     assert Path("cells.geojson").read_text() == "old" and list(Path().iterdir()) == [Path("cells.geojson")]
+    Path("folder.json").mkdir()
+    with pytest.raises(OSError):
+        diagram.write("folder.json")
+    assert sorted(Path().iterdir()) == [Path("cells.geojson"), Path("folder.json")]
+    diagram.write("cells.GeoJSON")
+    assert Path("cells.GeoJSON").read_bytes() == diagram.to_bytes("geojson")
 
 
 @pytest.mark.parametrize("text, words", [(b"x,y,r\n1,2,q\n", "bad.csv:2"), (b"", "bad.csv"), (b"\xff\xfe", "bad.csv")])
