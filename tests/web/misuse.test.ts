@@ -3,6 +3,7 @@
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import {
+  type Bounds,
   bisector,
   ConvexPolygon,
   clearestPath,
@@ -302,6 +303,33 @@ describe('circles', () => {
     const { diagram: same, ...its } = library.computePeriodic(CIRCLES, box)
     expect([one.vertices, images]).toEqual([same.vertices, its])
   })
+})
+
+it('bounds are those of each call, whatever they were before', () => {
+  const one = library.compute([[0, 0, 1]])
+  const areaIn = (bounds: Bounds) => one.cellArea(0, { bounds })
+  expect(areaIn([-9, -9, 9, 9])).toBe(324)
+  for (const k of [0, 1, 2, 3]) {
+    const sides = [-9, -9, 9, 9].with(k, 0) as [number, number, number, number]
+    expect(areaIn(sides)).toBe(162)
+    expect(areaIn([-9, -9, 9, 9])).toBe(324)
+    expect(one.cellArea(0, { bounds: sides, maxDistance: 99 })).toBe(162)
+    expect(areaIn([-9, -9, 9, 9])).toBe(324)
+  }
+  const corners = [
+    { x: -9, y: -9 },
+    { x: 9, y: -9 },
+    { x: -9, y: 9 },
+  ]
+  expect(areaIn(ConvexPolygon.from(corners))).toBe(162)
+  expect(areaIn([-9, -9, 9, 9])).toBe(324)
+  expect(areaIn({ minX: -9, minY: -9, maxX: 9, maxY: 0 })).toBe(162)
+})
+
+it('points may be any list of numbers', () => {
+  for (const points of [Float64Array.of(5, 1, 1, 7), Float32Array.of(5, 1, 1, 7), [5, 1, 1, 7]]) {
+    expect(diagram.findAll(points)).toEqual(Int32Array.of(1, 2))
+  }
 })
 
 it('a diagram has the methods of its kind', () => {

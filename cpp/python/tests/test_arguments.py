@@ -67,7 +67,8 @@ def test_no_circles_have_an_empty_diagram(none):
         (np.array([[0, 0, 1], [4, 0, 1j]]), 0, "not a real number"),
         (np.array([[0, 0, 1], [4, None, 1]], dtype=object), 1, "y is not a real number"),
         (np.ma.array(CIRCLES, mask=[[0] * 3, [0] * 3, [0, 1, 0], [0] * 3]), 2, "masked"),
-        ([[0, 0, 1], [2**53 + 1, 0, 1]], 1, "no double"),
+        ([[0, 0, 1], [2**53 + 1, 0, 1]], 1, "x is 9007199254740993, a whole number that is no double"),
+        ([[0, 0, 1], [0, -(2**53) - 1, 1]], 1, "y is -9007199254740993, a whole number that is no double"),
         (CIRCLES[:, :2], None, "shape (4, 2)"),
         (CIRCLES[0], None, "shape (3,)"),
         (CIRCLES[None], None, "shape (1, 4, 3)"),
@@ -153,4 +154,8 @@ def test_an_error_is_a_value_error_with_a_code_and_survives_pickling():
     with pytest.raises(ValueError) as caught:
         cv.compute([[0, 0, -1]])
     copy = pickle.loads(pickle.dumps(caught.value))
-    assert (str(copy), copy.code, copy.circle) == (str(caught.value), "negativeRadius", 0)
+    assert (str(copy), copy.code, copy.circle, copy.edit) == (str(caught.value), "negativeRadius", 0, None)
+    with pytest.raises(ValueError) as caught:
+        cv.compute(CIRCLES).update(remove=[1], insert=[[0, 0, -1]])
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert (str(copy), copy.code, copy.edit) == (str(caught.value), "negativeRadius", 1)

@@ -108,3 +108,13 @@ def test_areas_that_do_not_fit_are_one_error(areas, words):
     with pytest.raises(cv.CircleVoronoiError) as caught:
         cv.fit_areas([[10, 30], [70, 20], [30, 70]], areas, ROOM)
     assert words in str(caught.value), str(caught.value)
+
+
+@pytest.mark.parametrize("nothing", [None, Polygon()])
+def test_rows_without_a_geometry_are_no_region(nothing):
+    geopandas = pytest.importorskip("geopandas")
+    series = geopandas.GeoSeries([ROOM, nothing])
+    with pytest.raises(cv.CircleVoronoiError, match="Row 1 of region has no geometry") as caught:
+        cv.Region(series)
+    assert caught.value.circle == 1
+    assert cv.Region(series[:1]).area == ROOM.area
