@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/io.h"
@@ -178,6 +179,26 @@ TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   }
   // Each border once: six for each visible circle, and each for two.
   EXPECT_EQ(count("<path data-edge="), 6);
+}
+
+TEST_F(CliPeriodic, TheDrawingHasAMarginWithTheCopiesThatReachIntoIt) {
+  const auto drawingOf = [&](const std::string& circle) {
+    return textOf("compute " + write("one.csv", circle) + " --lattice 1,0,0,1 --format svg");
+  };
+  const auto copiesIn = [](const std::string& svg) {
+    const std::regex use("<use href=\"#given-[0-9]+\" x=\"([^\"]+)\" y=\"([^\"]+)\"/>");
+    std::vector<std::pair<std::string, std::string>> places;
+    for (std::sregex_iterator at(svg.begin(), svg.end(), use), end; at != end; ++at)
+      places.emplace_back((*at)[1], (*at)[2]);
+    return places;
+  };
+  const std::string svg = drawingOf("0.5,0.5,0\n");
+  EXPECT_NE(svg.find("viewBox=\"-0.15 -1.15 1.2999999999999998 1.2999999999999998\""), std::string::npos);
+  EXPECT_EQ(copiesIn(svg).size(), 9U);
+  // The copy on the left ends in the margin, or before it. The radius is room for the borders between two vertices.
+  EXPECT_EQ(copiesIn(drawingOf("0.4,0.5,0\n")).size(), 9U);
+  EXPECT_EQ(copiesIn(drawingOf("0.3,0.5,0\n")).size(), 6U);
+  EXPECT_EQ(copiesIn(drawingOf("0.3,0.5,0.9\n")).size(), 20U);
 }
 
 TEST_F(CliPeriodic, RefusesInvalidLatticesAndOptions) {

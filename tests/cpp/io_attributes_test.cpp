@@ -10,6 +10,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/periodic.h"
 #include "lines.h"
 
 namespace circle_voronoi {
@@ -290,6 +291,33 @@ TEST(CircleAttributes, GoThroughDiagramsInJsonAndToCells) {
   EXPECT_EQ(writeDiagramFile(cells, diagram, few).error().code, ErrorCode::badInput);
   EXPECT_EQ(writeGeoJson(cells, diagram, {.attributes = &few}).error().code, ErrorCode::badInput);
   EXPECT_EQ(writeCirclesCsv(cells, file.circles, few).error().code, ErrorCode::badInput);
+}
+
+TEST(CircleAttributes, OfAPeriodicDiagramBelongToTheGivenCircles) {
+  const auto periodic = computePeriodic(Circles{{0.2, 0.2, 0.1}, {0.7, 0.6, 0.1}}, {{1, 0}, {0, 1}});
+  ASSERT_TRUE(periodic);
+  ASSERT_GT(periodic->circleOf.size(), 2U);
+  const auto written = [&](auto write, const Strings& properties) {
+    std::ostringstream out;
+    const CircleAttributes attributes = {.properties = properties};
+    ExportOptions options;
+    options.attributes = &attributes;
+    const Result<void> result = write(out, options);
+    return result ? out.str() : std::string(errorCodeName(result.error().code)) + ": " + result.error().message;
+  };
+  using Write = Result<void> (*)(std::ostream&, const PeriodicDiagram&, const ExportOptions&);
+  for (const Write write : {writePeriodicGeoJson, writePeriodicGeoJsonLines, writePeriodicSvg}) {
+    const auto writeOptions = [&](std::ostream& out, const ExportOptions& options) {
+      return write(out, *periodic, options);
+    };
+    EXPECT_TRUE(written(writeOptions, {R"({"n":1})"}).starts_with("badInput: ")) << written(writeOptions, {"{}"});
+    if (write == writePeriodicSvg) continue;
+    EXPECT_NE(written(writeOptions, {R"("n":1)", R"("n":2)"}).find(R"("n":2)"), std::string::npos);
+  }
+  const auto writeJson = [&](std::ostream& out, const ExportOptions& options) {
+    return writePeriodicJson(out, *periodic, {}, *options.attributes);
+  };
+  EXPECT_TRUE(written(writeJson, {"{}"}).starts_with("badInput: "));
 }
 
 TEST(CircleAttributes, IdsAndHeightsOfATableAreThoseOfFeatures) {

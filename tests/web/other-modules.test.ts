@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, expect, it, vi } from 'vitest'
+import { comparisonAddress, regionsAddress } from '../../web/lib/wasm/other-wasm.ts'
 import { otherModules } from '../../web/view/load.ts'
 
 afterEach(() => vi.unstubAllGlobals())
@@ -21,4 +22,9 @@ it('addresses for a thread are those that the page would resolve, also the relat
     regionsWasm: 'https://example.org/media/regions.wasm',
     comparisonWasm: 'https://example.org/course/comparison.wasm',
   })
+})
+
+it('default addresses for a thread are those of the files beside the library', () => {
+  const names = [comparisonAddress(), regionsAddress()].map((url) => url?.href.split('/').at(-1))
+  expect(names).toEqual(['circle-voronoi-comparison.wasm', 'circle-voronoi-regions.wasm'])
 })
