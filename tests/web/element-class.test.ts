@@ -4,6 +4,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { EditorActions } from '../../web/editing/editor-actions.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
+import { loadWords } from '../../web/element/language.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import type { Figure } from '../../web/player/figure.ts'
@@ -62,11 +63,10 @@ const world = vi.hoisted(() => {
       const { attributeChangedCallback } = this as unknown as { attributeChangedCallback(name: string): void }
       if (observedAttributes.includes(name)) attributeChangedCallback.call(this, name)
     }
-    closest() {
-      const lang = this.getAttribute('lang')
-      return lang === null ? null : this
+    closest(): unknown {
+      return this.hasAttribute('lang') ? this : null
     }
-    getRootNode() {
+    getRootNode(): unknown {
       return undefined
     }
     querySelector() {
@@ -82,7 +82,7 @@ const world = vi.hoisted(() => {
     options: [] as { scrolls: boolean; load: unknown }[],
     idle: [] as (() => void)[],
     sights: [] as ((sight: string) => void)[],
-    observers: [] as { change: () => void; isOn: boolean }[],
+    observers: [] as { change: () => void; isOn: boolean; options: unknown }[],
     isPressed: false,
     mounted: [] as unknown[][],
     makeView: (): unknown => undefined,
@@ -309,8 +309,10 @@ beforeEach(() => {
         this.change = change
         world.observers.push(this)
       }
-      observe() {
+      options: unknown
+      observe(_: unknown, options: unknown) {
         this.isOn = true
+        this.options = options
       }
       disconnect() {
         this.isOn = false
@@ -811,8 +813,8 @@ describe('circles', () => {
   it('between the tags are read again when they change, unless there are others', async () => {
     const { element, told } = await shown({})
     expect([...element.circles]).toEqual([])
-    const observer = world.observers[0] as { change(): void; isOn: boolean }
-    expect(observer.isOn).toBe(true)
+    const [observer] = world.observers as [(typeof world.observers)[number]]
+    expect(observer).toMatchObject({ isOn: true, options: { childList: true, subtree: true, characterData: true } })
     const write = async (textContent: string) => {
       Object.assign(element, { childNodes: [{ nodeType: 3, textContent }] })
       observer.change()
@@ -962,6 +964,10 @@ describe('a selection', () => {
       await settled(element)
     }
     expect(selections()).toEqual([[]])
+    element.selection = [1]
+    figureOf().actions.select([2])
+    await settled(element)
+    expect([element.selection, selections()]).toEqual([[2], [[2]]])
     // While others are opened, a selection waits for them.
     let go = () => {}
     before = () => new Promise<void>((resolve) => (go = resolve))
@@ -1045,6 +1051,16 @@ describe('an element that leaves its page', () => {
     await disconnect(element)
     await ready
     await element.ready
+    connect(element)
+    isReady = false
+    element.ready.then(() => {
+      isReady = true
+    })
+    await aTurn()
+    await aTurn()
+    expect(isReady).toBe(false)
+    await disconnect(element)
+    expect(isReady).toBe(true)
     const acts = [() => element.toSVG(), () => element.compute(), () => element.play(), () => element.setState({})]
     for (const act of acts) await expect(act()).rejects.toThrow('The figure is in no page, or no longer.')
     element.pause()
@@ -1076,6 +1092,7 @@ describe('a figure', () => {
     see('far')
     expect(world.views).toHaveLength(0)
     see('near')
+    expect(world.views).toHaveLength(1)
     for (const start of world.idle.splice(0)) start()
     expect(world.views).toHaveLength(1)
     vi.stubGlobal('navigator', { connection: { saveData: true } })
@@ -1146,7 +1163,9 @@ describe('a figure', () => {
     const { shell } = await shown({ circles: TEXT, alt: 'Trees' })
     expect(shell.described[1]).toBe('Trees')
     expect(shell.described[2]).toMatch(/^3 circles; /)
-    const early = made({ alt: 'Trees' })
+    const early = made({})
+    expect(early.shell.described.slice(1)).toEqual(['', '', false])
+    early.element.alt = 'Trees'
     expect(early.shell.described.slice(1)).toEqual(['Trees', '', false])
   })
 
@@ -1228,6 +1247,48 @@ describe('a domain', () => {
       expect(shell.problem).toBe('')
     },
   )
+
+  it('follows each attribute and each property, also those of an element that runs', async () => {
+    const { element } = await shown()
+    const box = (size: number) => ({ a: [size, 0], b: [0, size] })
+    const region = () => JSON.stringify(element.region)?.match(/1[79]/)?.[0]
+    for (const [name, attribute, property, read, values] of [
+      [
+        'areas',
+        '1 2 3',
+        [3, 2, 1],
+        () => element.areas,
+        [
+          [1, 2, 3],
+          [3, 2, 1],
+        ],
+      ],
+      [
+        'region',
+        SQUARE,
+        [RING.map((corner) => corner.map((place) => (place === 19 ? 17 : place)))],
+        region,
+        ['19', '17'],
+      ],
+      ['lattice', '30 0 0 30', box(40), () => element.lattice, [box(30), box(40)]],
+    ] as const) {
+      const seen: unknown[] = []
+      for (const act of [
+        () => element.setAttribute(name, attribute),
+        () => Object.assign(element, { [name]: property }),
+        () => Object.assign(element, { [name]: undefined }),
+        () => Object.assign(element, { [name]: property }),
+        () => element.setAttribute(name, attribute),
+        () => element.removeAttribute(name),
+      ]) {
+        act()
+        await settled(element)
+        seen.push(read())
+      }
+      const [said, own] = values
+      expect(seen, name).toEqual([said, own, said, own, said, undefined])
+    }
+  })
 
   it('that is refused later stays as it was', async () => {
     const all = await shown({ circles: TEXT, region: SQUARE })
@@ -1407,9 +1468,13 @@ describe('a state', () => {
     element.setAttribute('region', SQUARE)
     await settled(element)
     expect(element.region).toBeDefined()
-    await disconnect(element)
-    await run(element)
     expect([...element.circles]).toEqual(THREE.flat())
+    const other = await shown({ step: '3' })
+    await other.element.setState({ circles: THREE })
+    expect(other.element.getState()).not.toHaveProperty('step')
+    world.observers.at(-1)?.change()
+    await settled(other.element)
+    expect([...other.element.circles]).toEqual(THREE.flat())
   })
 
   it('without circles changes only what it names', async () => {
@@ -1466,4 +1531,39 @@ describe('texts', () => {
       expect(said()).toEqual(['en', 'en', undefined, true])
     }
   })
+
+  it('are in the language around the element, also across shadow roots, once it is in its page', async () => {
+    await loadWords('de')
+    const around = { getAttribute: () => 'de-AT' }
+    const root = Object.create(ShadowRoot.prototype) as object
+    const { element, shell } = made({})
+    Object.assign(element, { getRootNode: () => root })
+    Object.assign(root, { host: { closest: () => around } })
+    expect(shell.described[0].lang).toBe('en')
+    connect(element)
+    expect(shell.described[0].lang).toBe('de-AT')
+    const plain = made({})
+    Object.assign(plain.element, { closest: () => around })
+    connect(plain.element)
+    expect(plain.shell.described[0].lang).toBe('de-AT')
+    const none = made({})
+    Object.assign(none.element, { getRootNode: () => ({}) })
+    connect(none.element)
+    expect(none.shell.described[0].lang).toBe('en')
+  })
+})
+
+it('circles between the tags are read once the page has them all', async () => {
+  vi.stubGlobal('document', Object.assign(new EventTarget(), { readyState: 'loading', visibilityState: 'visible' }))
+  const window = new EventTarget()
+  vi.stubGlobal('addEventListener', window.addEventListener.bind(window))
+  const { element } = made({})
+  connect(element)
+  for (const start of world.idle.splice(0)) start()
+  await aTurn()
+  Object.assign(element, { childNodes: [{ nodeType: 3, textContent: '|1|2|3|' }] })
+  expect([...element.circles]).toEqual([])
+  window.dispatchEvent(new Event('DOMContentLoaded'))
+  await element.ready
+  expect([...element.circles]).toEqual([1, 2, 3])
 })
