@@ -79,7 +79,8 @@ const world = vi.hoisted(() => {
     shells: [] as unknown[],
     papers: [] as { calls: string[]; draw: () => Promise<string> }[],
     calls: [] as string[],
-    options: [] as { scrolls: boolean; load: unknown }[],
+    /** The options of the listeners to pointer and keyboard. */
+    listening: [] as unknown[],
     idle: [] as (() => void)[],
     sights: [] as ((sight: string) => void)[],
     observers: [] as { change: () => void; isOn: boolean; options: unknown }[],
@@ -97,14 +98,19 @@ vi.mock('../../web/view/mount.ts', () => ({
   },
 }))
 vi.mock('../../web/view/pointer.ts', () => ({
-  listenToPointer: (..._: unknown[]) => ({
-    get isPressed() {
-      return world.isPressed
-    },
-    stop: () => world.calls.push('pointer stopped'),
-  }),
+  listenToPointer: (...given: unknown[]) => {
+    world.listening.push(given.at(-1))
+    return {
+      get isPressed() {
+        return world.isPressed
+      },
+      stop: () => world.calls.push('pointer stopped'),
+    }
+  },
 }))
-vi.mock('../../web/editing/keyboard.ts', () => ({ listenToKeyboard() {} }))
+vi.mock('../../web/editing/keyboard.ts', () => ({
+  listenToKeyboard: (...given: unknown[]) => world.listening.push(given.at(-1)),
+}))
 vi.mock('../../web/editing/live-region.ts', () => ({ mountLiveRegion() {} }))
 vi.mock('../../web/player/stepping.ts', () => ({
   Stepping: class {
@@ -282,7 +288,16 @@ world.makeView = () => {
 }
 
 beforeEach(() => {
-  for (const list of [world.views, world.shells, world.papers, world.calls, world.idle, world.sights, world.mounted])
+  for (const list of [
+    world.views,
+    world.shells,
+    world.papers,
+    world.calls,
+    world.idle,
+    world.sights,
+    world.mounted,
+    world.listening,
+  ])
     list.length = 0
   world.observers.length = 0
   world.isPressed = false
@@ -469,6 +484,8 @@ describe('a check', () => {
     expect(all.shell.problem).toBe('')
     expect(await errorsOf(all, () => Object.assign(all.element, { circles: THREE }))).toHaveLength(1)
     expect(all.shell.problem).toMatch(/there is no circle 3/)
+    await all.element.setState({ edits: [{ kind: 'remove', id: 0 }] })
+    expect(all.told().filter((name) => name === 'error')).toHaveLength(2)
   })
 
   it('that cannot be written is an error, until it is unset or another one', async () => {
@@ -680,6 +697,36 @@ describe('attributes and properties', () => {
     }
   })
 
+  it('layers and a view are seen at once in a figure that runs, with the data of clients', async () => {
+    const data = [{ id: 'a', color: 'red', points: Float64Array.of(1, 2) }]
+    const early = made({ circles: TEXT })
+    early.element.layers = { data }
+    await run(early.element)
+    expect(early.view().layers).toMatchObject({ data })
+    const { element, view } = await shown({ circles: TEXT, layers: 'hull' })
+    const seen: unknown[] = []
+    for (const act of [
+      () => Object.assign(element, { layers: { dual: true } }),
+      () => Object.assign(element, { layers: undefined }),
+      () => element.setAttribute('layers', 'dual'),
+      () => element.removeAttribute('layers'),
+    ]) {
+      act()
+      const { hull, dual } = view().layers as { hull: boolean; dual: boolean }
+      seen.push([hull, dual])
+    }
+    expect(seen).toEqual([
+      [false, true],
+      [true, false],
+      [false, true],
+      [false, false],
+    ])
+    element.view = { x: 1, y: 2, span: 9 }
+    expect(view().camera).toMatchObject({ x: 1, y: 2 })
+    element.setAttribute('view', '3 4 9')
+    expect(view().camera).toMatchObject({ x: 3, y: 4 })
+  })
+
   it('a property that cannot be is one error, and leaves the former value', async () => {
     const all = await shown()
     const acts: readonly [name: string, value: unknown, message: RegExp][] = [
@@ -771,6 +818,8 @@ describe('circles', () => {
     ]
     await settled(element)
     expect(told()).toEqual(['circleschange', 'diagramchange'])
+    await element.setState({ edits: [{ kind: 'remove', id: 0 }] })
+    expect([...element.value]).toEqual([5, 8, 1.25])
     for (const nothing of ['', undefined, null]) {
       element.value = [[1, 1, 1]]
       element.value = nothing
@@ -811,7 +860,7 @@ describe('circles', () => {
   })
 
   it('between the tags are read again when they change, unless there are others', async () => {
-    const { element, told } = await shown({})
+    const { element, told, shell } = await shown({})
     expect([...element.circles]).toEqual([])
     const [observer] = world.observers as [(typeof world.observers)[number]]
     expect(observer).toMatchObject({ isOn: true, options: { childList: true, subtree: true, characterData: true } })
@@ -820,8 +869,11 @@ describe('circles', () => {
       observer.change()
       await settled(element)
     }
+    expect(told()).toEqual([])
+    await write('|1|2|')
+    expect(shell.problem).toMatch(/^Line 1/)
     await write('|1|2|3|')
-    expect([...element.circles]).toEqual([1, 2, 3])
+    expect([...element.circles, shell.problem]).toEqual([1, 2, 3, ''])
     for (const [set, unset] of [
       [() => element.setAttribute('circles', TEXT), () => element.removeAttribute('circles')],
       [() => Object.assign(element, { circles: THREE }), () => Object.assign(element, { circles: undefined })],
@@ -835,6 +887,10 @@ describe('circles', () => {
       await settled(element)
       expect([...element.circles]).toEqual([4, 4, 4])
     }
+    Object.assign(element, { childNodes: [] })
+    observer.change()
+    await settled(element)
+    expect([...element.circles]).toEqual([])
     await disconnect(element)
     expect(observer.isOn).toBe(false)
   })
@@ -968,6 +1024,9 @@ describe('a selection', () => {
     figureOf().actions.select([2])
     await settled(element)
     expect([element.selection, selections()]).toEqual([[2], [[2]]])
+    figureOf().actions.hover(1)
+    await settled(element)
+    expect(selections()).toEqual([])
     // While others are opened, a selection waits for them.
     let go = () => {}
     before = () => new Promise<void>((resolve) => (go = resolve))
@@ -1027,6 +1086,34 @@ describe('an element that leaves its page', () => {
     await next.actions.undo()
     await next.actions.undo()
     expect([...element.circles].sort()).toEqual(THREE.flat().sort())
+  })
+
+  it('keeps areas and colors, and waits for no file any more', async () => {
+    const { element } = await shown()
+    await element.setState({ circles: THREE, region: [RING], areas: [3, 2, 1], colors: '012' })
+    const state = element.getState()
+    expect(state).toMatchObject({ areas: [3, 2, 1] })
+    await disconnect(element)
+    expect(element.getState()).toEqual(state)
+    await run(element)
+    expect(element.getState()).toEqual(state)
+    expect(domains.at(-1)).toMatchObject({ colors: '012' })
+    await disconnect(element)
+    element.lattice = { a: [30, 0], b: [0, 30] }
+    await run(element)
+    expect([element.lattice, element.region, element.areas]).toEqual([{ a: [30, 0], b: [0, 30] }, undefined, undefined])
+    expect([...element.circles]).toEqual(THREE.flat())
+    const signals: AbortSignal[] = []
+    vi.stubGlobal('fetch', (_: string, { signal }: { signal: AbortSignal }) => {
+      signals.push(signal)
+      return new Promise(() => {})
+    })
+    element.removeAttribute('circles')
+    element.src = 'a.csv'
+    await aTurn()
+    await disconnect(element)
+    expect(signals.length).toBeGreaterThan(0)
+    expect(signals.map(({ aborted }) => aborted)).not.toContain(false)
   })
 
   it('has no history of circles that others have replaced meanwhile', async () => {
@@ -1131,6 +1218,74 @@ describe('a figure', () => {
     }
   })
 
+  it('that is far from the start has no pixels', async () => {
+    const { element, shell, view } = made()
+    connect(element)
+    world.sights.at(-1)?.('far')
+    for (const start of world.idle.splice(0)) start()
+    await element.ready
+    expect([view().isShown, shell.isShown]).toEqual([false, false])
+  })
+
+  it('begins at a call, lets the page scroll, and has the keys of its picture and the modules of its class', async () => {
+    const load = { wasm: 'a.wasm' }
+    const former = CircleVoronoiElement.load
+    CircleVoronoiElement.load = load
+    const { element, shell, view } = made({ circles: TEXT, layers: 'hull' })
+    connect(element)
+    expect(await element.toSVG()).toBe('<svg>')
+    CircleVoronoiElement.load = former
+    expect([...view().circles.circles()]).toEqual(THREE.flat())
+    expect(view().load).toBe(load)
+    const { picture } = shell as unknown as { picture: unknown }
+    expect(world.listening).toEqual([{ letsPageScroll: true }, expect.objectContaining({ around: picture })])
+    const empty = await shown({ layers: 'hull' })
+    expect(empty.view().layers).toMatchObject({ hull: true })
+  })
+
+  it('is complete once all is computed, checked, played and painted', async () => {
+    const { element, shell } = await shown()
+    const isComplete = async () => {
+      let isDone = false
+      void element.updateComplete.then(() => {
+        isDone = true
+      })
+      await aTurn()
+      await aTurn()
+      return isDone
+    }
+    const pending = () => {
+      let resolve = (_?: unknown) => {}
+      const promise = new Promise((done) => {
+        resolve = done
+      })
+      return { promise, resolve }
+    }
+    const computed = pending()
+    before = () => computed.promise
+    element.circles = [[1, 1, 1]]
+    expect(await isComplete()).toBe(false)
+    computed.resolve()
+    expect(await isComplete()).toBe(true)
+    const checked = pending()
+    answers.tell = checked.promise
+    element.check = { circles: 1 }
+    expect(await isComplete()).toBe(false)
+    checked.resolve({ circles: 1, hidden: 0, vertices: 0, edges: 0, cells: new Map() })
+    expect(await isComplete()).toBe(true)
+    world.calls.length = 0
+    await isComplete()
+    expect(world.calls).toEqual(['ready'])
+    const figure = shell.figure as EventTarget & { ariaBusy: string }
+    figure.ariaBusy = 'true'
+    expect(await isComplete()).toBe(false)
+    figure.ariaBusy = 'false'
+    expect(await isComplete()).toBe(true)
+    const empty = await shown({})
+    Object.assign(empty.shell.figure, { ariaBusy: 'true' })
+    await empty.element.updateComplete
+  })
+
   it('has its drawing for print made again after each change that is seen', async () => {
     const { view } = await shown()
     const [paper] = world.papers as [(typeof world.papers)[number]]
@@ -1188,6 +1343,15 @@ describe('a domain', () => {
   const refusal = (what: string) => new CircleVoronoiError('badOption', `No ${what}.`)
 
   it('is that of attributes and properties from the start', async () => {
+    const early = made({ dissolve: '' })
+    early.element.region = [RING]
+    expect(JSON.stringify(early.element.region)).toBe(JSON.stringify([RING]))
+    early.element.region = undefined
+    await run(early.element)
+    expect(early.told()).not.toContain('error')
+    const both = await shown({ circles: TEXT, lattice: LATTICE, areas: AREAS })
+    expect([both.element.lattice, both.element.areas]).toEqual([{ a: [30, 0], b: [0, 30] }, [1, 2, 3]])
+    domains.length = 0
     const { element } = await shown({ circles: TEXT, region: SQUARE, areas: AREAS })
     expect(domains).toHaveLength(1)
     expect([element.areas, element.getState().areas]).toEqual([
@@ -1306,6 +1470,7 @@ describe('a domain', () => {
       return new Response(text, { status: text === '' ? 404 : 200 })
     })
     const all = await shown({ circles: TEXT, region: 'b.wkt' })
+    expect(all.told()).not.toContain('error')
     expect(asked).toEqual(['https://example.org/page/b.wkt'])
     expect(all.element.region).toBeDefined()
     text = ''

@@ -34,7 +34,7 @@ let failure: Error | undefined
 let before: () => Promise<unknown>
 const listeners = new Map<string, (data: unknown) => void>()
 
-function started(): Figure {
+function started(place: object = {}): Figure {
   const backend = new LibraryBackend(async () => {
     await before()
     const error = failure
@@ -54,7 +54,7 @@ function started(): Figure {
     dispose: () => world.calls.push('view'),
   })
   world.view = view
-  return new Figure({} as never, {
+  return new Figure({ figure: place } as never, {
     actions: (store, editing, view) => new EditorActions(store, editing, view, () => NO_PADDING),
     onoutcome() {},
     onproblem: ({ message }) => problems.push(message),
@@ -119,6 +119,74 @@ it('a change waits for circles that are being opened, and keeps what it does not
   await figure.change({ view: { x: 1, y: 2, span: 10 } })
   expect(view.camera).toMatchObject({ x: 1, y: 2 })
   expect(view.camera).not.toEqual(camera)
+})
+
+it('a figure is painted once it says so, is not shown, or its tab is hidden, and then observes nothing', async () => {
+  const observers: { change: () => void; isOn: boolean; filter: unknown }[] = []
+  vi.stubGlobal(
+    'MutationObserver',
+    class {
+      change: () => void
+      isOn = false
+      filter: unknown
+      constructor(change: () => void) {
+        this.change = change
+        observers.push(this)
+      }
+      observe(_: unknown, options: unknown) {
+        this.isOn = true
+        this.filter = options
+      }
+      disconnect() {
+        this.isOn = false
+      }
+    },
+  )
+  const page = Object.assign(new EventTarget(), { visibilityState: 'visible' })
+  vi.stubGlobal('document', page)
+  let frame = () => {}
+  vi.stubGlobal('requestAnimationFrame', (act: () => void) => {
+    frame = act
+  })
+  const place = { ariaBusy: 'true' }
+  const figure = started(place)
+  const view = figure.view as unknown as { isShown: boolean; size: { width: number } }
+  Object.assign(view, { isShown: true })
+  for (const [busy, painted] of [
+    [() => (place.ariaBusy = 'true'), () => (place.ariaBusy = 'false')],
+    [() => (view.isShown = true), () => (view.isShown = false)],
+    [() => (view.size = { width: 9 }), () => (view.size = { width: 0 })],
+    [() => (page.visibilityState = 'visible'), () => (page.visibilityState = 'hidden')],
+  ] as const) {
+    Object.assign(place, { ariaBusy: 'true' })
+    view.isShown = true
+    view.size = { width: 9 }
+    page.visibilityState = 'visible'
+    for (const tell of [() => observers.at(-1)?.change(), () => page.dispatchEvent(new Event('visibilitychange'))]) {
+      busy()
+      let isPainted = false
+      const done = figure.whenPainted().then(() => {
+        isPainted = true
+      })
+      // A change that was just made may not have begun to be painted.
+      painted()
+      await aTurn()
+      expect(isPainted).toBe(false)
+      busy()
+      frame()
+      tell()
+      await aTurn()
+      expect([isPainted, observers.at(-1)?.isOn, observers.at(-1)?.filter]).toEqual([
+        false,
+        true,
+        { attributeFilter: ['aria-busy'] },
+      ])
+      painted()
+      tell()
+      await done
+      expect(observers.at(-1)?.isOn).toBe(false)
+    }
+  }
 })
 
 it('a figure that is disposed of listens to nothing, and tells no problem', async () => {

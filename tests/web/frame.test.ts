@@ -73,6 +73,7 @@ let frame: Frame
 let loads: Map<string, (circles: Float64Array) => void>
 let resized: () => void
 let height: number
+let observed: unknown[]
 const part = (id: string) => main.querySelector(`#${id}`) as FakeNode
 
 beforeEach(() => {
@@ -80,6 +81,7 @@ beforeEach(() => {
   figure = new Figure('circle-voronoi')
   main = page.make('main', {}, figure, ...PARTS.map((id) => page.make('p', { id })))
   height = 100
+  observed = []
   Object.assign(main, { getBoundingClientRect: () => ({ height: main.classes.has('natural') ? height : 1 }) })
   told = []
   loads = new Map()
@@ -90,7 +92,7 @@ beforeEach(() => {
       constructor(change: () => void) {
         resized = change
       }
-      observe() {}
+      observe = (node: unknown) => observed.push(node)
     },
   )
   frame = new Frame(main as unknown as HTMLElement, {
@@ -152,6 +154,22 @@ it('has the texts of a question, and the usual ones without', async () => {
     await frame.open(await encodeLink({ circles: CIRCLES, ...state }))
     expect(unseen()).toEqual(seen)
   }
+})
+
+it('has its texts before its circles, and none of either where a link has none', async () => {
+  let go = () => {}
+  figure.wait = () => new Promise<void>((resolve) => (go = resolve))
+  const opening = frame.open(await encodeLink(QUESTION))
+  await vi.waitFor(() => expect(page.title).toBe('Neighbors'))
+  expect(figure.states).toEqual([])
+  figure.wait = async () => {}
+  await vi.waitFor(() => {
+    go()
+    expect(figure.states).toHaveLength(1)
+  })
+  await opening
+  await frame.open(await encodeLink({ layers: { hull: true } }))
+  expect(figure.states.at(-1)).toMatchObject({ circles: new Float64Array(), region: undefined })
 })
 
 it('shows a player where a state has a step, and buttons where it has circles and none', async () => {
@@ -298,6 +316,7 @@ it('tells changes together once they are computed, and the current state where i
 })
 
 it('tells its height where that changes, and keeps all circles visible where they are', async () => {
+  expect(observed).toEqual([main, part('texts')])
   resized()
   expect(figure.view).toBe('unset')
   await frame.open(await encodeLink({ circles: CIRCLES }))

@@ -27,6 +27,7 @@ import { Clip } from '../../web/view/painter/clip.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
 import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
+import { factsOf } from '../../web/view/painter/facts.ts'
 import { found } from '../../web/view/painter/found.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
 import { cells } from '../../web/view/painter/layers/cells.ts'
@@ -39,6 +40,7 @@ import { type Layer, PaintContext } from '../../web/view/painter/paint-context.t
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
+import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
@@ -637,6 +639,27 @@ describe('what the touching disc method finds', () => {
     expect(saidOf(found)).toMatch(/^From \d+ samples the method finds \d+ of \d+ vertices and \d+ of \d+ edges, and /)
   })
 
+  it('is computed anew with other candidates or samples, and kept with the same ones while it is shown', () => {
+    const scene = new PaintedScene(library)
+    scene.open(randomCircles(30))
+    const now = (layers: Partial<Layers>) => {
+      scene.setLayers({ ...DEFAULT_LAYERS, ...layers })
+      const isMissing = scene.isMethodMissing
+      if (isMissing) scene.addMethod()
+      return [isMissing, scene.picture.method?.found.samples]
+    }
+    const [, usual] = now({ samples: true })
+    expect(now({ samples: true })).toEqual([false, usual])
+    expect(now({ samples: true, sampleCount: 1 })).toEqual([true, usual])
+    const [isMissing, more] = now({ directedEdges: true, sampleCount: 5 })
+    expect([isMissing, (more as number) > (usual as number)]).toEqual([true, true])
+    expect(now({ missedEdges: true, sampleCount: 5 })).toEqual([false, more])
+    expect(now({ samples: true, candidates: 'uniform', sampleCount: 5 })).toEqual([true, 5 * 30])
+    expect(now({ samples: true, candidates: 'uniform' })).toEqual([true, 50 * 30])
+    expect(now({})).toEqual([false, undefined])
+    scene.dispose()
+  })
+
   it('is told apart from what is wrong, by circles and ends', () => {
     const circles = randomCircles(80)
     const right = library.compute(circles)
@@ -707,6 +730,45 @@ describe('layers that are set', () => {
     expect(refusal({})).toBeUndefined()
     expect(refusal({ data, path, nearZero: 0, maxDistance: -1, candidates: 'uniform', sampleCount: 5 })).toBeUndefined()
   })
+})
+
+it.each([
+  ['dynamic', 0, 20],
+  ['uniform', 1, 100],
+  ['all-pairs', 0, 0],
+] as const)('candidates %s have %d to %d samples, in links and in layers that are set', (candidates, least, most) => {
+  for (const [sampleCount, isRight] of [
+    [least, true],
+    [most, true],
+    [least - 1, false],
+    [most + 1, false],
+    [least + 0.5, false],
+    ['1', false],
+  ] as const) {
+    const layers = { ...DEFAULT_LAYERS, candidates, sampleCount } as Layers
+    expect(layersFrom(layers)).toMatchObject({ candidates, sampleCount: isRight ? sampleCount : undefined })
+    if (isRight) expect(checkedLayers(layers)).toMatchObject({ candidates, sampleCount })
+    else {
+      expect(() => checkLayers(layers)).toThrow(
+        `The layer sampleCount must be a whole number from ${least} to ${most} (got ${JSON.stringify(sampleCount)}).`,
+      )
+    }
+  }
+})
+
+it('a neighbor with whom a cell shares two edges is counted once, by facts, tables, colors and descriptions', () => {
+  const scene = new PaintedScene(library)
+  // The small circle is between the large ones.
+  scene.open(Float64Array.of(0, 0, 4, 10, 0, 4, 5, 0, 0.5))
+  const { picture } = scene
+  expect([...picture.diagram.neighbors(0)].sort()).toEqual([1, 1, 2])
+  const told = factsOf(picture, scene.counts(), [0, 2]).cells
+  expect([told.get(0)?.edges, told.get(0)?.neighbors.toSorted()]).toEqual([3, [1, 2]])
+  expect([told.get(2)?.edges, told.get(2)?.neighbors.toSorted()]).toEqual([2, [0, 1]])
+  expect([...(tabulated(picture, ['degree'], Int32Array.of(0, 1, 2)).columns[0] as Float64Array)]).toEqual([2, 2, 2])
+  expect([0, 1, 2].map((i) => new Measures('degree', picture.diagram).valueOf(i))).toEqual([2, 2, 2])
+  expect([...(scene.mark(0, undefined).selected?.neighbors ?? [])].sort()).toEqual([1, 2])
+  scene.dispose()
 })
 
 describe('layers that are kept', () => {

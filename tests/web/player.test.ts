@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it, vi } from 'vitest'
-import { type Circle, Diagram, TRACE_KINDS, Trace } from '../../web/lib/index.ts'
+import { type Circle, Diagram, TRACE_KINDS, Trace, type TraceKind } from '../../web/lib/index.ts'
 import { ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
-import { arcOf } from '../../web/player/finished-arcs.ts'
+import { arcOf, FinishedArcs } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS } from '../../web/player/program.ts'
 import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
@@ -306,6 +306,99 @@ describe('what is shown beside a step', () => {
       const [x, y] = pieces.slice(k, k + 2) as [number, number]
       expect(Math.hypot(x, y) - 2).toBeCloseTo(Math.hypot(x - 7, y - 1) - 1, 9)
     }
+  })
+
+  /** A trace of events, each with its kind, its circles, its first number and its disc. */
+  const traceOf = (...events: [kind: TraceKind, circles?: number[], number?: number, disc?: Circle][]) =>
+    ({
+      length: events.length,
+      kinds: Uint8Array.from(events, ([kind]) => TRACE_KINDS.indexOf(kind)),
+      numbers: Int32Array.from(events.flatMap(([, , number = 0]) => [number, 0])),
+      event: (k: number) => {
+        const [kind, circles = [], number = 0, disc] = events[k] as (typeof events)[number]
+        return { kind, circles, numbers: [number], disc }
+      },
+    }) as unknown as Trace
+
+  it('draws no segment from a directed edge of an earlier round, which has the same number', () => {
+    const [from, to] = [
+      { x: 5, y: 0, r: 4 },
+      { x: 5, y: 3, r: 5 },
+    ]
+    const circleOf = (id: number) => ({ x: 10 * id, y: 0, r: 1 })
+    const arcs = (...between: TraceKind[]) => {
+      const events = traceOf(['directedEdgePlaced', [0, 1], 7, from], ...between.map((kind): [TraceKind] => [kind]), [
+        'segmentFinished',
+        [0, 1],
+        7,
+        to,
+      ])
+      return new FinishedArcs(events).of(Int32Array.of(events.length - 1), circleOf).length
+    }
+    expect([arcs(), arcs('antipodalDiscUsed'), arcs('roundBegun')]).toEqual([48, 48, 0])
+  })
+
+  it('has a list that ends with its round, with discs by radius and of one radius in their order', () => {
+    const disc = (r: number) => ({ x: 0, y: 0, r })
+    const events = traceOf(
+      ['threeTouchDiscFormed', [0, 1, 2], 0, disc(3)],
+      ['antipodalDiscUsed', [0, 1, 5], 0, disc(4)],
+      ['branchDisc', [0, 1, 2], 0, disc(1)],
+      ['antipodalDiscNotEmpty', [2, 3, 4], 0, disc(2)],
+      ['antipodalDiscAccepted', [4, 5], 0, disc(3)],
+      ['roundBegun'],
+      ['antipodalDiscAccepted', [6, 7], 0, disc(1)],
+    )
+    const state = { queue: Int32Array.of(0) } as ReturnType<Trace['at']>
+    const listed = (most: number) => waitingDiscs(events, state, 1, most).map(({ circles, r }) => [r, ...circles])
+    expect(listed(9)).toEqual([
+      [2, 2, 3],
+      [3, 0, 1, 2],
+      [3, 4, 5],
+      [4, 0, 1],
+    ])
+    expect(listed(2)).toEqual([
+      [2, 2, 3],
+      [3, 0, 1, 2],
+    ])
+    expect(waitingCount(events, state, 1)).toBe(4)
+    expect(waitingCount(events, state, 2)).toBe(3)
+    expect(waitingCount(events, state, 5)).toBe(1)
+  })
+
+  it('are marks on a timeline: a row for each kind, stronger where there are more, and the current place above', () => {
+    vi.stubGlobal('devicePixelRatio', 2)
+    const drawn: unknown[][] = []
+    const context = {
+      fillStyle: '',
+      globalAlpha: 1,
+      fillRect: (...box: number[]) => drawn.push([context.fillStyle, context.globalAlpha, ...box]),
+    }
+    const canvas = { clientWidth: 5.5, clientHeight: 10, width: 0, height: 0, getContext: () => context }
+    const lines = ['begin', 'used', 'stale', 'take', 'place', 'branch', 'form', 'edit', 'hull'] as const
+    const few = lines.map((line, k): Step => ({ line, event: k, end: k + 1 }))
+    drawTimeline(canvas as unknown as HTMLCanvasElement, few, 4, new Set(), COLORS)
+    expect([canvas.width, canvas.height]).toEqual([11, 20])
+    const rows = (color: string, top: number, bottom: number) =>
+      drawn.flatMap(([fill, alpha, x, y, width, height]) =>
+        fill === color && y === 20 * top && height === 20 * (bottom - top) ? [[alpha, x, width]] : [],
+      )
+    expect(rows('a', 0, 1)).toEqual([
+      [1, 0, 2],
+      [1, 10, 2],
+    ])
+    expect(rows('e', 0.42, 0.66).map(([, x]) => x)).toEqual([1, 3])
+    expect(rows('a', 0.2, 0.36).map(([, x]) => x)).toEqual([5])
+    expect(rows('f', 0.04, 0.36).map(([, x]) => x)).toEqual([6])
+    expect(rows('b', 0.72, 0.95).map(([, x]) => x)).toEqual([8])
+    expect(rows('c', 0, 0.3).map(([, x]) => x)).toEqual([9])
+    expect(drawn.at(-1)).toEqual(['g', 1, 5 - 2, 0, 4, 20])
+    // Columns for many steps show their numbers.
+    drawn.length = 0
+    const many = [...few.slice(1, 4), ...few.slice(1, 2), ...Array(8).fill(few[3])] as Step[]
+    drawTimeline({ ...canvas, clientWidth: 1 } as unknown as HTMLCanvasElement, many, 0, new Set(), COLORS)
+    expect(rows('e', 0.42, 0.66)).toEqual([[1, 0, 2]])
+    vi.unstubAllGlobals()
   })
 
   it('draws each segment that is finished, from its antipodal or its branch disc to its vertex', () => {
