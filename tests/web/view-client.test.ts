@@ -561,6 +561,63 @@ it('writes its picture without highlights, and says where it could not be drawn'
   await expect(view.toPNG(0)).rejects.toThrow('The scale of a picture')
 })
 
+it('a PNG has what is above the picture, without highlights, in its own pixels', async () => {
+  const { view, answers, marked, shown } = opened()
+  marked({ selected: { id: 0 } as unknown as Described, hovered: undefined })
+  view.above = [{ id: 'a', color: 'red' }]
+  shown()
+  const drawnImages: unknown[] = []
+  vi.stubGlobal(
+    'OffscreenCanvas',
+    class {
+      readonly size: readonly number[]
+      constructor(...size: number[]) {
+        this.size = size
+      }
+      getContext() {
+        return { drawImage: (...args: unknown[]) => drawnImages.push(args) }
+      }
+      convertToBlob(options: unknown) {
+        return { size: this.size, options }
+      }
+    },
+  )
+  let isClosed = false
+  const image = { close: () => (isClosed = true) }
+  vi.stubGlobal('devicePixelRatio', 2)
+  const made = view.toPNG()
+  answers.at(-1)?.(image as never)
+  expect(await made).toEqual({ size: [160, 120], options: { type: 'image/png' } })
+  expect([drawnImages, isClosed]).toEqual([[[image, 0, 0]], true])
+  expect(drawn.at(-1)).toMatchObject({ above: [{ id: 'a' }], marks: { selected: undefined } })
+})
+
+it('is streamed with its highlights, frame by frame, until the stream has ended', () => {
+  const { view, shown } = opened()
+  shown()
+  const layers: unknown[] = []
+  const tracks = [{ readyState: 'live' }, { readyState: 'ended' }]
+  const stream = { getTracks: () => tracks }
+  const create = document.createElement
+  Object.assign(document, {
+    createElement: () => ({
+      getContext: () => ({ drawImage: (...args: unknown[]) => layers.push(args.slice(1)) }),
+      captureStream: () => stream,
+    }),
+  })
+  expect(view.stream()).toBe(stream)
+  Object.assign(document, { createElement: create })
+  expect(layers).toEqual([
+    [0, 0, 80, 60],
+    [0, 0, 80, 60],
+  ])
+  shown()
+  expect([layers.length, frames.length]).toEqual([4, 1])
+  for (const track of tracks) track.readyState = 'ended'
+  shown()
+  expect([layers.length, frames.length]).toEqual([4, 0])
+})
+
 it('has no pixels and asks for none while it is not shown', () => {
   const { view, looks, shown, resize } = opened()
   looks()
