@@ -214,7 +214,7 @@ describe('above the picture', () => {
     }
   })
 
-  /** What is drawn: the kind, the color, the width with the dashes, and the box in whole pixels. */
+  /** The operations that draw: the kind, the color, the width with the dashes, and the box in whole pixels. */
   const seen = (above: Partial<Above>, pixelRatio = 1) =>
     drawn(above, pixelRatio).operations.flatMap(({ kind, color, line, box }) => {
       const [what, opacity] = kind.split(' ')
