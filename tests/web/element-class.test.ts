@@ -9,7 +9,7 @@ import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import type { Figure } from '../../web/player/figure.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { aTurn } from './editing-session.ts'
+import { aTurn, eventually } from './editing-session.ts'
 import { LibraryBackend } from './library-backend.ts'
 
 type Listen = (data: unknown) => void
@@ -1688,7 +1688,7 @@ describe('texts', () => {
       world.calls.length = 0
       element.lang = 'de'
       if (isLoaded) expect(world.calls).toEqual(['redraw'])
-      else await vi.waitFor(() => expect(shell.described[0].lang).toBe('de'))
+      else await eventually(() => expect(shell.described[0].lang).toBe('de'))
       expect(world.calls).toContain('redraw')
       expect(said()).toEqual(['de', 'de', 'de', false])
       expect(figureOf().actions.words.added('1')).not.toContain('added')

@@ -255,6 +255,44 @@ describe('what it says', () => {
     )
   })
 
+  test('has the same values in each language, and all that it is given in one of them', async () => {
+    await loadWords('de')
+    const german = wordsOf('de')
+    type Text = (...args: unknown[]) => unknown
+    /** The values of arguments that a text has, whichever kinds of arguments it takes. */
+    const valuesIn = (say: Text, count: number) => {
+      const numbers = [31, 37, 41, 43].slice(0, count)
+      const lists = numbers.map((value) => [value, value])
+      const places = numbers.map((_, k) => numbers.map((value, j) => (j === k ? lists[j] : value)))
+      const marks = numbers.map((value) => [{ other: value, isOut: true }])
+      const found = new Set<string>()
+      for (const args of [numbers, numbers.map(String), lists, ...places, [numbers[0], ...marks.slice(1)]]) {
+        try {
+          for (const text of String(say(...args)).match(/\d+/g) ?? []) if (Number(text) > 30) found.add(text)
+        } catch {
+          // The text takes arguments of another kind.
+        }
+      }
+      return [...found].sort()
+    }
+    let count = 0
+    for (const [one, other] of [
+      [wordsOf('en').editing, german.editing],
+      [ENGLISH, german.others?.refusals],
+      [ENGLISH_PLAYER, german.others?.player],
+    ] as unknown as Record<string, Text>[][]) {
+      for (const [name, text] of Object.entries(one ?? {})) {
+        if (typeof text !== 'function' || name === 'coded') continue
+        const inGerman = (other as Record<string, Text>)[name] as Text
+        const values = valuesIn(text.bind(one), text.length)
+        expect(valuesIn(inGerman.bind(other), text.length), name).toEqual(values)
+        if (text.length > 0) expect(values, name).not.toEqual([])
+        count += 1
+      }
+    }
+    expect(count).toBeGreaterThan(80)
+  })
+
   test('of every step of the method is another sentence in German', async () => {
     await loadWords('de')
     const german = wordsOf('de').others?.player as PlayerWords

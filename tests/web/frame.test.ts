@@ -4,7 +4,7 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { FrameMessage } from '../../web/element/frame-types.ts'
 import { Frame } from '../../web/embed/frame.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
-import { aTurn } from './editing-session.ts'
+import { aTurn, eventually } from './editing-session.ts'
 import { FakeNode, FakePage } from './fake-nodes.ts'
 
 const PARTS = ['texts', 'title', 'question', 'met', 'again', 'open', 'problem']
@@ -160,10 +160,10 @@ it('has its texts before its circles, and none of either where a link has none',
   let go = () => {}
   figure.wait = () => new Promise<void>((resolve) => (go = resolve))
   const opening = frame.open(await encodeLink(QUESTION))
-  await vi.waitFor(() => expect(page.title).toBe('Neighbors'))
+  await eventually(() => expect(page.title).toBe('Neighbors'))
   expect(figure.states).toEqual([])
   figure.wait = async () => {}
-  await vi.waitFor(() => {
+  await eventually(() => {
     go()
     expect(figure.states).toHaveLength(1)
   })
@@ -259,7 +259,7 @@ it('starts over once the circles of a question have changed', async () => {
 it('shows the newest state, however late others are, and no error of older ones', async () => {
   const first = frame.open(await encodeLink({ dataSet: 'first' }))
   const second = frame.open(await encodeLink({ dataSet: 'second', title: 'Second' }))
-  await vi.waitFor(() => expect(loads.size).toBe(2))
+  await eventually(() => expect(loads.size).toBe(2))
   expect(told).toEqual([])
   loads.get('second')?.(Float64Array.of(2, 2, 2))
   await second
@@ -274,7 +274,7 @@ it('shows the newest state, however late others are, and no error of older ones'
   figure.wait = () => new Promise<void>((resolve) => (go = resolve))
   figure.refusal = new Error('late')
   const third = frame.request({ state: { layers: {} } })
-  await vi.waitFor(() => expect(figure.refusal).toBeUndefined())
+  await eventually(() => expect(figure.refusal).toBeUndefined())
   figure.wait = async () => {}
   const fourth = frame.open(await encodeLink({ circles: CIRCLES }))
   go()

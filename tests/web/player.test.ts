@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it, vi } from 'vitest'
 import { type Circle, Diagram, TRACE_KINDS, Trace, type TraceKind } from '../../web/lib/index.ts'
-import { ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
+import { ringOf, testedAt, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
 import { arcOf, FinishedArcs } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS } from '../../web/player/program.ts'
@@ -229,9 +229,16 @@ describe('what is shown beside a step', () => {
       const tested = testedCircles(trace, state, ids.slice(0, 2), disc as Circle, circleOf)
       expect(tested).toContain(ids[2])
       expect(tested).toEqual(neighborsOnRings(state, ids.slice(0, 2), disc as Circle, circleOf))
+      // The step before announces the disc.
+      for (const told of [step, steps[steps.indexOf(step) - 1] as Step])
+        expect(testedAt(trace, told, trace.at(told.end), circleOf), told.line).toEqual(tested)
       met += 1
     }
     expect(met).toBeGreaterThan(5)
+    const placed = steps.filter(({ line }) => line === 'place')
+    const testedIn = (step: Step) => testedAt(trace, step, trace.at(step.end), circlesOf(trace, circles, step))
+    expect(placed.filter((step) => testedIn(step).length > 0).length).toBeGreaterThan(5)
+    for (const step of steps) if (!['take', 'place', 'notEmpty'].includes(step.line)) expect(testedIn(step)).toEqual([])
   })
 
   /** The marks nearest to the foot point on either side. */
@@ -287,8 +294,12 @@ describe('what is shown beside a step', () => {
       [0, 0],
       [1, 0.5],
     ] as const) {
-      const { unused } = ringOf(two, state, id, { x: 4 * id, y: 0, r: 1 })
+      const { marks, unused } = ringOf(two, state, id, { x: 4 * id, y: 0, r: 1 })
       expect(unused).toEqual([{ from: angle, to: angle + 1 }])
+      expect(marks.map(({ isOut, other }) => [isOut, other])).toEqual([
+        [true, 1 - id],
+        [false, 1 - id],
+      ])
     }
   })
 

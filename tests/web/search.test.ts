@@ -4,7 +4,7 @@ import MiniSearch from 'minisearch'
 import { afterEach, describe, expect, it, test, vi } from 'vitest'
 import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'
 import { find, offerSearch, type Section, snippetOf } from '../../web/reading/search.ts'
-import { aTurn } from './editing-session.ts'
+import { aTurn, eventually } from './editing-session.ts'
 import { type FakeNode, FakePage } from './fake-nodes.ts'
 
 function searchIn(sections: readonly Section[]): MiniSearch<Section> {
@@ -193,8 +193,8 @@ describe('the field of a search', () => {
     expect(asked).toEqual([])
     field.fire('focus')
     field.fire('focus')
-    await vi.waitFor(() => expect(asked).toEqual(['../search.json']))
-    await vi.waitFor(async () => {
+    await eventually(() => expect(asked).toEqual(['../search.json']))
+    await eventually(async () => {
       await type(' disc ')
       expect(shown()).toEqual(['Disc PageOf a disc.', 'DiscsA disc.'])
     })
@@ -212,7 +212,7 @@ describe('the field of a search', () => {
 
   it('is walked through by arrows, left by Escape or a press elsewhere, and opens the first result', async () => {
     const { page, field, form, list, box, shown } = offered('disc')
-    await vi.waitFor(() => expect(shown()).toHaveLength(2))
+    await eventually(() => expect(shown()).toHaveLength(2))
     const [first, second] = list.querySelectorAll('a') as [FakeNode, FakeNode]
     page.activeElement = field
     const go = (key: string) => [box.fire('keydown', { key }).defaultPrevented, page.activeElement]

@@ -7,12 +7,15 @@ import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
 import { sayCounts } from '../../web/tutorial/counts.ts'
 import { KINDS } from '../../web/tutorial/drawn/kinds.ts'
 import { bringToLife } from '../../web/tutorial/drawn.ts'
+import { showExtras } from '../../web/tutorial/extras.ts'
 import { numberCircles } from '../../web/tutorial/numbers.ts'
+import { followPrinted } from '../../web/tutorial/printed.ts'
+import { MOST_CIRCLES } from '../../web/tutorial/printed-rules.ts'
 import { markRead } from '../../web/tutorial/progress.ts'
 import { slideFigures } from '../../web/tutorial/sliders.ts'
 import { followTrials } from '../../web/tutorial/trials.ts'
 import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
-import { aTurn } from './editing-session.ts'
+import { aTurn, eventually } from './editing-session.ts'
 import { FakeNode, FakePage } from './fake-nodes.ts'
 
 const painted = vi.hoisted(() => [] as unknown[][])
@@ -21,6 +24,23 @@ vi.mock('../../web/tutorial/drawn/paint-cones.ts', () => ({
     painted.push(args)
     return new Uint8ClampedArray()
   },
+}))
+
+/** The circles and the rules of each run of the printed method. */
+const runs = vi.hoisted(() => [] as unknown[][])
+let isLoaded = true
+vi.mock('../../web/tutorial/printed-rules.ts', async (original) => ({
+  ...(await original<object>()),
+  loadPrintedRules: async () => {
+    if (!isLoaded) throw new Error('The rules cannot be loaded.')
+    return {
+      run: (circles: Float64Array, rules: readonly string[]) => {
+        runs.push([[...circles], rules])
+        return { edges: new Int32Array(), directedEdges: new Int32Array() }
+      },
+    }
+  },
+  compare: () => ({ found: [], wrong: [], missing: [], leftover: [], borders: 0 }),
 }))
 
 let page: FakePage
@@ -122,8 +142,14 @@ describe('read chapters', () => {
       if (!isAllowed) throw new Error('forbidden')
     }
     vi.stubGlobal('localStorage', {
-      getItem: (key: string) => (allowed(), stored.get(key) ?? null),
-      setItem: (key: string, value: string) => (allowed(), stored.set(key, value)),
+      getItem(key: string) {
+        allowed()
+        return stored.get(key) ?? null
+      },
+      setItem(key: string, value: string) {
+        allowed()
+        stored.set(key, value)
+      },
     })
     vi.stubGlobal(
       'IntersectionObserver',
@@ -277,7 +303,7 @@ describe('a diagram that is corrupted', () => {
     page.replaceChildren(around)
     letCorrupt(page as unknown as Document)
     await aTurn()
-    await vi.waitFor(() => expect(verdict.value).not.toBe(''))
+    await eventually(() => expect(verdict.value).not.toBe(''))
     const box = around.querySelector('.corrupt') as FakeNode
     const choice = box.querySelector('select') as FakeNode
     return { figure, box, choice }
@@ -409,7 +435,7 @@ describe('a figure that the tutorial draws', () => {
       return node
     }
     await bringToLife(page as unknown as Document)
-    await vi.waitFor(() => expect(picture.querySelector('svg')).not.toBeNull())
+    await eventually(() => expect(picture.querySelector('svg')).not.toBeNull())
     const svg = picture.querySelector('svg') as FakeNode
     const [content, handles] = svg.children as [FakeNode & { innerHTML: string }, FakeNode]
     const resize = (to: number) => {
@@ -547,7 +573,7 @@ describe('a figure that the tutorial draws', () => {
     handles[1]?.fire('pointermove', { pointerId: 1, clientX: -1e5, clientY: 1e5 })
     frame()
     expect(place(handles[1]).slice(0, 2)).toEqual([0, height])
-    await vi.waitFor(() => expect(link.href).toMatch(/^https:\/\/example\.org\/#v1\.(?!first)/))
+    await eventually(() => expect(link.href).toMatch(/^https:\/\/example\.org\/#v1\.(?!first)/))
     resize(240)
     expect(svg.attributes.get('--unit')).toBe(`${width / 240}`)
     expect(place(handles[4])[2]).toBe((22 * width) / 240)
@@ -573,6 +599,111 @@ describe('a figure that the tutorial draws', () => {
     const { content } = await drawn({ kind: name, region: { type: 'MultiPolygon', coordinates: square } })
     expect(content.innerHTML).not.toBe('')
   })
+})
+
+describe('what the printed rules find', () => {
+  async function followed(circles = SIX) {
+    const figure = element()
+    figure.circles = Float64Array.from(circles)
+    const image = Object.assign(page.make('img'), { alt: 'The rules as printed' })
+    const [picture, output] = [page.make('div', { className: 'picture' }, image), page.make('output')]
+    const around = page.make('figure', { className: 'printed' }, figure, picture, output)
+    around.dataset.rules = 'literal'
+    page.replaceChildren(around)
+    followPrinted(page as unknown as Document)
+    await aTurn()
+    const draw = async () => {
+      frame()
+      await aTurn()
+      await aTurn()
+    }
+    return { figure, picture, output, draw }
+  }
+  beforeEach(() => {
+    runs.length = 0
+    isLoaded = true
+  })
+
+  it('is drawn beside the figure and said, for its circles and wherever it looks', async () => {
+    const { figure, picture, output, draw } = await followed()
+    resized[0]?.()
+    resized[0]?.()
+    expect(frames).toHaveLength(1)
+    await draw()
+    await eventually(() => expect(picture.querySelector('svg')).not.toBeNull())
+    const svg = picture.querySelector('svg') as FakeNode & { innerHTML: string }
+    expect([svg.getAttribute('aria-label'), svg.getAttribute('role'), picture.children.length]).toEqual([
+      'The rules as printed',
+      'img',
+      1,
+    ])
+    expect(output.value).toMatch(/\w/)
+    expect(svg.innerHTML).toContain('class="discs"')
+    expect(runs).toEqual([[SIX, ['literal']]])
+    const before = svg.getAttribute('viewBox')
+    figure.view = { x: 0, y: 0, span: 20 }
+    for (const name of ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick']) {
+      figure.fire(name)
+      expect(frames, name).toHaveLength(1)
+      await draw()
+    }
+    expect(svg.getAttribute('viewBox')).not.toBe(before)
+    expect(runs).toHaveLength(1)
+    const looked = svg.getAttribute('viewBox')
+    figure.view = { x: 0, y: 0, span: 0 }
+    figure.fire('wheel')
+    await draw()
+    expect(svg.getAttribute('viewBox')).toBe(looked)
+    figure.view = undefined
+    figure.circles = Float64Array.from(SIX.slice(0, 9))
+    figure.fire('circleschange')
+    await draw()
+    expect(runs).toHaveLength(2)
+  })
+
+  it('is nothing of too many circles, and is loaded again where that has failed', async () => {
+    isLoaded = false
+    const { figure, output, draw } = await followed()
+    resized[0]?.()
+    await draw()
+    await eventually(() => expect(output.value).toBe('The rules cannot be loaded.'))
+    isLoaded = true
+    figure.fire('circleschange')
+    await draw()
+    await eventually(() => expect(output.value).not.toBe('The rules cannot be loaded.'))
+    const count = runs.length
+    figure.circles = Float64Array.from({ length: 3 * MOST_CIRCLES + 3 }, (_, k) => (k % 3 === 2 ? 0.1 : k))
+    figure.fire('circleschange')
+    await draw()
+    await eventually(() => expect(output.value).toBe(`Here the rules are tried on ${MOST_CIRCLES} circles at most.`))
+    expect(runs).toHaveLength(count)
+  })
+})
+
+it('a figure has its rims and its steps above, also after its circles have changed', async () => {
+  const [rims, steps] = [element(), element()]
+  for (const [name, figure] of [
+    ['rims', rims],
+    ['steps', steps],
+  ] as const) {
+    const around = page.make('figure', {}, figure)
+    around.dataset[name] = name === 'steps' ? '0 3' : ''
+    page.append(around)
+  }
+  rims.layers = { ...DEFAULT_LAYERS, hull: true }
+  await showExtras(page as unknown as Document)
+  await aTurn()
+  expect(rims.layers).toMatchObject({ hull: true, data: [{ id: 'rims', discs: expect.any(Float64Array) }] })
+  expect(rims.layers.data).toHaveLength(1)
+  const [way] = steps.layers.data
+  expect([way?.id, [...(way?.points?.slice(0, 2) ?? [])], [...(way?.points?.slice(-2) ?? [])]]).toEqual([
+    'steps',
+    [0, 0],
+    [13, 8],
+  ])
+  rims.circles = Float64Array.of(0, 0, 3, 9, 0, 1)
+  rims.fire('circleschange')
+  expect(rims.layers.data[0]?.discs).toEqual(Float64Array.of(0, 0, 2, 9, 0, 0))
 })
 
 it('cones turn with the pointer and the sliders, in whole pixels of the screen', () => {
