@@ -4,6 +4,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { EditorActions } from '../../web/editing/editor-actions.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
+import { defineCircleVoronoi } from '../../web/element/define.ts'
 import { loadWords } from '../../web/element/language.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
@@ -1731,4 +1732,25 @@ it('circles between the tags are read once the page has them all', async () => {
   window.dispatchEvent(new Event('DOMContentLoaded'))
   await element.ready
   expect([...element.circles]).toEqual([1, 2, 3])
+})
+
+it('a page defines the element once, by each name with its own modules, and Node defines none', () => {
+  const defined = new Map<string, typeof CircleVoronoiElement>()
+  expect(() => defineCircleVoronoi()).not.toThrow()
+  vi.stubGlobal('customElements', {
+    get: (name: string) => defined.get(name),
+    define: (name: string, element: typeof CircleVoronoiElement) => {
+      expect(defined.has(name)).toBe(false)
+      defined.set(name, element)
+    },
+  })
+  const wasm = new Uint8Array()
+  defineCircleVoronoi({ wasm })
+  defineCircleVoronoi({ name: 'other-figure' })
+  defineCircleVoronoi()
+  expect([...defined.keys()]).toEqual(['circle-voronoi', 'other-figure'])
+  const [own, other] = [...defined.values()]
+  expect([own?.load, other?.load]).toEqual([{ wasm }, {}])
+  expect(new Set([own, other, CircleVoronoiElement]).size).toBe(3)
+  for (const each of defined.values()) expect(each.prototype).toBeInstanceOf(CircleVoronoiElement)
 })

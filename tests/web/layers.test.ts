@@ -7,7 +7,7 @@ import { Editing } from '../../web/editing/editing.ts'
 import { circlesOfLink } from '../../web/editing/scene-link.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { loadComparison } from '../../web/lib/comparison.ts'
-import { type Edit, type Float64s, mergeVertices } from '../../web/lib/index.ts'
+import { type Edit, type Float64s, mergeVertices, type PathSink } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { SceneBackend } from '../../web/picture/scene-backend.ts'
@@ -27,6 +27,7 @@ import { Clip } from '../../web/view/painter/clip.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
 import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
+import type { Drawing } from '../../web/view/painter/drawing.ts'
 import { factsOf } from '../../web/view/painter/facts.ts'
 import { found } from '../../web/view/painter/found.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
@@ -44,6 +45,7 @@ import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
+import { RecordingSink } from './recording-sink.ts'
 
 const random = seededRandom(23)
 const comparison = await loadComparison({ library })
@@ -852,6 +854,48 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
   expect(lines()).toEqual([410, 300, 450, 300, 400, 280, 400, 250])
   scene.edit([{ kind: 'remove', id: 1 }])
   expect(lines()).toEqual([400, 280, 400, 250])
+})
+
+it('data of clients are where they say, in pixels of the screen, and those elsewhere are left out', () => {
+  const scene = new PaintedScene(library)
+  scene.open(Float64Array.of(0, 0, 1, 10, 0, 1))
+  const data = [
+    {
+      id: 'own',
+      color: 'own',
+      points: Float64Array.of(5, 2, 500, 500),
+      segments: Float64Array.of(1, 1, 4, 3, 500, 500, 501, 501),
+      discs: Float64Array.of(2, -3, 2, 500, 500, 1, 7, -3, -1),
+    },
+  ]
+  scene.setLayers({ ...DEFAULT_LAYERS, data })
+  const style = new Proxy({}, { get: (_, name) => (name === 'map' || name === 'ramp' ? [] : name) }) as Style
+  const drawn: unknown[] = []
+  const box = (path: PathSink) => {
+    const { points } = path as RecordingSink
+    const ends = (list: number[]) => [Math.min(...list), Math.max(...list)].map((end) => Math.round(10 * end) / 10)
+    return points.length === 0 ? [] : [...ends(points.map(({ x }) => x)), ...ends(points.map(({ y }) => y))]
+  }
+  const drawing: Drawing = {
+    path: () => new RecordingSink(4),
+    cover() {},
+    clip() {},
+    write() {},
+    fill: (path, color) => color === 'own' && drawn.push(['fill', box(path)]),
+    stroke: (path, color, width, dash) => color === 'own' && drawn.push(['stroke', width, dash, box(path)]),
+  }
+  for (const pixelRatio of [1, 2]) {
+    drawn.length = 0
+    const frame = { x: 5, y: 0, scale: 10 * pixelRatio, width: 200 * pixelRatio, height: 100 * pixelRatio }
+    scene.draw(drawing, frame, pixelRatio, style)
+    const [[, width, , lines], [, dots]] = drawn as [unknown[], unknown[]]
+    expect(drawn).toHaveLength(2)
+    expect(lines).toEqual([50, 130, 20, 100].map((end) => end * pixelRatio))
+    const [left = 0, right = 0, top = 0, bottom = 0] = dots as number[]
+    expect([(left + right) / 2, (top + bottom) / 2]).toEqual([100 * pixelRatio, 30 * pixelRatio])
+    expect([right - left, width]).toEqual([expect.closeTo(5 * pixelRatio, 3), expect.closeTo(1.25 * pixelRatio, 3)])
+  }
+  scene.dispose()
 })
 
 it('of the layers, those that depend on all circles are the hull, the largest disc, the path and the method', () => {
