@@ -323,6 +323,11 @@ describe('what cells are measured by', () => {
     const { degrees, areas, certificate } = step.value
     const bounded = Array.from({ length: 678 }, (_, i) => i).filter((i) => picture.diagram.cells.isBounded(i))
     expect(degrees.reduce((sum, count) => sum + count)).toBe(678)
+    // Hidden circles have no cell.
+    const hiding = distributionOf(new Picture(library.edit(Float64Array.of(0, 0, 4, 1, 0, 1, 9, 0, 1))))
+    let last = hiding.next()
+    while (last.done !== true) last = hiding.next()
+    expect([...last.value.degrees]).toEqual([0, 2])
     expect(areas.reduce((sum, count) => sum + count)).toBe(bounded.length)
     expect(certificate.certified).toBe(true)
   })
@@ -731,6 +736,18 @@ describe('layers that are set', () => {
     const data = [{ id: 'own', color: 'red', points: Float64Array.of(1, 2), discs: [1, 2, 3], segments: undefined }]
     expect(refusal({})).toBeUndefined()
     expect(refusal({ data, path, nearZero: 0, maxDistance: -1, candidates: 'uniform', sampleCount: 5 })).toBeUndefined()
+  })
+})
+
+it('layers that are set are copies: a column, its categories, and the data', () => {
+  const [values, categories, points] = [Float64Array.of(1), ['A'], Float64Array.of(1, 2)]
+  const layers = checkedLayers({ column: { name: 'a', values, categories }, data: [{ id: 'a', color: 'red', points }] })
+  values[0] = 2
+  categories[0] = 'B'
+  points[0] = 3
+  expect(layers).toMatchObject({
+    column: { name: 'a', values: Float64Array.of(1), categories: ['A'] },
+    data: [{ id: 'a', color: 'red', points: Float64Array.of(1, 2) }],
   })
 })
 

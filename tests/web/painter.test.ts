@@ -12,6 +12,7 @@ import type {
   Highlights,
   InProgress,
   PaintRequest,
+  PixelBox,
   ToPainter,
 } from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
@@ -205,6 +206,20 @@ describe('the painter', () => {
     await expect(other.edit([])).rejects.toThrow()
     expect(await other.ask('touch', 0, 0, 1)).toBeUndefined()
     expect([worker().got.length, heard({ kind: 'marked', marks: NO_MARKS })]).toEqual([count, []])
+  })
+
+  it('keeps circles as they were opened, and colors that no edit has changed, for another thread', async () => {
+    const circles = Float64Array.of(0, 0, 1, 5, 0, 1)
+    const open = scene.open(circles)
+    worker().answer({ ...opened(1), colors: '01' } as FromPainter)
+    await open
+    circles[0] = 9
+    expect([...scene.circles.circles()]).toEqual([0, 0, 1, 5, 0, 1])
+    const edit = scene.edit([])
+    worker().answer(edited(2))
+    await edit
+    worker().answer({ kind: 'failed', message: 'it broke' })
+    expect(worker().of('open')).toMatchObject([{ circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors: '01' }])
   })
 
   it('has another thread go on where one that worked has failed', async () => {
@@ -554,6 +569,36 @@ it('all tiles of a viewport are painted once, and again when the whole picture h
   expect(paintAll()).toBe(0)
   tiles.restart()
   expect(paintAll()).toBe(count)
+  vi.unstubAllGlobals()
+})
+
+it('tiles in the middle are painted first, and a changed box with its strokes at every pixel ratio', () => {
+  vi.stubGlobal(
+    'OffscreenCanvas',
+    class {
+      getContext() {
+        return {}
+      }
+      transferToImageBitmap() {}
+    },
+  )
+  for (const pixelRatio of [1, 2]) {
+    const tiles = new Tiles(() => {})
+    const grid = { id: 1, x: 0, y: 0, scale: 1, pixelRatio }
+    const seen = { left: 300, top: 300, width: 150, height: 150 }
+    tiles.turnTo({ paintId: 1, grid, seen, wanted: { left: 0, top: 0, width: 768, height: 768 }, style: {} as Style })
+    const boxes: PixelBox[] = []
+    for (let patch = tiles.paintNext(); patch !== undefined; patch = tiles.paintNext()) boxes.push(patch.box)
+    const away = boxes.map(({ left, top }) => Math.max(Math.abs(left + 128 - 375), Math.abs(top + 128 - 375)))
+    expect(away).toEqual(away.toSorted((one, other) => one - other))
+    expect([boxes.length, boxes[0]]).toEqual([9, { left: 256, top: 256, width: 256, height: 256 }])
+    const changed = tiles.repaint([{ minX: 300, minY: -340, maxX: 320, maxY: -310 }])
+    const margin = 4 * pixelRatio
+    expect(changed.map(({ box }) => box)).toEqual([
+      { left: 300 - margin, top: 310 - margin, width: 20 + 2 * margin, height: 30 + 2 * margin },
+    ])
+    expect(tiles.repaint(undefined)).toHaveLength(9)
+  }
   vi.unstubAllGlobals()
 })
 
