@@ -873,6 +873,89 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
   expect(lines()).toEqual([400, 280, 400, 250])
 })
 
+it('marks are none of circles that were opened since, and results are found anew for another scale', () => {
+  const scene = new PaintedScene(library)
+  scene.open(Float64Array.of(0, 0, 1, 9, 0, 1))
+  expect([scene.mark(0, 1).selected?.id, scene.marks().hovered?.id, scene.isAnythingMarked]).toEqual([0, 1, true])
+  scene.open(Float64Array.of(0, 0, 1, 9, 0, 1))
+  expect([scene.marks(), scene.isAnythingMarked]).toEqual([{ selected: undefined, hovered: undefined }, false])
+  scene.setLayers({ ...DEFAULT_LAYERS, hull: true })
+  const box = { left: 0, top: 0, width: 256, height: 256 }
+  const look = (id: number, scale: number) => {
+    const grid = { id, x: 0, y: 0, scale, pixelRatio: 1 }
+    scene.look({
+      paintId: id,
+      grid,
+      seen: box,
+      wanted: box,
+      style: { map: ['red'], ramp: ['red'] } as unknown as Style,
+    })
+    const isMissing = scene.isAnythingToFind
+    scene.find()
+    return isMissing
+  }
+  expect([look(1, 10), look(2, 10), look(3, 20), look(4, 20)]).toEqual([true, false, true, false])
+  // Radii are weights where areas are given.
+  scene.open(Float64Array.of(0, 0, 1, 9, 0, 1), { areSites: true })
+  expect(scene.mark(0, undefined).selected?.circle).toEqual({ x: 0, y: 0, r: 0 })
+  // Cells around a circle are outlined up to a number of them.
+  for (const [count, isOutlined] of [
+    [500, true],
+    [501, false],
+  ] as const) {
+    const around = Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count)
+    scene.open(Float64Array.of(0, 0, 10, ...around.flatMap((angle) => [20 * Math.cos(angle), 20 * Math.sin(angle), 0])))
+    const { selected } = scene.mark(0, undefined)
+    expect([selected?.neighbors.length, (selected?.neighborhood.length ?? 0) > 0]).toEqual([count, isOutlined])
+  }
+  scene.dispose()
+})
+
+it('colors are told once after each change', () => {
+  const picture = new Picture(library.edit(Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1)))
+  picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
+  const first = picture.newColors()
+  expect([first?.length, picture.newColors()]).toEqual([3, undefined])
+  picture.recolor('21')
+  expect([picture.newColors(), picture.newColors()]).toEqual([`21${first?.[2]}`, undefined])
+  picture.apply(picture.editor.apply([{ kind: 'replace', id: 1, circle: { x: 9, y: 1, r: 1 } }]))
+  expect(picture.newColors()).toBeUndefined()
+  picture.apply(picture.editor.apply([{ kind: 'remove', id: 0 }]))
+  expect([picture.newColors(), picture.newColors()]).toEqual([`1${first?.[2]}`, undefined])
+})
+
+it('stars and areas are those of the circles and the region that are there', async () => {
+  const regions = await loadRegions()
+  const picture = new Picture(library.edit(Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1, 9, 9, 1)))
+  picture.layers = { ...DEFAULT_LAYERS, dual: true }
+  const all = { minX: -99, minY: -99, maxX: 99, maxY: 99 }
+  expect(picture.starsIn(all)).toEqual([0, 1, 2, 3])
+  picture.apply(picture.editor.apply([{ kind: 'remove', id: 1 }]))
+  expect(picture.starsIn(all)).toEqual([0, 1, 2])
+  expect(picture.areas().valueOf(0)).toBe(Infinity)
+  const square = (side: number) =>
+    new Clip(
+      library,
+      regions.region([
+        [
+          [0, 0],
+          [side, 0],
+          [side, side],
+          [0, side],
+        ],
+      ]),
+    )
+  for (const [clip, total] of [
+    [square(9), 81],
+    [square(3), 9],
+    [undefined, Infinity],
+  ] as const) {
+    picture.clip = clip
+    const areas = [0, 1, 2].map((i) => picture.areas().valueOf(i))
+    expect(areas.reduce((sum, area) => sum + area)).toBeCloseTo(total, 6)
+  }
+})
+
 it('data of clients are where they say, in pixels of the screen, and those elsewhere are left out', () => {
   const scene = new PaintedScene(library)
   scene.open(Float64Array.of(0, 0, 1, 10, 0, 1))

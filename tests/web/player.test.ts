@@ -349,6 +349,36 @@ describe('what is shown beside a step', () => {
     expect([arcs(), arcs('antipodalDiscUsed'), arcs('roundBegun')]).toEqual([48, 48, 0])
   })
 
+  it('begins each round anew, and says which', () => {
+    const events = traceOf(
+      ['roundBegun'],
+      ['faceMade'],
+      ['discNotEmpty', [0, 1, 2]],
+      ['faceRemoved'],
+      ['faceMade'],
+      ['faceMade'],
+      ['roundBegun', [], 1],
+      ['faceMade'],
+      ['faceRemoved'],
+    )
+    const lines = ['begin', 'flipDiscs', 'flipTest', 'flip', 'again', 'flipDiscs', 'ties', 'flipDone']
+    const steps = stepsOf(events)
+    expect(steps.map(({ line }) => line)).toEqual(lines)
+    expect(sentenceOf(events, steps[4] as Step)).toContain('round 2 begins')
+    const forms = traceOf(
+      ['sampleTaken'],
+      ['branchDisc', [0, 1, 2]],
+      ['threeTouchDiscFormed', [0, 1, 2]],
+      ['antipodalDiscAccepted', [0, 1]],
+      ['threeTouchDiscFormed', [0, 1, 2]],
+    )
+    const formed = ['samples', 'take', 'branch', 'formThird', 'take', 'place', 'form', 'hull']
+    expect(stepsOf(forms).map(({ line }) => line)).toEqual(formed)
+    expect(stepsOf(forms).flatMap((_, k) => (concerns(forms, stepsOf(forms), k, 0) ? [k] : []))).toEqual([
+      1, 2, 3, 4, 5, 6,
+    ])
+  })
+
   it('has a list that ends with its round, with discs by radius and of one radius in their order', () => {
     const disc = (r: number) => ({ x: 0, y: 0, r })
     const events = traceOf(
