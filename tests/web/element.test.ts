@@ -46,7 +46,7 @@ describe('circles', () => {
     ]) {
       expect(circlesOfMarkdown(text).circles).toEqual(circles)
     }
-    expect(circlesOfMarkdown('|1|2|3|\n|4|5|6|').circles).toEqual(circles)
+    for (const end of ['\n', '\r\n', '\r']) expect(circlesOfMarkdown(`|1|2|3|${end}|4|5|6|`).circles).toEqual(circles)
     // The bars separate the numbers, so commas are decimal marks.
     expect(circlesOfMarkdown('|1,5|2|3|\n|4|5|6,25|').circles).toEqual(Float64Array.of(1.5, 2, 3, 4, 5, 6.25))
   })
@@ -125,7 +125,10 @@ describe('circles at an address', () => {
     expect(await regionFrom(square, 'https://example.org/c/', signal)).toEqual(region)
     expect(asked).toHaveLength(1)
     gives('', 500)
-    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({ code: 'badInput' })
+    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({
+      code: 'badInput',
+      message: 'https://example.org/c/b.wkt cannot be loaded: the answer is 500.',
+    })
   })
 })
 

@@ -349,6 +349,82 @@ describe('what is shown beside a step', () => {
     expect([arcs(), arcs('antipodalDiscUsed'), arcs('roundBegun')]).toEqual([48, 48, 0])
   })
 
+  const layersAt = (line: Step['line']) => {
+    const step = steps.find((step) => step.line === line) as Step
+    const state = trace.at(step.end)
+    const layers = overlayOf(trace, step, state, [], circlesAt(trace, circles, state), COLORS)
+    return { step, state, layer: (name: string) => layers.find(({ id }) => id === name) }
+  }
+
+  it('tells what ends from what has ended before', () => {
+    const { step, state, layer } = layersAt('finish')
+    const before = [...state.segments].filter((k) => k < step.event)
+    expect(before.length).toBeLessThan(state.segments.length)
+    expect(layer('segments')?.segments ?? []).toHaveLength(48 * before.length)
+    expect(layer('finished')).toMatchObject({ color: 'c', width: 3 })
+    expect(layer('finished')?.segments).toHaveLength(48 * (state.segments.length - before.length))
+    expect(layer('deleted')).toMatchObject({ color: 'e', width: 1.25, dash: [4, 4] })
+  })
+
+  it('joins the rims of each pair across the gap between them', () => {
+    const { state, layer } = layersAt('pairs')
+    const { segments = [] } = layer('pairs') ?? {}
+    expect(segments).toHaveLength(4 * state.pairs.length)
+    for (const [k, event] of state.pairs.entries()) {
+      const [a, b] = trace.event(event).circles.map((id) => circles.subarray(3 * id, 3 * id + 3)) as [
+        Float64Array,
+        Float64Array,
+      ]
+      const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = segments.slice(4 * k, 4 * k + 4)
+      const away = (circle: Float64Array, x: number, y: number) =>
+        Math.hypot(x - Number(circle[0]), y - Number(circle[1]))
+      expect(away(a, x0, y0)).toBeCloseTo(Number(a[2]), 9)
+      expect(away(b, x1, y1)).toBeCloseTo(Number(b[2]), 9)
+      const gap = away(a, Number(b[0]), Number(b[1])) - Number(a[2]) - Number(b[2])
+      expect(Math.hypot(x1 - x0, y1 - y0)).toBeCloseTo(Math.abs(gap), 9)
+    }
+  })
+
+  it('numbers all circles where they are few, and those of the step and of its test where they are many', () => {
+    for (const [count, tested, numbered] of [
+      [60, [], undefined],
+      [61, [7], [7]],
+    ] as const) {
+      const many = randomCircles(count, 3)
+      const own = library.trace(many)
+      const step = stepsOf(own).find(({ line }) => line === 'notEmpty') as Step
+      const state = own.at(step.end)
+      const layers = overlayOf(own, step, state, tested, circlesAt(own, many, state), COLORS)
+      const { numbers = [], points = [] } = layers.find(({ id }) => id === 'numbers') ?? {}
+      const expected =
+        numbered === undefined ? [...Array(count).keys()] : [...numbered, ...own.event(step.event).circles]
+      expect([...numbers].sort((a, b) => a - b)).toEqual([...new Set(expected)].sort((a, b) => a - b))
+      for (const [k, id] of numbers.entries())
+        expect([points[2 * k], points[2 * k + 1]]).toEqual([...many.subarray(3 * id, 3 * id + 2)])
+    }
+  })
+
+  it('shows where a disc touches, and not the circle that reaches into it', () => {
+    const { step, layer } = layersAt('notEmpty')
+    const { circles: ids, disc } = trace.event(step.event)
+    expect(layer('disc')?.points).toHaveLength(4)
+    expect(layer('met')).toMatchObject({ color: 'e', width: 3 })
+    expect([...(layer('met')?.discs ?? [])]).toEqual([...circles.subarray(3 * Number(ids[2]), 3 * Number(ids[2]) + 3)])
+    const [x = 0, y = 0] = layer('disc')?.points ?? []
+    expect(Math.hypot(x - Number(disc?.x), y - Number(disc?.y))).toBeCloseTo(Math.abs(Number(disc?.r)), 9)
+  })
+
+  it('draws the circles on which samples lie, which are smaller by the radius of the smallest one', () => {
+    const { discs = [] } = layersAt('samples').layer('rims') ?? {}
+    expect(discs.length).toBeGreaterThan(3 * 25)
+    const differences = new Set<number>()
+    for (let k = 0; k < discs.length; k += 3) {
+      const id = circles.findIndex((x, i) => i % 3 === 0 && x === discs[k] && circles[i + 1] === discs[k + 1])
+      differences.add(Math.round(1e9 * ((circles[id + 2] as number) - (discs[k + 2] as number))))
+    }
+    expect([differences.size, Math.min(...differences) > 0]).toEqual([1, true])
+  })
+
   it('begins each round anew, and says which', () => {
     const events = traceOf(
       ['roundBegun'],

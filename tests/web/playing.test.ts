@@ -491,6 +491,14 @@ it('jumps to the next and the previous step of each kind, of the selected circle
     }
     expect(seen.length, goal).toBeLessThan(2)
   }
+  // A jump ends playback.
+  go(0)
+  after(WORDS.goal)({ target: { value: 'stage' } })
+  press(WORDS.play)
+  press(WORDS.next)
+  const place = step
+  seconds(9)
+  expect([step, text().includes(WORDS.play)]).toEqual([place, true])
   listeners.get('marked')?.({ selected: undefined })
   go(0)
   after(WORDS.goal)({ target: { value: 'selected' } })
