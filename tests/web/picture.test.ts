@@ -4,10 +4,12 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSy
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { loadCircleVoronoi } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { picture, USAGE } from '../../web/picture/command.ts'
 import { renderSVG } from '../../web/picture/render.ts'
 import { playerColors, themeStyle } from '../../web/picture/theme.ts'
+import { stepsOf } from '../../web/player/steps.ts'
 
 const { sheets, converted } = await vi.hoisted(async () => {
   const { readFileSync } = await import('node:fs')
@@ -132,6 +134,21 @@ it.each([
   for (const side of [least, most]) expect(await renderSVG(STATE, { [name]: side })).toContain(`${name}="${side}"`)
   for (const side of [least - 0.5, most + 1, Number.NaN, '9'])
     await expect(renderSVG(STATE, { [name]: side })).rejects.toThrow(`The option ${name} is a number from`)
+})
+
+it('shows the diagram at the last step and beyond, and says what is wrong with its domain', async () => {
+  const [whole, first, beyond] = [
+    await renderSVG(STATE),
+    ...(await Promise.all([0, 1e5].map((step) => renderSVG({ ...STATE, step })))),
+  ]
+  expect([first === whole, beyond === whole]).toEqual([false, true])
+  const steps = await Promise.all(Array.from({ length: 60 }, (_, step) => renderSVG({ ...STATE, step })))
+  // The method has steps, and only the last one shows the diagram.
+  const last = steps.indexOf(whole)
+  expect(last).toBeGreaterThan(9)
+  expect(steps.slice(last).every((svg) => svg === whole)).toBe(true)
+  expect(stepsOf((await loadCircleVoronoi()).trace(CIRCLES))).toHaveLength(last + 1)
+  await expect(renderSVG({ ...STATE, areas: 'equal' })).rejects.toThrow(/region/)
 })
 
 it('has all colors of the style sheets, others in the dark than in the light', () => {
