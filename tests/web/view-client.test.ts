@@ -115,7 +115,13 @@ beforeEach(() => {
   vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
   vi.stubGlobal('cancelAnimationFrame', (frame: number) => frames.splice(frame - 1, 1))
 })
-afterEach(() => vi.unstubAllGlobals())
+afterEach(() => {
+  // A view may wait for its camera to rest.
+  for (const view of views.splice(0)) view.dispose()
+  vi.unstubAllGlobals()
+})
+
+const views: View[] = []
 
 /** The parts that a view removes when it is disposed of. */
 let removed: string[]
@@ -178,6 +184,7 @@ function opened() {
   const view = new View(container as unknown as HTMLElement, painter, () => {
     disposals += 1
   })
+  views.push(view)
   view.setLayers({ ...view.layers, disc: true })
   /** The highlights after all pending frames; `undefined` also if nothing was redrawn. */
   const shown = () => {
