@@ -5,6 +5,14 @@ import { otherModules } from '../../web/view/load.ts'
 
 afterEach(() => vi.unstubAllGlobals())
 
+it('modules for a thread may be bytes, a response or promises of either, and none is sent where there is none', async () => {
+  const bytes = Uint8Array.of(1, 2)
+  expect(await otherModules({ regionsWasm: bytes, comparisonWasm: Promise.resolve(new Response(bytes)) })).toEqual({
+    regionsWasm: bytes,
+    comparisonWasm: bytes.buffer,
+  })
+})
+
 it('addresses for a thread are those that the page would resolve, also the relative URLs of Turbopack', async () => {
   vi.stubGlobal('document', { baseURI: 'https://example.org/course/' })
   /** The class of Turbopack's runtime: a URL whose text is relative. */
