@@ -130,6 +130,34 @@ TEST(Certificate, RefusesACellForAHiddenCircle) {
   }
 }
 
+TEST(Certificate, NamesCirclesByTheirIndicesAmongAllCircles) {
+  // In front of all others comes a circle that the first of them hides.
+  std::vector<Circle> circles = kNested;
+  circles.insert(circles.begin(), {9, 9, 0.5});
+  const auto behind = [&](Diagram diagram) {
+    for (auto& triple : diagram.vertexCircles) {
+      for (CircleIndex& i : triple) ++i;
+    }
+    for (Edge& edge : diagram.edges) edge = {edge.left + 1, edge.right + 1, edge.start, edge.end};
+    for (CircleIndex& i : diagram.hull) ++i;
+    diagram.hidden.insert(diagram.hidden.begin(), {0, 1});
+    return judged(circles, diagram);
+  };
+  Diagram diagram = diagramOf(kNested);
+  diagram.hidden.clear();
+  Dual dual = test::dualOf(diagram, kNested.size());
+  test::insertOnEdge(dual, 0, 2);
+  test::replaceTopology(diagram, dual, kNested);
+  const Certificate certificate = behind(diagram);
+  EXPECT_EQ(certificate.flaw, Flaw::cellNotClosed);
+  EXPECT_EQ(certificate.circle, 3);
+  EXPECT_EQ(certificate.message, "Circle 3 has a cell that does not go around it exactly once.");
+  diagram.hull.push_back(diagram.hull.front());
+  const Certificate repeated = behind(diagram);
+  EXPECT_EQ(repeated.flaw, Flaw::badIndex);
+  EXPECT_EQ(repeated.circle, diagram.hull.front() + 1);
+}
+
 TEST(Certificate, OneOfIdenticalCirclesIsHiddenByTheOther) {
   const std::vector<Circle> circles = {{0, 0, 1}, {0, 0, 1}, {5, 0, 1}};
   Diagram diagram = diagramOf(circles);

@@ -93,6 +93,8 @@ TEST_F(CliColumns, InvalidRowsAreSkippedAndCounted) {
   textOf("fit --skip-invalid " + file + " --areas id --shares --region " +
              write("box.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4))"),
          "", said);
+  textOf("convert --skip-invalid -", "1,2,3\n1,2,x\n4,5,6\n",
+         "circle-voronoi: 1 of 3 was skipped; the first: standard input:2: r is not a number: \"x\".\n");
   expectFailure(run("compute " + file), 2, file + ":3: lon is empty (circle 1, id 2).");
   expectFailure(run("compute --skip-invalid --known=0,0,9,9 --max-radius 0 --format csv " + file), 2,
                 "--known takes no --skip-invalid.");

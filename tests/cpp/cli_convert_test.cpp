@@ -144,9 +144,13 @@ TEST_F(CliConvert, ADiagramBecomesWhatComputeWrites) {
 }
 
 TEST_F(CliConvert, ADiagramKeepsItsStats) {
-  const std::string diagram = computed();
-  EXPECT_EQ(textOf("convert " + diagram), readFile(diagram));
-  EXPECT_EQ(Json::parse(textOf("convert --format stats " + diagram)), Json::parse(readFile(diagram)).at("stats"));
+  const std::string diagram = path("diagram.json");
+  for (const std::string method : {"auto", "touching-disc --candidates uniform"}) {
+    textOf("compute " + fixture_ + " --method " + method + " -o " + diagram);
+    EXPECT_EQ(textOf("convert " + diagram), readFile(diagram));
+    EXPECT_EQ(Json::parse(textOf("convert --format stats " + diagram)), Json::parse(readFile(diagram)).at("stats"));
+  }
+  EXPECT_EQ(Json::parse(readFile(diagram)).at("stats").at("candidates"), "uniform");
 }
 
 TEST_F(CliConvert, StatsThatFitNothingAreLeftOut) {
@@ -161,6 +165,11 @@ TEST_F(CliConvert, StatsThatFitNothingAreLeftOut) {
   EXPECT_EQ(stats.at("seconds").at("triangulate"), 0);
   EXPECT_EQ(stats.at("seconds").at("total"), 2);
   EXPECT_EQ(stats.at("certificate").at("certified"), true) << "judged, not believed";
+  json["stats"] = Json::parse(
+      R"({"counts": {"circles": "many", "hidden": -1, "flips": 2.5, "events": null, "samples": 3}, "candidates": 1})");
+  const Json counts = Json::parse(textOf("convert - --format stats", json.dump())).at("counts");
+  for (const char* name : {"circles", "hidden", "flips", "events"}) EXPECT_EQ(counts.at(name), 0) << name;
+  EXPECT_EQ(counts.at("samples"), 3);
   json.erase("stats");
   EXPECT_EQ(Json::parse(textOf("convert -", json.dump())).at("stats").at("certificate").at("certified"), true);
 }

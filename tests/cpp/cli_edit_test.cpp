@@ -2,8 +2,11 @@
 // circle-voronoi edit: scripts of edits.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/io.h"
@@ -102,34 +105,61 @@ TEST_F(CliEdit, TellsWhatEachEditChanges) {
   EXPECT_EQ(partsOf(readFile(path("after.json"))), partsOf(textOf("compute " + circles_)));
 }
 
-TEST_F(CliEdit, ChangesHaveTheNumbersOfTheLibrary) {
-  const std::string text = "0,0,1\n6,0,1\n0,8,1\n5,7,2\n9,3,0.5\n";
-  DiagramEditor editor = DiagramEditor::from(readCircles(text, "test").value()).value();
-  textOf("edit - --script " + write("edits.csv", "insert,3,4,0.5\n") + " --changes " + path("changes.jsonl") + " -o " +
-             path("after.json"),
-         text);
-  const Json written = Json::parse(readFile(path("changes.jsonl")));
-  const Change change = editor.insert({3, 4, 0.5}).value();
-  Json edges = Json::array();
-  for (const Edge& edge : change.edges) {
-    const auto& [left, right, start, end] = edge;
-    for (const std::int32_t number :
-         {std::int32_t{left}, std::int32_t{right}, std::int32_t{start}, std::int32_t{end}}) {
-      edges.push_back(number);
+double numberOf(double value) { return value; }
+std::int32_t numberOf(std::int32_t value) { return value; }
+
+/// The numbers of a list, or those members of its items, one after the other.
+template <class Item, class... Members>
+Json numbersOf(const std::vector<Item>& items, Members... members) {
+  Json numbers = Json::array();
+  for (const Item& item : items) {
+    if constexpr (sizeof...(members) == 0) {
+      numbers.push_back(numberOf(item));
+    } else {
+      (numbers.push_back(numberOf(item.*members)), ...);
     }
   }
-  ASSERT_FALSE(change.edges.empty());
-  EXPECT_EQ(written["edges"], edges);
-  Json vertices = Json::array();
-  for (const Vertex& vertex : change.vertices) {
-    for (const double number : {vertex.x, vertex.y, vertex.r}) vertices.push_back(number);
+  return numbers;
+}
+
+TEST_F(CliEdit, ChangesAreThoseOfTheLibrary) {
+  const std::string text = "0,0,1\n6,0,1\n0,8,1\n5,7,2\n9,3,0.5\n";
+  DiagramEditor editor = DiagramEditor::from(readCircles(text, "test").value()).value();
+  // Comes between others, grows over them, and goes.
+  const std::vector<Edit> edits = {
+      {Edit::Kind::insert, kNone, {3, 4, 0.5}}, {Edit::Kind::replace, 5, {4, 6, 4}}, {Edit::Kind::remove, 5, {}}};
+  textOf("edit - --script " + write("edits.csv", "insert,3,4,0.5\nreplace,5,4,6,4\nremove,5\n") + " --changes " +
+             path("changes.jsonl") + " -o " + path("after.json"),
+         text);
+  const auto lines = test::linesOf(readFile(path("changes.jsonl")));
+  ASSERT_EQ(lines.size(), edits.size());
+  for (std::size_t k = 0; k < edits.size(); ++k) {
+    const Change change = editor.apply(std::span(edits).subspan(k, 1)).value();
+    Json corners = Json::array();
+    for (const auto& triple : change.vertexCircles) {
+      for (const CircleId id : triple) corners.push_back(std::int32_t{id});
+    }
+    const Json expected = {{"way", "local"},
+                           {"inserted", numbersOf(change.inserted)},
+                           {"removed", numbersOf(change.removed)},
+                           {"replaced", numbersOf(change.replaced)},
+                           {"circles", numbersOf(change.circles, &Circle::x, &Circle::y, &Circle::r)},
+                           {"hidden", numbersOf(change.hidden)},
+                           {"hiders", numbersOf(change.hiders, &HiddenCircle::circle, &HiddenCircle::by)},
+                           {"shown", numbersOf(change.shown)},
+                           {"cells", numbersOf(change.cells)},
+                           {"removedVertices", numbersOf(change.removedVertices)},
+                           {"addedVertices", numbersOf(change.addedVertices)},
+                           {"vertices", numbersOf(change.vertices, &Vertex::x, &Vertex::y, &Vertex::r)},
+                           {"vertexCircles", corners},
+                           {"removedEdges", numbersOf(change.removedEdges)},
+                           {"addedEdges", numbersOf(change.addedEdges)},
+                           {"edges", numbersOf(change.edges, &Edge::left, &Edge::right, &Edge::start, &Edge::end)},
+                           {"hullSides", numbersOf(change.hullSides, &HullSide::side, &HullSide::next)}};
+    EXPECT_EQ(Json::parse(lines[k]), expected);
+    EXPECT_EQ(change.hiders.empty(), k != 1);
+    EXPECT_FALSE(change.removedVertices.empty() || change.addedVertices.empty() || change.edges.empty());
   }
-  EXPECT_EQ(written["vertices"], vertices);
-  Json sides = Json::array();
-  for (const HullSide& side : change.hullSides) {
-    for (const std::int32_t number : {side.side, side.next}) sides.push_back(number);
-  }
-  EXPECT_EQ(written["hullSides"], sides);
 }
 
 TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {

@@ -66,6 +66,19 @@ TEST_F(CliFiles, AnInterruptedProgramLeavesTheOldFile) {
   }
 }
 
+TEST_F(CliFiles, AFileThatCannotTakeItsNameIsAnError) {
+  const std::string circles = write("circles.csv", circles_);
+  const std::string script = path("script.csv");
+  const std::string file = path("taken.jsonl");
+  // The script comes while the changes are written, and by then a folder has their name.
+  const test::Outcome edit =
+      shell("mkfifo " + script + "; (exec 3>" + script + "; mkdir " + file + "; echo remove,0 >&3) & " + program_ +
+            " edit " + circles + " --script " + script + " --changes " + file + " -o " + path("diagram.json"));
+  expectFailure(edit, 1, "Cannot write " + file + ": Is a directory.");
+  EXPECT_FALSE(fs::exists(path("diagram.json")));
+  EXPECT_EQ(filesBeside(), 0);
+}
+
 TEST_F(CliFiles, TheOutputIsNotTheInput) {
   const std::string file = write("circles.csv", circles_);
   fs::create_symlink(file, path("symbolic.csv"));
@@ -105,6 +118,9 @@ TEST_F(CliFiles, AnOutputIsNoOtherOutput) {
   refuses(edit + " --trace -", "--trace and --output", "standard output");
   refuses(edit + " -o " + path("new.csv") + " --changes - --trace -", "--trace and --changes", "standard output");
   refuses(tile + " --open -", "--open and --output", "standard output");
+  // Into a pipe as well as into a file.
+  const std::string both = shell(program_ + " " + edit + " -o " + path("new.csv") + " --changes - --trace - | cat").err;
+  EXPECT_NE(both.find("--trace and --changes cannot both be standard output."), std::string::npos) << both;
   const std::string trace = program_ + " " + compute + " --trace " + path("new.csv") + " >" + path("new.csv");
   EXPECT_EQ(shell(trace).status, 2);
   EXPECT_EQ(readFile(path("new.csv")), "");

@@ -175,7 +175,9 @@ TEST_F(CliFit, ShowsItsProgress) {
   const auto [status, out, err] =
       run("fit " + sites_ + " --areas people --shares --progress always -o " + path("out.json") + region_);
   EXPECT_EQ(status, 0);
-  EXPECT_TRUE(std::regex_search(err, std::regex("fit, \\d+ s"))) << err;
+  for (const char* stage : {"read", "fit", "write"}) {
+    EXPECT_TRUE(std::regex_search(err, std::regex(std::string(stage) + ", \\d+ s"))) << stage << " in " << err;
+  }
   // Shares that grow to the whole.
   std::vector<int> parts;
   const std::regex part("fit (\\d+) %");

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/io.h"
@@ -162,6 +163,9 @@ TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   const std::string other = textOf("compute " + circles_ + " --lattice 1,0,0.5,1 --format svg");
   EXPECT_EQ(other.find(id), std::string::npos);
   EXPECT_NE(svg.find("class=\"lattice\""), std::string::npos);
+  for (const std::string group : {"cells", "circles", "edges"}) {
+    EXPECT_NE(svg.find("<g class=\"" + group + "\" "), std::string::npos) << group;
+  }
   // Circle 0 is drawn once, and used at its own place and as image beside its neighbors.
   const auto count = [&](const std::string& part) {
     int found = 0;
@@ -177,6 +181,26 @@ TEST_F(CliPeriodic, TheDrawingShowsCellsThatCrossTheBoxOnBothSides) {
   EXPECT_EQ(count("<path data-edge="), 6);
 }
 
+TEST_F(CliPeriodic, TheDrawingHasAMarginWithTheCopiesThatReachIntoIt) {
+  const auto drawingOf = [&](const std::string& circle) {
+    return textOf("compute " + write("one.csv", circle) + " --lattice 1,0,0,1 --format svg");
+  };
+  const auto copiesIn = [](const std::string& svg) {
+    const std::regex use("<use href=\"#given-[0-9]+\" x=\"([^\"]+)\" y=\"([^\"]+)\"/>");
+    std::vector<std::pair<std::string, std::string>> places;
+    for (std::sregex_iterator at(svg.begin(), svg.end(), use), end; at != end; ++at)
+      places.emplace_back((*at)[1], (*at)[2]);
+    return places;
+  };
+  const std::string svg = drawingOf("0.5,0.5,0\n");
+  EXPECT_NE(svg.find("viewBox=\"-0.15 -1.15 1.2999999999999998 1.2999999999999998\""), std::string::npos);
+  EXPECT_EQ(copiesIn(svg).size(), 9U);
+  // The copy on the left ends in the margin, or before it. The radius is room for the borders between two vertices.
+  EXPECT_EQ(copiesIn(drawingOf("0.4,0.5,0\n")).size(), 9U);
+  EXPECT_EQ(copiesIn(drawingOf("0.3,0.5,0\n")).size(), 6U);
+  EXPECT_EQ(copiesIn(drawingOf("0.3,0.5,0.9\n")).size(), 20U);
+}
+
 TEST_F(CliPeriodic, RefusesInvalidLatticesAndOptions) {
   const auto fails = [&](const std::string& arguments, const std::string& message) {
     expectFailure(run("compute " + circles_ + " " + arguments), 2, message);
@@ -188,7 +212,9 @@ TEST_F(CliPeriodic, RefusesInvalidLatticesAndOptions) {
   fails("--lattice 1,0,0,0.0001 --format svg", "The box is too narrow to be drawn.");
   fails("--lattice 1,0,0,1 --format wkt", "--lattice takes no --format wkt.");
   fails("--lattice 1,0,0,1 --format svg --bounds 0,0,1,1", "--lattice takes no --bounds");
-  fails("--lattice 1,0,0,1 --format svg --max-distance 1", "--lattice takes no --max-distance");
+  fails("--lattice 1,0,0,1 --format svg --max-distance 1",
+        "--lattice takes no --max-distance: cells are written whole.");
+  fails("--lattice 1,0,0,1 --format svg --tolerance 1 --max-distance 1", "--lattice takes no --max-distance");
   fails("--lattice 1,0,0,1 --trace t.jsonl", "--lattice takes no --trace.");
   fails("--lattice 1,0,0,1 --method flip", "--lattice needs --method auto.");
   fails("--lattice 1,0,0,1 --known 0,0,1,1 --max-radius 1 --format csv", "--lattice takes no --known.");

@@ -95,5 +95,23 @@ TEST_F(CliProgress, IsShownForConvertAndCertify) {
   EXPECT_TRUE(has(run("convert --progress always " + path("out.json") + " -o " + path("out.svg")).err, "certify, "));
 }
 
+TEST_F(CliProgress, IsShownForBoxesTilesAndEdits) {
+  const std::string options = " --progress always -o " + path("out.json");
+  const std::string periodic = run("compute " + fixture_ + " --lattice 99,0,0,99" + options).err;
+  const std::string tile =
+      run("compute " + fixture_ + " --known=-inf,-inf,inf,inf --max-radius 0 --format csv" + options).err;
+  for (const char* stage : {"read", "triangulate", "flip", "certify", "write"}) {
+    EXPECT_TRUE(has(periodic, std::string(stage) + ", ")) << stage << " in " << periodic;
+    EXPECT_TRUE(has(tile, std::string(stage) + ", ")) << stage << " in " << tile;
+  }
+  const std::string script = write("edits.csv", "remove,0\nremove,1\nremove,2\nremove,3\n");
+  const std::string edits = run("edit " + fixture_ + " --script " + script + options).err;
+  for (const char* part : {"read, ", "compute, ", "edit, ", "edit 25 %, ", "edit 50 %, ", "edit 75 %, ", "write, "}) {
+    EXPECT_TRUE(has(edits, part)) << part << " in " << edits;
+  }
+  const std::string cut = run("tile " + fixture_ + " --size 10 --halo 1 --progress always -o " + path("tiles")).err;
+  for (const char* part : {"cut, ", "cut 100 %, ", "write, "}) EXPECT_TRUE(has(cut, part)) << part << " in " << cut;
+}
+
 }  // namespace
 }  // namespace circle_voronoi

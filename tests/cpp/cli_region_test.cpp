@@ -67,6 +67,13 @@ TEST_F(CliRegion, ComputeConvertAndEditClip) {
   EXPECT_EQ(textOf("compute " + circles_ + " --region " + wkt + " --format geojson"), computed);
 }
 
+TEST_F(CliRegion, DigitsAreThoseOfTheCellsAndNotOfTheRegion) {
+  const std::string region = write("bay.wkt", "POLYGON ((-1.0625 -1, 5 -1, 5 1.0625, -1.0625 1.0625))");
+  const std::string rounded = textOf("compute " + circles_ + " --format wkt --digits 1 --region " + region);
+  EXPECT_NE(rounded.find("-1.0625 1.0625"), std::string::npos) << rounded;
+  EXPECT_NE(rounded.find("5 1.0625"), std::string::npos) << rounded;
+}
+
 TEST_F(CliRegion, MaxDistanceAndRegionTogether) {
   const Json features = Json::parse(
       textOf("compute " + circles_ + " --region " + region_ + " --max-distance 0.25 --format geojson"))["features"];

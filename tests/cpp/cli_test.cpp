@@ -243,7 +243,7 @@ TEST_F(Cli, ListsTheFamilies) {
 TEST_F(Cli, BadUsageIsSaidInOneLine) {
   expectFailure(run(""), 2,
                 "A command is missing; the commands are certify, compute, convert, edit, fit, generate and tile.");
-  expectFailure(run("picture"), 2, "picture");
+  expectFailure(run("picture"), 2, "The npm package has the command picture: npx circle-voronoi picture ...");
   EXPECT_NE(run("--help").out.find("the command picture draws"), std::string::npos);
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are certify, ");
   expectFailure(run("--draw"), 2, "There is no option --draw; the commands are certify, ");
@@ -285,9 +285,10 @@ TEST_F(Cli, WholeNumbersAreDecimal) {
 }
 
 TEST_F(Cli, NamesTheFilesThatCannotBeReadOrWritten) {
-  expectFailure(run("compute " + path("missing.csv")), 1, "missing.csv");
+  expectFailure(run("compute " + path("missing.csv")), 1, "missing.csv: No such file or directory.");
   expectFailure(run("compute " + path("")), 1, "Cannot read");
-  expectFailure(run("compute " + kFixture + " -o " + path("missing/out.json")), 1, "out.json");
+  expectFailure(run("compute " + kFixture + " -o " + path("missing/out.json")), 1,
+                "out.json: No such file or directory.");
   if (std::filesystem::exists("/dev/full")) expectFailure(run("compute " + kFixture + " -o /dev/full"), 1, "/dev/full");
 }
 
@@ -338,6 +339,12 @@ TEST_F(Cli, CertifyRefusesFilesWithoutADiagram) {
   expectFailure(run("certify -", "{\"format\": \"circle-voronoi\",\n \"version\": 2}"), 2,
                 "standard input:2: the version is not 1");
   expectFailure(run("certify " + path("absent.json")), 1, "Cannot read");
+  auto power = nlohmann::json::parse(run("compute -", "0,0,1\n6,0,1\n").out);
+  power["metric"] = "power";
+  for (const std::string command : {"certify ", "convert --format csv "}) {
+    expectFailure(run(command + write("power.json", power.dump())), 2,
+                  "power.json: There is no certificate for a power diagram.");
+  }
 }
 
 TEST_F(Cli, HelpAndVersionGoToStandardOutput) {

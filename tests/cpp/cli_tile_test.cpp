@@ -241,6 +241,8 @@ TEST_F(CliTile, RefusesInvalidTilesAndOptions) {
   fails(known + " --max-radius 0 --format geojsonl", "--known needs --bounds or --region for geojsonl.");
   fails(known + " --max-radius 0 --format csv --method flip", "--known needs --method auto.");
   fails(known + " --max-radius 0 --format csv --trace " + path("t.jsonl"), "--known takes no --trace.");
+  fails(known + " --max-radius 0 --format csv --project local", "--known takes no --project.");
+  fails(known + " --max-radius 0 --format csv --digits 3", "--known takes no --digits for csv.");
   fails("compute " + tile + " --known 0,0,nan,1 --max-radius 0 --format csv", "MAXX is not a number");
   fails("compute " + tile + " --core 0,0,1,1 --format csv", "--core needs --known.");
   fails("compute " + tile + " --open " + path("a.csv") + " --format csv", "--open needs --known.");
@@ -265,7 +267,15 @@ TEST_F(CliTile, RefusesInvalidTilesAndOptions) {
   fails("tile " + tile + " --size 0 --halo 1 -o " + path("a"), "expected a number above 0");
   fails("tile " + tile + " --size 1 --halo -1 -o " + path("b"), "expected a number above 0");
   fails("tile " + tile + " --size 1e-20 --halo 1 -o " + path("c"), "--size is too small");
+  const std::string tiny = write("tiny.csv", "id,x,y,r\n1,1e-20,0,0\n");
+  fails("compute " + tiny + " --format csv" + kPlane, "tiny.csv: The circles are too small: all numbers are below");
   fails("tile " + tile + " --size 1 --halo 1 -o " + path(""), "is not empty");
+  const std::string inFile = tile + "/tiles";
+  expectFailure(run("tile " + tile + " --size 1 --halo 1 -o " + inFile), 1,
+                "Cannot make the folder " + inFile + ": Not a directory.");
+  const std::string full = "tile " + tile + " --size 1 --halo 1 -o " + path("full");
+  const std::string said = shell("(ulimit -f 0; exec " + program_ + " " + full + ") 2>&1 | cat").out;
+  EXPECT_EQ(said.rfind("circle-voronoi: Cannot write " + path("full/x"), 0), 0U) << said;
   fails("tile " + write("empty.csv", "# nothing\n") + " --size 1 --halo 1 -o " + path("d"), "the text is empty");
 }
 

@@ -308,6 +308,51 @@ TEST(ClippedDiagram, FlatArraysAreTheOutlines) {
   }
 }
 
+TEST(ClippedDiagram, MeasuresAndPolygonsWithinADistanceAreThoseOfTheOutlines) {
+  std::mt19937_64 random(seedOr(37));
+  const auto circles = inputs(random)[1].second;
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Region region =
+      Region::fromRings(std::vector<Region::Ring>{test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40)}).value();
+  const ClippedDiagram clipped = ClippedDiagram::from(diagram, region, 0.05).value();
+  constexpr double kTolerance = 1e-4;
+  const ClippedPolygons polygons = clipped.polygons(kTolerance);
+  const std::vector<double> areas = clipped.areas();
+  const std::vector<Point> centroids = clipped.centroids();
+  const std::vector<double> perimeters = clipped.perimeters();
+  int empty = 0;
+  int arcs = 0;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    const Outline outline = clipped.outline(static_cast<std::int32_t>(i));
+    EXPECT_EQ(areas[i], area(outline));
+    EXPECT_EQ(perimeters[i], perimeter(outline));
+    if (outline.empty()) {
+      ++empty;
+      EXPECT_TRUE(std::isnan(centroids[i].x) && std::isnan(centroids[i].y));
+    } else {
+      EXPECT_EQ(centroids[i], centroid(outline));
+    }
+    for (const auto& loop : outline) arcs += static_cast<int>(std::ranges::count_if(loop, &OutlinePiece::isOnCircle));
+    double twice = 0;
+    const std::int32_t firstRing = polygons.ringOffsets[static_cast<std::size_t>(polygons.polygonOffsets[i])];
+    const std::int32_t endRing = polygons.ringOffsets[static_cast<std::size_t>(polygons.polygonOffsets[i + 1])];
+    for (auto ring = static_cast<std::size_t>(firstRing); ring < static_cast<std::size_t>(endRing); ++ring) {
+      const auto points =
+          std::span(polygons.points)
+              .subspan(static_cast<std::size_t>(polygons.pointOffsets[ring]),
+                       static_cast<std::size_t>(polygons.pointOffsets[ring + 1] - polygons.pointOffsets[ring]));
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Point& p = points[k];
+        const Point& q = points[(k + 1) % points.size()];
+        twice += (p.x - 0.5) * (q.y - 0.5) - (q.x - 0.5) * (p.y - 0.5);
+      }
+    }
+    EXPECT_NEAR(twice / 2, areas[i], kTolerance * perimeters[i]) << i;
+  }
+  EXPECT_GT(empty, 0);
+  EXPECT_GT(arcs, 10);
+}
+
 TEST(ClippedDiagram, AnEndThatTheMaximumDistanceCutsLiesOnNoSideOfTheRegion) {
   const Region region = Region::fromRings(std::vector<Region::Ring>{{{-4, -1}, {4, -1}, {4, 4}, {-4, 4}}}).value();
   // The edge goes along the y axis, up or down.

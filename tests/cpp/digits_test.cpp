@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "random.h"
@@ -99,6 +100,7 @@ TEST(Digits, RoundedNumbersHaveTheDecimalsOfTheGrid) {
   EXPECT_FALSE(std::signbit(DecimalGrid(0.1).round(-0.01)));
   EXPECT_EQ(DecimalGrid(1e-30).round(0.1), 0.1) << "too fine";
   EXPECT_EQ(DecimalGrid(1).round(1e300 / 3), 1e300 / 3) << "too large";
+  EXPECT_EQ(DecimalGrid(std::optional(1)).round(123456789012345.67), 123456789012345.67) << "too many steps";
 }
 
 }  // namespace

@@ -357,9 +357,34 @@ TEST(Export, SvgTakesTheLargeArcWhereTheHullTurnsByMoreThanHalf) {
   const std::string hull = svg.substr(svg.find("<g class=\"hull\""));
   EXPECT_EQ(countOf(hull, "A5 5 0 1 1 "), 1U) << hull;
   EXPECT_EQ(countOf(hull, "A1 1 0 0 1 "), 1U) << hull;
+  EXPECT_NE(textOf(writeSvg, {{0, 0, 1}, {9, 0, 1}}).find("<path d=\"M0 1A1 1 0 0 1 0 -1L9 -1A1 1 0 0 1 9 1Z\"/>"),
+            std::string::npos);
+  const std::string alone = textOf(writeSvg, {{2, 3, 1}});
+  EXPECT_NE(alone.find("<circle cx=\"2\" cy=\"3\" r=\"1\"/>"), std::string::npos) << alone;
   const std::string equal = textOf(writeSvg, {{0, 0, 1}, {9, 0, 1}, {4, 6, 1}});
   EXPECT_EQ(countOf(equal, "A1 1 0 0 1 "), 3U) << equal;
   EXPECT_EQ(countOf(equal, " 0 1 1 "), 0U) << equal;
+}
+
+TEST(Export, SvgFollowsTheSidesOfCells) {
+  // One circle in the middle, with four edges, and four around it. All edges are straight if all radii are equal.
+  for (const double r : {1.0, 2.0}) {
+    const std::string svg = textOf(writeSvg, {{0, 0, r}, {10, 0, 1}, {0, 10, 1}, {-10, 0, 1}, {0, -10, 1}});
+    const std::size_t begin = svg.find("<path data-circle=\"0\" d=\"");
+    const std::string cell = svg.substr(begin, svg.find("/>", begin) - begin);
+    const std::size_t group = svg.find("<g class=\"edges\"");
+    const std::string edges = svg.substr(group, svg.find("</g>", group) - group);
+    EXPECT_EQ(countOf(cell, "M"), 1U) << cell;
+    EXPECT_EQ(countOf(edges, "d=\"M"), 8U) << edges;
+    if (r == 1) {
+      EXPECT_EQ(countOf(cell, "L"), 4U) << cell;
+      EXPECT_EQ(countOf(edges, "L"), 8U) << edges;
+      for (const char* corner : {"L5 5", "L-5 5", "L-5 -5", "L5 -5"}) EXPECT_EQ(countOf(cell, corner), 1U) << cell;
+    } else {
+      EXPECT_GE(countOf(cell, "C"), 4U) << cell;
+      EXPECT_EQ(countOf(edges, "C"), countOf(cell, "C")) << edges;
+    }
+  }
 }
 
 TEST(Export, GeoJsonOfACellInTwoPartsIsAMultiPolygon) {
@@ -489,6 +514,8 @@ TEST(Export, SvgTellsHiddenCirclesAndPoints) {
   EXPECT_NE(svg.find("<circle data-circle=\"4\" class=\"point\" cx=\"0\" cy=\"8\" r=\"0.001\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<path data-circle=\"3\" class=\"point hidden\" d=\"M0 1h0\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<desc>5 circles, 2 of them hidden; 1 vertices, 3 edges</desc>"), std::string::npos);
+  const std::string corner = textOf(writeSvg, {{0, 0, 1}, {6, 0, 1}, {0, 8, 1}});
+  EXPECT_EQ(countOf(corner, "<circle data-vertex=\"0\" cx=\"3\" cy=\"4\" r=\""), 1U) << corner;
 }
 
 TEST(Export, SvgOmitsPartsOutsideTheBox) {
@@ -498,6 +525,9 @@ TEST(Export, SvgOmitsPartsOutsideTheBox) {
   const std::string svg = textOf(writeSvg, circles, options);
   EXPECT_EQ(countOf(svg, "<circle data-circle="), 1U);
   EXPECT_EQ(countOf(svg, "<line"), 3U) << "the triangle of the first three circles";
+  for (const char* ends : {"0\" y1=\"0\" x2=\"9\" y2=\"0\"/>", "0\" y1=\"0\" x2=\"0\" y2=\"9\"/>"}) {
+    EXPECT_EQ(countOf(svg, "<line x1=\"" + std::string(ends)), 1U) << svg;
+  }
   for (const Circle& across : {Circle{-2.5, 3, 1}, Circle{7.5, 3, 1}, Circle{3, -2.5, 1}, Circle{3, 7.5, 1}}) {
     EXPECT_EQ(countOf(textOf(writeSvg, {across}, options), "<circle data-circle="), 1U) << across.x << " " << across.y;
   }
@@ -522,16 +552,18 @@ TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {
   figure.layers.push_back({.name = "discs", .discs = {{5, 6, 0.5}}});
   figure.layers.push_back({.name = "directed", .segments = {{{{0, 0}, {0, 5}}}}, .areArrows = true});
   figure.layers.push_back({.name = "arcs", .arcs = {segment({1, 1}, {2, 1})}});
+  figure.layers.push_back({.name = "still", .segments = {{{{7, 7}, {7, 7}}}}, .areArrows = true});
   const std::string svg = figureOf(figure);
   EXPECT_NE(svg.find("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\""), std::string::npos);
   EXPECT_NE(svg.find(".samples { stroke: red; }\n</style>"), std::string::npos);
-  EXPECT_EQ(countOf(svg, "<g class="), 5U);
+  EXPECT_EQ(countOf(svg, "<g class="), 6U);
   EXPECT_EQ(svg.find("class=\"cells\""), std::string::npos);
   EXPECT_NE(svg.find("<g class=\"samples\">\n<path d=\"M1 2h0M3 -4h0\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<circle cx=\"5\" cy=\"6\" r=\"0.5\"/>"), std::string::npos);
   // Seven pixels of a tenth: a head of length 0.7 at the end.
   EXPECT_NE(svg.find("<path d=\"M0 0L0 5M-0.28 4.3L0 5L0.28 4.3\"/>"), std::string::npos);
-  EXPECT_NE(svg.find("<path d=\"M1 1L2 1\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<path d=\"M1 1L2 1\"/>\n</g>"), std::string::npos) << "without points no path of points";
+  EXPECT_NE(svg.find("<path d=\"M7 7L7 7\"/>\n</g>"), std::string::npos) << "an arrow without a direction has no head";
 }
 
 TEST(Export, LayersHaveTheDigitsThatAreAskedFor) {
@@ -557,6 +589,7 @@ TEST(Export, NoCirclesGiveValidFiles) {
   EXPECT_TRUE(Json::parse(textOf(writeGeoJson, {}))["features"].empty());
   EXPECT_EQ(textOf(writeWkt, {}), "");
   EXPECT_NE(textOf(writeSvg, {}).find("</svg>"), std::string::npos);
+  EXPECT_EQ(countOf(textOf(writeSvg, {}), "<path"), 0U);
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
     ASSERT_FALSE(fit);
     EXPECT_TRUE(fit.error().message.starts_with("The box has a coordinate beyond 9.9")) << fit.error().message;
   }
+  const std::string far = errorOf(fitToShares({{0.25, 0.5, 0}, {1e29, 0.5, 0}}, {1, 1}, square));
+  EXPECT_TRUE(far.starts_with("coordinateTooLarge: Circle 1 has a coordinate or a radius beyond")) << far;
   // Up to the limits it is as everywhere.
   EXPECT_EQ(errorOf(fitToShares({{2e27, 8e26, 0}, {6e27, 2.4e27, 0}}, {1, 3}, regionOfBox({0, 0, 8e27, 8e27}))), "");
   EXPECT_EQ(errorOf(fitToShares({{2.5e-16, 1e-16, 0}, {7.5e-16, 3e-16, 0}}, {1, 3}, regionOfBox({0, 0, 1e-15, 1e-15}))),

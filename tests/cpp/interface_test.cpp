@@ -223,12 +223,21 @@ TEST(Writers, RefuseOptionsOutOfRange) {
     EXPECT_EQ(refusal({.maxDistance = distance}), ErrorCode::badOption);
   }
   EXPECT_EQ(refusal({.digits = -1}), ErrorCode::badOption);
+  const Region region = Region::from(Box{0, 0, 1, 1}).value();
+  EXPECT_EQ(refusal({.bounds = Box{0, 0, 1, 1}, .region = &region}), ErrorCode::badOption);
   for (const auto write : {writeJson, writeDiagramCsv}) {
     EXPECT_EQ(refusalOf([&](std::ostream& out) { return write(out, diagram, -1); }), ErrorCode::badOption);
   }
   const PeriodicDiagram periodic = computePeriodic(kCircles, {{9, 0}, {0, 9}}).value();
   EXPECT_EQ(refusalOf([&](std::ostream& out) { return writePeriodicJson(out, periodic, -1); }), ErrorCode::badOption);
   EXPECT_EQ(refusalOf([&](std::ostream& out) { return writeContactsCsv(out, periodic, -1); }), ErrorCode::badOption);
+  for (const auto write : {writePeriodicSvg, writePeriodicGeoJson, writePeriodicGeoJsonLines}) {
+    for (const ExportOptions& options :
+         {ExportOptions{.bounds = Box{0, 0, 1, 1}}, ExportOptions{.region = &region}, ExportOptions{.maxDistance = 1},
+          ExportOptions{.tolerance = 0}, ExportOptions{.digits = -1}}) {
+      EXPECT_EQ(refusalOf([&](std::ostream& out) { return write(out, periodic, options); }), ErrorCode::badOption);
+    }
+  }
   for (const double pixels : {0.0, -1.0, double{NAN}, double{INFINITY}}) {
     SvgFigure figure;
     figure.pixels = pixels;
@@ -246,7 +255,20 @@ TEST(Writers, RefuseDiagramsAndListsThatDoNotFitTogether) {
     EXPECT_EQ(refusalOf([&](std::ostream& out) { return writePartsGeoJsonLines(out, diagram, selection); }),
               ErrorCode::badInput);
   }
-  EXPECT_EQ(refusalOf([&](std::ostream& out) { return writeTile(out, {kCircles, {}, {}}, few); }), ErrorCode::badInput);
+  const std::vector<std::uint8_t> all(kCircles.size(), 1);
+  const std::vector<std::int64_t> ids(many.begin(), many.end() - 1);
+  EXPECT_EQ(refusalOf([&](std::ostream& out) {
+              return writeTile(out, {kCircles, {}, all}, all);
+            }),
+            ErrorCode::badInput);
+  EXPECT_EQ(refusalOf([&](std::ostream& out) {
+              return writeTile(out, {kCircles, ids, {}}, all);
+            }),
+            ErrorCode::badInput);
+  EXPECT_EQ(refusalOf([&](std::ostream& out) {
+              return writeTile(out, {kCircles, ids, all}, few);
+            }),
+            ErrorCode::badInput);
   EXPECT_EQ(refusalOf([](std::ostream& out) {
               return writeCirclesCsv(out, std::vector<Circle>{{NAN, 0, 1}});
             }),

@@ -10,6 +10,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/periodic.h"
 #include "lines.h"
 
 namespace circle_voronoi {
@@ -74,6 +75,7 @@ TEST(ReadCircleFile, NumbersOfAColumnHaveTheDecimalMarkOfTheTable) {
 }
 
 TEST(ReadCircleFile, TextIsKeptAsItIs) {
+  EXPECT_EQ(fileOf("x,y,r,note\n1,2,3,[1] {a}\n").attributes.properties, Strings{R"("note":"[1] {a}")"});
   EXPECT_EQ(fileOf("x,y,r,note\n1,2,3,\"a\"\"\"\"b\"\n").attributes.properties, Strings{R"("note":"a\"\"b")"});
   EXPECT_EQ(fileOf("x,y,r,note\n1,2,3,\"a\nb\"\n").attributes.properties, Strings{R"("note":"a\u000ab")"});
   EXPECT_EQ(fileErrorOf("x,y,r,note\n1,2,3,caf\xE9\n"), "test:2: the text is not UTF-8.");
@@ -85,6 +87,7 @@ TEST(NumbersIn, TakesAColumnWhoseNameIsOneOfTheOutputOrThatIsQuoted) {
   EXPECT_EQ(*numbers, std::vector<double>{4.5});
   EXPECT_EQ(numbersIn(fileOf("x,y,r,area\n1,2,3,\n").attributes, "area").error().message,
             "circle 0 has no number \"area\".");
+  EXPECT_EQ(numbersIn({}, "area").error().message, "there is no column or property \"area\".");
 }
 
 TEST(ReadCircleFile, ColumnsAreThoseThatTheUserNames) {
@@ -129,6 +132,16 @@ std::string circleFeature(const std::string& geometry, const std::string& more =
 
 std::string circleCollection(const std::string& features, const std::string& more = "") {
   return R"({"type": "FeatureCollection", )" + more + R"("features": [)" + features + "]}";
+}
+
+TEST(ReadGeoJson, TheThirdCoordinateIsTheHeight) {
+  for (const auto& [coordinates, heights] : std::vector<std::pair<std::string, Strings>>{
+           {"[1, 2]", {}}, {"[1, 2, 7.50]", {"7.50"}}, {"[1, 2, 7, 8]", {"7"}}, {"[1, 2, null, 8]", {}}}) {
+    const CircleFile file =
+        fileOf(circleCollection(circleFeature(R"({"type": "Point", "coordinates": )" + coordinates + "}")));
+    EXPECT_EQ(file.circles, (Circles{{1, 2, 1}}));
+    EXPECT_EQ(file.attributes.heights, heights) << coordinates;
+  }
 }
 
 TEST(ReadGeoJson, AMultiPointOfOnePointIsAPoint) {
@@ -280,6 +293,33 @@ TEST(CircleAttributes, GoThroughDiagramsInJsonAndToCells) {
   EXPECT_EQ(writeCirclesCsv(cells, file.circles, few).error().code, ErrorCode::badInput);
 }
 
+TEST(CircleAttributes, OfAPeriodicDiagramBelongToTheGivenCircles) {
+  const auto periodic = computePeriodic(Circles{{0.2, 0.2, 0.1}, {0.7, 0.6, 0.1}}, {{1, 0}, {0, 1}});
+  ASSERT_TRUE(periodic);
+  ASSERT_GT(periodic->circleOf.size(), 2U);
+  const auto written = [&](auto write, const Strings& properties) {
+    std::ostringstream out;
+    const CircleAttributes attributes = {.properties = properties};
+    ExportOptions options;
+    options.attributes = &attributes;
+    const Result<void> result = write(out, options);
+    return result ? out.str() : std::string(errorCodeName(result.error().code)) + ": " + result.error().message;
+  };
+  using Write = Result<void> (*)(std::ostream&, const PeriodicDiagram&, const ExportOptions&);
+  for (const Write write : {writePeriodicGeoJson, writePeriodicGeoJsonLines, writePeriodicSvg}) {
+    const auto writeOptions = [&](std::ostream& out, const ExportOptions& options) {
+      return write(out, *periodic, options);
+    };
+    EXPECT_TRUE(written(writeOptions, {R"({"n":1})"}).starts_with("badInput: ")) << written(writeOptions, {"{}"});
+    if (write == writePeriodicSvg) continue;
+    EXPECT_NE(written(writeOptions, {R"("n":1)", R"("n":2)"}).find(R"("n":2)"), std::string::npos);
+  }
+  const auto writeJson = [&](std::ostream& out, const ExportOptions& options) {
+    return writePeriodicJson(out, *periodic, {}, *options.attributes);
+  };
+  EXPECT_TRUE(written(writeJson, {"{}"}).starts_with("badInput: "));
+}
+
 TEST(CircleAttributes, IdsAndHeightsOfATableAreThoseOfFeatures) {
   const CircleFile file = fileOf("id,x,y,z,r\nA,0,0,1.50,1\nB,5,0,,1\n");
   std::ostringstream text;
@@ -292,6 +332,12 @@ TEST(CircleAttributes, IdsAndHeightsOfATableAreThoseOfFeatures) {
   std::ostringstream back;
   ASSERT_TRUE(writeCirclesCsv(back, fileOf(text.str()).circles, fileOf(text.str()).attributes));
   EXPECT_EQ(back.str(), "x,y,r,id,z\n0,0,1,A,1.50\n5,0,1,B,\n");
+  // Other attributes with these names get other names.
+  CircleAttributes others = file.attributes;
+  others.properties = {R"("ID":7,"Z":8)", R"("ID":9)"};
+  std::ostringstream both;
+  ASSERT_TRUE(writeCirclesCsv(both, file.circles, others));
+  EXPECT_EQ(both.str(), "x,y,r,id,z,input_ID,input_Z\n0,0,1,A,1.50,7,8\n5,0,1,B,,9,\n");
 }
 
 TEST(ReadCircleFile, ColumnsWithoutANameOrWithTheSameNameAreKept) {

@@ -77,6 +77,15 @@ TEST(ReadDiagram, SkipsOtherKeys) {
   EXPECT_EQ(file.value().circles, (std::vector<Circle>{{1, 2, 3}}));
 }
 
+TEST(ReadDiagram, SkipsAttributesOfAnotherKind) {
+  const auto file = readDiagramFile(R"({"format": "circle-voronoi", "version": 1, "collection": [1],
+      "circles": [{"x": 1, "y": 2, "r": 3, "id": true, "z": "high", "properties": 7}],
+      "hidden": [], "vertices": [], "edges": [], "hull": [0]})",
+                                    "file");
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_TRUE(file->attributes.empty());
+}
+
 TEST(ReadDiagram, OfAMemberThatIsGivenTwiceTheLastValueCounts) {
   const auto file = readDiagramFile(R"({"format": "circle-voronoi", "version": 1, "version": 1, "weights": true,
       "collection": {"crs": 7}, "circles": [{"x": 7, "y": 7, "r": -7, "id": "a"}, {"x": 7, "y": 7, "r": 7}],
@@ -132,6 +141,9 @@ TEST(ReadDiagram, ReportsTheErrorAndItsPlace) {
   EXPECT_EQ(errorAfter("\"version\": 1,", ""), "file:10: there is no version.");
   EXPECT_EQ(errorAfter("\"version\": 1,", "\"version\": 1, \"metric\": \"taxi\","),
             "file:1: there is no metric \"taxi\"; it is circles, centers or power.");
+  EXPECT_EQ(errorAfter("\"version\": 1,", "\"version\": 1, \"metric\": 1,"),
+            "file:1: expected a string for metric, not a number.");
+  EXPECT_EQ(errorAfter("\"circle-voronoi\"", "null"), "file:1: expected a string for format, not null.");
   EXPECT_EQ(errorAfter("\"format\": \"circle-voronoi\",", ""),
             "file:10: there is no format; a diagram has \"format\": \"circle-voronoi\".");
   EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hulls\": [0]"), "file:10: there is no list of hull.");

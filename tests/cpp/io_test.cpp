@@ -99,6 +99,9 @@ TEST(ReadCsv, ColumnsAreFoundByNumber) {
   EXPECT_EQ(headed.circles, kTwo);
   EXPECT_EQ(headed.attributes.properties, (std::vector<std::string>{R"("a":"a","01":7)", R"("a":"b","01":null)"}));
   EXPECT_EQ(headed.attributes.ids, plain.attributes.ids);
+  EXPECT_EQ(readBy("1,2,3,a\n-4.5,5e-3,0,b\n", {.x = "#1", .y = "#2", .radius = "#3", .id = "#4"}).attributes.ids,
+            plain.attributes.ids)
+      << "the last column";
   EXPECT_EQ(readBy("n,x,y,#2\n0,1,2,3\n0,-4.5,5e-3,0\n", {.radius = "#2"}).circles, kTwo) << "a name comes first";
   EXPECT_EQ(readBy("n,x,y,size\n0,1,2,3\n0,-4.5,5e-3,0\n", {.radius = "#4"}).circles, kTwo);
   EXPECT_EQ(readBy("1,2,3\n-4.5,5e-3,0\n", {.x = "#1", .y = "#2", .radius = "#3"}).circles, kTwo);
@@ -194,6 +197,10 @@ TEST(ReadCircles, OtherEncodingsAreNamed) {
   EXPECT_EQ(errorOf("\xFE\xFF\0001"sv), expected);
   EXPECT_EQ(errorOf("1\0,\0002\0"sv), expected);
   EXPECT_EQ(errorOf("\0[\0]"sv), expected);
+  const auto region = readRegion("\xFF\xFEP\0"sv, "test");
+  ASSERT_FALSE(region);
+  EXPECT_EQ(region.error().message, expected);
+  EXPECT_EQ(readRegion(" \n", "test").error().message, "test:1: the text is empty.");
   const auto diagram = readDiagram("\xFF\xFE{\0}\0"sv, "test");
   ASSERT_FALSE(diagram);
   EXPECT_EQ(diagram.error().message, expected);
@@ -285,6 +292,11 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_TRUE(errorOf("[[1,2,3]]\n]").starts_with("test:2: bad JSON: "));
   EXPECT_EQ(errorOf("[[1,2,1e999]]"), "test:1: a number is beyond the range of a double: 1e999.");
   EXPECT_EQ(errorOf("[[1,2,3],]"), "test:1: bad JSON: expected a value, not \"]\".");
+  EXPECT_EQ(errorOf("[{\"name\": nil}]"), "test:1: bad JSON: expected a value, not \"n\".");
+  EXPECT_EQ(errorOf("[[1,2,-x]]"), "test:1: bad JSON: expected a digit, not \"x\".");
+  EXPECT_EQ(errorOf("[[1,2,3.]]"), "test:1: bad JSON: expected a digit, not \"]\".");
+  EXPECT_EQ(errorOf("[{\"na\tme\": 1}]"), "test:1: bad JSON: a string has a control character.");
+  EXPECT_EQ(errorOf("[{\"\\ud800\": 1}]"), "test:1: bad JSON: a string has half of a pair of UTF-16.");
   EXPECT_EQ(errorOf("[[1,2,3]"), "test:1: bad JSON: expected , or ], not the end of the text.");
   EXPECT_EQ(errorOf("[[1,2,3] \xC3\xA9"), "test:1: bad JSON: expected , or ], not \"\xC3\xA9\".");
 }
@@ -338,11 +350,38 @@ TEST(ReadCircles, NamesTheLineOfACircleThatComputeWouldReject) {
 TEST(ReadRegion, TakesWellKnownTextOfAnyDimension) {
   for (const std::string text :
        {"POLYGON ((0 0, 4 0, 4 4, 0 4))", "POLYGON Z ((0 0 1, 4 0 1, 4 4 1, 0 4 1))",
-        "POLYGON M((0 0 1, 4 0 1, 4 4 1, 0 4 1))", "SRID=4326;polygon zm ((0 0 1 2, 4 0 1 2, 4 4 1 2, 0 4 1 2))"}) {
+        "POLYGON M((0 0 1, 4 0 1, 4 4 1, 0 4 1))", "SRID=4326;polygon zm ((0 0 1 2, 4 0 1 2, 4 4 1 2, 0 4 1 2))",
+        " \n POLYGON(( 0 +0 ,4 0,4 4 , 0 4 ) ) ;\n", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4)));"}) {
     const auto region = readRegion(text, "test");
     ASSERT_TRUE(region) << region.error().message;
     EXPECT_EQ(region->area(), 16) << text;
   }
+}
+
+TEST(ReadRegion, NamesThePlaceWhereWellKnownTextIsWrong) {
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"SRID=4326 POLYGON ((0 0, 4 0, 4 4))", "test:1: expected ; after SRID."},
+           {"LINESTRING (0 0, 4 0)", "test:1: expected GeoJSON, POLYGON or MULTIPOLYGON."},
+           {"\nMULTIPOLYGON Z EMPTY", "test:2: the region is empty."},
+           {"POLYGON B ((0 0, 4 0, 4 4))", "test:1: expected an opening parenthesis."},
+           {"POLYGON\n(0 0, 4 0, 4 4)", "test:2: expected an opening parenthesis."},
+           {"POLYGON ((0 0,\n4 b, 4 4))", "test:2: expected a number."},
+           {"POLYGON ((0 0, 4 0, 4", "test:1: expected a number."},
+           {"POLYGON ((0 0, 4 0, 4 4)", "test:1: expected a comma or a closing parenthesis."},
+           {"POLYGON ((0 0, 4 0, 4 4)))", "test:1: expected nothing after the geometry."},
+           {"POLYGON ((0 0, 4 0, 4 4));\n;", "test:2: expected nothing after the geometry."}}) {
+    const auto region = readRegion(text, "test");
+    ASSERT_FALSE(region) << text;
+    EXPECT_EQ(region.error().message, message) << text;
+  }
+}
+
+TEST(ReadRegion, OfAMemberThatIsGivenTwiceTheLastValueCounts) {
+  const std::string ring = "[[[0, 0], [4, 0], [4, 4], [0, 4]]]";
+  const auto region = readRegion(
+      R"({"type": "Polygon", "coordinates": [[[9, 9], [8, 9], [8, 8]]], "coordinates": )" + ring + "}", "test");
+  ASSERT_TRUE(region) << region.error().message;
+  EXPECT_EQ(region->area(), 16);
 }
 
 TEST(ReadRegion, TakesEachGeoJsonObjectWithPolygons) {
@@ -356,6 +395,7 @@ TEST(ReadRegion, TakesEachGeoJsonObjectWithPolygons) {
       {polygon, 16},
       {polygons, 2.5},
       {feature(polygon), 16},
+      {R"({"type": "Polygon", "coordinates": [[[0, 0, null], [4, 0, "a", 7], [4, 4, 1], [0, 4]]]})", 16},
       {R"({"type": "GeometryCollection", "geometries": [)" + polygon + ", " + polygons + "]}", 18.5},
       {R"({"type": "FeatureCollection", "features": [)" + feature(polygon) + ", " + feature(polygons) + "]}", 18.5},
       {feature(R"({"type": "GeometryCollection", "geometries": [)" + polygon + "]}"), 16}};
@@ -372,6 +412,10 @@ TEST(ReadRegion, RefusesPositionsOfOneNumberAndListsOfOtherDepth) {
            {"[[[], [4, 0], [4, 4]]]", "test:1: a position has fewer than two numbers."},
            {"[[[0, []], [4, 0], [4, 4]]]", "test:1: a position has fewer than two numbers."},
            {"[[], [[0, 0], [4, 0], [4, 4]]]", "test:1: a ring of the polygon is empty."},
+           {"[[[0, 0], [4, 0], [[4, 4]]]]", "test:1: the coordinates are not those of a Polygon or a MultiPolygon."},
+           {"[[[0, 0], [4, 0], 4]]", "test:1: the coordinates are not those of a Polygon or a MultiPolygon."},
+           {"[[[[[[0, 0]]]]]]", "test:1: the coordinates are not those of a Polygon or a MultiPolygon."},
+           {"[]", "test: The region has no ring."},
            {"[[0, 0], [4, 0], [4, 4]]", "test:1: the coordinates are not those of a Polygon."}}) {
     const auto region = readRegion(R"({"type": "Polygon", "coordinates": )" + coordinates + "}", "test");
     ASSERT_FALSE(region) << coordinates;

@@ -204,6 +204,17 @@ TEST(JsonReader, ReadsNumbersToTheBit) {
   EXPECT_EQ(bitsOf("12345678901234567890"), std::bit_cast<std::uint64_t>(12345678901234567890.0));
 }
 
+TEST(JsonReader, AValueOfAnotherKindIsNoNumber) {
+  for (const std::string text : {"[1]", "\"1\"", "null"}) {
+    try {
+      (void)JsonReader(text).number();
+      ADD_FAILURE() << text;
+    } catch (const ReadError& failure) {
+      EXPECT_EQ(failure.reason.substr(0, 32), "bad JSON: expected a number, not");
+    }
+  }
+}
+
 TEST(JsonReader, WholeNumbersFitOrAreNone) {
   const auto whole = [](const std::string& text) {
     JsonReader reader(text);

@@ -401,6 +401,14 @@ TEST(Periodic, PeriodsThatSpanNoBoxAreAnError) {
   }
 }
 
+TEST(Periodic, BoxesThatAreTooSmallAreAnError) {
+  const auto computed = computePeriodic(Circles{{0, 0, 0}}, {{1e-20, 0}, {0, 1e-20}});
+  ASSERT_FALSE(computed);
+  EXPECT_EQ(computed.error().code, ErrorCode::coordinateTooSmall);
+  EXPECT_TRUE(computed.error().message.starts_with("The circles and periods are too small: "))
+      << computed.error().message;
+}
+
 TEST(Periodic, ErrorsNameTheGivenCircle) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto invalid = computePeriodic(Circles{{0, 0, 1}, {nan, 0, 1}}, {});

@@ -280,6 +280,22 @@ TEST(PathInRegion, IsNoneBetweenPartsAndAnErrorFromOutside) {
   ASSERT_FALSE(outside);
   EXPECT_EQ(outside.error().code, ErrorCode::badOption);
   EXPECT_EQ(outside.error().message, "The start of the path lies outside the region.");
+  EXPECT_EQ(clearestPath(diagram, {2.6, 0.4}, {1.5, 0.5}, islands).error().message,
+            "The end of the path lies outside the region.");
+}
+
+TEST(PathInRegion, TakesCirclesOfTheirOwnMetric) {
+  const Region room = regionOf({kRoom});
+  Diagram diagram = compute(kRobots).value();
+  diagram.metric = Metric::centers;
+  for (const Diagram& wrong : {diagram, Diagram{}}) {
+    const auto path = clearestPath(wrong, {1, 1}, {1, 5}, room);
+    ASSERT_FALSE(path);
+    EXPECT_EQ(path.error().message, "A clearest path takes a diagram of one circle or more.");
+  }
+  const auto disc = largestEmptyDiscInside(diagram, room);
+  ASSERT_FALSE(disc);
+  EXPECT_EQ(disc.error().message, "The largest empty disc takes a diagram of the metric circles.");
 }
 
 }  // namespace

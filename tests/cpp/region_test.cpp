@@ -178,6 +178,29 @@ TEST(Region, RefusesInvalidInput) {
   EXPECT_NE(messageOf({{{0, 0}, {1, 1}, {2, 2}}}), "");
 }
 
+TEST(Region, RefusesArraysThatDoNotFitTogether) {
+  const Ring points = square(0, 0, 1);
+  const auto messageOfArrays = [&](const std::vector<std::int32_t>& rings, const std::vector<std::int32_t>& polygons) {
+    const auto region = Region::fromArrays(points, rings, polygons);
+    return region ? "" : region.error().message;
+  };
+  EXPECT_EQ(messageOfArrays({0, 4}, {}), "");
+  EXPECT_EQ(messageOfArrays({0, 4}, {0, 1}), "");
+  for (const std::vector<std::int32_t>& rings : {std::vector<std::int32_t>{}, {1, 4}, {0, 3}, {0, 5}, {0, 3, 2, 4}}) {
+    EXPECT_EQ(messageOfArrays(rings, {}),
+              "The offsets of the region's rings must increase from 0 to the number of points.");
+  }
+  for (const std::vector<std::int32_t>& polygons : {std::vector<std::int32_t>{0}, {1}, {0, 2}, {0, 1, 0, 1}}) {
+    EXPECT_EQ(messageOfArrays({0, 4}, polygons),
+              "The offsets of the region's polygons must increase from 0 to the number of rings.");
+  }
+  // Too many points are refused before any is read.
+  const auto large = Region::fromArrays(std::span(points.data(), kMaxRegionSides + 1), {}, {});
+  ASSERT_FALSE(large);
+  EXPECT_EQ(large.error().code, ErrorCode::tooManyCircles);
+  EXPECT_EQ(large.error().message, "The region has 100000001 points; at most 100000000 are possible.");
+}
+
 TEST(Region, DecidesByExactSigns) {
   // A corner one rounding step before a side, on the side, and one step beyond it.
   const double above = std::nextafter(0.5, 1.0);

@@ -15,7 +15,9 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
 #include "delaunay.h"
+#include "dual_edits.h"
 #include "find_sites.h"
+#include "judge.h"
 #include "order.h"
 #include "validate.h"
 
@@ -168,6 +170,18 @@ TEST(Delaunay, IsTheSameInAnyNumberOfThreads) {
       EXPECT_EQ(actual.representative, expected.representative);
     }
   }
+}
+
+TEST(Judge, NamesTheSameTiesInAnyNumberOfThreads) {
+  const std::vector<Circle> circles = generate(Family::grid, 2'500, 1);
+  const Dual dual = test::dualOf(compute(circles).value(), circles.size());
+  const auto tiesWith = [&](int threads) {
+    Predicates predicates(circles);
+    return judge(circles, dual, predicates, {}, Threads(threads)).ties;
+  };
+  const std::vector<int> ties = tiesWith(1);
+  EXPECT_GT(ties.size(), 1'000U);
+  for (const int threads : {2, 4}) EXPECT_EQ(tiesWith(threads), ties) << threads;
 }
 
 TEST(Hide, IsTheSameInAnyNumberOfThreads) {

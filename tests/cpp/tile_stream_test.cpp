@@ -93,6 +93,13 @@ TEST(TileStream, GivesTheCirclesOfTheLinesThatAPieceCompletes) {
   EXPECT_EQ(stream.end().value().circles, (std::vector<Circle>{{1, 2, 3}}));
 }
 
+TEST(TileStream, ATileHasTheLastLineToo) {
+  const Tile tile = readTile("id,x,y,r,done\n7,1,2,3,0\n4,4,5,6,1", "test").value();
+  EXPECT_EQ(tile.ids, (std::vector<std::int64_t>{4, 7}));
+  EXPECT_EQ(tile.circles, (std::vector<Circle>{{4, 5, 6}, {1, 2, 3}}));
+  EXPECT_EQ(tile.done, (std::vector<std::uint8_t>{1, 0}));
+}
+
 TEST(TileStream, NamesTheFirstErrorOfTheText) {
   for (const std::size_t size : {1, 7, 100}) {
     EXPECT_EQ(errorOf("1,2,3\n4,5,-6\n7,8\n", size), "test:2: Circle 1 has a negative radius.");

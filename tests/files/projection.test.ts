@@ -163,6 +163,43 @@ describe.each(KINDS)('--project %s', (kind) => {
     )
   })
 
+  it('keeps the members beside it in the file, also of circles that are written again', () => {
+    const points = run(['convert', FILE, '--format', 'geojson']).stdout
+    for (const members of ['"name":"stores",', '"name":"stores","crs":{"type":"name"},']) {
+      const input = points.replace('{"type":"FeatureCollection",', `{"type":"FeatureCollection",${members}`)
+      const { stdout } = run(['compute', '-', '--project', kind], input)
+      const { projection, ...others } = JSON.parse(stdout).collection
+      expect(projection.type).toBe(kind)
+      expect(others).toEqual(JSON.parse(`{${members.slice(0, -1)}}`))
+      const again = JSON.parse(run(['convert', '-', '--circles', '--format', 'geojson'], stdout).stdout)
+      const { type, features, ...rest } = again
+      expect(rest).toEqual(others)
+    }
+  })
+
+  it('refuses limits that are no degrees, or too large', () => {
+    const region = join(folder, 'far.wkt')
+    const refused = (wkt: string) => {
+      writeFileSync(region, wkt)
+      return run(['compute', FILE, '--project', kind, '--format', 'geojson', '--region', region])
+    }
+    const far = refused('POLYGON ((148.9 -35.6, 400 -35.6, 149.4 -35.1))')
+    expect([far.status, far.stderr]).toEqual([
+      2,
+      `circle-voronoi: ${region}: (400, -35.6) has no place on the map of --project, which takes degrees.\n`,
+    ])
+    expect(refused('POLYGON ((148.9 -35.6, 149.4 -89, 149.4 -35.1))').status).toBe(kind === 'mercator' ? 2 : 0)
+    const teeth = Array.from({ length: 40 }, (_, k) => {
+      const south = k / 5
+      return `350 ${south}, 350 ${south + 0.1}, -350 ${south + 0.1}, -350 ${south + 0.2}`
+    })
+    expect(refused(`POLYGON ((-355 0, ${teeth.join(', ')}, -355 8))`).stderr).toBe(
+      `circle-voronoi: ${region}: the sides of the region are too long for --project.\n`,
+    )
+    const north = run(['compute', FILE, '--project', kind, '--format', 'wkt', '--bounds', '148,-91,149,-35'])
+    expect([north.status, north.stderr.startsWith('circle-voronoi: --bounds: (')]).toEqual([2, true])
+  })
+
   it('crosses the antimeridian', () => {
     const cells = cellsOf(['compute', '-', '--project', kind], 'lon,lat,r\n179.9,10,100\n-179.9,10,100\n180,10.2,100\n')
     const x = cells.flatMap(pointsOf).map(([x]) => x)
@@ -177,9 +214,15 @@ describe.each(KINDS)('--project %s', (kind) => {
       stderr:
         'circle-voronoi: standard input: circle 1 is at (5e+05, 5400000), which is no longitude and latitude in degrees.\n',
     })
+    for (const place of ['361,1', '1,91', '-361,1', '1,-91']) {
+      expect(refused(`lon,lat,r\n0,0,1\n${place},1\n`).stderr).toContain('is no longitude and latitude in degrees.')
+    }
     const far = refused('lon,lat,r\n0,0,1\n150,10,1\n')
     expect(far.status).toBe(kind === 'mercator' ? 0 : 2)
-    expect(refused('lon,lat,r\n0,0,1\n0,89,1\n').status).toBe(kind === 'mercator' ? 2 : 0)
+    if (kind !== 'mercator') expect(far.stderr).toContain('circle 0 is more than 60 degrees from the middle')
+    const polar = refused('lon,lat,r\n0,0,1\n0,89,1\n')
+    expect(polar.status).toBe(kind === 'mercator' ? 2 : 0)
+    if (kind === 'mercator') expect(polar.stderr).toContain('circle 1 is too near a pole for --project mercator.')
   })
 })
 
@@ -197,6 +240,44 @@ function areaOfBox(west: number, south: number, east: number, north: number): nu
   }
   return (sum * ((east - west) * Math.PI)) / 180
 }
+
+it.each(['local', 'equal-area'])('--project %s has the poles on its map', (kind) => {
+  for (const pole of [90, -90]) {
+    const places = [
+      [0, pole],
+      [10, pole * 0.99],
+      [130, pole * 0.98],
+      [-110, pole * 0.99],
+    ]
+    const table = `lon,lat,r\n${places.map((place) => `${place},1\n`).join('')}`
+    const diagram = run(['compute', '-', '--project', kind], table).stdout
+    const points = JSON.parse(run(['convert', '-', '--circles', '--format', 'geojson'], diagram).stdout)
+    for (const [k, [lon, lat]] of places.entries()) {
+      const [x, y] = points.features[k].geometry.coordinates
+      expect(y).toBeCloseTo(lat as number, 7)
+      if (k > 0) expect((x - (lon as number)) % 360).toBeCloseTo(0, 7)
+    }
+  }
+})
+
+it('--project mercator is straight across the equator', () => {
+  const table = 'lon,lat,r\n-1,0,1\n1,0,1\n0,2,1\n0,-2,1\n'
+  const diagram = JSON.parse(run(['compute', '-', '--project', 'mercator'], table).stdout)
+  expect(diagram.collection.projection).toMatchObject({ longitude: 0, latitude: 0 })
+  const [west, east, north, south] = diagram.circles
+  const degree = (6378137 * Math.PI) / 180
+  expect([west.x / degree, west.y, east.x / degree, east.y]).toEqual([
+    expect.closeTo(-1, 12),
+    0,
+    expect.closeTo(1, 12),
+    0,
+  ])
+  expect(north.y).toBe(-south.y)
+  expect(north.y).toBeGreaterThan(2 * (1 - 0.007) * degree)
+  // One meter is larger away from the equator.
+  expect(north.r).toBeGreaterThan(1.0005)
+  expect(west.r).toBe(1)
+})
 
 it('fit gives cells areas in square meters', () => {
   const region = join(folder, 'box.wkt')

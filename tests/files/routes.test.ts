@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, describe, expect, it } from 'vitest'
-import { type CircleAttributes, loadFiles } from '../../web/lib/files.ts'
+import { loadFiles } from '../../web/lib/files.ts'
 import { library } from '../web/library.ts'
 
 const PROGRAM = new URL('../../build/native/circle-voronoi', import.meta.url).pathname
@@ -172,54 +172,4 @@ it('a table goes to GeoJSON and back', () => {
   const geojson = files.writeCircles(read.circles, { format: 'geojson', attributes: read.attributes })
   const back = files.readCircleFile(geojson)
   expect(files.writeCircles(back.circles, { attributes: back.attributes })).toBe(table)
-})
-
-describe('attributes of JavaScript', () => {
-  const { circles, attributes } = files.readCircleFile('x,y,r,code\n0,0,1,01\n6,0,1,02\n')
-  const wrong: readonly [Partial<CircleAttributes>, string][] = [
-    [{ properties: ['{}'] }, 'There are 1 properties in the attributes of 2 circles.'],
-    [{ properties: ['{}', '[]'] }, 'The properties of circle 1 are "[]", which is not such JSON.'],
-    [{ ids: ['1', 'a'] }, 'The ids of circle 1 are "a", which is not such JSON.'],
-    [{ heights: ['"1"', '1'] }, 'The heights of circle 0 are "\\"1\\"", which is not such JSON.'],
-    [{ collection: '7' }, 'The collection of attributes is no JSON object.'],
-    [{ properties: 'ab' as never }, 'The properties of attributes are a list, not "ab".'],
-  ]
-  it.each(wrong)('%j are refused', (part, message) => {
-    expect(() => files.writeCircles(circles, { attributes: { ...attributes, ...part } })).toThrow(message)
-  })
-  it('may have space around them, and a collection the members that a writer adds', () => {
-    const padded = { properties: ['\t{"code":"01"}\n', ' {"code":"02"} '], ids: ['\t7', '8 '], heights: ['\n1', '2\t'] }
-    const plain = { properties: attributes.properties, ids: ['7', '8'], heights: ['1', '2'] }
-    for (const [added, kept] of [
-      [{ bbox: [0, 0, 1, 1] }, {}],
-      [{ type: 'FeatureCollection' }, {}],
-      [{ features: [], name: 'a' }, { name: 'a' }],
-    ]) {
-      const written = (given: object, collection: unknown) =>
-        files.writeCircles(circles, {
-          format: 'geojson',
-          attributes: { ...attributes, ...given, collection: JSON.stringify(collection) },
-        })
-      expect(written(padded, added)).toBe(written(plain, kept))
-    }
-  })
-  it('are texts of JSON, and belong to formats that have a place for them', () => {
-    expect(attributes).toEqual({ properties: ['{"code":"01"}', '{"code":"02"}'], ids: [], heights: [], collection: '' })
-    const diagram = library.compute(circles)
-    expect(() => files.writeDiagram(diagram, { format: 'svg', attributes })).toThrow(
-      'The format svg takes no attributes.',
-    )
-  })
-  it('skipped rows are counted, and columns are those that are named', () => {
-    const table = 'n;a;b\nA;1;2\nB;;2\nC;5;6\n'
-    const options = { x: 'a', y: 'b', points: true, id: 'n', skipInvalid: true } as const
-    expect(files.readCircleFile(table, options)).toEqual({
-      circles: Float64Array.of(1, 2, 0, 5, 6, 0),
-      attributes: { properties: ['{"n":"A"}', '{"n":"C"}'], ids: ['"A"', '"C"'], heights: [], collection: '' },
-      skipped: [{ index: 1, message: 'the text:3: a is empty (circle 1, n B).' }],
-    })
-    expect(() => files.readCircles(table, { x: 'a', y: 'b' })).toThrow('name one by the option radius.')
-    expect(() => files.readCircles(table, { points: true, radius: 'a' })).toThrow('The option points takes no radius.')
-    expect(() => files.readCircles(table, { x: 7 as never })).toThrow('The option x is the name of a column, not 7.')
-  })
 })

@@ -213,7 +213,7 @@ describe('in the page, attributes', () => {
       { ...FILE, ids: ['{}', '1', '2'] },
       { ...FILE, heights: ['"a"', '1', '2'] },
       { ...FILE, collection: '[' },
-      { ...FILE, properties: [`{"a":"${'x'.repeat(10_000)}"}`, '{}', '{}'] },
+      { ...FILE, properties: [`{"a":"${'x'.repeat(10_001 - 8)}"}`, '{}', '{}'] },
       {},
     ]
     for (const attributes of wrong) {
@@ -221,6 +221,8 @@ describe('in the page, attributes', () => {
         'the attributes are not those of the circles',
       )
     }
+    const longest = { ...FILE, properties: [`{"a":"${'x'.repeat(10_000 - 8)}"}`, '{}', '{}'] }
+    expect((await decodeLink(await encodeLink({ circles: THREE, attributes: longest }))).attributes).toEqual(longest)
     const none = { properties: [], ids: [], heights: [], collection: '' }
     expect((await decodeLink(await encodeLink({ circles: THREE, attributes: none }))).attributes).toEqual(none)
   })

@@ -23,7 +23,7 @@ import {
   type SnapshotData,
 } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
-import { problemOf } from './errors.ts'
+import { errorOf, problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
 import { ring } from './shapes.ts'
 
@@ -173,6 +173,17 @@ it('an array that was changed in place is named', () => {
     ),
   ).toBe(doesNotFit('circle 3'))
   expect(messageOf((d) => d.vertices.fill(Number.NaN), areas)).toBe(doesNotFit('vertex 0'))
+  const infinite = library.compute([
+    [0, 0, 1],
+    [5, 0, 1],
+    [0, 5, 1],
+  ])
+  infinite.circles[7] = Infinity
+  expect(errorOf(() => infinite.find(1, 1))).toMatchObject({
+    code: 'nonFinite',
+    circle: 2,
+    message: 'Circle 2 has a coordinate that is not a finite number.',
+  })
 })
 
 it('the arrays of a snapshot that an edit is applied to are a result or an error', () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { distanceFrom } from '../../web/lib/base/metric.ts'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import {
@@ -112,6 +112,16 @@ it('keeps the circles and the metric, and so do clones', () => {
     expect(convexHull(diagram).arcs).toHaveLength(3)
   }
   expect(convexHull(computeComparison(circles, 'power')).area).toBeCloseTo(35, 12)
+})
+
+it('has rounded circles, and is computed by the library that is given', async () => {
+  const circles = Float64Array.of(2 ** -97, 1, 2 ** -95)
+  const compute = vi.fn(library.compute)
+  const { computeComparison } = await loadComparison({ library: { ...library, compute } })
+  for (const metric of ['circles', 'centers', 'power'] as const) {
+    expect(computeComparison(circles, metric).circles).toEqual(Float64Array.of(0, 1, 2 ** -95))
+  }
+  expect(compute).toHaveBeenCalledTimes(2)
 })
 
 it('has its radical axis where the powers are equal', () => {

@@ -140,6 +140,11 @@ describe('bisector', () => {
   })
 })
 
+/** Twice the area of a triangle; positive if r lies on the left of the line from p to q. */
+function turnOf(p: Point, q: Point, r: Point): number {
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
+}
+
 describe('edgeCurve', () => {
   it('lies between the two circles of its edge and ends in its vertices', () => {
     fc.assert(
@@ -186,6 +191,12 @@ describe('edgeCurve', () => {
       expect(pointAt(curve.bisector, s).x).toBeCloseTo(x, 14)
       expect(pointAt(curve.bisector, s).y).toBeCloseTo(y, 14)
     }
+    const { left, right } = curve.bisector
+    for (const { x, y } of [curve.start, curve.end]) {
+      expect(Math.hypot(x - left.x, y - left.y)).toBeCloseTo(Math.hypot(x - right.x, y - right.y), 14)
+    }
+    expect(turnOf(curve.start, curve.end, left)).toBeGreaterThan(0)
+    expect(turnOf(curve.start, curve.end, right)).toBeLessThan(0)
     expect(curveLength(curve)).toBe(5)
     expect(cubicBeziers(curve, 0)).toHaveLength(1)
   })

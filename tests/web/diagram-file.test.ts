@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import { Diagram, type DiagramFile, fromJSON } from '../../web/lib/index.ts'
 import { anyCircles } from './arbitrary-circles.ts'
-import { errorOf } from './errors.ts'
+import { errorOf, problemOf } from './errors.ts'
 import { library } from './library.ts'
 
 const THREE = [
@@ -72,7 +72,30 @@ describe('a diagram as JSON', () => {
     const file = library.compute([...THREE, [0, 0, 0.5]]).toJSON()
     const [vertex] = file.vertices
     const [edge] = file.edges
+    const lists = ['circles', 'hidden', 'vertices', 'edges', 'hull'] as const
+    const numbers = { circles: ['x', 'y', 'r'], vertices: ['x', 'y', 'r'] }
     const wrong: [unknown, string][] = [
+      ...lists.flatMap((list): [unknown, string][] => [
+        [{ ...file, [list]: undefined }, `There is no list of ${list}.`],
+        [{ ...file, [list]: {} }, `${list} is no list, but an object.`],
+        [
+          { ...file, [list]: [null] },
+          list === 'hull' ? 'hull: null is no index' : `${list}[0] is no object, but null.`,
+        ],
+      ]),
+      ...Object.entries(numbers).flatMap(([list, names]) =>
+        names.flatMap((name) =>
+          [undefined, '1', Infinity, Number.NaN].map((value): [unknown, string] => [
+            { ...file, [list]: [{ x: 0, y: 0, r: 0, circles: [0, 0, 0], [name]: value }] },
+            `${name} of ${list}[0] is no finite number, but ${typeof value === 'string' ? '"1"' : value}.`,
+          ]),
+        ),
+      ),
+      [{ ...file, weights: 1 }, 'weights is not true or false, but 1.'],
+      [{ ...file, hidden: [{ circle: 3, by: 4 }] }, 'by of hidden[0]: 4 is no index from 0 to 3.'],
+      [{ ...file, edges: [{ ...edge, vertices: [0, 1] }] }, 'vertices of edges[0]: 1 is no index from -1 to 0.'],
+      [{ ...file, edges: [{ ...edge, circles: [0] }] }, 'circles of edges[0] are 1 numbers, not 2.'],
+      [{ ...file, edges: [{ ...edge, vertices: [0, 0, 0] }] }, 'vertices of edges[0] are 3 numbers, not 2.'],
       ['{"format"', 'The text is no JSON: '],
       [null, 'the file is no object, but null.'],
       ['[]', 'the file is no object, but an array.'],
@@ -80,11 +103,6 @@ describe('a diagram as JSON', () => {
       [{ ...file, version: 0 }, 'The version of the file is 0, not 1, the only one that can be read.'],
       [{ ...file, version: 2 }, 'The version of the file is 2, not 1, the only one that can be read.'],
       [{ ...file, metric: 'taxi' }, 'There is no metric "taxi".'],
-      [{ ...file, hull: undefined }, 'There is no list of hull.'],
-      [{ ...file, edges: 'none' }, 'edges is no list, but "none".'],
-      [{ ...file, circles: [0] }, 'circles[0] is no object, but 0.'],
-      [{ ...file, circles: [{ x: 0, y: null, r: 1 }] }, 'y of circles[0] is no finite number, but null.'],
-      [{ ...file, vertices: [{ ...vertex, r: '4' }] }, 'r of vertices[0] is no finite number, but "4".'],
       [{ ...file, vertices: [{ ...vertex, circles: [0, 1] }] }, 'circles of vertices[0] are 2 numbers, not 3.'],
       [
         { ...file, vertices: [{ ...vertex, circles: [0, 1, 4] }] },
@@ -104,7 +122,27 @@ describe('a diagram as JSON', () => {
     const ofCircle = (circle: object) =>
       errorOf(() => fromJSON({ ...file, circles: [...file.circles.slice(0, 3), circle] } as object))
     expect(ofCircle({ x: 0, y: 0, r: -1 })).toMatchObject({ code: 'negativeRadius', circle: 3 })
+    for (const name of ['x', 'y', 'r']) {
+      const beyond = (value: number) => ({ x: 0, y: 0, r: 1, [name]: value })
+      expect(ofCircle(beyond(1e29))).toMatchObject({ code: 'coordinateTooLarge', circle: 3 })
+      const circles = [...file.circles.slice(0, 3), beyond(2 ** 96)]
+      expect(fromJSON({ ...file, circles } as object).circles).toContain(2 ** 96)
+    }
     expect(ofCircle({ x: 0, y: -1e29, r: 1 })).toMatchObject({ code: 'coordinateTooLarge', circle: 3 })
+    const far = [...file.circles.slice(0, 3), { x: 0, y: 0, r: -1e29 }]
+    expect(errorOf(() => fromJSON({ ...file, weights: true, circles: far } as object)).code).toBe('coordinateTooLarge')
+  })
+
+  it('has numbers in the range of compute', () => {
+    for (const x of [0, 2 ** -56, 2 ** -57, 1e-30, 5e-324]) {
+      const circles = [
+        { x, y: 0, r: 0 },
+        { x: 0, y: -x, r: 0 },
+      ]
+      const problem = problemOf(() => library.compute(circles))
+      expect(problemOf(() => fromJSON({ ...library.compute([]).toJSON(), circles }))).toBe(problem)
+      expect(problem === 'no problem').toBe(x === 0 || x === 2 ** -56)
+    }
   })
 
   it('has types', () => {

@@ -22,6 +22,9 @@ it('polygons that share a border become their union', () => {
   )
   const land = region(counties, { dissolve: true })
   expect([land.area, land.perimeter, land.ringOffsets.length]).toEqual([100, 40, 2])
+  const dissolved = { ...counties, dissolve: true } as RegionShape
+  expect(region(dissolved).area).toBe(100)
+  expect(problemOf(() => region(dissolved, { dissolve: false }))).toMatch(/overlap beside/)
   const diagram = library.compute(Float64Array.of(2, 2, 1, 8, 7, 0))
   expect(diagram.cellAreas({ region: land }).reduce((sum, area) => sum + area)).toBeCloseTo(100, 10)
 })

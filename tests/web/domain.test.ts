@@ -182,6 +182,18 @@ describe('a region on the screen', () => {
     expect(boxOf(circles, { region: SQUARE, areas: undefined })).toEqual({ minX: -3, minY: 0, maxX: 8, maxY: 12 })
     expect(boxOf(circles, { region: SQUARE, areas: 'equal' })).toEqual({ minX: 0, minY: 0, maxX: 8, maxY: 8 })
     expect(boxOf(circles, { region: undefined, areas: undefined })).toBe(circles)
+    // Periods have a margin of a tenth of the longer side all around, and the circles do not count.
+    for (const [lattice, box] of [
+      [
+        { a: [10, 0], b: [0, 40] },
+        { minX: -4, minY: -4, maxX: 14, maxY: 44 },
+      ],
+      [
+        { a: [40, 0], b: [-10, 10] },
+        { minX: -15, minY: -5, maxX: 45, maxY: 15 },
+      ],
+    ] as const)
+      expect(boxOf(circles, { region: undefined, areas: undefined, lattice })).toEqual(box)
   })
 })
 

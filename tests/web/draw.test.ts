@@ -217,6 +217,39 @@ describe('an SVG path', () => {
     expect(longest(2)).toBeLessThanOrEqual(2)
   })
 
+  it('has all digits after one with few, and whole numbers for a tolerance above 1', () => {
+    const diagram = library.compute([
+      [1 / 3, 0, 1],
+      [6, 0, 1],
+    ])
+    const dual = `M${1 / 3},0L6,0`
+    for (const digits of [1, undefined, 2]) {
+      expect(diagram.renderDual({ digits })).toBe(digits === undefined ? dual : `M${(1 / 3).toFixed(digits)},0L6,0`)
+      expect(diagram.renderDual()).toBe(dual)
+    }
+    const bounds = [-54321, -54321, 54321, 54321] as const
+    expect(diagram.cellPath(0, { bounds, tolerance: 1000 })).toBe(
+      'M-54321,-54321L3,-54321L3,54321L-54321,54321L-54321,-54321Z',
+    )
+  })
+
+  it('has nothing of a drawing that an error ended', () => {
+    const diagram = library.compute([
+      [0, 0, 1],
+      [6, 0, 1],
+      [0, 8, 1],
+    ])
+    const text = diagram.render()
+    const edges = new Proxy(diagram.edges, {
+      get(target, key) {
+        if (key === '8') throw new RangeError('broken')
+        return Reflect.get(target, key)
+      },
+    })
+    expect(() => new Diagram({ ...diagram, edges }).render()).toThrow('broken')
+    expect(diagram.render()).toBe(text)
+  })
+
   it('draws circles, the dual and the hull', () => {
     const two = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1))
     const number = '-?[0-9.e-]+'

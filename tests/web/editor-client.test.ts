@@ -287,6 +287,20 @@ describe('the client of an editor', () => {
     expect(onEnd).toHaveBeenCalledTimes(1)
   })
 
+  it('begins with the ids and the next id that it is given', async () => {
+    const other = new EditorClient(MODULE, false, onEnd)
+    const itsThread = threads.at(-1) as FakeThread
+    const start = { ids: Int32Array.of(2, 5, 7), nextId: 9 }
+    const begun = other.begin({ circles: THREE, ...start })
+    expect(methodsOf(itsThread.calls)).toEqual([['edit', THREE, { weights: false, ...start }]])
+    itsThread.answer()
+    await begun
+    const inserted = other.insert([5, 4, 0.5])
+    itsThread.answer()
+    expect([...(await inserted).inserted]).toEqual([9])
+    other.dispose()
+  })
+
   it('takes weights where it is told so', async () => {
     const other = new EditorClient(MODULE, true, onEnd)
     const itsThread = threads.at(-1) as FakeThread

@@ -6,9 +6,11 @@ import {
   type Circle,
   CircleVoronoiError,
   type Diagram,
+  type DiagramEditor,
   DiagramSnapshot,
   type Edit,
   fromJSON,
+  loadCircleVoronoi,
   NONE,
 } from '../../web/lib/index.ts'
 import { contentOf, edited, someCircle, someEdit } from './edit-script.ts'
@@ -329,6 +331,23 @@ describe('an editor', () => {
       ],
     ]
     for (const [code, circle, act] of refusals) expect(act).toThrow(expect.objectContaining({ code, circle }))
+    expect(editor.circle(NONE)).toBeUndefined()
+    using weighted = library.edit(THREE, { weights: true })
+    for (const name of ['x', 'y', 'r']) {
+      for (const [value, says] of [
+        [Number.NaN, 'has a number that is not finite.'],
+        [Infinity, 'has a number that is not finite.'],
+        ['0', 'does not have three numbers x, y and r.'],
+        [1e29, 'has a coordinate or a radius beyond 7.9e28 (2^96).'],
+        [-1e29, 'has a coordinate or a radius beyond 7.9e28 (2^96).'],
+      ] as const) {
+        const circle = { x: 0, y: 0, r: 0, [name]: value } as Circle
+        expect(() => weighted.insert(circle)).toThrow(`The new circle ${says}`)
+        const refusal = expect.objectContaining({ message: `Circle 1 ${says}`, circle: 1 })
+        expect(() => weighted.replace(1, circle)).toThrow(refusal)
+        expect(() => weighted.apply([{ kind: 'replace', id: 1, circle }])).toThrow(refusal)
+      }
+    }
     expect(contentOf(editor.snapshot())).toEqual(before)
     expect(called).not.toHaveBeenCalled()
     expect(editor.insert([0, 0, 1]).inserted).toEqual(Int32Array.of(3))
@@ -371,6 +390,44 @@ describe('an editor', () => {
     }
     expect(kept.find(5, 1)).toBe(1)
   })
+})
+
+it('an editor is freed once it is disposed of or no longer used', async () => {
+  const held = new Map<unknown, number>()
+  let free = (_: number) => {}
+  vi.stubGlobal(
+    'FinalizationRegistry',
+    class {
+      constructor(callback: (address: number) => void) {
+        free = callback
+      }
+      register(target: WeakKey, address: number, token: unknown) {
+        expect(token).toBe(target)
+        held.set(token, address)
+      }
+      unregister(token: unknown) {
+        held.delete(token)
+      }
+    },
+  )
+  const { edit } = await loadCircleVoronoi()
+  vi.unstubAllGlobals()
+  const editors = [edit(THREE), edit(THREE)] as const
+  expect([...held.keys()]).toEqual(editors)
+  editors[0].dispose()
+  editors[0][Symbol.dispose]()
+  expect([...held.keys()]).toEqual([editors[1]])
+  free([...held.values()][0] as number)
+  // The memory is used again.
+  for (const end of [(one: DiagramEditor) => one.dispose(), (one: DiagramEditor) => free(held.get(one) as number)]) {
+    const addresses = new Set<number | undefined>()
+    for (let k = 0; k < 50; k++) {
+      const one = edit(THREE)
+      addresses.add(held.get(one))
+      end(one)
+    }
+    expect(addresses.size).toBeLessThan(20)
+  }
 })
 
 describe('an editor of additive weights', () => {

@@ -46,7 +46,7 @@ describe('circles', () => {
     ]) {
       expect(circlesOfMarkdown(text).circles).toEqual(circles)
     }
-    expect(circlesOfMarkdown('|1|2|3|\n|4|5|6|').circles).toEqual(circles)
+    for (const end of ['\n', '\r\n', '\r']) expect(circlesOfMarkdown(`|1|2|3|${end}|4|5|6|`).circles).toEqual(circles)
     // The bars separate the numbers, so commas are decimal marks.
     expect(circlesOfMarkdown('|1,5|2|3|\n|4|5|6,25|').circles).toEqual(Float64Array.of(1.5, 2, 3, 4, 5, 6.25))
   })
@@ -125,7 +125,10 @@ describe('circles at an address', () => {
     expect(await regionFrom(square, 'https://example.org/c/', signal)).toEqual(region)
     expect(asked).toHaveLength(1)
     gives('', 500)
-    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({ code: 'badInput' })
+    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({
+      code: 'badInput',
+      message: 'https://example.org/c/b.wkt cannot be loaded: the answer is 500.',
+    })
   })
 })
 
@@ -253,6 +256,44 @@ describe('what it says', () => {
     expect(problemOf(new Refusal(ENGLISH, (words) => words.noCircles), true, german.others?.refusals)).toBe(
       'Darin sind keine Kreise.',
     )
+  })
+
+  test('has the same values in each language, and all that it is given in one of them', async () => {
+    await loadWords('de')
+    const german = wordsOf('de')
+    type Text = (...args: unknown[]) => unknown
+    /** The values of arguments that a text has, whichever kinds of arguments it takes. */
+    const valuesIn = (say: Text, count: number) => {
+      const numbers = [31, 37, 41, 43].slice(0, count)
+      const lists = numbers.map((value) => [value, value])
+      const places = numbers.map((_, k) => numbers.map((value, j) => (j === k ? lists[j] : value)))
+      const marks = numbers.map((value) => [{ other: value, isOut: true }])
+      const found = new Set<string>()
+      for (const args of [numbers, numbers.map(String), lists, ...places, [numbers[0], ...marks.slice(1)]]) {
+        try {
+          for (const text of String(say(...args)).match(/\d+/g) ?? []) if (Number(text) > 30) found.add(text)
+        } catch {
+          // The text takes arguments of another kind.
+        }
+      }
+      return [...found].sort()
+    }
+    let count = 0
+    for (const [one, other] of [
+      [wordsOf('en').editing, german.editing],
+      [ENGLISH, german.others?.refusals],
+      [ENGLISH_PLAYER, german.others?.player],
+    ] as unknown as Record<string, Text>[][]) {
+      for (const [name, text] of Object.entries(one ?? {})) {
+        if (typeof text !== 'function' || name === 'coded') continue
+        const inGerman = (other as Record<string, Text>)[name] as Text
+        const values = valuesIn(text.bind(one), text.length)
+        expect(valuesIn(inGerman.bind(other), text.length), name).toEqual(values)
+        if (text.length > 0) expect(values, name).not.toEqual([])
+        count += 1
+      }
+    }
+    expect(count).toBeGreaterThan(80)
   })
 
   test('of every step of the method is another sentence in German', async () => {

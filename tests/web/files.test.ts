@@ -37,7 +37,114 @@ it('a diagram is drawn where, how far and how closely it is asked for', () => {
   expect(wkt({ bounds: { minX: -5, minY: -5, maxX: 10, maxY: 10 } })).toBe(square)
   const sides = (options: object) => wkt(options)?.split(',').length ?? 0
   expect(sides({ maxDistance: 0.5, tolerance: 0.1 })).toBeLessThan(sides({ maxDistance: 0.5, tolerance: 0.001 }))
+  expect(wkt({ maxDistance: 0.5, digits: 1e10 })).toBe(wkt({ maxDistance: 0.5, digits: 999 }))
   expect(wkt({ maxDistance: 0.5, digits: 1 })).toMatch(/^POLYGON \(\((-?\d(\.\d)? -?\d(\.\d)?(, )?)+\)\)$/)
+})
+
+describe('circles with attributes', () => {
+  const read = (text: string, options?: object) => {
+    const { circles, attributes, skipped } = files.readCircleFile(text, options)
+    return { circles: [...circles], ...attributes, skipped }
+  }
+  const NONE = { properties: [], ids: [], heights: [], collection: '', skipped: [] }
+
+  it('are read with each option', () => {
+    expect(read('1,2,3\n')).toEqual({ ...NONE, circles: [1, 2, 3] })
+    expect(read('x,y,r\n1,2,-3\n', { weights: true })).toEqual({ ...NONE, circles: [1, 2, -3] })
+    expect(read('x,y,r,name\n1,2,3,A\n', { points: true })).toMatchObject({ circles: [1, 2, 0] })
+    const columns = { x: 'east', y: 'north', radius: 'size', id: 'code' }
+    expect(read('east,north,size,code\n1,2,3,a\n4,5,6,b\n', columns)).toEqual({
+      ...NONE,
+      circles: [1, 2, 3, 4, 5, 6],
+      properties: ['{"code":"a"}', '{"code":"b"}'],
+      ids: ['"a"', '"b"'],
+    })
+    expect(read('x,y,r\n1,2,3\n4,,6\n7,8,9\n', { skipInvalid: true, name: 'a.csv' })).toEqual({
+      ...NONE,
+      circles: [1, 2, 3, 7, 8, 9],
+      skipped: [{ index: 1, message: 'a.csv:3: y is empty.' }],
+    })
+    for (const name of ['x', 'y', 'radius', 'id']) {
+      const says = `The option ${name} is the name of a column, not 5.`
+      expect(() => read('1,2,3\n', { [name]: 5 })).toThrow(says)
+    }
+    for (const name of ['weights', 'points', 'skipInvalid']) {
+      expect(() => read('1,2,3\n', { [name]: 'no' })).toThrow(`The option ${name} is true or false.`)
+    }
+    expect(() => read('1,2,3\n', { points: true, radius: 'r' })).toThrow('The option points takes no radius.')
+    expect(() => read('n;a;b\nA;1;2\n', { x: 'a', y: 'b' })).toThrow('name one by the option radius.')
+    expect(read('n;a;b\nA;1;2\nB;;2\n', { x: 'a', y: 'b', points: true, id: 'n', skipInvalid: true }).skipped).toEqual([
+      { index: 1, message: 'the text:3: a is empty (circle 1, n B).' },
+    ])
+  })
+
+  const TWO = Float64Array.of(1, 2, 3, 9, 9, 1)
+  const ATTRIBUTES = {
+    properties: ['{"n":2}', '{}'],
+    ids: ['"p"', '7'],
+    heights: ['5', ''],
+    collection: '{"crs":{"a":1}}',
+  }
+
+  it('are written in one line each, without the members that the format adds', () => {
+    const geojson = files.writeCircles(TWO, { format: 'geojson', attributes: ATTRIBUTES })
+    expect(geojson.split('\n')).toEqual([
+      '{"type":"FeatureCollection","crs":{"a":1},"features":[',
+      '{"type":"Feature","id":"p","properties":{"r":3,"n":2},"geometry":{"type":"Point","coordinates":[1,2,5]}},',
+      '{"type":"Feature","id":7,"properties":{"r":1},"geometry":{"type":"Point","coordinates":[9,9]}}',
+      ']}',
+      '',
+    ])
+    expect(read(geojson)).toEqual({ ...NONE, ...ATTRIBUTES, circles: [...TWO] })
+    const spaced = {
+      properties: ['\n{\n"n":\r2 }\n', ''],
+      ids: ['"p"\n', '\r7'],
+      heights: ['\n5', ''],
+      collection: '{"type":"a", "features":[],\n"bbox":[1],"crs":{"a":1}}',
+    }
+    expect(files.writeCircles(TWO, { format: 'geojson', attributes: spaced }).replaceAll(' ', '')).toBe(geojson)
+    for (const member of ['type', 'features', 'bbox']) {
+      const attributes = { ...ATTRIBUTES, collection: `{"${member}":1}` }
+      const [head] = files.writeCircles(TWO, { format: 'geojson', attributes }).split('\n')
+      expect(head).toBe('{"type":"FeatureCollection","features":[')
+    }
+    const nothing = { properties: [], ids: [], heights: [], collection: '' }
+    for (const format of CIRCLE_FORMATS) {
+      const plain = files.writeCircles(TWO, { format })
+      expect(files.writeCircles(TWO, { format, attributes: nothing })).toBe(plain)
+      expect(files.writeCircles(TWO, { format, attributes: {} as never })).toBe(plain)
+    }
+  })
+
+  it('are written with diagrams in some formats', () => {
+    const two = library.compute(TWO)
+    for (const format of DIAGRAM_FORMATS) {
+      const write = () => files.writeDiagram(two, { format, attributes: ATTRIBUTES })
+      if (['json', 'geojson', 'geojsonl'].includes(format)) expect(write()).toContain('"n":2')
+      else expect(write).toThrow(`The format ${format} takes no attributes.`)
+    }
+    const kept = files.readDiagramFile(files.writeDiagram(two, { attributes: ATTRIBUTES }), { name: 'a.json' })
+    expect(kept.attributes).toEqual(ATTRIBUTES)
+    expect({ ...kept.diagram }).toEqual({ ...two })
+  })
+
+  it.each<[object, string]>([
+    [{ properties: 5 }, 'The properties of attributes are a list, not 5.'],
+    [{ ids: ['1'] }, 'There are 1 ids in the attributes of 2 circles.'],
+    [{ properties: ['{}', '[]'] }, 'The properties of circle 1 are "[]", which is not such JSON.'],
+    [{ ids: ['1', 'true'] }, 'The ids of circle 1 are "true", which is not such JSON.'],
+    [{ ids: ['1', 'x'] }, 'The ids of circle 1 are "x", which is not such JSON.'],
+    [{ heights: ['"1"', '1'] }, 'The heights of circle 0 are "\\"1\\"", which is not such JSON.'],
+    [{ collection: '[]' }, 'The collection of attributes is no JSON object.'],
+    [{ collection: 'x' }, 'The collection of attributes is no JSON object.'],
+  ])('are refused: %j', (attributes, message) => {
+    for (const write of [
+      () => files.writeCircles(TWO, { attributes: attributes as never }),
+      () => files.writeDiagram(library.compute(TWO), { attributes: attributes as never }),
+    ]) {
+      expect(write).toThrow(expect.objectContaining({ code: 'badOption', message }))
+    }
+  })
 })
 
 it('what is not right is said, and not drawn', () => {

@@ -115,4 +115,41 @@ describe('a path in a frame', () => {
       expect(out.length).toBeLessThan(10_000)
     }
   })
+
+  it('has arcs in pixels, which turn the other way because y points down, and lines on from their ends', () => {
+    const calls: unknown[][] = []
+    const path = Object.fromEntries(
+      ['moveTo', 'lineTo', 'bezierCurveTo', 'arc', 'closePath'].map((name) => [
+        name,
+        (...args: unknown[]) =>
+          calls.push([name, ...args.map((arg) => (typeof arg === 'number' ? Math.round(1e6 * arg) / 1e6 : arg))]),
+      ]),
+    )
+    const sink = new FrameSink({ x: 10, y: 20, scale: 2, width: 400, height: 300 }, path as never)
+    sink.moveTo(13, 20)
+    sink.arc(10, 20, 3, 0, Math.PI / 2, true)
+    sink.closePath()
+    sink.moveTo(13, 20)
+    sink.arc(10, 20, 3, 0, Math.PI / 2)
+    sink.arc(10, 20, 3, Math.PI / 2, 2 * Math.PI, true)
+    sink.closePath()
+    const turn = -Math.round((1e6 * Math.PI) / 2) / 1e6
+    expect(calls).toEqual([
+      ['moveTo', 206, 150],
+      ['arc', 200, 150, 6, -0, turn, false],
+      ['closePath'],
+      ['moveTo', 206, 150],
+      ['arc', 200, 150, 6, -0, turn, true],
+      ['arc', 200, 150, 6, turn, -Math.round(2e6 * Math.PI) / 1e6, false],
+      ['closePath'],
+    ])
+    // Where an arc has ended far away, the side to the start is cut to what is near.
+    calls.length = 0
+    sink.moveTo(13, 20)
+    sink.arc(10, 20, 1e6, 0, Math.PI / 2)
+    sink.closePath()
+    expect(calls.slice(0, 2).map(([name]) => name)).toEqual(['moveTo', 'arc'])
+    expect(calls.length).toBeGreaterThan(3)
+    expect(calls.at(-2)?.slice(-2)).toEqual([206, 150])
+  })
 })

@@ -202,6 +202,12 @@ describe('axes and grid', () => {
       expect(y).toBeLessThan(300)
     }
     expect(numbers.filter(({ text }) => text.length === 7).every(({ x }) => x > 70)).toBe(true)
+    // Numbers of the vertical lines are at the lower border or the upper one, whichever is nearer to the axis.
+    const rows = [1e6, -1e6].map((y) => axesOf({ ...FRAME, x: 1000, y }, covered).numbers.map(({ y }) => y))
+    expect(rows.map((ys) => ys.filter((y) => y === ys[0]).length > 3)).toEqual([true, true])
+    const aside = (rows[1]?.[0] as number) - covered.top
+    expect(aside).toBeGreaterThan(0)
+    expect(rows[0]?.[0]).toBe(FRAME.height - covered.bottom - aside)
   })
 
   it.each([1e-15, 1e-6, 1, 1e9, 1e25])('end at scale %d, also far from the origin', (scale) => {

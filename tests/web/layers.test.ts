@@ -7,7 +7,7 @@ import { Editing } from '../../web/editing/editing.ts'
 import { circlesOfLink } from '../../web/editing/scene-link.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { loadComparison } from '../../web/lib/comparison.ts'
-import { type Edit, type Float64s, mergeVertices } from '../../web/lib/index.ts'
+import { type Edit, type Float64s, mergeVertices, type PathSink } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { SceneBackend } from '../../web/picture/scene-backend.ts'
@@ -27,6 +27,8 @@ import { Clip } from '../../web/view/painter/clip.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
 import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
+import type { Drawing } from '../../web/view/painter/drawing.ts'
+import { factsOf } from '../../web/view/painter/facts.ts'
 import { found } from '../../web/view/painter/found.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
 import { cells } from '../../web/view/painter/layers/cells.ts'
@@ -39,9 +41,11 @@ import { type Layer, PaintContext } from '../../web/view/painter/paint-context.t
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
+import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
+import { RecordingSink } from './recording-sink.ts'
 
 const random = seededRandom(23)
 const comparison = await loadComparison({ library })
@@ -319,6 +323,11 @@ describe('what cells are measured by', () => {
     const { degrees, areas, certificate } = step.value
     const bounded = Array.from({ length: 678 }, (_, i) => i).filter((i) => picture.diagram.cells.isBounded(i))
     expect(degrees.reduce((sum, count) => sum + count)).toBe(678)
+    // Hidden circles have no cell.
+    const hiding = distributionOf(new Picture(library.edit(Float64Array.of(0, 0, 4, 1, 0, 1, 9, 0, 1))))
+    let last = hiding.next()
+    while (last.done !== true) last = hiding.next()
+    expect([...last.value.degrees]).toEqual([0, 2])
     expect(areas.reduce((sum, count) => sum + count)).toBe(bounded.length)
     expect(certificate.certified).toBe(true)
   })
@@ -637,6 +646,27 @@ describe('what the touching disc method finds', () => {
     expect(saidOf(found)).toMatch(/^From \d+ samples the method finds \d+ of \d+ vertices and \d+ of \d+ edges, and /)
   })
 
+  it('is computed anew with other candidates or samples, and kept with the same ones while it is shown', () => {
+    const scene = new PaintedScene(library)
+    scene.open(randomCircles(30))
+    const now = (layers: Partial<Layers>) => {
+      scene.setLayers({ ...DEFAULT_LAYERS, ...layers })
+      const isMissing = scene.isMethodMissing
+      if (isMissing) scene.addMethod()
+      return [isMissing, scene.picture.method?.found.samples]
+    }
+    const [, usual] = now({ samples: true })
+    expect(now({ samples: true })).toEqual([false, usual])
+    expect(now({ samples: true, sampleCount: 1 })).toEqual([true, usual])
+    const [isMissing, more] = now({ directedEdges: true, sampleCount: 5 })
+    expect([isMissing, (more as number) > (usual as number)]).toEqual([true, true])
+    expect(now({ missedEdges: true, sampleCount: 5 })).toEqual([false, more])
+    expect(now({ samples: true, candidates: 'uniform', sampleCount: 5 })).toEqual([true, 5 * 30])
+    expect(now({ samples: true, candidates: 'uniform' })).toEqual([true, 50 * 30])
+    expect(now({})).toEqual([false, undefined])
+    scene.dispose()
+  })
+
   it('is told apart from what is wrong, by circles and ends', () => {
     const circles = randomCircles(80)
     const right = library.compute(circles)
@@ -707,6 +737,57 @@ describe('layers that are set', () => {
     expect(refusal({})).toBeUndefined()
     expect(refusal({ data, path, nearZero: 0, maxDistance: -1, candidates: 'uniform', sampleCount: 5 })).toBeUndefined()
   })
+})
+
+it('layers that are set are copies: a column, its categories, and the data', () => {
+  const [values, categories, points] = [Float64Array.of(1), ['A'], Float64Array.of(1, 2)]
+  const layers = checkedLayers({ column: { name: 'a', values, categories }, data: [{ id: 'a', color: 'red', points }] })
+  values[0] = 2
+  categories[0] = 'B'
+  points[0] = 3
+  expect(layers).toMatchObject({
+    column: { name: 'a', values: Float64Array.of(1), categories: ['A'] },
+    data: [{ id: 'a', color: 'red', points: Float64Array.of(1, 2) }],
+  })
+})
+
+it.each([
+  ['dynamic', 0, 20],
+  ['uniform', 1, 100],
+  ['all-pairs', 0, 0],
+] as const)('candidates %s have %d to %d samples, in links and in layers that are set', (candidates, least, most) => {
+  for (const [sampleCount, isRight] of [
+    [least, true],
+    [most, true],
+    [least - 1, false],
+    [most + 1, false],
+    [least + 0.5, false],
+    ['1', false],
+  ] as const) {
+    const layers = { ...DEFAULT_LAYERS, candidates, sampleCount } as Layers
+    expect(layersFrom(layers)).toMatchObject({ candidates, sampleCount: isRight ? sampleCount : undefined })
+    if (isRight) expect(checkedLayers(layers)).toMatchObject({ candidates, sampleCount })
+    else {
+      expect(() => checkLayers(layers)).toThrow(
+        `The layer sampleCount must be a whole number from ${least} to ${most} (got ${JSON.stringify(sampleCount)}).`,
+      )
+    }
+  }
+})
+
+it('a neighbor with whom a cell shares two edges is counted once, by facts, tables, colors and descriptions', () => {
+  const scene = new PaintedScene(library)
+  // The small circle is between the large ones.
+  scene.open(Float64Array.of(0, 0, 4, 10, 0, 4, 5, 0, 0.5))
+  const { picture } = scene
+  expect([...picture.diagram.neighbors(0)].sort()).toEqual([1, 1, 2])
+  const told = factsOf(picture, scene.counts(), [0, 2]).cells
+  expect([told.get(0)?.edges, told.get(0)?.neighbors.toSorted()]).toEqual([3, [1, 2]])
+  expect([told.get(2)?.edges, told.get(2)?.neighbors.toSorted()]).toEqual([2, [0, 1]])
+  expect([...(tabulated(picture, ['degree'], Int32Array.of(0, 1, 2)).columns[0] as Float64Array)]).toEqual([2, 2, 2])
+  expect([0, 1, 2].map((i) => new Measures('degree', picture.diagram).valueOf(i))).toEqual([2, 2, 2])
+  expect([...(scene.mark(0, undefined).selected?.neighbors ?? [])].sort()).toEqual([1, 2])
+  scene.dispose()
 })
 
 describe('layers that are kept', () => {
@@ -790,6 +871,131 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
   expect(lines()).toEqual([410, 300, 450, 300, 400, 280, 400, 250])
   scene.edit([{ kind: 'remove', id: 1 }])
   expect(lines()).toEqual([400, 280, 400, 250])
+})
+
+it('marks are none of circles that were opened since, and results are found anew for another scale', () => {
+  const scene = new PaintedScene(library)
+  scene.open(Float64Array.of(0, 0, 1, 9, 0, 1))
+  expect([scene.mark(0, 1).selected?.id, scene.marks().hovered?.id, scene.isAnythingMarked]).toEqual([0, 1, true])
+  scene.open(Float64Array.of(0, 0, 1, 9, 0, 1))
+  expect([scene.marks(), scene.isAnythingMarked]).toEqual([{ selected: undefined, hovered: undefined }, false])
+  scene.setLayers({ ...DEFAULT_LAYERS, hull: true })
+  const box = { left: 0, top: 0, width: 256, height: 256 }
+  const look = (id: number, scale: number) => {
+    const grid = { id, x: 0, y: 0, scale, pixelRatio: 1 }
+    scene.look({
+      paintId: id,
+      grid,
+      seen: box,
+      wanted: box,
+      style: { map: ['red'], ramp: ['red'] } as unknown as Style,
+    })
+    const isMissing = scene.isAnythingToFind
+    scene.find()
+    return isMissing
+  }
+  expect([look(1, 10), look(2, 10), look(3, 20), look(4, 20)]).toEqual([true, false, true, false])
+  // Radii are weights where areas are given.
+  scene.open(Float64Array.of(0, 0, 1, 9, 0, 1), { areSites: true })
+  expect(scene.mark(0, undefined).selected?.circle).toEqual({ x: 0, y: 0, r: 0 })
+  // Cells around a circle are outlined up to a number of them.
+  for (const [count, isOutlined] of [
+    [500, true],
+    [501, false],
+  ] as const) {
+    const around = Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count)
+    scene.open(Float64Array.of(0, 0, 10, ...around.flatMap((angle) => [20 * Math.cos(angle), 20 * Math.sin(angle), 0])))
+    const { selected } = scene.mark(0, undefined)
+    expect([selected?.neighbors.length, (selected?.neighborhood.length ?? 0) > 0]).toEqual([count, isOutlined])
+  }
+  scene.dispose()
+})
+
+it('colors are told once after each change', () => {
+  const picture = new Picture(library.edit(Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1)))
+  picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
+  const first = picture.newColors()
+  expect([first?.length, picture.newColors()]).toEqual([3, undefined])
+  picture.recolor('21')
+  expect([picture.newColors(), picture.newColors()]).toEqual([`21${first?.[2]}`, undefined])
+  picture.apply(picture.editor.apply([{ kind: 'replace', id: 1, circle: { x: 9, y: 1, r: 1 } }]))
+  expect(picture.newColors()).toBeUndefined()
+  picture.apply(picture.editor.apply([{ kind: 'remove', id: 0 }]))
+  expect([picture.newColors(), picture.newColors()]).toEqual([`1${first?.[2]}`, undefined])
+})
+
+it('stars and areas are those of the circles and the region that are there', async () => {
+  const regions = await loadRegions()
+  const picture = new Picture(library.edit(Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1, 9, 9, 1)))
+  picture.layers = { ...DEFAULT_LAYERS, dual: true }
+  const all = { minX: -99, minY: -99, maxX: 99, maxY: 99 }
+  expect(picture.starsIn(all)).toEqual([0, 1, 2, 3])
+  picture.apply(picture.editor.apply([{ kind: 'remove', id: 1 }]))
+  expect(picture.starsIn(all)).toEqual([0, 1, 2])
+  expect(picture.areas().valueOf(0)).toBe(Infinity)
+  const square = (side: number) =>
+    new Clip(
+      library,
+      regions.region([
+        [
+          [0, 0],
+          [side, 0],
+          [side, side],
+          [0, side],
+        ],
+      ]),
+    )
+  for (const [clip, total] of [
+    [square(9), 81],
+    [square(3), 9],
+    [undefined, Infinity],
+  ] as const) {
+    picture.clip = clip
+    const areas = [0, 1, 2].map((i) => picture.areas().valueOf(i))
+    expect(areas.reduce((sum, area) => sum + area)).toBeCloseTo(total, 6)
+  }
+})
+
+it('data of clients are where they say, in pixels of the screen, and those elsewhere are left out', () => {
+  const scene = new PaintedScene(library)
+  scene.open(Float64Array.of(0, 0, 1, 10, 0, 1))
+  const data = [
+    {
+      id: 'own',
+      color: 'own',
+      points: Float64Array.of(5, 2, 500, 500),
+      segments: Float64Array.of(1, 1, 4, 3, 500, 500, 501, 501),
+      discs: Float64Array.of(2, -3, 2, 500, 500, 1, 7, -3, -1),
+    },
+  ]
+  scene.setLayers({ ...DEFAULT_LAYERS, data })
+  const style = new Proxy({}, { get: (_, name) => (name === 'map' || name === 'ramp' ? [] : name) }) as Style
+  const drawn: unknown[] = []
+  const box = (path: PathSink) => {
+    const { points } = path as RecordingSink
+    const ends = (list: number[]) => [Math.min(...list), Math.max(...list)].map((end) => Math.round(10 * end) / 10)
+    return points.length === 0 ? [] : [...ends(points.map(({ x }) => x)), ...ends(points.map(({ y }) => y))]
+  }
+  const drawing: Drawing = {
+    path: () => new RecordingSink(4),
+    cover() {},
+    clip() {},
+    write() {},
+    fill: (path, color) => color === 'own' && drawn.push(['fill', box(path)]),
+    stroke: (path, color, width, dash) => color === 'own' && drawn.push(['stroke', width, dash, box(path)]),
+  }
+  for (const pixelRatio of [1, 2]) {
+    drawn.length = 0
+    const frame = { x: 5, y: 0, scale: 10 * pixelRatio, width: 200 * pixelRatio, height: 100 * pixelRatio }
+    scene.draw(drawing, frame, pixelRatio, style)
+    const [[, width, , lines], [, dots]] = drawn as [unknown[], unknown[]]
+    expect(drawn).toHaveLength(2)
+    expect(lines).toEqual([50, 130, 20, 100].map((end) => end * pixelRatio))
+    const [left = 0, right = 0, top = 0, bottom = 0] = dots as number[]
+    expect([(left + right) / 2, (top + bottom) / 2]).toEqual([100 * pixelRatio, 30 * pixelRatio])
+    expect([right - left, width]).toEqual([expect.closeTo(5 * pixelRatio, 3), expect.closeTo(1.25 * pixelRatio, 3)])
+  }
+  scene.dispose()
 })
 
 it('of the layers, those that depend on all circles are the hull, the largest disc, the path and the method', () => {

@@ -148,8 +148,44 @@ describe('a link', () => {
   })
 
   it('has the colors of its circles', async () => {
-    const state = { circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors: '05' }
-    expect(await decodeLink(await encodeLink(state))).toEqual(state)
+    for (const colors of ['05', '']) {
+      const state = { circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors }
+      expect(await decodeLink(await encodeLink(state))).toEqual(state)
+    }
+  })
+
+  it('keeps fields of any value, and no others', async () => {
+    const state = {
+      circles: new Float64Array(),
+      names: [],
+      edits: [],
+      layers: {},
+      step: 0,
+      method: '',
+      colors: '',
+      region: [],
+      areas: [],
+      title: '',
+      question: '',
+      readonly: false,
+      alt: '',
+      lang: '',
+    }
+    expect(await decodeLink(await encodeLink(state))).toStrictEqual(state)
+    expect(await decodeLink(await encodeLink({ dataSet: '' }))).toStrictEqual({ dataSet: '' })
+    expect(await decodeLink(await said({ more: 1 }))).toStrictEqual({})
+    const triangle = {
+      type: 'Polygon',
+      coordinates: [
+        [
+          [0, 0],
+          [1, 0],
+          [0, 1],
+        ],
+      ],
+    } as const
+    const { region } = await decodeLink(await said({ region: { type: 'Feature', geometry: triangle, more: 1 } }))
+    expect(region).toStrictEqual({ type: 'MultiPolygon', coordinates: [triangle.coordinates] })
   })
 
   it('is short', async () => {
@@ -310,11 +346,25 @@ describe('what is no link', () => {
     await expect(decodeLink(await said(value()))).rejects.toThrow(TOO_MUCH)
   })
 
-  it('is refused where a small text unpacks to a large one, or the text is long', async () => {
-    const bomb = await said(`"${' '.repeat(LINK_LIMITS.bytes)}"`)
+  it('may unpack to a text up to a limit', async () => {
+    const longest = `{"step":1}${' '.repeat(LINK_LIMITS.bytes - 10)}`
+    expect(await decodeLink(await said(longest))).toEqual({ step: 1 })
+    const bomb = await said(`${longest} `)
     expect(bomb.length).toBeLessThan(30_000)
     await expect(decodeLink(bomb)).rejects.toThrow(TOO_MUCH)
+    await expect(encodeLink({ layers: { a: ' '.repeat(LINK_LIMITS.bytes) } })).rejects.toThrow(TOO_MUCH)
+  })
+
+  it('may be a text up to a limit', async () => {
     await expect(decodeLink('a'.repeat(LINK_LIMITS.letters + 1))).rejects.toThrow(TOO_MUCH)
+    await expect(decodeLink('a'.repeat(LINK_LIMITS.letters))).rejects.toThrow('it is not a link of this page')
+    const linkOf = (count: number) => encodeLinkAtOnce({ layers: { a: ' '.repeat(count) } })
+    const count = 3_145_000
+    // A letter of base64 has six bits.
+    const more = Math.floor(((LINK_LIMITS.letters - linkOf(count).length) * 6) / 8)
+    const { length } = linkOf(count + more)
+    expect(length > LINK_LIMITS.letters - 2 && length <= LINK_LIMITS.letters).toBe(true)
+    expect(() => linkOf(count + more + 2)).toThrow(TOO_MUCH)
   })
 
   it('is refused, whatever it is: random text, and links with letters changed, gone or added', async () => {

@@ -186,6 +186,7 @@ describe('the WebAssembly', () => {
     ['a module', () => new WebAssembly.Module(bytes)],
     ['a response', () => response('application/wasm')],
     ['a response of another type', () => response('application/octet-stream')],
+    ['a response of a type with parameters', () => response('application/wasm; charset=utf-8')],
     ['a response without a type', () => new Response(bytes)],
     ['a promise of any of them', () => Promise.resolve(response('application/wasm'))],
   ])('loads from %s', async (_, wasm) => {
@@ -209,6 +210,23 @@ describe('the WebAssembly', () => {
     expect(fetched).toEqual([file.href])
   })
 
+  it('has an address relative to the page, or to the location of a worker', async () => {
+    const fetched: string[] = []
+    vi.stubGlobal('fetch', async (url: URL) => {
+      fetched.push(url.href)
+      return response('application/wasm')
+    })
+    const compile = vi.spyOn(WebAssembly, 'compileStreaming')
+    vi.stubGlobal('location', { href: 'https://example.org/a/worker.js' })
+    await loadCircleVoronoi({ wasm: 'x.wasm' })
+    vi.stubGlobal('document', { baseURI: 'https://example.org/b/page.html' })
+    await loadCircleVoronoi({ wasm: 'x.wasm' })
+    vi.unstubAllGlobals()
+    expect(fetched).toEqual(['https://example.org/a/x.wasm', 'https://example.org/b/x.wasm'])
+    expect(compile).toHaveBeenCalledTimes(2)
+    compile.mockRestore()
+  })
+
   it('is apart for each of two loads at a time', async () => {
     const [one, two] = await Promise.all([loadCircleVoronoi(), loadCircleVoronoi()])
     expect(one).not.toBe(two)
@@ -217,7 +235,7 @@ describe('the WebAssembly', () => {
   })
 
   it.each<[string, () => LoadOptions['wasm'], string]>([
-    ['a missing file', () => new URL('missing.wasm', file), 'missing.wasm'],
+    ['a missing file', () => new URL('missing.wasm', file), `loaded from ${new URL('missing.wasm', file)}: `],
     ['an answer that is none', () => new Response('', { status: 404, statusText: 'Not Found' }), '404 Not Found'],
     ['an answer of a server that gives no words', () => new Response('', { status: 503 }), 'the answer is 503.'],
     ['bytes that are none', () => Uint8Array.of(1, 2, 3, 4), 'what was given'],

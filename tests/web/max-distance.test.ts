@@ -2,6 +2,7 @@
 // Cells clipped at a maximum distance from their circles, compared with the union of the grown circles.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import { type Box, type Diagram, NONE, REGION_LIMIT } from '../../web/lib/index.ts'
 import { outlineArea } from '../../web/lib/regions/measure.ts'
 import { anyCircles, unit } from './arbitrary-circles.ts'
@@ -129,6 +130,25 @@ describe('a maximum distance', () => {
       }),
       { numRuns: 60 },
     )
+  })
+
+  it('is that from the centers in the diagram of the centers', async () => {
+    const { computeComparison } = await loadComparison({ library })
+    const circles = [
+      [0, 0, 3],
+      [10, 0, 1],
+      [0, 14, 2],
+    ] as const
+    const centers = computeComparison(circles, 'centers')
+    const points = library.compute(circles.map(([x, y]) => [x, y, 0]))
+    for (const bounds of [undefined, [-9, -9, 4, 20]] as const) {
+      for (const maxDistance of [1, 4, 9]) {
+        const options = { bounds: bounds ?? [-20, -20, 30, 30], maxDistance } as const
+        expect(centers.cellAreas(options)).toEqual(points.cellAreas(options))
+        expect(centers.cellPath(0, options)).toBe(points.cellPath(0, options))
+        expect(centers.edgePath(0, options)).toBe(points.edgePath(0, options))
+      }
+    }
   })
 
   it('keeps of each cell the points that are so near', () => {

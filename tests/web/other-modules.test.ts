@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, expect, it, vi } from 'vitest'
+import { comparisonAddress, regionsAddress } from '../../web/lib/wasm/other-wasm.ts'
 import { otherModules } from '../../web/view/load.ts'
 
 afterEach(() => vi.unstubAllGlobals())
+
+it('modules for a thread may be bytes, a response or promises of either, and none is sent where there is none', async () => {
+  const bytes = Uint8Array.of(1, 2)
+  expect(await otherModules({ regionsWasm: bytes, comparisonWasm: Promise.resolve(new Response(bytes)) })).toEqual({
+    regionsWasm: bytes,
+    comparisonWasm: bytes.buffer,
+  })
+})
 
 it('addresses for a thread are those that the page would resolve, also the relative URLs of Turbopack', async () => {
   vi.stubGlobal('document', { baseURI: 'https://example.org/course/' })
@@ -21,4 +30,9 @@ it('addresses for a thread are those that the page would resolve, also the relat
     regionsWasm: 'https://example.org/media/regions.wasm',
     comparisonWasm: 'https://example.org/course/comparison.wasm',
   })
+})
+
+it('default addresses for a thread are those of the files beside the library', () => {
+  const names = [comparisonAddress(), regionsAddress()].map((url) => url?.href.split('/').at(-1))
+  expect(names).toEqual(['circle-voronoi-comparison.wasm', 'circle-voronoi-regions.wasm'])
 })

@@ -162,7 +162,7 @@ it('edits for other circles than those of the scene change nothing, and those th
 
 it('says what it was doing when it failed, and for which scene', async () => {
   await openScene(8)
-  const broken = (name: 'mark' | 'draw' | 'setLayers') =>
+  const broken = (name: 'mark' | 'draw' | 'find' | 'setLayers') =>
     vi.spyOn(PaintedScene.prototype, name).mockImplementation(() => {
       throw new RangeError('It broke.')
     })
@@ -180,6 +180,9 @@ it('says what it was doing when it failed, and for which scene', async () => {
   expect(await during('mark', mark)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'mark' } })
   const look = { kind: 'look', scene: 8, style, ...requestOf(1, 1, 10, 1) } as const
   expect(await during('draw', look)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'paint' } })
+  const find = { kind: 'layers', scene: 8, layers: { ...DEFAULT_LAYERS, hull: true }, isPainted: true } as const
+  vi.spyOn(PaintedScene.prototype, 'isFoundQuickly', 'get').mockReturnValueOnce(false)
+  expect(await during('find', find)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'find' } })
   const layers = { kind: 'layers', scene: 8, layers: DEFAULT_LAYERS, isPainted: true } as const
   expect(await during('setLayers', layers)).toEqual({ kind: 'failed', message, during: { scene: 8, kind: 'layers' } })
   send({ kind: 'close', scene: 8 })
@@ -197,6 +200,131 @@ it('an SVG has the power diagram and what depends on all circles, however soon i
   expect(elements).toContain('stroke="power"')
   expect(found.hull?.length).toBeGreaterThan(0)
   send({ kind: 'close', scene: 5 })
+})
+
+describe('questions', () => {
+  /** The answer of the thread to a question. */
+  const ask = async (scene: number, name: Extract<ToPainter, { kind: 'ask' }>['name'], ...args: unknown[]) => {
+    const request = nextRequest()
+    send({ kind: 'ask', scene, request, name, args } as unknown as ToPainter)
+    const answered = () => saidOf('answer').find((answer) => answer.request === request)
+    await vi.waitFor(() => expect(answered()).toBeDefined(), SOON)
+    const { kind: _, request: __, ...answer } = answered() as Extract<FromPainter, { kind: 'answer' }>
+    return answer as { value?: unknown; error?: unknown }
+  }
+  const answerTo = async (...question: Parameters<typeof ask>) => (await ask(...question)).value
+
+  it('are answered about the circles of their scene, also where an edit has changed them', async () => {
+    await openScene(11)
+    send({ kind: 'edit', scene: 11, revision: 2, opening: 1, edits: [{ kind: 'remove', id: 1 }] })
+    const trace = (await answerTo(11, 'trace', {})) as { circles: Float64Array; ids: Int32Array }
+    expect([[...trace.ids], [...trace.circles]]).toEqual([
+      [0, 2],
+      [0, 0, 1, 4, 9, 3],
+    ])
+    const edits = [
+      { kind: 'insert', circle: [9, 9, 1] },
+      { kind: 'remove', id: 2 },
+    ]
+    expect(await ask(11, 'trace', { edits })).toMatchObject({ value: { ids: Int32Array.of(0, 2) } })
+    expect(await ask(11, 'trace', { edits: [{ kind: 'remove', id: 1 }] })).toEqual({
+      value: undefined,
+      error: { code: 'unknownCircle', circle: 1, message: 'There is no circle with id 1.' },
+    })
+    const computed = (await answerTo(11, 'compute', { method: 'flip' })) as object
+    expect(Object.keys(computed).sort()).toEqual(['certificate', 'stats'])
+    expect(await answerTo(11, 'compute', { method: 'magic' })).toEqual({
+      problem: expect.stringMatching(/^Unknown method/),
+    })
+    const columns = ['area', 'degree', 'gap']
+    const all = await answerTo(11, 'tabulate', columns, undefined)
+    expect(all).toEqual(await answerTo(11, 'tabulate', columns, Int32Array.of(0, 1, 2)))
+    expect(all).toMatchObject({ ids: Int32Array.of(0, 2) })
+    expect((all as { columns: Float64Array[] }).columns.map((column) => [...column])).toEqual([
+      [Infinity, Infinity],
+      [1, 1],
+      [Math.hypot(4, 9) - 4, Math.hypot(4, 9) - 4].map((gap) => expect.closeTo(gap, 9)),
+    ])
+    expect(await answerTo(11, 'measure')).toMatchObject({
+      degrees: Int32Array.of(0, 2),
+      certificate: { certified: true },
+    })
+    expect(await answerTo(11, 'tell', [0, 1])).toMatchObject({ circles: 2, edges: 1, vertices: 0 })
+    expect(await answerTo(11, 'legend')).toBeUndefined()
+    send({ kind: 'layers', scene: 11, layers: { ...DEFAULT_LAYERS, cells: 'radius' }, isPainted: true })
+    expect(await answerTo(11, 'legend')).toMatchObject({ measure: 'radius' })
+    expect(await answerTo(11, 'try', { x: 20, y: 0, r: 1 })).toMatchObject({ circle: { x: 20, y: 0, r: 1 } })
+    expect(await answerTo(11, 'try', { x: 20, y: 0, r: -1 })).toBeUndefined()
+    send({ kind: 'close', scene: 11 })
+  })
+
+  it('about all cells are answered about the circles that were opened since, and not at all once their scene is closed', async () => {
+    const many = Float64Array.from({ length: 900 }, (_, k) => (k % 3 === 2 ? 0.1 : ((k * 7919) % 997) / 9))
+    await openScene(12)
+    send({ kind: 'open', scene: 12, revision: 2, opening: 2, circles: many })
+    const [first, second] = [nextRequest(), nextRequest()]
+    const measure = (request: number) =>
+      send({ kind: 'ask', scene: 12, request, name: 'tabulate', args: [['area'], undefined] })
+    let now = performance.now()
+    const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
+      now += 5
+      return now
+    })
+    measure(first)
+    send({ kind: 'open', scene: 12, revision: 3, opening: 3, circles: CIRCLES })
+    const answer = (request: number) => saidOf('answer').find((hit) => hit.request === request)?.value
+    await vi.waitFor(() => expect(answer(first)).toMatchObject({ ids: Int32Array.of(0, 1, 2) }), SOON)
+    send({ kind: 'open', scene: 12, revision: 4, opening: 4, circles: many })
+    measure(second)
+    send({ kind: 'close', scene: 12 })
+    await openScene(13)
+    await ask(13, 'tabulate', ['area'], undefined)
+    expect(answer(second)).toBeUndefined()
+    clock.mockRestore()
+    send({ kind: 'close', scene: 13 })
+  })
+
+  it('about a point of circles that repeat are answered around that point', async () => {
+    send({ kind: 'add', scene: 14 })
+    const lattice = { a: [20, 0], b: [0, 20] } as const
+    send({ kind: 'open', scene: 14, revision: 1, opening: 1, circles: CIRCLES, lattice: lattice as never })
+    const touched = async (x: number, y: number, slack: number) =>
+      (await answerTo(14, 'touch', x, y, slack)) as {
+        disc: { x: number; y: number; r: number }
+        points: { x: number; y: number }[]
+      }
+    for (const slack of [0.01, 20]) {
+      const [here, there] = [await touched(7, 5, slack), await touched(7 + 20, 5 - 40, slack)]
+      for (const [one, other] of [
+        [here.disc, there.disc],
+        ...here.points.map((point, k) => [point, there.points[k] as typeof point] as const),
+      ] as const) {
+        expect(other.x - one.x).toBeCloseTo(20, 9)
+        expect(other.y - one.y).toBeCloseTo(-40, 9)
+      }
+      expect(there.disc.r).toBeCloseTo(here.disc.r, 9)
+      for (const { x, y } of here.points)
+        expect(Math.hypot(x - here.disc.x, y - here.disc.y)).toBeCloseTo(here.disc.r, 9)
+    }
+    const room = (await answerTo(14, 'room', 7, 5)) as object
+    expect(await answerTo(14, 'room', 27, 5)).toEqual(room)
+    expect(await answerTo(14, 'try', { x: 7, y: 5, r: 1 })).toBeUndefined()
+    send({ kind: 'close', scene: 14 })
+  })
+})
+
+it('circles and edits that are refused change nothing, and say why', async () => {
+  await openScene(15)
+  send({ kind: 'open', scene: 15, revision: 2, opening: 2, circles: Float64Array.of(0, 0, -1) })
+  send({ kind: 'edit', scene: 15, revision: 3, opening: 1, edits: [{ kind: 'remove', id: 9 }] })
+  send({ kind: 'edit', scene: 15, revision: 4, opening: 1, edits: [{ kind: 'remove', id: 0 }] })
+  await heard(15)
+  expect(saidOf('refused').map(({ scene, revision, error }) => [scene, revision, error])).toEqual([
+    [15, 2, expect.objectContaining({ code: 'negativeRadius', circle: 0 })],
+    [15, 3, expect.objectContaining({ code: 'unknownCircle', circle: 9 })],
+  ])
+  expect(saidOf('edited').map(({ revision, counts }) => [revision, counts.circles])).toEqual([[4, 2]])
+  send({ kind: 'close', scene: 15 })
 })
 
 describe('one scene', () => {

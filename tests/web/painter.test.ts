@@ -12,6 +12,7 @@ import type {
   Highlights,
   InProgress,
   PaintRequest,
+  PixelBox,
   ToPainter,
 } from '../../web/view/protocol.ts'
 import { Superseded } from '../../web/view/refusal.ts'
@@ -159,6 +160,66 @@ describe('the painter', () => {
     worker().onerror?.({ message: 'it broke' })
     expect(FakeWorker.all.length).toBe(2)
     expect(worker().of('layers')).toEqual([])
+  })
+
+  it('adds and closes a scene in its thread, and passes each message on to what it is about', async () => {
+    const told: string[] = []
+    const events = Object.fromEntries(
+      ['painted', 'marked', 'outlined', 'found', 'failed'].map((name) => [name, () => told.push(name)]),
+    )
+    const other = painter.add(events as unknown as Parameters<typeof painter.add>[0])
+    expect(
+      worker()
+        .of('add')
+        .map(({ scene }) => scene),
+    ).toEqual([1, 2])
+    const heard = (message: object) => {
+      worker().answer({ scene: 2, ...message } as unknown as FromPainter)
+      return told.splice(0).sort()
+    }
+    expect([
+      heard({ kind: 'painted', patches: [], isWhole: false }),
+      heard({ kind: 'marked', marks: NO_MARKS }),
+      heard({ kind: 'outlined', marks: NO_MARKS }),
+      heard({ kind: 'found' }),
+      heard({ ...edited(99), scene: 2 }),
+      heard({ kind: 'refused', revision: 98, error: {} }),
+      heard({ kind: 'marked', marks: NO_MARKS, scene: 3 }),
+    ]).toEqual([['painted'], ['marked'], ['outlined'], ['found'], ['found', 'marked', 'painted'], [], []])
+    const layers = { ...DEFAULT_LAYERS, hull: true }
+    other.setLayers(layers)
+    other.findAgain(layers)
+    expect(worker().of('layers')).toEqual([
+      { kind: 'layers', scene: 2, layers, isPainted: true },
+      { kind: 'layers', scene: 2, layers, isPainted: false },
+    ])
+    const pending = other.open(new Float64Array())
+    const asked = other.ask('touch', 0, 0, 1)
+    other.close()
+    await expect(pending).rejects.toThrow(/disposed|closed|gone|longer/)
+    expect(await asked).toBeUndefined()
+    expect(worker().of('close')).toEqual([{ kind: 'close', scene: 2 }])
+    const count = worker().got.length
+    other.setLayers(layers)
+    other.mark(1, 2)
+    other.look(request, {} as never)
+    await expect(other.edit([])).rejects.toThrow()
+    expect(await other.ask('touch', 0, 0, 1)).toBeUndefined()
+    expect([worker().got.length, heard({ kind: 'marked', marks: NO_MARKS })]).toEqual([count, []])
+  })
+
+  it('keeps circles as they were opened, and colors that no edit has changed, for another thread', async () => {
+    const circles = Float64Array.of(0, 0, 1, 5, 0, 1)
+    const open = scene.open(circles)
+    worker().answer({ ...opened(1), colors: '01' } as FromPainter)
+    await open
+    circles[0] = 9
+    expect([...scene.circles.circles()]).toEqual([0, 0, 1, 5, 0, 1])
+    const edit = scene.edit([])
+    worker().answer(edited(2))
+    await edit
+    worker().answer({ kind: 'failed', message: 'it broke' })
+    expect(worker().of('open')).toMatchObject([{ circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors: '01' }])
   })
 
   it('has another thread go on where one that worked has failed', async () => {
@@ -511,6 +572,36 @@ it('all tiles of a viewport are painted once, and again when the whole picture h
   vi.unstubAllGlobals()
 })
 
+it('tiles in the middle are painted first, and a changed box with its strokes at every pixel ratio', () => {
+  vi.stubGlobal(
+    'OffscreenCanvas',
+    class {
+      getContext() {
+        return {}
+      }
+      transferToImageBitmap() {}
+    },
+  )
+  for (const pixelRatio of [1, 2]) {
+    const tiles = new Tiles(() => {})
+    const grid = { id: 1, x: 0, y: 0, scale: 1, pixelRatio }
+    const seen = { left: 300, top: 300, width: 150, height: 150 }
+    tiles.turnTo({ paintId: 1, grid, seen, wanted: { left: 0, top: 0, width: 768, height: 768 }, style: {} as Style })
+    const boxes: PixelBox[] = []
+    for (let patch = tiles.paintNext(); patch !== undefined; patch = tiles.paintNext()) boxes.push(patch.box)
+    const away = boxes.map(({ left, top }) => Math.max(Math.abs(left + 128 - 375), Math.abs(top + 128 - 375)))
+    expect(away).toEqual(away.toSorted((one, other) => one - other))
+    expect([boxes.length, boxes[0]]).toEqual([9, { left: 256, top: 256, width: 256, height: 256 }])
+    const changed = tiles.repaint([{ minX: 300, minY: -340, maxX: 320, maxY: -310 }])
+    const margin = 4 * pixelRatio
+    expect(changed.map(({ box }) => box)).toEqual([
+      { left: 300 - margin, top: 310 - margin, width: 20 + 2 * margin, height: 30 + 2 * margin },
+    ])
+    expect(tiles.repaint(undefined)).toHaveLength(9)
+  }
+  vi.unstubAllGlobals()
+})
+
 describe('the base picture', () => {
   beforeEach(() => {
     vi.stubGlobal(
@@ -557,6 +648,142 @@ describe('the base picture', () => {
     } as unknown as CanvasRenderingContext2D
     for (const scale of [1, 1.5]) picture.draw(context, { x: 0.3, y: 0.4, scale }, size, 1)
     expect(places.map((place) => place.every(Number.isInteger))).toEqual([true, false])
+  })
+
+  describe('of pixels', () => {
+    const size = { width: 300, height: 200 }
+    let canvases: { drawn: unknown[][]; width: number; height: number }[]
+    beforeEach(() => {
+      canvases = []
+      vi.stubGlobal(
+        'OffscreenCanvas',
+        class {
+          readonly drawn: unknown[][] = []
+          readonly width: number
+          readonly height: number
+          constructor(width: number, height: number) {
+            this.width = width
+            this.height = height
+            canvases.push(this)
+          }
+          getContext() {
+            return {
+              drawImage: (...args: unknown[]) => this.drawn.push(args),
+              clearRect: (...box: unknown[]) => this.drawn.push(['clear', ...box]),
+            }
+          }
+        },
+      )
+    })
+    const whole = (picture: BasePicture, { paintId, grid }: PaintRequest) =>
+      picture.put({ kind: 'painted', scene: 1, grid: grid.id, patches: [], paintId, isWhole: true })
+    /** The canvases on the screen, with their places. */
+    const shown = (picture: BasePicture, camera: { x: number; y: number; scale: number }, ratio = 1) => {
+      const places: unknown[][] = []
+      const context = {
+        canvas: { width: 300 * ratio, height: 200 * ratio },
+        clearRect: (...box: number[]) => places.push(['clear', ...box]),
+        drawImage: (canvas: (typeof canvases)[number], ...place: number[]) =>
+          places.push([canvases.indexOf(canvas), ...place.map((pixel) => Math.round(100 * pixel) / 100)]),
+      }
+      picture.draw(context as unknown as CanvasRenderingContext2D, camera, size, ratio)
+      expect(places[0]).toEqual(['clear', 0, 0, 300 * ratio, 200 * ratio])
+      return places.slice(1)
+    }
+
+    it('asks for whole tiles around what is seen, and for more only beyond them', () => {
+      const picture = new BasePicture()
+      const camera = { x: 0, y: 0, scale: 1 }
+      const first = picture.see(camera, size, 1)
+      expect(first).toEqual({
+        paintId: 1,
+        grid: { id: 1, x: -150, y: 100, scale: 1, pixelRatio: 1 },
+        seen: { left: 0, top: 0, width: 301, height: 201 },
+        wanted: { left: -256, top: -256, width: 1024, height: 768 },
+      })
+      expect([canvases[0]?.width, canvases[0]?.height]).toEqual([1024, 768])
+      // The margins on all four sides.
+      for (const [x, y, isNew] of [
+        [-256, 0, false],
+        [467, 0, false],
+        [0, 256, false],
+        [0, -311, false],
+        [-257, 0, true],
+        [468, 0, true],
+        [0, 257, true],
+        [0, -312, true],
+      ] as const) {
+        const other = new BasePicture()
+        other.see(camera, size, 1)
+        expect(other.see({ ...camera, x, y }, size, 1) !== undefined, `${x} ${y}`).toBe(isNew)
+      }
+      const before = canvases.length
+      const more = picture.see({ ...camera, x: 600, y: -300 }, size, 1)
+      expect(more).toMatchObject({ paintId: 2, grid: first?.grid, wanted: { left: 256, top: 0 } })
+      // Pixels that are known are copied.
+      expect(canvases[before]?.drawn).toEqual([[canvases[0], -256 - 256, -256]])
+    })
+
+    it('asks for all pixels again, for what is seen then', () => {
+      const picture = new BasePicture()
+      expect(picture.again({ x: 0, y: 0, scale: 1 }, size)).toBeUndefined()
+      const first = picture.see({ x: 0, y: 0, scale: 1 }, size, 2) as PaintRequest
+      whole(picture, first)
+      expect([picture.isWhole, picture.isSharp({ x: 9, y: 9, scale: 1 }, 2)]).toEqual([true, true])
+      expect(picture.again({ x: 10, y: 20, scale: 1 }, size)).toEqual({
+        paintId: 2,
+        grid: first.grid,
+        seen: { left: 20, top: -40, width: 601, height: 401 },
+        wanted: first.wanted,
+      })
+      expect(picture.isWhole).toBe(false)
+      whole(picture, first)
+      expect(picture.isWhole).toBe(false)
+      whole(picture, { ...first, paintId: 2 })
+      expect(picture.isWhole).toBe(true)
+      expect([picture.isSharp({ x: 0, y: 0, scale: 2 }, 2), picture.isSharp({ x: 0, y: 0, scale: 2 }, 1)]).toEqual([
+        false,
+        false,
+      ])
+      picture.clear()
+      expect([picture.isWhole, shown(picture, { x: 0, y: 0, scale: 1 })]).toEqual([false, []])
+    })
+
+    it('is drawn where the camera is, enlarged until sharp pixels are there', () => {
+      const picture = new BasePicture()
+      const camera = { x: 0, y: 0, scale: 1 }
+      whole(picture, picture.see(camera, size, 2) as PaintRequest)
+      expect(shown(picture, camera, 2)).toEqual([[0, -256, -256, 1280, 1024]])
+      expect(shown(picture, { ...camera, x: 10, y: 5 }, 2)).toEqual([[0, -276, -246, 1280, 1024]])
+      // Twice as large around the middle of the picture.
+      expect(shown(picture, { ...camera, scale: 2 }, 2)).toEqual([[0, -300 - 512, -200 - 512, 2560, 2048]])
+      expect([256, 257, 1 / 256, 1 / 257].map((scale) => shown(picture, { ...camera, scale }, 2).length)).toEqual([
+        1, 0, 1, 0,
+      ])
+      // The former pixels are below the new ones until these are whole, and those of a third scale are none.
+      const second = picture.see({ ...camera, scale: 2 }, size, 2) as PaintRequest
+      expect(shown(picture, { ...camera, scale: 2 }, 2).map(([canvas]) => canvas)).toEqual([0, 1])
+      const third = picture.see({ ...camera, scale: 4 }, size, 2) as PaintRequest
+      expect(shown(picture, { ...camera, scale: 4 }, 2).map(([canvas]) => canvas)).toEqual([0, 2])
+      whole(picture, second)
+      expect(shown(picture, { ...camera, scale: 4 }, 2).map(([canvas]) => canvas)).toEqual([0, 2])
+      whole(picture, third)
+      expect(shown(picture, { ...camera, scale: 4 }, 2).map(([canvas]) => canvas)).toEqual([2])
+    })
+
+    it('takes patches where they belong, and shows no circles from before an edit', () => {
+      const picture = new BasePicture()
+      const first = picture.see({ x: 0, y: 0, scale: 1 }, size, 1) as PaintRequest
+      const image = { close() {} } as ImageBitmap
+      const patch = { box: { left: 256, top: 512, width: 256, height: 256 }, image }
+      picture.put({ kind: 'painted', scene: 1, grid: first.grid.id, patches: [patch], paintId: 1, isWhole: true })
+      expect(canvases[0]?.drawn).toEqual([[image, 512, 768]])
+      picture.see({ x: 0, y: 0, scale: 2 }, size, 1)
+      const boxes = [{ minX: 10, minY: 20, maxX: 40, maxY: 70 }]
+      picture.put({ kind: 'edited', grid: 2, patches: [], boxes } as never)
+      expect(canvases[0]?.drawn.at(-1)).toEqual(['clear', 10 + 150 + 256, 100 - 70 + 256, 30, 50])
+      expect(canvases[1]?.drawn).toEqual([])
+    })
   })
 
   it('shows an edit in the former scale too, until the new scale is painted; of other scales nothing', () => {

@@ -73,10 +73,14 @@ it('refuses a lattice that is none before it asks the thread', async () => {
 
 it('fits areas in a box with the module that this thread loaded', async () => {
   const areas = [2, 4, 6]
+  const compile = vi.spyOn(WebAssembly, 'compile')
   const promise = worker.fitAreas(CIRCLES, areas, { lattice: BOX, relax: 2 })
   const { fit, region, wasm } = (await asked()) as FitRequest
   expect(region).toBeUndefined()
   expect(wasm).toBeInstanceOf(WebAssembly.Module)
+  // The module of the worker alone.
+  expect(compile).toHaveBeenCalledOnce()
+  compile.mockRestore()
   expect(fit).toMatchObject({ relax: 2, lattice: Float64Array.of(4, 0, 1, 3), areas: Float64Array.from(areas) })
   const here = fitAreas(fit.sites, fit.areas, { lattice: BOX, relax: 2 })
   events.onReply(structuredClone<Reply>({ periodicFit: here }))

@@ -85,6 +85,16 @@ describe('a periodic diagram', () => {
         expect(own).toBeCloseTo(Math.hypot(bx + 4 * expected[0] + expected[1] - x, by + 3 * expected[1] - y) - br, 9)
       }
       expect(periodic.find(Number.NaN, 0)).toBeUndefined()
+      // The image of a far point is the image of a near one, moved by as many periods.
+      for (const [k, l] of [
+        [1000, 0],
+        [0, 1000],
+        [-300, 700],
+      ] as const) {
+        const { circle, shift } = periodic.find(1.5, 0.5) as { circle: number; shift: readonly [number, number] }
+        const moved = { circle, shift: [shift[0] + k, shift[1] + l] }
+        expect(periodic.find(1.5 + 4 * k + l, 0.5 + 3 * l)).toEqual(moved)
+      }
     }
     expect(library.computePeriodic([], BOX).find(0, 0)).toBeUndefined()
   })
@@ -145,6 +155,40 @@ describe('a periodic diagram', () => {
     // The disc covers its whole cell, which is as large as the box.
     const { packingFractions } = library.computePeriodic([[0.5, 0.5, 2]], { a: [1, 0], b: [0, 1] }).contacts()
     expect([...packingFractions]).toEqual([1])
+  })
+
+  it('has one contact for two borders with the same image, and none of a hidden circle', () => {
+    const given = [
+      [15, 20, 4],
+      [25, 20, 4],
+      [20, 20, 0.5],
+      [15, 20, 1],
+    ]
+    const periodic = library.computePeriodic(given as [number, number, number][], { a: [40, 0], b: [0, 40] })
+    expect(periodic.neighbors(0).filter(({ circle, shift }) => `${circle} ${shift}` === '1 0,0')).toHaveLength(2)
+    const { contacts, lengths, gaps, areas, packingFractions } = periodic.contacts()
+    const keys = Array.from(lengths, (_, k) => contacts.subarray(4 * k, 4 * k + 4).join())
+    expect(new Set(keys).size).toBe(keys.length)
+    expect(gaps[keys.indexOf('0,1,0,0')]).toBe(2)
+    for (let i = 0; i < 4; i++) {
+      const sum = lengths.filter((_, k) => contacts[4 * k] === i).reduce((partial, length) => partial + length, 0)
+      expect(sum).toBeCloseTo(periodic.cellPerimeter(i), 9)
+      const r = i === 3 ? 0 : (given[i]?.[2] as number)
+      expect(packingFractions[i]).toBeCloseTo(i === 3 ? 0 : (Math.PI * r * r) / (areas[i] as number), 12)
+    }
+    expect(areas[3]).toBe(0)
+    // Two discs of radius 4 at distance 6 cover a lens twice.
+    const overlapping = library
+      .computePeriodic(
+        [
+          [0, 0, 4],
+          [6, 0, 4],
+        ],
+        { a: [40, 0], b: [0, 40] },
+      )
+      .contacts()
+    const half = 16 * Math.PI - (16 * Math.acos(0.75) - 3 * Math.sqrt(7))
+    for (const fraction of overlapping.packingFractions) expect(fraction).toBeCloseTo(half / 800, 9)
   })
 
   it('survives a structured clone', () => {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it, vi } from 'vitest'
-import { type Circle, Diagram, TRACE_KINDS, Trace } from '../../web/lib/index.ts'
-import { ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
-import { arcOf } from '../../web/player/finished-arcs.ts'
+import { type Circle, Diagram, TRACE_KINDS, Trace, type TraceKind } from '../../web/lib/index.ts'
+import { ringOf, testedAt, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
+import { arcOf, FinishedArcs } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS } from '../../web/player/program.ts'
 import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
@@ -229,9 +229,16 @@ describe('what is shown beside a step', () => {
       const tested = testedCircles(trace, state, ids.slice(0, 2), disc as Circle, circleOf)
       expect(tested).toContain(ids[2])
       expect(tested).toEqual(neighborsOnRings(state, ids.slice(0, 2), disc as Circle, circleOf))
+      // The step before announces the disc.
+      for (const told of [step, steps[steps.indexOf(step) - 1] as Step])
+        expect(testedAt(trace, told, trace.at(told.end), circleOf), told.line).toEqual(tested)
       met += 1
     }
     expect(met).toBeGreaterThan(5)
+    const placed = steps.filter(({ line }) => line === 'place')
+    const testedIn = (step: Step) => testedAt(trace, step, trace.at(step.end), circlesOf(trace, circles, step))
+    expect(placed.filter((step) => testedIn(step).length > 0).length).toBeGreaterThan(5)
+    for (const step of steps) if (!['take', 'place', 'notEmpty'].includes(step.line)) expect(testedIn(step)).toEqual([])
   })
 
   /** The marks nearest to the foot point on either side. */
@@ -287,8 +294,12 @@ describe('what is shown beside a step', () => {
       [0, 0],
       [1, 0.5],
     ] as const) {
-      const { unused } = ringOf(two, state, id, { x: 4 * id, y: 0, r: 1 })
+      const { marks, unused } = ringOf(two, state, id, { x: 4 * id, y: 0, r: 1 })
       expect(unused).toEqual([{ from: angle, to: angle + 1 }])
+      expect(marks.map(({ isOut, other }) => [isOut, other])).toEqual([
+        [true, 1 - id],
+        [false, 1 - id],
+      ])
     }
   })
 
@@ -306,6 +317,205 @@ describe('what is shown beside a step', () => {
       const [x, y] = pieces.slice(k, k + 2) as [number, number]
       expect(Math.hypot(x, y) - 2).toBeCloseTo(Math.hypot(x - 7, y - 1) - 1, 9)
     }
+  })
+
+  /** A trace of events, each with its kind, its circles, its first number and its disc. */
+  const traceOf = (...events: [kind: TraceKind, circles?: number[], number?: number, disc?: Circle][]) =>
+    ({
+      length: events.length,
+      kinds: Uint8Array.from(events, ([kind]) => TRACE_KINDS.indexOf(kind)),
+      numbers: Int32Array.from(events.flatMap(([, , number = 0]) => [number, 0])),
+      event: (k: number) => {
+        const [kind, circles = [], number = 0, disc] = events[k] as (typeof events)[number]
+        return { kind, circles, numbers: [number], disc }
+      },
+    }) as unknown as Trace
+
+  it('draws no segment from a directed edge of an earlier round, which has the same number', () => {
+    const [from, to] = [
+      { x: 5, y: 0, r: 4 },
+      { x: 5, y: 3, r: 5 },
+    ]
+    const circleOf = (id: number) => ({ x: 10 * id, y: 0, r: 1 })
+    const arcs = (...between: TraceKind[]) => {
+      const events = traceOf(['directedEdgePlaced', [0, 1], 7, from], ...between.map((kind): [TraceKind] => [kind]), [
+        'segmentFinished',
+        [0, 1],
+        7,
+        to,
+      ])
+      return new FinishedArcs(events).of(Int32Array.of(events.length - 1), circleOf).length
+    }
+    expect([arcs(), arcs('antipodalDiscUsed'), arcs('roundBegun')]).toEqual([48, 48, 0])
+  })
+
+  const layersAt = (line: Step['line']) => {
+    const step = steps.find((step) => step.line === line) as Step
+    const state = trace.at(step.end)
+    const layers = overlayOf(trace, step, state, [], circlesAt(trace, circles, state), COLORS)
+    return { step, state, layer: (name: string) => layers.find(({ id }) => id === name) }
+  }
+
+  it('tells what ends from what has ended before', () => {
+    const { step, state, layer } = layersAt('finish')
+    const before = [...state.segments].filter((k) => k < step.event)
+    expect(before.length).toBeLessThan(state.segments.length)
+    expect(layer('segments')?.segments ?? []).toHaveLength(48 * before.length)
+    expect(layer('finished')).toMatchObject({ color: 'c', width: 3 })
+    expect(layer('finished')?.segments).toHaveLength(48 * (state.segments.length - before.length))
+    expect(layer('deleted')).toMatchObject({ color: 'e', width: 1.25, dash: [4, 4] })
+  })
+
+  it('joins the rims of each pair across the gap between them', () => {
+    const { state, layer } = layersAt('pairs')
+    const { segments = [] } = layer('pairs') ?? {}
+    expect(segments).toHaveLength(4 * state.pairs.length)
+    for (const [k, event] of state.pairs.entries()) {
+      const [a, b] = trace.event(event).circles.map((id) => circles.subarray(3 * id, 3 * id + 3)) as [
+        Float64Array,
+        Float64Array,
+      ]
+      const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = segments.slice(4 * k, 4 * k + 4)
+      const away = (circle: Float64Array, x: number, y: number) =>
+        Math.hypot(x - Number(circle[0]), y - Number(circle[1]))
+      expect(away(a, x0, y0)).toBeCloseTo(Number(a[2]), 9)
+      expect(away(b, x1, y1)).toBeCloseTo(Number(b[2]), 9)
+      const gap = away(a, Number(b[0]), Number(b[1])) - Number(a[2]) - Number(b[2])
+      expect(Math.hypot(x1 - x0, y1 - y0)).toBeCloseTo(Math.abs(gap), 9)
+    }
+  })
+
+  it('numbers all circles where they are few, and those of the step and of its test where they are many', () => {
+    for (const [count, tested, numbered] of [
+      [60, [], undefined],
+      [61, [7], [7]],
+    ] as const) {
+      const many = randomCircles(count, 3)
+      const own = library.trace(many)
+      const step = stepsOf(own).find(({ line }) => line === 'notEmpty') as Step
+      const state = own.at(step.end)
+      const layers = overlayOf(own, step, state, tested, circlesAt(own, many, state), COLORS)
+      const { numbers = [], points = [] } = layers.find(({ id }) => id === 'numbers') ?? {}
+      const expected =
+        numbered === undefined ? [...Array(count).keys()] : [...numbered, ...own.event(step.event).circles]
+      expect([...numbers].sort((a, b) => a - b)).toEqual([...new Set(expected)].sort((a, b) => a - b))
+      for (const [k, id] of numbers.entries())
+        expect([points[2 * k], points[2 * k + 1]]).toEqual([...many.subarray(3 * id, 3 * id + 2)])
+    }
+  })
+
+  it('shows where a disc touches, and not the circle that reaches into it', () => {
+    const { step, layer } = layersAt('notEmpty')
+    const { circles: ids, disc } = trace.event(step.event)
+    expect(layer('disc')?.points).toHaveLength(4)
+    expect(layer('met')).toMatchObject({ color: 'e', width: 3 })
+    expect([...(layer('met')?.discs ?? [])]).toEqual([...circles.subarray(3 * Number(ids[2]), 3 * Number(ids[2]) + 3)])
+    const [x = 0, y = 0] = layer('disc')?.points ?? []
+    expect(Math.hypot(x - Number(disc?.x), y - Number(disc?.y))).toBeCloseTo(Math.abs(Number(disc?.r)), 9)
+  })
+
+  it('draws the circles on which samples lie, which are smaller by the radius of the smallest one', () => {
+    const { discs = [] } = layersAt('samples').layer('rims') ?? {}
+    expect(discs.length).toBeGreaterThan(3 * 25)
+    const differences = new Set<number>()
+    for (let k = 0; k < discs.length; k += 3) {
+      const id = circles.findIndex((x, i) => i % 3 === 0 && x === discs[k] && circles[i + 1] === discs[k + 1])
+      differences.add(Math.round(1e9 * ((circles[id + 2] as number) - (discs[k + 2] as number))))
+    }
+    expect([differences.size, Math.min(...differences) > 0]).toEqual([1, true])
+  })
+
+  it('begins each round anew, and says which', () => {
+    const events = traceOf(
+      ['roundBegun'],
+      ['faceMade'],
+      ['discNotEmpty', [0, 1, 2]],
+      ['faceRemoved'],
+      ['faceMade'],
+      ['faceMade'],
+      ['roundBegun', [], 1],
+      ['faceMade'],
+      ['faceRemoved'],
+    )
+    const lines = ['begin', 'flipDiscs', 'flipTest', 'flip', 'again', 'flipDiscs', 'ties', 'flipDone']
+    const steps = stepsOf(events)
+    expect(steps.map(({ line }) => line)).toEqual(lines)
+    expect(sentenceOf(events, steps[4] as Step)).toContain('round 2 begins')
+    const forms = traceOf(
+      ['sampleTaken'],
+      ['branchDisc', [0, 1, 2]],
+      ['threeTouchDiscFormed', [0, 1, 2]],
+      ['antipodalDiscAccepted', [0, 1]],
+      ['threeTouchDiscFormed', [0, 1, 2]],
+    )
+    const formed = ['samples', 'take', 'branch', 'formThird', 'take', 'place', 'form', 'hull']
+    expect(stepsOf(forms).map(({ line }) => line)).toEqual(formed)
+    expect(stepsOf(forms).flatMap((_, k) => (concerns(forms, stepsOf(forms), k, 0) ? [k] : []))).toEqual([
+      1, 2, 3, 4, 5, 6,
+    ])
+  })
+
+  it('has a list that ends with its round, with discs by radius and of one radius in their order', () => {
+    const disc = (r: number) => ({ x: 0, y: 0, r })
+    const events = traceOf(
+      ['threeTouchDiscFormed', [0, 1, 2], 0, disc(3)],
+      ['antipodalDiscUsed', [0, 1, 5], 0, disc(4)],
+      ['branchDisc', [0, 1, 2], 0, disc(1)],
+      ['antipodalDiscNotEmpty', [2, 3, 4], 0, disc(2)],
+      ['antipodalDiscAccepted', [4, 5], 0, disc(3)],
+      ['roundBegun'],
+      ['antipodalDiscAccepted', [6, 7], 0, disc(1)],
+    )
+    const state = { queue: Int32Array.of(0) } as ReturnType<Trace['at']>
+    const listed = (most: number) => waitingDiscs(events, state, 1, most).map(({ circles, r }) => [r, ...circles])
+    expect(listed(9)).toEqual([
+      [2, 2, 3],
+      [3, 0, 1, 2],
+      [3, 4, 5],
+      [4, 0, 1],
+    ])
+    expect(listed(2)).toEqual([
+      [2, 2, 3],
+      [3, 0, 1, 2],
+    ])
+    expect(waitingCount(events, state, 1)).toBe(4)
+    expect(waitingCount(events, state, 2)).toBe(3)
+    expect(waitingCount(events, state, 5)).toBe(1)
+  })
+
+  it('are marks on a timeline: a row for each kind, stronger where there are more, and the current place above', () => {
+    vi.stubGlobal('devicePixelRatio', 2)
+    const drawn: unknown[][] = []
+    const context = {
+      fillStyle: '',
+      globalAlpha: 1,
+      fillRect: (...box: number[]) => drawn.push([context.fillStyle, context.globalAlpha, ...box]),
+    }
+    const canvas = { clientWidth: 5.5, clientHeight: 10, width: 0, height: 0, getContext: () => context }
+    const lines = ['begin', 'used', 'stale', 'take', 'place', 'branch', 'form', 'edit', 'hull'] as const
+    const few = lines.map((line, k): Step => ({ line, event: k, end: k + 1 }))
+    drawTimeline(canvas as unknown as HTMLCanvasElement, few, 4, new Set(), COLORS)
+    expect([canvas.width, canvas.height]).toEqual([11, 20])
+    const rows = (color: string, top: number, bottom: number) =>
+      drawn.flatMap(([fill, alpha, x, y, width, height]) =>
+        fill === color && y === 20 * top && height === 20 * (bottom - top) ? [[alpha, x, width]] : [],
+      )
+    expect(rows('a', 0, 1)).toEqual([
+      [1, 0, 2],
+      [1, 10, 2],
+    ])
+    expect(rows('e', 0.42, 0.66).map(([, x]) => x)).toEqual([1, 3])
+    expect(rows('a', 0.2, 0.36).map(([, x]) => x)).toEqual([5])
+    expect(rows('f', 0.04, 0.36).map(([, x]) => x)).toEqual([6])
+    expect(rows('b', 0.72, 0.95).map(([, x]) => x)).toEqual([8])
+    expect(rows('c', 0, 0.3).map(([, x]) => x)).toEqual([9])
+    expect(drawn.at(-1)).toEqual(['g', 1, 5 - 2, 0, 4, 20])
+    // Columns for many steps show their numbers.
+    drawn.length = 0
+    const many = [...few.slice(1, 4), ...few.slice(1, 2), ...Array(8).fill(few[3])] as Step[]
+    drawTimeline({ ...canvas, clientWidth: 1 } as unknown as HTMLCanvasElement, many, 0, new Set(), COLORS)
+    expect(rows('e', 0.42, 0.66)).toEqual([[1, 0, 2]])
+    vi.unstubAllGlobals()
   })
 
   it('draws each segment that is finished, from its antipodal or its branch disc to its vertex', () => {

@@ -2,8 +2,13 @@
 // The player of the method while it plays, asks, and loses or changes its circles, without a browser.
 import type { TemplateResult } from 'lit/html.js'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import type { TraceOptions } from '../../web/lib/wasm/trace.ts'
+import { Diagram } from '../../web/lib/index.ts'
+import { Trace, type TraceOptions } from '../../web/lib/wasm/trace.ts'
+import { testedAt } from '../../web/player/discs.ts'
 import { mountPlayer, type Player } from '../../web/player/player.ts'
+import { sentenceOf } from '../../web/player/sentences.ts'
+import { circlesAt, overlayOf, PLAYER_COLORS } from '../../web/player/step-overlay.ts'
+import { concerns, kindOf, stepsOf } from '../../web/player/steps.ts'
 import { ENGLISH_PLAYER as WORDS } from '../../web/player/words.ts'
 import { traced } from '../../web/view/painter/traced.ts'
 import type { View } from '../../web/view/view.ts'
@@ -53,7 +58,23 @@ let step: number | undefined
 let stage: string | undefined
 let told: [number, number][]
 let view: { hasDiagram: boolean; above: readonly unknown[] }
-let root: { dir: string; keys: ((event: unknown) => void)[] }
+/** A part of the player that can have the focus. */
+interface Part {
+  isConnected?: boolean
+  matches?(selector: string): boolean
+  focus?(): void
+}
+let root: {
+  dir: string
+  lang: string
+  keys: ((event: unknown) => void)[]
+  classes: string[]
+  sheets: { adoptedStyleSheets: unknown[] }
+  /** The parts by their selectors. */
+  parts: Record<string, Part | object>
+  resize(): void
+}
+let words: typeof WORDS | undefined
 let player: Player
 
 beforeEach(() => {
@@ -67,8 +88,13 @@ beforeEach(() => {
   vi.stubGlobal(
     'ResizeObserver',
     class {
+      constructor(resize: () => void) {
+        root.resize = resize
+      }
       observe() {}
-      disconnect() {}
+      disconnect() {
+        root.resize = () => {}
+      }
     },
   )
   circles = FIVE
@@ -91,15 +117,30 @@ beforeEach(() => {
         asked.push({ options, answer: () => resolve(traced(library, snapshot, options)), refuse: reject })
       }),
   }
+  words = undefined
   const keys: ((event: unknown) => void)[] = []
   const fakeRoot = {
     keys,
     dir: '',
     lang: '',
-    classList: { add() {}, remove() {} },
-    getRootNode: () => ({ adoptedStyleSheets: [] }),
-    addEventListener: (_: string, listen: (event: unknown) => void) => keys.push(listen),
-    querySelector: () => null,
+    classes: [] as string[],
+    sheets: { adoptedStyleSheets: [] },
+    parts: {} as Record<string, Part | object>,
+    resize: () => {},
+    scrollHeight: 0,
+    clientHeight: 0,
+    scrollTop: 0,
+    classList: {
+      add: (name: string) => fakeRoot.classes.push(name),
+      remove: (name: string) => fakeRoot.classes.splice(fakeRoot.classes.indexOf(name), 1),
+    },
+    getRootNode: () => fakeRoot.sheets,
+    getBoundingClientRect: () => ({ bottom: 100 }),
+    addEventListener: (_: string, listen: (event: unknown) => void, { signal }: { signal: AbortSignal }) => {
+      keys.push(listen)
+      signal.addEventListener('abort', () => keys.splice(keys.indexOf(listen), 1))
+    },
+    querySelector: (selector: string) => fakeRoot.parts[selector] ?? null,
   }
   view = fakeView
   root = fakeRoot
@@ -112,6 +153,7 @@ beforeEach(() => {
       stage = line
     },
     onstep: (...now) => told.push(now),
+    words: () => words,
   })
 })
 afterEach(() => {
@@ -281,6 +323,10 @@ it('a player that is disposed of while it plays or loads is silent, and the diag
   seconds(100)
   expect([step, told.length]).toEqual(before)
   expect([view.hasDiagram, view.above, listeners.size]).toEqual([true, [], 0])
+  expect([typeof page, root.classes, root.keys]).toEqual(['symbol', [], []])
+  player.play()
+  seconds(100)
+  expect([step, told.length]).toEqual(before)
 })
 
 /** Presses a key, and returns whether the player used it. */
@@ -378,4 +424,238 @@ it('the picture has the colors of the style sheet, also after they have changed'
   color = 'white'
   listeners.get('style')?.(undefined)
   expect(colors()).toEqual(['white'])
+})
+
+/** The steps of the trace that is played. */
+function trace() {
+  const given = traced(library, library.edit(Float64Array.from(circles)).snapshot(), {})
+  const events = new Trace(new Diagram(given.diagram), given.events)
+  return { given, events, steps: stepsOf(events) }
+}
+
+it('each step has its sentence, its line of the program, its picture and its place, and the last one the diagram', async () => {
+  await loaded()
+  const { given, events, steps } = trace()
+  const colors = Object.fromEntries(Object.keys(PLAYER_COLORS).map((name) => [name, color])) as never
+  for (const [k, each] of steps.entries()) {
+    step = k
+    player.follow()
+    const state = events.at(each.end)
+    const known = circlesAt(events, given.circles, state, given.ids)
+    const tested = testedAt(events, each, state, (id) => known.get(id))
+    const isLast = k === steps.length - 1
+    expect(view.above, each.line).toEqual(isLast ? [] : overlayOf(events, each, state, tested, known, colors))
+    expect(view.hasDiagram).toBe(isLast)
+    expect(text()).toContain(`>${sentenceOf(events, each, tested, WORDS)}<`)
+    expect(text()).toContain(`aria-current=step>${WORDS.lines[each.line]}<`)
+    expect(text()).toContain(`class="where">${k}<span class="of"> / ${steps.length - 1}<`)
+    const parts = partsOf(page)
+    expect([parts[parts.indexOf(WORDS.stepLabel) + 2]]).toEqual([WORDS.stepOf(k, steps.length - 1)])
+  }
+})
+
+it('jumps to the next and the previous step of each kind, of the selected circle, and with a breakpoint', async () => {
+  await loaded()
+  const { events, steps } = trace()
+  const isDisabled = (label: string) => {
+    const parts = partsOf(page)
+    return parts.slice(parts.indexOf(label)).find((part) => typeof part === 'boolean')
+  }
+  const go = (to: number) => {
+    step = to
+    player.follow()
+  }
+  go(4)
+  press(WORDS.breakHere)
+  go(0)
+  listeners.get('marked')?.({ selected: { id: 3 } })
+  for (const goal of [...Object.keys(WORDS.goals)]) {
+    go(0)
+    after(WORDS.goal)({ target: { value: goal } })
+    const holds = (k: number) =>
+      goal === 'breakpoint'
+        ? k === 4
+        : goal === 'selected'
+          ? concerns(events, steps, k, 3)
+          : kindOf(steps[k] as (typeof steps)[number]) === goal
+    const wanted = steps.flatMap((_, k) => (k > 0 && holds(k) ? [k] : []))
+    const seen: number[] = []
+    while (isDisabled(WORDS.next) === false && seen.length < 500) {
+      press(WORDS.next)
+      seen.push(step as number)
+    }
+    expect(seen, goal).toEqual(wanted)
+    while (isDisabled(WORDS.previous) === false && seen.length > 0) {
+      expect(step).toBe(seen.pop())
+      press(WORDS.previous)
+    }
+    expect(seen.length, goal).toBeLessThan(2)
+  }
+  // A jump ends playback.
+  go(0)
+  after(WORDS.goal)({ target: { value: 'stage' } })
+  press(WORDS.play)
+  press(WORDS.next)
+  const place = step
+  seconds(9)
+  expect([step, text().includes(WORDS.play)]).toEqual([place, true])
+  listeners.get('marked')?.({ selected: undefined })
+  go(0)
+  after(WORDS.goal)({ target: { value: 'selected' } })
+  expect(isDisabled(WORDS.next)).toBe(true)
+  go(4)
+  press(WORDS.breakHere)
+  go(0)
+  after(WORDS.goal)({ target: { value: 'breakpoint' } })
+  expect(isDisabled(WORDS.next)).toBe(true)
+})
+
+it('has the list of waiting discs, and the ring of the selected circle or of the first one of the step', async () => {
+  await loaded()
+  const { events, steps } = trace()
+  const first = steps.findIndex(({ line }) => line === 'place')
+  step = 0
+  player.follow()
+  expect(text()).toContain(WORDS.queue(0))
+  expect(text()).toContain(WORDS.selectOne)
+  step = first
+  player.follow()
+  const [id] = events.event(steps[first]?.event as number).circles as [number]
+  expect(text()).toContain(WORDS.aroundCircle(id, false))
+  expect(text()).not.toContain(WORDS.queue(0))
+  // A ring with one neighbor: an edge out and one in at the same place, and the arc between them, in two parts.
+  const [, x] = text().match(/<svg x=([\d.]+%) [\s\S]*d=M-3 50V24/) ?? []
+  expect(text()).toContain(`<line class="unused" x1=${x} x2=97.00% `)
+  expect(text()).toContain(`<line class="unused" x1=3.00% x2=${x} `)
+  expect(text()).toMatch(new RegExp(`<svg x=${x} [\\s\\S]*d=M3 24V50[\\s\\S]*<circle class="foot" cx=${x}`))
+  const listed = () => [text().match(/<li><span>\d+[–·]/g)?.length, text().match(/and (\d+) more/)?.[1]]
+  expect(listed()).toEqual([6, undefined])
+  step = steps.findIndex(({ line }) => line === 'pairs')
+  player.follow()
+  expect(listed()).toEqual([6, '1'])
+  expect(text()).toContain(WORDS.queue(7))
+  step = first
+  player.follow()
+  listeners.get('marked')?.({ selected: { id: 4 } })
+  expect(text()).toContain(WORDS.aroundCircle(4, true))
+  const before = page
+  listeners.get('marked')?.({ selected: { id: 4 } })
+  expect(page).toBe(before)
+  listeners.get('marked')?.({ selected: undefined })
+  expect(text()).toContain(WORDS.aroundCircle(id, false))
+})
+
+it('keys that a button or a list uses stay with it, and all others do not reach the page', async () => {
+  await loaded()
+  let isStopped = false
+  const at = (name: string, selectors: string) => {
+    isStopped = false
+    const closest = (selector: string) => (selector.includes(selectors) ? {} : null)
+    return [key(name, { target: { closest }, stopPropagation: () => (isStopped = true) }), isStopped, step]
+  }
+  expect(at(' ', 'button')).toEqual([false, true, 0])
+  expect(at('End', 'select')).toEqual([false, true, 0])
+  expect(at('x', 'nothing')).toEqual([false, false, 0])
+  expect(at('ArrowRight', 'button')).toEqual([true, true, 1])
+})
+
+it('keeps the focus where its button is disabled or gone, and gives it to the next step after an answer', async () => {
+  await loaded()
+  const focused: string[] = []
+  const part = (name: string): Part => ({ focus: () => focused.push(name) })
+  root.parts = { input: part('slider'), '[data-forth]': part('forth') }
+  for (const [isConnected, isDisabled, count] of [
+    [true, false, 0],
+    [false, false, 1],
+    [true, true, 2],
+  ] as const) {
+    root.parts[':focus'] = { isConnected, matches: (selector: string) => isDisabled && selector === ':disabled' }
+    player.redraw()
+    expect(focused).toHaveLength(count)
+  }
+  expect(new Set(focused)).toEqual(new Set(['slider']))
+  delete root.parts[':focus']
+  press(WORDS.ask)
+  press(WORDS.play)
+  seconds(1000)
+  after(WORDS.whatNext)()
+  expect(focused.at(-1)).toBe('forth')
+})
+
+it('scrolls the current line between its head and its end, if the head stays there', async () => {
+  const scrolled = root as unknown as { scrollHeight: number; clientHeight: number; scrollTop: number }
+  let position = 'sticky'
+  vi.stubGlobal('getComputedStyle', () => ({ position }))
+  let line = { top: 50, bottom: 60 }
+  let rects: object[] = [{}]
+  root.parts = {
+    '[aria-current]': { getClientRects: () => rects, getBoundingClientRect: () => line },
+    '.head': { getBoundingClientRect: () => ({ bottom: 30 }) },
+  }
+  Object.assign(scrolled, { scrollHeight: 200, clientHeight: 100 })
+  await loaded()
+  const reveal = (at: typeof line) => {
+    line = at
+    scrolled.scrollTop = 40
+    player.redraw()
+    return scrolled.scrollTop
+  }
+  expect(reveal({ top: 50, bottom: 60 })).toBe(40)
+  expect(reveal({ top: 20, bottom: 30 })).toBe(40 - 10 - 24)
+  expect(reveal({ top: 105, bottom: 115 })).toBe(40 + 15 + 24)
+  position = 'static'
+  expect(reveal({ top: 20, bottom: 30 })).toBe(40)
+  position = 'sticky'
+  rects = []
+  expect(reveal({ top: 20, bottom: 30 })).toBe(40)
+  rects = [{}]
+  scrolled.scrollHeight = 100
+  expect(reveal({ top: 20, bottom: 30 })).toBe(40)
+})
+
+it('has its texts in the language of its page, its style sheet once, and its timeline as wide as it is', async () => {
+  await loaded()
+  expect([root.lang, root.classes, root.sheets.adoptedStyleSheets.length]).toEqual(['en', ['cv-player'], 1])
+  words = { ...WORDS, lang: 'xx', play: 'PLAY' }
+  player.redraw()
+  expect([root.lang, text().includes('PLAY')]).toEqual(['xx', true])
+  vi.stubGlobal('devicePixelRatio', 1)
+  const canvas = { clientWidth: 50, clientHeight: 9, width: 0, getContext: () => null }
+  root.parts.canvas = canvas
+  root.resize()
+  expect(canvas.width).toBe(50)
+  words = { ...WORDS, told: () => 'Zu viele.' }
+  listeners.get('changed')?.(undefined)
+  await vi.advanceTimersByTimeAsync(200)
+  asked.at(-1)?.refuse(new Error('Too many.'))
+  await expect(player.ready).rejects.toThrow('Too many.')
+  expect([text().includes('Zu viele.'), view.above]).toEqual([true, []])
+  // There is no timeline without steps.
+  canvas.width = 0
+  root.resize()
+  expect(canvas.width).toBe(0)
+})
+
+it('a step that does not exist becomes the nearest one, and a missing answer is a problem', async () => {
+  await loaded()
+  const last = player.steps - 1
+  for (const [wanted, found] of [
+    [1e9, last],
+    [-5, 0],
+    [1.6, 2],
+    [Number.NaN, 0],
+  ] as const) {
+    step = wanted
+    player.follow()
+    expect(step).toBe(found)
+  }
+  listeners.get('changed')?.(undefined)
+  await vi.advanceTimersByTimeAsync(149)
+  const count = asked.length
+  await vi.advanceTimersByTimeAsync(1)
+  expect(asked.length).toBe(count + 1)
+  expect(view.above).toEqual([])
+  step = 3
+  player.follow()
+  expect(step).toBe(3)
 })

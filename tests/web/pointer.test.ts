@@ -649,6 +649,26 @@ describe('a press that rests where nothing is', () => {
     expect(stage.of(...DOING)).toEqual([['addFitting', { x: 3, y: 2 }]])
   })
 
+  it('of a finger shows a disc that follows it where that layer is visible, and adds nothing', async () => {
+    const rest = async (more: object, tool: GestureTarget['tool'] = 'select') => {
+      const stage = new Stage()
+      stage.layers = { disc: true } as object
+      stage.tool = tool
+      await send(stage, 'pointerdown', pixel(1, 2), more)
+      await vi.advanceTimersByTimeAsync(400)
+      showFrame()
+      await vi.advanceTimersByTimeAsync(0)
+      stage.done.length = 0
+      await send(stage, 'pointermove', pixel(3, 2), more)
+      await send(stage, 'pointerup', pixel(3, 2), more)
+      return stage.of('touch', 'tryCircle', ...DOING)
+    }
+    const touch = { pointerType: 'touch' }
+    expect(await rest(touch)).toEqual([['touch', { x: 3, y: 2 }, 2.4]])
+    for (const others of [await rest({}), await rest(touch, 'add')])
+      expect(others.at(-1)).toEqual(['addFitting', { x: 3, y: 2 }])
+  })
+
   it('pans, if the move that came first is told of late, with a slow frame', async () => {
     const stage = new Stage()
     await send(stage, 'pointerdown', pixel(1, 2))
@@ -848,6 +868,53 @@ describe('in a page that scrolls', () => {
     expect(await keeps(1)).toBe(true)
   })
 
+  it('gestures of the view do not reach a page with gestures of its own, and those that scroll do', async () => {
+    const stage = new Stage({ letsPageScroll: true })
+    stage.hitAt = ({ x }) => (x === 0 ? disc(0) : undefined)
+    /** The events of a press that the page does not hear of. */
+    const kept = async (x: number, count: number, more: object = {}, own = stage) => {
+      const touches = Array.from({ length: count }, (_, k) => k)
+      const seen: string[] = []
+      const send = async (type: string, pointerId = 0) => {
+        const event = await own.send(type, pixel(x, 0), { ...more, pointerId, touches })
+        if (event.cancelBubble) seen.push(type)
+      }
+      await send('pointermove')
+      for (const id of touches) await send('pointerdown', id)
+      const isTouch = 'pointerType' in more
+      for (const type of isTouch ? ['touchstart', 'touchmove', 'touchend', 'touchcancel'] : ['mousedown'])
+        await send(type)
+      await send('pointermove')
+      for (const id of touches) await send('pointerup', id)
+      return seen.join(' ')
+    }
+    expect(await kept(5, 1)).toBe('pointerdown mousedown pointermove pointerup')
+    expect(await kept(0, 1)).toBe('pointerdown mousedown pointermove pointerup')
+    expect(await kept(5, 1, touch)).toBe('')
+    expect(await kept(0, 1, touch)).toBe('pointerdown touchstart touchmove touchend touchcancel pointermove pointerup')
+    // The last of two fingers may scroll.
+    expect(await kept(5, 2, touch)).toBe('pointerdown touchstart touchmove touchend touchcancel pointermove')
+    // A page that does not scroll has no gestures of its own.
+    expect(await kept(0, 1, {}, new Stage())).toBe('')
+    const wheel = async (own: Stage) =>
+      (await own.send('wheel', pixel(0, 0), { deltaY: 1, ctrlKey: true })).cancelBubble
+    vi.stubGlobal('WheelEvent', { DOM_DELTA_LINE: 1 })
+    expect([await wheel(stage), await wheel(new Stage())]).toEqual([true, false])
+    vi.unstubAllGlobals()
+  })
+
+  it('a finger that drags gives the keys to the view', async () => {
+    const stage = new Stage({ letsPageScroll: true })
+    const focused: unknown[] = []
+    Object.assign(stage.element, { focus: (options: unknown) => focused.push(options) })
+    stage.hitAt = ({ x }) => (x === 0 ? disc(0) : undefined)
+    await stage.drag([pixel(5, 0)], touch)
+    await stage.drag([pixel(5, 0)])
+    expect(focused).toEqual([])
+    await stage.drag([pixel(0, 0)], touch)
+    expect(focused).toEqual([{ preventScroll: true }])
+  })
+
   it('the wheel scrolls the page until the view is pressed, and again once the pointer has left; with Ctrl it zooms', async () => {
     vi.stubGlobal('WheelEvent', { DOM_DELTA_LINE: 1 })
     const stage = new Stage({ letsPageScroll: true })
@@ -1034,12 +1101,29 @@ describe('clicks and wheels', () => {
   it('after the end nothing is heard', async () => {
     const stage = new Stage()
     stage.listening.stop()
+    expect(stage.listeners.size).toBe(0)
     await stage.press([pixel(0, 0), pixel(1, 0)])
     await stage.send('pointermove', pixel(1, 2), { pointerId: 7 })
     await stage.send('dblclick', pixel(1, 2))
     await stage.send('keydown', pixel(1, 2), { key: 'Escape' })
     expect(stage.done).toEqual([])
   })
+})
+
+it('a press is known until its last finger is lifted, and opens no menu', async () => {
+  const stage = new Stage()
+  const menu = async () => (await stage.send('contextmenu', pixel(1, 2))).defaultPrevented
+  const seen: unknown[] = [[stage.listening.isPressed, await menu()]]
+  for (const [type, pointerId] of [
+    ['pointerdown', 1],
+    ['pointerdown', 2],
+    ['pointerup', 1],
+    ['pointerup', 2],
+  ] as const) {
+    await stage.send(type, pixel(1, 2), { pointerId, pointerType: 'touch' })
+    seen.push([stage.listening.isPressed, await menu()])
+  }
+  expect(seen).toEqual([false, true, true, true, false].map((isPressed) => [isPressed, isPressed]))
 })
 
 it('points are those of the plane, wherever the camera is', async () => {

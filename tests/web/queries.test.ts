@@ -176,6 +176,11 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
   })
 })
 
+it('the largest empty disc in the hull of one circle is a point of it', () => {
+  const disc = { x: 4, y: 2, r: 0 }
+  expect(largestEmptyDiscCenteredInHull(library.compute([[1, 2, 3]]))).toEqual({ disc, circles: [0] })
+})
+
 it('the largest empty disc may touch two circles from the edge of the hull', () => {
   const largest = largestEmptyDiscCenteredInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
   expect(largest?.disc.x).toBeCloseTo(5, 14)
@@ -207,6 +212,12 @@ it('no circles have no answers', () => {
   const inside = { disc: { x: 0.5, y: 0.5, r: 0.5 }, circles: [] }
   expect(largestEmptyDiscInside(diagram, { bounds: [0, 0, 1, 1] })).toEqual(inside)
   expect(convexHull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
+  for (const bounds of [undefined, [0, 0, 1, 1]] as const) {
+    const all = [diagram.cellAreas({ bounds }), diagram.cellCentroids({ bounds }), diagram.cellPerimeters({ bounds })]
+    expect(all).toEqual([new Float64Array(), new Float64Array(), new Float64Array()])
+    expect([...diagram.cellPolygons({ bounds })]).toEqual([])
+  }
+  expect([diagram.hullPolygon(), diagram.renderHull(), diagram.render()]).toEqual([undefined, '', ''])
 })
 
 it('of several closest pairs that with the smallest indices is found', () => {

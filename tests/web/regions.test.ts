@@ -218,7 +218,8 @@ describe('a diagram in a region', () => {
       .sort()
 
   it('has the cells that an edit has changed clipped alone, with the bits that they have among all', () => {
-    const editor = library.edit(circles(3000, 9))
+    const weighted = circles(3000, 9).map(([x, y, r]) => [x, y, r - 0.2] as const)
+    const editor = library.edit(weighted, { weights: true })
     const diagram = editor.snapshot()
     const clip = vi.spyOn(hall.module, 'clip')
     const random = seededRandom(10)
@@ -226,24 +227,25 @@ describe('a diagram in a region', () => {
     for (let step = 0; step < 40; step++) {
       // Half of the points are near the border.
       const x = step % 2 === 0 ? 9 * random() : 3 + 0.05 * random()
-      const change = editor.replace(Math.floor(3000 * random()), { x, y: 9 * random(), r: 0.1 * random() })
+      const change = editor.replace(Math.floor(3000 * random()), { x, y: 9 * random(), r: 0.1 * random() - 0.2 })
+      const options = { region: hall, maxDistance: step % 4 > 1 ? 0.25 : undefined }
       diagram.apply(change)
       clip.mockClear()
       const changed = Array.from(change.cells, (id) => diagram.indexOf(id)).slice(0, 40)
       const ofAlone = changed.map((i) => ({
-        parts: partsOf(diagram.cellOutline(i, { region: hall })),
-        neighbors: diagram.neighbors(i, { region: hall }),
+        parts: partsOf(diagram.cellOutline(i, options)),
+        neighbors: diagram.neighbors(i, options),
       }))
       if (2 * changed.length * 64 <= 3000) {
         expect(clip).not.toHaveBeenCalled()
         alone += changed.length
       }
       const whole = new Diagram(diagram)
-      whole.cellAreas({ region: hall })
+      whole.cellAreas(options)
       changed.forEach((i, k) => {
         expect(ofAlone[k]).toEqual({
-          parts: partsOf(whole.cellOutline(i, { region: hall })),
-          neighbors: whole.neighbors(i, { region: hall }),
+          parts: partsOf(whole.cellOutline(i, options)),
+          neighbors: whole.neighbors(i, options),
         })
       })
     }
@@ -407,6 +409,48 @@ describe('a diagram in a region', () => {
     expect(problemOf(() => largestEmptyDiscCenteredIn(diagram, {} as typeof both))).toMatch(/^badOption: Bounds are/)
   })
 
+  it('is freed with its clipped diagrams once they are no longer used', async () => {
+    const registries: { free: (address: number) => void; held: Map<number, WeakKey> }[] = []
+    vi.stubGlobal(
+      'FinalizationRegistry',
+      class {
+        readonly held = new Map<number, WeakKey>()
+        readonly free: (address: number) => void
+        constructor(free: (address: number) => void) {
+          this.free = free
+          registries.push(this)
+        }
+        register(target: WeakKey, address: number) {
+          this.held.set(address, target)
+        }
+      },
+    )
+    const own = await loadRegions({ wasm })
+    vi.unstubAllGlobals()
+    const [regions, clips] = registries
+    const room = own.region(HALL)
+    const diagram = library.compute([[1, 1, 1]])
+    const clipped = room.module.clip(diagram, undefined)
+    expect([...(regions?.held.values() ?? [])]).toEqual([room])
+    expect([...(clips?.held.values() ?? [])]).toEqual([clipped])
+    // The clipped diagram refers to the region, which is freed after it.
+    expect(clipped).toHaveProperty('region', room)
+    for (const registry of [clips, regions]) for (const address of registry?.held.keys() ?? []) registry?.free(address)
+    // The memory is used again.
+    const addresses = new Map([clips, regions].map((registry) => [registry, new Set<number>()]))
+    for (let k = 0; k < 50; k++) {
+      for (const registry of addresses.keys()) registry?.held.clear()
+      own.region(HALL).module.clip(diagram, undefined)
+      for (const [registry, all] of addresses) {
+        for (const address of registry?.held.keys() ?? []) {
+          all.add(address)
+          registry?.free(address)
+        }
+      }
+    }
+    for (const all of addresses.values()) expect(all.size).toBeLessThan(20)
+  })
+
   it('takes a region or bounds, and no other thing', () => {
     const diagram = library.compute(circles(4, 4))
     const bounds = [0, 0, 1, 1] as const
@@ -443,6 +487,12 @@ describe('fitted areas', () => {
     })
     const again = fitAreas(sites, shares, { region: square, shares: true, weights: fit.weights })
     expect([again.steps, [...again.weights]]).toEqual([0, [...fit.weights]])
+    const fromRadii = fitAreas(
+      sites.map(([x, y], i) => ({ x, y, r: fit.weights[i] as number })),
+      Float32Array.from(shares) as never,
+      { region: square, shares: true, tolerance: 1e-5 },
+    )
+    expect([fromRadii.steps, [...fromRadii.weights]]).toEqual([0, [...fit.weights]])
   })
 
   it('start from the radii of circles, and fit a region with a hole', () => {

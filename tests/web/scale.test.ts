@@ -3,7 +3,7 @@
 // smallest to the largest inputs that `compute` takes.
 import { describe, expect, it } from 'vitest'
 import { rounded } from '../../web/lib/base/coordinate-limits.ts'
-import { unitFor } from '../../web/lib/base/scale.ts'
+import { powerOfTwoIn, unitFor } from '../../web/lib/base/scale.ts'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Box,
@@ -174,4 +174,16 @@ describe('the cells of circles with anything between their sizes', () => {
       }
     }
   })
+})
+
+it('the unit of a length is the largest power of two that is not above it', () => {
+  for (const [size, power] of [
+    [1, 1],
+    [2 - 2 ** -52, 1],
+    [3, 2],
+    [0.75, 0.5],
+    [1e300, 2 ** 996],
+  ] as const) {
+    expect(powerOfTwoIn(size)).toBe(power)
+  }
 })

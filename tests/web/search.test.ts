@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search of the site: results, ranking and snippets.
 import MiniSearch from 'minisearch'
-import { describe, expect, it, test, vi } from 'vitest'
+import { afterEach, describe, expect, it, test, vi } from 'vitest'
 import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'
 import { find, offerSearch, type Section, snippetOf } from '../../web/reading/search.ts'
+import { aTurn, eventually } from './editing-session.ts'
+import { type FakeNode, FakePage } from './fake-nodes.ts'
 
 function searchIn(sections: readonly Section[]): MiniSearch<Section> {
   const search = new MiniSearch<Section>({
@@ -155,6 +157,93 @@ it('is loaded again where loading it failed', async () => {
   await expect.poll(() => shown).toEqual(['DiscsA disc.'])
   expect(list.hidden).toBe(false)
   vi.unstubAllGlobals()
+})
+
+describe('the field of a search', () => {
+  const index = JSON.stringify(
+    searchIn([section('docs/a.html', 'Discs', '', 'A disc.'), section('docs/b.html#b', 'Page', 'Disc', 'Of a disc.')]),
+  )
+  function offered(value = '') {
+    const page = new FakePage()
+    const field = Object.assign(page.make('input'), { value })
+    const form = Object.assign(page.make('form', { className: 'search' }, field), {
+      elements: { namedItem: () => field },
+    })
+    const list = page.make('ol', { className: 'found', hidden: true })
+    const box = page.make('div', {}, form, list)
+    page.append(box)
+    const asked: string[] = []
+    vi.stubGlobal('fetch', async (address: string) => {
+      asked.push(address)
+      return { ok: true, text: async () => index }
+    })
+    offerSearch(page as unknown as Document)
+    const shown = () => list.children.map((child) => (child as FakeNode).textContent)
+    const type = async (text: string) => {
+      field.value = text
+      field.fire('input')
+      await aTurn()
+    }
+    return { page, field, form, list, box, asked, shown, type }
+  }
+  afterEach(() => vi.unstubAllGlobals())
+
+  it('loads its index once, when it gets the focus, and shows what it finds while it is typed', async () => {
+    const { field, asked, shown, type, list } = offered()
+    expect(asked).toEqual([])
+    field.fire('focus')
+    field.fire('focus')
+    await eventually(() => expect(asked).toEqual(['../search.json']))
+    await eventually(async () => {
+      await type(' disc ')
+      expect(shown()).toEqual(['Disc PageOf a disc.', 'DiscsA disc.'])
+    })
+    expect([list.hidden, asked.length]).toEqual([false, 1])
+    const links = list.querySelectorAll('a') as (FakeNode & { href: string })[]
+    expect(links.map(({ href }) => href)).toEqual(['../docs/b.html#b', '../docs/a.html'])
+    expect(list.querySelectorAll('mark').map(({ textContent }) => textContent)).toEqual(['disc', 'disc'])
+    links[0]?.click()
+    expect(list.hidden).toBe(true)
+    await type('nothing')
+    expect([shown(), list.hidden]).toEqual([['Nothing found.'], false])
+    await type('')
+    expect([shown(), list.hidden]).toEqual([[], true])
+  })
+
+  it('is walked through by arrows, left by Escape or a press elsewhere, and opens the first result', async () => {
+    const { page, field, form, list, box, shown } = offered('disc')
+    await eventually(() => expect(shown()).toHaveLength(2))
+    const [first, second] = list.querySelectorAll('a') as [FakeNode, FakeNode]
+    page.activeElement = field
+    const go = (key: string) => [box.fire('keydown', { key }).defaultPrevented, page.activeElement]
+    expect(['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'ArrowUp', 'ArrowUp', 'a'].map(go)).toEqual([
+      [true, first],
+      [true, second],
+      [false, second],
+      [true, first],
+      [true, field],
+      [false, field],
+      [false, field],
+    ])
+    let clicks = 0
+    first.addEventListener('click', () => {
+      clicks += 1
+    })
+    expect(form.fire('submit').defaultPrevented).toBe(true)
+    expect(clicks).toBe(1)
+    list.hidden = false
+    go('ArrowDown')
+    go('Escape')
+    expect([list.hidden, page.activeElement]).toEqual([true, field])
+    const press = (target: FakeNode) => {
+      list.hidden = false
+      const event = new Event('pointerdown')
+      Object.defineProperty(event, 'target', { value: target })
+      page.dispatchEvent(event)
+      return list.hidden
+    }
+    expect([press(first), press(page.make('p'))]).toEqual([false, true])
+  })
 })
 
 test('a first sentence is whole', () => {

@@ -11,9 +11,16 @@ class FakeElement extends EventTarget {
   lang: string | undefined = ''
   dir = ''
   ariaLabel = ''
-  readonly dataset = {}
+  readonly dataset: Record<string, string> = {}
+  name = ''
+  inert = false
+  tabIndex = 0
+  isRemoved = false
   append() {}
   setAttribute() {}
+  remove() {
+    this.isRemoved = true
+  }
   removeAttribute(name: 'lang') {
     this[name] = undefined
   }
@@ -95,4 +102,32 @@ it('an error is shown until it is gone, and its text is assigned again only wher
     shell.problem = shown
     expect([text, problem.hidden, assigned]).toEqual([shown, shown === '', times])
   }
+})
+
+it('takes the focus and pixels only while it has them, and shows no poster once it has failed', () => {
+  const figure = shell.figure as unknown as FakeElement
+  const frame = shell.frame as unknown as FakeElement
+  const now = () => [frame.dataset.running, figure.inert, figure.tabIndex]
+  expect(now()).toEqual(['false', true, -1])
+  shell.isRunning = true
+  expect(now()).toEqual(['true', false, 0])
+  shell.isRunning = false
+  expect(now()).toEqual(['false', true, -1])
+  for (const isShown of [false, true]) {
+    shell.isShown = isShown
+    expect(frame.dataset.shown).toBe(String(isShown))
+  }
+  const poster = made.find(({ name }) => name === 'poster')
+  expect(poster?.isRemoved).toBe(false)
+  shell.fail()
+  expect(made.filter(({ isRemoved }) => isRemoved)).toEqual([poster])
+})
+
+it('tells of colors that may have changed', () => {
+  let count = 0
+  shell.onrestyle = () => {
+    count += 1
+  }
+  of('probe').dispatchEvent(new Event('transitionrun'))
+  expect(count).toBe(1)
 })

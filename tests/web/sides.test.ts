@@ -138,6 +138,20 @@ describe('parts that do not fit together', () => {
     }
     const mirrored = vertexCircles.map((_, k) => vertexCircles[k + 2 - 2 * (k % 3)] as number)
     expect(isLinked({ vertexCircles: mirrored as typeof vertexCircles })).toBe(false)
+    // A vertex without edges, an edge twice, and two lines between two circles.
+    expect(isLinked({ vertexCircles: Int32Array.of(...vertexCircles, 0, 1, 2) })).toBe(false)
+    for (let e = 0; e < edges.length; e += 4) {
+      expect(isLinked({ edges: Int32Array.of(...edges, ...edges.subarray(e, e + 4)) })).toBe(false)
+    }
+    const two = {
+      circles: Float64Array.of(0, 0, 1, 6, 0, 1),
+      vertexCircles: new Int32Array(),
+      hull: Int32Array.of(0, 1),
+    }
+    const line = [0, 1, NONE, NONE]
+    expect(isLinked({ ...two, edges: Int32Array.of(...line) })).toBe(true)
+    const twice = { hull: Int32Array.of(0, 1, 0, 1), edges: Int32Array.of(...line, ...line) }
+    expect(isLinked({ ...two, ...twice })).toBe(false)
     for (let e = 0; e < edges.length; e += 4) {
       const swapped = edges.slice()
       swapped.set([edges[e + 1] as number, edges[e] as number], e)

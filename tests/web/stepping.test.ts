@@ -6,6 +6,7 @@ import { createStore } from '../../web/editing/store.ts'
 import { mountPlayer, type Player, type PlayerOptions } from '../../web/player/player.ts'
 import { Stepping } from '../../web/player/stepping.ts'
 import type { View } from '../../web/view/view.ts'
+import { aTurn } from './editing-session.ts'
 
 vi.mock('../../web/player/player.ts', () => ({ mountPlayer: vi.fn() }))
 
@@ -22,11 +23,14 @@ async function played() {
   const store = createStore<State>({ ...INITIAL_STATE, step: 0, edited: {} as State['edited'] })
   const told: number[] = []
   let options: PlayerOptions | undefined
-  const [dispose, play, onproblem] = [vi.fn(), vi.fn(), vi.fn()]
+  const [dispose, play, pause, redraw, onproblem] = [vi.fn(), vi.fn(), vi.fn(), vi.fn(), vi.fn()]
+  const player = { ready: Promise.resolve() as Promise<void>, steps: 9, dispose, play, pause, redraw }
+  /** The methods for which options were asked. */
+  const given: { method: string | undefined }[] = []
   vi.mocked(mountPlayer).mockImplementation((_, given: PlayerOptions) => {
     options = given
     const follow = () => given.onstep(Math.min(given.place().step as number, 8), 9)
-    return { ready: Promise.resolve(), follow, dispose, play } as unknown as Player
+    return Object.assign(player, { follow }) as unknown as Player
   })
   const showStep = (step: number | undefined, method?: string, stage?: string) =>
     store.update((state) => ({ ...state, step, method, stage }))
@@ -35,14 +39,31 @@ async function played() {
     view: {} as View,
     store,
     actions: { showStep } as unknown as EditorActions,
-    options: () => ({}),
+    options: (method) => {
+      given.push({ method })
+      return {}
+    },
     onstep: (step) => told.push(step),
     onproblem,
   })
   await stepping.whenReady()
   told.length = 0
   const { place, go } = options as unknown as PlayerOptions
-  return { stepOf: () => store.get().step, showStep, place, go, told, dispose, play, onproblem, stepping }
+  return {
+    stepOf: () => store.get().step,
+    showStep,
+    place,
+    go,
+    told,
+    dispose,
+    play,
+    pause,
+    redraw,
+    player,
+    given,
+    onproblem,
+    stepping,
+  }
 }
 
 it('the step that the player goes to is the step of the state, and the player asks for no other', async () => {
@@ -69,6 +90,70 @@ it('the stage of changed circles is forgotten once another step is wanted', asyn
   expect(place()).toMatchObject({ step: 4, stage: 'discs' })
   showStep(4)
   expect(place().stage).toBeUndefined()
+})
+
+it('plays from the start where no step is shown, from the step otherwise, and pauses', async () => {
+  const { stepping, showStep, stepOf, play, pause } = await played()
+  showStep(4)
+  frame()
+  stepping.play()
+  expect([stepOf(), play.mock.calls.length]).toEqual([4, 1])
+  showStep(undefined)
+  frame()
+  stepping.play()
+  expect(stepOf()).toBe(0)
+  frame()
+  await stepping.whenReady()
+  expect(play).toHaveBeenCalledTimes(2)
+  stepping.pause()
+  expect(pause).toHaveBeenCalledOnce()
+  // It does not play either once it is mounted again.
+  showStep(undefined)
+  frame()
+  stepping.play()
+  stepping.pause()
+  frame()
+  await stepping.whenReady()
+  expect(play).toHaveBeenCalledTimes(2)
+})
+
+it('begins again with other options, at the start, and is redrawn with other texts', async () => {
+  const { stepping, stepOf, showStep, dispose, redraw, given } = await played()
+  showStep(4, 'auto')
+  frame()
+  await stepping.whenReady()
+  expect(given.map(({ method }) => method)).toEqual([undefined, 'auto'])
+  stepping.restart()
+  expect([stepOf(), dispose.mock.calls.length]).toEqual([0, 2])
+  await stepping.whenReady()
+  expect(given).toHaveLength(3)
+  expect(stepping.steps).toBe(9)
+  stepping.redraw()
+  expect(redraw).toHaveBeenCalledOnce()
+  stepping.dispose()
+  expect(stepping.steps).toBe(0)
+})
+
+it('is ready once the newest trace is, whatever became of those before', async () => {
+  const { stepping, player } = await played()
+  let isReady = false
+  let fail = (_: Error) => {}
+  let finish = () => {}
+  player.ready = new Promise<void>((_, reject) => {
+    fail = reject
+  })
+  const ready = stepping.whenReady().then(() => {
+    isReady = true
+  })
+  await aTurn()
+  player.ready = new Promise<void>((resolve) => {
+    finish = resolve
+  })
+  fail(new Error('old'))
+  await aTurn()
+  expect(isReady).toBe(false)
+  finish()
+  await ready
 })
 
 it('a player that is closed stays closed', async () => {

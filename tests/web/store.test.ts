@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { createStore } from '../../web/editing/store.ts'
+import { nextFrame as onNextFrame } from '../../web/view/next-frame.ts'
 
 let frames: (() => void)[] = []
 const nextFrame = () => {
@@ -54,4 +55,34 @@ it('tells nothing where the value stays', () => {
   store.update((value) => value)
   expect(frames).toEqual([])
   expect(store.get()).toBe(state)
+})
+
+it('the next frame comes once, also in a hidden tab, which draws none, and leaves no timer', () => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+  try {
+    for (const [hidden, wait] of [
+      [false, 1000],
+      [true, 0],
+    ] as const) {
+      vi.stubGlobal('document', { hidden })
+      let count = 0
+      const act = () => {
+        count += 1
+      }
+      onNextFrame(act)
+      nextFrame()
+      expect([count, vi.getTimerCount()]).toEqual([1, 0])
+      onNextFrame(act)
+      if (wait > 0) {
+        vi.advanceTimersByTime(wait - 1)
+        expect(count).toBe(1)
+      }
+      vi.advanceTimersByTime(wait > 0 ? 1 : 0)
+      expect(count).toBe(2)
+      nextFrame()
+      expect(count).toBe(2)
+    }
+  } finally {
+    vi.useRealTimers()
+  }
 })

@@ -5,18 +5,26 @@ import { afterEach, describe, expect, it, vi } from 'vitest'
 import type { Diagram } from '../../web/lib/index.ts'
 import { answerRequests } from '../../web/lib/threads/answer-requests.ts'
 import { startThread } from '../../web/lib/threads/thread.ts'
-import type { ComputeRequest, EditorCalls, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
+import type {
+  ComputeRequest,
+  EditorCalls,
+  FitRequest,
+  Reply,
+  Request,
+  Start,
+} from '../../web/lib/threads/worker-messages.ts'
+import { circleVoronoiOf } from '../../web/lib/wasm/library.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 /** A busy machine may take long to start a thread. */
 const SOON = { timeout: 40_000 }
 const PAGE = 'https://example.org/worker-thread.js'
-const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
+const world = vi.hoisted(() => ({ file: '', text: '', newWorker: (): unknown => undefined }))
 
 vi.mock('../../web/lib/threads/thread-file.ts', () => ({
   THREAD_NAME: 'the name',
-  threadFile: () => new URL(world.file),
+  threadFile: () => world.text || new URL(world.file),
   newWorker: () => world.newWorker(),
 }))
 
@@ -24,6 +32,10 @@ afterEach(() => {
   vi.unstubAllGlobals()
   vi.restoreAllMocks()
 })
+
+function raise(error: Error): never {
+  throw error
+}
 
 /** Creates a module that Node runs as a thread. */
 function moduleOf(script: string): string {
@@ -61,16 +73,27 @@ describe('a thread in Node', () => {
   it('takes over no options of its process, some of which would break it', () => {
     const given: unknown[] = []
     class Worker extends EventTarget {
-      constructor(_: URL, options: unknown) {
+      readonly ref = () => given.push('ref')
+      readonly unref = () => given.push('unref')
+      readonly terminate = () => given.push('terminate')
+      constructor(file: URL | string, options: unknown) {
         super()
-        given.push(options)
+        given.push(String(file), options)
       }
       on() {}
     }
     const builtin = vi.spyOn(process, 'getBuiltinModule').mockReturnValue({ Worker } as never)
+    world.file = PAGE
+    const thread = startThread({ onReply() {}, onFailure() {} })
+    thread.keepAlive(true)
+    thread.keepAlive(false)
+    thread.terminate()
+    world.text = 'the text'
     startThread({ onReply() {}, onFailure() {} })
+    world.text = ''
     builtin.mockRestore()
-    expect(given).toEqual([expect.objectContaining({ execArgv: [] })])
+    const options = { eval: false, execArgv: [], workerData: 'the name' }
+    expect(given).toEqual([PAGE, options, 'ref', 'unref', 'terminate', 'the text', { ...options, eval: true }])
   })
 
   it('tells of its failure, and answers nothing', async () => {
@@ -165,6 +188,66 @@ describe('a thread in a browser', () => {
     expect(revoke.mock.calls).toEqual([['blob:here']])
   })
 
+  it('in a page with Trusted Types has an address of the policy circle-voronoi, and Worker stays as it is', async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    const { startModuleWorker } = await import('../../web/lib/threads/module-worker.ts')
+    const policies: string[] = []
+    const create = vi.fn((name: string, rules: { createScriptURL(url: string): string }) => {
+      policies.push(name)
+      return { createScriptURL: (url: string) => `trusted ${rules.createScriptURL(url)}` }
+    })
+    const started = (make: () => unknown) =>
+      startModuleWorker(make as () => Worker, () => '', 'x') as unknown as FakeWorker
+    // A page that has no Trusted Types may get them later.
+    expect(started(() => new Worker('a')).args).toEqual(['a'])
+    vi.stubGlobal('trustedTypes', { createPolicy: create })
+    for (let k = 0; k < 2; k++) {
+      const { args } = started(() => new Worker(new URL(PAGE), { type: 'module' }))
+      expect(args).toEqual([`trusted ${PAGE}`, { type: 'module' }])
+      expect(globalThis.Worker).toBe(FakeWorker)
+    }
+    expect(() => started(() => raise(new Error('no')))).toThrow('no')
+    expect(globalThis.Worker).toBe(FakeWorker)
+    expect(policies).toEqual(['circle-voronoi'])
+  })
+
+  it('in a page that forbids the policy starts as without Trusted Types', async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    vi.resetModules()
+    const { startModuleWorker } = await import('../../web/lib/threads/module-worker.ts')
+    const create = vi.fn(() => raise(new TypeError('forbidden')))
+    vi.stubGlobal('trustedTypes', { createPolicy: create })
+    for (let k = 0; k < 2; k++) {
+      const worker = startModuleWorker(
+        () => new Worker('a'),
+        () => '',
+        'x',
+      ) as unknown as FakeWorker
+      expect(worker.args).toEqual(['a'])
+    }
+    expect(create).toHaveBeenCalledOnce()
+  })
+
+  it('that has the text of its file runs the text', async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    const { startModuleWorker } = await import('../../web/lib/threads/module-worker.ts')
+    const refused = () => raise(new DOMException('another origin', 'SecurityError'))
+    let script: Blob | undefined
+    vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => {
+      script = blob as Blob
+      return 'blob:here'
+    })
+    const start = (file: () => URL | string) => startModuleWorker(refused, file, 'x') as unknown as FakeWorker
+    expect(start(() => 'the text').args).toEqual(['blob:here', { type: 'classic', name: 'x' }])
+    expect(await script?.text()).toBe('the text')
+    // In a frame without an origin, only a text is a blob.
+    vi.stubGlobal('origin', 'null')
+    const [url, options] = start(() => new URL(PAGE)).args
+    expect(url).toBe(`data:text/javascript,${encodeURIComponent(`import "${PAGE}"`)}`)
+    expect(options).toEqual({ type: 'module', name: 'x' })
+    expect(start(() => 'the text').args[0]).toBe('blob:here')
+  })
+
   it('fails as the browser does for any other reason', () => {
     vi.stubGlobal('Worker', FakeWorker)
     for (const failure of [new TypeError('no'), new DOMException('no', 'SyntaxError')]) {
@@ -224,6 +307,33 @@ describe('what a thread answers', () => {
     expect(transfer).toHaveLength(arrays.length)
   })
 
+  it('is a periodic diagram, or a fit in a box, with the memory of all their arrays', async () => {
+    const { said, ask } = answering()
+    await ask({ module: await module })
+    const arraysOf = (value: object) => Object.values(value).filter((item) => ArrayBuffer.isView(item))
+    const expectAll = (transfer: ArrayBuffer[], arrays: readonly ArrayBufferView[]) => {
+      expect(new Set(transfer)).toEqual(new Set(arrays.map(({ buffer }) => buffer)))
+      expect(transfer).toHaveLength(arrays.length)
+    }
+    await ask({ ...request(), lattice: { a: [20, 0], b: [0, 20] } })
+    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
+    if (!('periodic' in reply)) throw new Error('It is no periodic diagram.')
+    const { periodic } = reply
+    expect(periodic.circleCount).toBe(3)
+    expectAll(transfer, [...arraysOf(periodic), ...arraysOf(periodic.diagram)])
+    const path = new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url)
+    const options = { shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0, lattice: Float64Array.of(9, 0, 0, 4) }
+    const fit = { sites: Float64Array.of(2, 2, 0, 7, 3, 0), areas: Float64Array.of(1, 3), ...options }
+    const wasm = await WebAssembly.compile(readFileSync(path))
+    await ask({ fit, region: undefined, wasm, tellsProgress: false })
+    const [answer, buffers] = said.at(-1) as [Reply, ArrayBuffer[]]
+    if (!('periodicFit' in answer)) throw new Error('It is no fit in a box.')
+    const { periodicFit } = answer
+    expect(periodicFit.areas[1]).toBeCloseTo(27, 6)
+    const parts = [periodicFit, periodicFit.periodic, periodicFit.periodic.diagram]
+    expectAll(buffers, parts.flatMap(arraysOf))
+  })
+
   it('tells progress if it is to', async () => {
     const { said, ask } = answering()
     await ask({ module: await module })
@@ -266,6 +376,9 @@ describe('what a thread answers', () => {
     said.length = 0
     await ask(fitRequest(false))
     await ask(fitRequest(false, Float64Array.of(2, 2, 0, 2, 2, 0)))
+    const few = fitRequest(false) as FitRequest
+    await ask({ ...few, fit: { ...few.fit, maxSteps: 1 } })
+    expect(said.pop()).toEqual([{ error: expect.objectContaining({ weights: expect.any(Float64Array) }) }, []])
     expect(said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))).toEqual([
       'fit',
       'badInput',
@@ -301,7 +414,11 @@ describe('what a thread answers', () => {
 
   it('is the reason for which the module does not load, each time', async () => {
     const { said, ask } = answering()
-    await ask({ module: new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)) })
+    const broken = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0))
+    await ask({ module: broken })
+    // The failure before the first request is not unhandled.
+    await expect(circleVoronoiOf(broken)).rejects.toThrow('cannot be loaded')
+    await new Promise((resolve) => setImmediate(resolve))
     await ask(request())
     await ask(request())
     expect(said).toHaveLength(2)

@@ -106,6 +106,11 @@ describe('a trace', () => {
         const circles = circlesOf(count, seed, largest)
         const trace = library.trace(circles, { candidates })
         expect(replayedEdges(trace)).toEqual(edgesOf(trace.diagram))
+        for (let k = 0, made = 0; k < trace.length; k++) {
+          const { kind, vertex } = trace.event(k)
+          const last = kind === 'segmentFinished' ? made - 1 : undefined
+          expect(vertex).toBe(kind === 'branchDisc' ? made++ : last)
+        }
         const { vertices, hidden, edges } = library.compute(circles, { method: 'touching-disc', candidates })
         expect([trace.diagram.vertices, trace.diagram.hidden, trace.diagram.edges]).toEqual([vertices, hidden, edges])
       }),
@@ -201,6 +206,12 @@ describe('a trace', () => {
     expect(begun).toHaveLength(2)
   })
 
+  it('has the circles as they are rounded', () => {
+    const circles = [[2 ** -97, 1, 2 ** -95]] as const
+    expect(library.trace(circles).diagram.circles).toEqual(Float64Array.of(0, 1, 2 ** -95))
+    expect(library.trace(circles, { edits: [] }).diagram.circles).toEqual(Float64Array.of(0, 1, 2 ** -95))
+  })
+
   it('disposes of its editor, also where the edits are refused', () => {
     const dispose = vi.spyOn(Editor.prototype, 'dispose')
     try {
@@ -221,7 +232,13 @@ describe('a trace', () => {
       expect(() => trace.event(k)).toThrow(/^event: there is no event/)
     }
     expect(() => library.trace([], { method: 'flips' as 'flip' })).toThrow('Unknown method')
-    expect(() => library.trace([], { edits: [], method: 'flip' })).toThrow('The option method does not go with edits.')
+    const others = { method: 'flip', candidates: 'uniform', samples: 1, resample: true, progress() {} } as const
+    for (const [name, value] of Object.entries(others)) {
+      expect(() => library.trace([], { edits: [], [name]: value })).toThrow(
+        `The option ${name} does not go with edits.`,
+      )
+      expect(library.trace([], { edits: [], [name]: undefined })).toHaveLength(1)
+    }
     expect(() => library.trace([[0, 0, 1]], { edits: [{ kind: 'remove', id: 7 }] })).toThrow(
       'There is no circle with id 7',
     )

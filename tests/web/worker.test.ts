@@ -127,7 +127,8 @@ describe('a worker', () => {
     expect(thread.posted).toHaveLength(3)
   })
 
-  it('computes one after the other', async () => {
+  it('computes one after the other, with a module that it compiles once', async () => {
+    const compile = vi.spyOn(WebAssembly, 'compile')
     const promises = [THREE, [], [[1, 2, 3]]].map((circles) => worker.compute(circles))
     const thread = await asked(1)
     thread.answer()
@@ -137,6 +138,8 @@ describe('a worker', () => {
     ;(await asked(3)).answer()
     const sizes = (await Promise.all(promises)).map(({ circles }) => circles.length)
     expect(sizes).toEqual([9, 0, 3])
+    expect(compile).toHaveBeenCalledOnce()
+    compile.mockRestore()
   })
 
   it('tells progress, to who asked for it alone', async () => {
@@ -184,11 +187,14 @@ describe('a worker', () => {
   })
 
   it('bears a thread that breaks down while it is idle, or talks without being asked', async () => {
-    const first = worker.compute(THREE)
+    const progress = vi.fn()
+    const first = worker.compute(THREE, { progress })
     const thread = await asked(1)
     thread.answer()
     await first
     thread.answer()
+    thread.say({ progress: ['touch', 1] })
+    expect(progress).not.toHaveBeenCalled()
     thread.breakDown('idle')
     expect(thread.isTerminated).toBe(true)
     const second = worker.compute(THREE)
@@ -371,9 +377,13 @@ describe('canceling', () => {
 
   it('what is done has no effect', async () => {
     const controller = new AbortController()
-    const done = worker.compute(THREE, { signal: controller.signal })
+    const { signal } = controller
+    const [add, remove] = [vi.spyOn(signal, 'addEventListener'), vi.spyOn(signal, 'removeEventListener')]
+    const done = worker.compute(THREE, { signal })
     ;(await asked(1)).answer()
     await done
+    expect(add).toHaveBeenCalledOnce()
+    expect(remove.mock.calls).toEqual(add.mock.calls)
     const running = worker.compute([])
     const thread = await asked(2)
     controller.abort()
@@ -410,6 +420,17 @@ describe('disposing of a worker', () => {
     ;(worker as unknown as Record<symbol, () => void>)[Symbol.dispose]?.()
     expect(await reasonOf(promise)).toBeInstanceOf(DOMException)
     expect(thread.isTerminated).toBe(true)
+  })
+
+  it('ends its editors', async () => {
+    const editing = worker.edit(THREE)
+    await vi.waitFor(() => expect(threads[0]?.posted).toHaveLength(2), { timeout: 40_000 })
+    const [thread] = threads as [FakeThread]
+    thread.say({ results: [{ value: undefined }] })
+    const size = (await editing).size()
+    worker.dispose()
+    expect(thread.isTerminated).toBe(true)
+    expect(await reasonOf(size)).toMatchObject({ message: 'The editor has been disposed of.' })
   })
 
   it('ends an idle thread, too', async () => {

@@ -240,7 +240,6 @@ export class CircleVoronoiElement extends Base {
   /** Starts the figure when it comes into view, or when the browser has nothing else to do. */
   connectedCallback(): void {
     for (const name of PROPERTIES) this.#upgrade(name)
-    this.#applyControls()
     this.#speak()
     this.#children = new MutationObserver(() => {
       if (this.#figure !== undefined && this.#isOfChildren) this.#reload()
@@ -299,7 +298,6 @@ export class CircleVoronoiElement extends Base {
         return
       }
       case 'lang':
-        this.#applyControls()
         this.#speak()
         return
       case 'readonly':
@@ -455,8 +453,7 @@ export class CircleVoronoiElement extends Base {
    * are measured inside the region. A region whose rings cross causes an `error` event, unless `dissolve` is set.
    */
   get region(): RegionShape | undefined {
-    const { scene, domain } = this.#figure?.editing ?? {}
-    return structuredClone(scene === undefined ? this.#region : domain?.region)
+    return structuredClone(this.#currentDomain.region)
   }
 
   set region(region: RegionShape | string | undefined | null) {
@@ -486,10 +483,7 @@ export class CircleVoronoiElement extends Base {
    * repeat.
    */
   get lattice(): Lattice | undefined {
-    const { scene, domain } = this.#figure?.editing ?? {}
-    return structuredClone(
-      scene !== undefined ? domain?.lattice : (this.#lattice ?? this.#read('lattice', parseLattice)),
-    )
+    return structuredClone(this.#currentDomain.lattice)
   }
 
   set lattice(lattice: Lattice | string | undefined | null) {
@@ -509,8 +503,7 @@ export class CircleVoronoiElement extends Base {
    * areas while points are moved; an added circle gets the mean of the others. `undefined` if circles keep their radii.
    */
   get areas(): Areas | undefined {
-    const { scene, areas } = this.#figure?.editing ?? {}
-    return structuredClone(scene !== undefined ? areas : (this.#areas ?? this.#read('areas', parseAreas)))
+    return structuredClone(this.#currentDomain.areas)
   }
 
   set areas(areas: Areas | string | undefined | null) {
@@ -1005,9 +998,21 @@ export class CircleVoronoiElement extends Base {
       // An invalid text has been reported when it was set.
       if (!signal.aborted && !this.#wrong.has('region')) this.#fail('region', error as Error)
     }
+    return { ...this.#givenDomain, region }
+  }
+
+  /** The domain of attributes and properties, without a region that the attribute names. */
+  get #givenDomain(): Domain {
     const lattice = this.#lattice ?? this.#read('lattice', parseLattice)
     const areas = this.#areas ?? this.#read('areas', parseAreas)
-    return { region, lattice, areas }
+    return { region: this.#region, lattice, areas }
+  }
+
+  /** The domain of the circles that are visible, or will be. Areas are in the order of the circles. */
+  get #currentDomain(): Domain {
+    const editing = this.#figure?.editing
+    if (editing?.scene !== undefined) return { ...editing.domain, areas: editing.areas }
+    return this.#own?.domain ?? this.#givenDomain
   }
 
   /** Applies region and areas from attributes and properties. Simultaneous changes are applied together. */
@@ -1143,14 +1148,15 @@ export class CircleVoronoiElement extends Base {
     return wordsOf(this.#language)
   }
 
-  /** Loads the texts of the element's language. */
+  /** Shows all texts in the element's language, now and once it is loaded. */
   #speak(): void {
-    this.#speaking = loadWords(this.#language)?.then(() => {
+    const show = () => {
       this.#applyControls()
       this.#showProblems()
       this.#figure?.stepping.redraw()
-    })
-    this.#figure?.stepping.redraw()
+    }
+    show()
+    this.#speaking = loadWords(this.#language)?.then(show)
   }
 
   /** The language of the page, if it is known. */

@@ -132,9 +132,9 @@ export class Frame {
     } finally {
       listening.abort()
       this.#showing -= 1
+      this.#showTexts()
+      await this.#tellSoon()
     }
-    this.#showTexts()
-    await this.#tellSoon()
   }
 
   #fail({ message }: Error): void {

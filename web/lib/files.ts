@@ -234,7 +234,7 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
   checkLoadOptions(options, 'loadFiles')
   const beside = () => new URL('./generated/circle-voronoi-files.wasm', import.meta.url)
   const module = await instantiate(createModule, await compileWasm(options.wasm, beside))
-  const decoder = new TextDecoder('utf-8', { ignoreBOM: true })
+  const decoder = new TextDecoder()
 
   return {
     readCircles(text, options = {}) {
@@ -356,7 +356,7 @@ function linesOf(attributes: CircleAttributes | undefined, count: number): WasmA
 function foreignMembers(collection: string): string {
   const { type, features, bbox, ...others }: Record<string, unknown> = Object(parsed(collection))
   if (type === undefined && features === undefined && bbox === undefined) return collection
-  return Object.keys(others).length === 0 ? '' : JSON.stringify(others)
+  return JSON.stringify(others)
 }
 
 /** Removes line ends, which JSON allows only between values. */

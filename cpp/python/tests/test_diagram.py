@@ -4,7 +4,7 @@ import pickle
 
 import numpy as np
 import pytest
-from conftest import program, program_json, random_circles, table
+from conftest import ROOT, program, program_json, random_circles, table
 
 import circle_voronoi as cv
 
@@ -33,7 +33,8 @@ def test_arrays_are_read_only_views_that_keep_their_memory():
     again = cv.compute(random_circles(50, 2))
     assert vertices.tobytes() == again.vertices.tobytes()
     assert np.shares_memory(again.vertices, again.vertices)
-    for array in (again.circles, again.vertices, again.vertex_circles, again.edges, again.hidden, again.hull):
+    for name in "circles vertices vertex_circles edges hidden hull next_side first_side ids".split():
+        array = getattr(again, name)
         with pytest.raises(ValueError):
             array[...] = 0
 
@@ -111,6 +112,81 @@ def test_certify_proves_and_the_paper_s_method_may_be_wrong():
     assert by_touching.stats["way"] == "touching-disc"
 
 
+def test_options_choose_the_pairs_and_samples_of_the_touching_disc_method():
+    circles = random_circles(40, 16)
+
+    def counts(**options):
+        stats = cv.compute(circles, method="touching-disc", **options).stats
+        return stats["counts"]["samples"], stats["counts"]["antipodalDiscs"], stats["counts"]["resamplings"]
+
+    visible = 40 - len(cv.compute(circles).hidden)
+    assert counts(candidates="uniform", samples=7)[0] == 7 * visible
+    assert counts(candidates="uniform")[0] == 50 * visible
+    assert counts(samples=0)[0] < counts()[0] < counts(samples=3)[0]
+    assert counts(candidates="all-pairs")[:2] == (0, visible * (visible - 1) // 2)
+    missed = cv.read(ROOT / "tests/fixtures/missed-antipodal-disc-chaos-75.csv")
+    for resample in (False, True):
+        diagram = cv.compute(missed, method="touching-disc", resample=resample)
+        assert (diagram.certified, diagram.stats["counts"]["resamplings"] > 0) == (resample, resample)
+    assert set(cv.compute(circles).stats) == {"way", "counts", "seconds"}
+    assert cv.compute(circles, method="flip").stats["way"] == "flip"
+
+
+def test_limits_of_neighbors_are_a_distance_and_a_region():
+    diagram = cv.compute([[0, 0, 1], [10, 0, 1], [0, 14, 1]])
+    assert diagram.neighbors(0, max_distance=3).tolist() == []
+    assert diagram.neighbors(0, max_distance=5).tolist() == [1]
+    assert diagram.neighbor_pairs(max_distance=5).tolist() == [[0, 1]]
+    assert diagram.neighbor_pairs(bounds=(-1, 5, 1, 9)).tolist() == [[0, 2]]
+    near = {"region": [[-1, 5], [1, 5], [1, 9], [-1, 9]], "max_distance": 5}
+    assert diagram.neighbors(2, **near).tolist() == [] and diagram.neighbor_pairs(**near).tolist() == []
+    around = cv.compute([[0, 0, 1], *([9 * np.cos(k), 9 * np.sin(k), 1] for k in (4, 1, 5, 3, 0, 2))])
+    order = around.neighbors(0).tolist()
+    first = order.index(5)
+    assert order[first:] + order[:first] == [5, 2, 6, 4, 1, 3]
+    # The first two share an edge on either side of the third.
+    between = cv.compute([[-5, 0, 4], [5, 0, 4], [0, 0, 0.5]])
+    assert sorted(between.neighbors(0).tolist()) == [1, 2] and len(between.edges) == 4
+
+
+@pytest.mark.parametrize("measure", ["areas", "centroids", "perimeters"])
+def test_measures_take_all_limits(measure):
+    diagram = cv.compute(random_circles(60, 17))
+    box, corners = (10, 20, 90, 80), [[10, 20], [90, 20], [90, 80], [10, 80]]
+    of = getattr(diagram, measure)
+    for options in ({}, {"max_distance": 2}):
+        assert of(bounds=box, **options) == pytest.approx(of(region=corners, **options), rel=1e-9, nan_ok=True)
+    cells = diagram.polygons(bounds=box, max_distance=2, tolerance=1e-5)
+    for i, cell in enumerate(cells):
+        if cell is not None and cell.area > 0.1:
+            value = {"areas": cell.area, "centroids": cell.centroid.coords[0], "perimeters": cell.length}[measure]
+            assert of(bounds=box, max_distance=2)[i] == pytest.approx(np.array(value), abs=1e-2)
+    whole = of()
+    for circle in diagram.hull:
+        assert np.isnan(whole[circle]).all() if measure == "centroids" else np.isinf(whole[circle])
+    for circle in diagram.hidden[:, 0]:
+        assert np.isnan(whole[circle]).all() if measure == "centroids" else whole[circle] == 0
+    inside = np.setdiff1d(np.arange(60), [*diagram.hull, *diagram.hidden[:, 0]])
+    assert whole[inside] == pytest.approx(of(bounds=(-1e5, -1e5, 1e5, 1e5))[inside], rel=1e-6)
+
+
+def test_the_tolerance_of_polygons_is_by_default_a_hundred_thousandth_of_the_box():
+    diagram = cv.compute([[0, 0, 1], [10, 0, 3]])
+
+    def corners(**options):
+        return len(diagram.polygons(bounds=(-50, -50, 50, 50), **options)[0].exterior.coords)
+
+    assert corners() == corners(tolerance=1e-3) < corners(tolerance=1e-5)
+
+
+def test_a_diagram_says_its_size_and_whether_it_is_certified():
+    diagram = cv.compute([[0, 0, 1], [10, 0, 1], [0, 14, 1], [0, 0, 0.5]])
+    assert repr(diagram) == "<Diagram of 4 circles, 1 hidden, 1 vertices, 3 edges, certified>"
+    assert diagram.hidden.tolist() == [[3, 0]] and not diagram.weights
+    assert cv.compute([[0, 0, -1]], weights=True).weights
+    assert diagram.find([[1, 1], [9, 1], [1, 13]]).dtype == np.int32
+
+
 def test_a_pickled_diagram_is_the_same():
     diagram = cv.compute(random_circles(40, 10)).update(remove=[3])
     copy = pickle.loads(pickle.dumps(diagram))
@@ -132,6 +208,15 @@ def test_the_largest_empty_disc_touches_three_circles():
     gaps = np.hypot(circles[:, 0] - disc.x, circles[:, 1] - disc.y) - circles[:, 2]
     assert gaps.min() == pytest.approx(disc.r, abs=1e-9)
     assert gaps[disc.circles] == pytest.approx(disc.r, abs=1e-9)
+
+
+def test_the_largest_empty_disc_lies_in_a_box():
+    diagram = cv.compute([[0, 0, 1]])
+    box = (0, 0, 4, 4)
+    centered, inside = diagram.largest_empty_disc(bounds=box), diagram.largest_empty_disc(bounds=box, inside=True)
+    assert centered[:3] == pytest.approx((4, 4, 32**0.5 - 1)) and centered.circles.tolist() == [0]
+    assert inside.r == pytest.approx((32**0.5 - 1) / (1 + 2**0.5)) and inside.circles.tolist() == [0]
+    assert cv.compute([]).largest_empty_disc() is None
 
 
 def test_a_figure_in_a_notebook_holds_the_circles():
@@ -164,3 +249,18 @@ def test_a_path_reaches_ends_far_from_the_circles():
         assert path.clearance == pytest.approx(4)
         assert path.points[0] == pytest.approx(start)
         assert path.points[-1] == pytest.approx(end)
+
+
+def test_a_path_follows_edges_and_stays_in_a_region():
+    diagram = cv.compute([[0, 0, 1], [10, 0, 3]])
+    path = diagram.clearest_path([4.5, -9], [4.5, 9], bounds=(1.5, -20, 6.5, 20))
+    assert path.edges.tolist() == [0] and path.clearance == pytest.approx(3)
+    coarse = diagram.clearest_path([4.5, -9], [4.5, 9], bounds=(1.5, -20, 6.5, 20), tolerance=1)
+    assert len(coarse.points) < len(path.points)
+    assert len({tuple(point) for point in path.points}) == len(path.points)
+    walls = [[[0, 0], [4, 0], [4, 4], [0, 4]], [[5, 0], [9, 0], [9, 4], [5, 4]]]
+    assert diagram.clearest_path([1, 2], [8, 2], region=walls) is None
+    with pytest.raises(cv.CircleVoronoiError, match="outside"):
+        diagram.clearest_path([1, 2], [30, 2], bounds=(0, 0, 9, 9))
+    with pytest.raises(cv.CircleVoronoiError):
+        cv.compute([]).clearest_path([1, 2], [3, 4])

@@ -22,6 +22,34 @@ def test_a_file_has_the_bytes_that_the_program_writes(format):
     assert ours == written
 
 
+@pytest.mark.parametrize(
+    "options, arguments",
+    [
+        ({"max_distance": 2}, ["--max-distance", "2"]),
+        ({"tolerance": 0.5}, ["--tolerance", "0.5"]),
+        ({"digits": 1}, ["--digits", "1"]),
+        ({"region": [[0, 0], [100, 0], [50, 90]]}, ["--region", "triangle.wkt"]),
+    ],
+    ids=str,
+)
+def test_options_of_files_are_those_of_the_program(options, arguments):
+    Path("triangle.wkt").write_text("POLYGON ((0 0, 100 0, 50 90, 0 0))")
+    path = table(random_circles(60, 3))
+    written = program("compute", path, "--format", "geojson", *arguments)
+    plain = program("compute", path, "--format", "geojson")
+    assert cv.compute(cv.read(path)).to_bytes("geojson", **options) == written != plain
+
+
+def test_radii_may_be_negative_or_missing():
+    Path("weights.csv").write_text("x,y,r\n1,2,-3\n")
+    Path("points.csv").write_text("x,y\n1,2\n")
+    assert cv.read("weights.csv", weights=True).tolist() == [[1, 2, -3]]
+    assert cv.read("points.csv", points=True).tolist() == [[1, 2, 0]]
+    for path, options in (("weights.csv", {"points": True}), ("points.csv", {"weights": True})):
+        with pytest.raises(cv.CircleVoronoiError):
+            cv.read(path, **options)
+
+
 def test_circles_and_attributes_are_read():
     path = ROOT / "public/data/bronzefilter.csv"
     assert cv.read(path).shape == (678, 3)
@@ -54,6 +82,12 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one():
     with pytest.raises(cv.CircleVoronoiError):
         diagram.write("cells.geojson", tolerance=-1)
     assert Path("cells.geojson").read_text() == "old" and list(Path().iterdir()) == [Path("cells.geojson")]
+    Path("folder.json").mkdir()
+    with pytest.raises(OSError):
+        diagram.write("folder.json")
+    assert sorted(Path().iterdir()) == [Path("cells.geojson"), Path("folder.json")]
+    diagram.write("cells.GeoJSON")
+    assert Path("cells.GeoJSON").read_bytes() == diagram.to_bytes("geojson")
 
 
 @pytest.mark.parametrize("text, words", [(b"x,y,r\n1,2,q\n", "bad.csv:2"), (b"", "bad.csv"), (b"\xff\xfe", "bad.csv")])

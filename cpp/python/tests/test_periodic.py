@@ -41,6 +41,28 @@ def test_find_wraps():
     assert circles.tolist() == [0, 1, 0] and shifts.tolist() == [[0, 0], [-1, 0], [10, -10]]
 
 
+def test_circles_come_first_among_their_images():
+    given = random_circles(20, 3)
+    periodic = cv.compute_periodic(given - [0, 0, 5], (100, 0), (30, 90), weights=True)
+    plain = cv.compute_periodic(given, (100, 0), (30, 90), threads=2)
+    assert plain.circles == pytest.approx(given, abs=1e-12)
+    assert repr(plain) == "<PeriodicDiagram of 20 circles, periods (100.0, 0.0) and (30.0, 90.0)>"
+    for measure in ("areas", "centroids", "perimeters"):
+        values = getattr(plain, measure)()
+        assert len(values) == 20
+        assert values == pytest.approx(getattr(periodic, measure)(), rel=1e-9, nan_ok=True)
+        assert values == pytest.approx(getattr(plain.images, measure)()[:20], nan_ok=True)
+    assert plain.image_circles[:20].tolist() == list(range(20)) and not plain.image_shifts[:20].any()
+    images = plain.circles[plain.image_circles, :2] + plain.image_shifts @ plain.periods
+    assert images == pytest.approx(plain.images.circles[:, :2])
+    cells = plain.polygons(tolerance=1e-4)
+    assert [0 if cell is None else cell.area for cell in cells] == pytest.approx(plain.areas(), abs=0.05)
+    fractions = plain.contacts().packing_fraction
+    assert fractions.shape == (20,) and ((fractions >= 0) & (fractions <= 1)).all()
+    with pytest.raises(cv.CircleVoronoiError):
+        cv.compute_periodic(given - [0, 0, 5], (100, 0), (30, 90))
+
+
 def test_one_circle_is_its_own_neighbor():
     periodic = cv.compute_periodic([[3, 4, 1]], (10, 0), (0, 10))
     circles, shifts = periodic.neighbors(0)

@@ -73,6 +73,33 @@ def test_fitted_areas_are_those_asked_for():
     assert cv.fit_areas(points, "equal", ROOM).areas == pytest.approx(ROOM.area / 20, rel=1e-8)
 
 
+def test_options_of_a_fit():
+    points = random_circles(20, 5)[:, :2] * 0.9
+    areas = np.arange(1, 21)
+    coarse = cv.fit_areas(points, areas, ROOM, shares=True, tolerance=0.2)
+    fine = cv.fit_areas(points, areas, ROOM, shares=True)
+    assert 1e-9 < coarse.error < 0.2 and coarse.steps < fine.steps and fine.error < 1e-9
+    with pytest.raises(cv.CircleVoronoiError) as caught:
+        cv.fit_areas(points, areas, ROOM, shares=True, max_steps=1)
+    assert caught.value.code == "notConverged"
+    assert np.array_equal(fine.diagram.circles, np.column_stack([points, fine.weights]))
+    relaxed = cv.fit_areas(points, areas, ROOM, shares=True, relax=1)
+    assert np.abs(relaxed.diagram.circles[:, :2] - points).max() > 1
+    assert relaxed.areas == pytest.approx(fine.areas, rel=1e-8)
+
+
+def test_a_region_may_be_a_union():
+    halves = MultiPolygon([box(0, 0, 60, 100), box(40, 0, 100, 100)])
+    with pytest.raises(cv.CircleVoronoiError):
+        cv.Region(halves)
+    for shape in (halves, mapping(halves), halves.wkt, json.dumps(mapping(halves))):
+        union = cv.Region(shape, dissolve=True)
+        assert (union.area, union.bounds) == (10000, (0, 0, 100, 100))
+    assert repr(union) == "<Region of 1 polygons, area 10000>"
+    Path("halves.wkt").write_text(halves.wkt)
+    assert cv.Region(Path("halves.wkt"), dissolve=True).area == 10000
+
+
 @pytest.mark.parametrize(
     "areas, words",
     [([1, 2], "2 numbers; expected 3"), ([1, -1, 1], "Area 1 must be positive"), ([1, 1, 1], "sum"), ("other", "one of equal"), (["1", 2, 3], "number")],
@@ -81,3 +108,13 @@ def test_areas_that_do_not_fit_are_one_error(areas, words):
     with pytest.raises(cv.CircleVoronoiError) as caught:
         cv.fit_areas([[10, 30], [70, 20], [30, 70]], areas, ROOM)
     assert words in str(caught.value), str(caught.value)
+
+
+@pytest.mark.parametrize("nothing", [None, Polygon()])
+def test_rows_without_a_geometry_are_no_region(nothing):
+    geopandas = pytest.importorskip("geopandas")
+    series = geopandas.GeoSeries([ROOM, nothing])
+    with pytest.raises(cv.CircleVoronoiError, match="Row 1 of region has no geometry") as caught:
+        cv.Region(series)
+    assert caught.value.circle == 1
+    assert cv.Region(series[:1]).area == ROOM.area

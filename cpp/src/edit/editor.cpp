@@ -110,9 +110,6 @@ class DiagramEditor::Editor {
   /// Applies edits. Throws only if memory runs out, and then nothing has changed.
   Result<Change> apply(std::span<const Edit> edits, CircleId hint) {
     if (auto error = refusalOf(edits)) return *std::move(error);
-    if (edits.size() > static_cast<std::size_t>(std::numeric_limits<CircleId>::max() - state_->nextId)) {
-      return Error{ErrorCode::tooManyCircles, kNone, "There are no ids left."};
-    }
     try {
       auto change = areFew(edits) ? applyLocally(edits, hint) : std::nullopt;
       if (!change) {

@@ -14,10 +14,10 @@ export async function compressText(text: string): Promise<string> {
   )
 }
 
-/** Encodes a text synchronously, in uncompressed blocks of deflate (RFC 1951, section 3.2.4). */
+/** Encodes a text that is not empty synchronously, in uncompressed blocks of deflate (RFC 1951, section 3.2.4). */
 export function storeText(text: string): string {
   const bytes = new TextEncoder().encode(text)
-  const blocks = Math.max(Math.ceil(bytes.length / LONGEST_BLOCK), 1)
+  const blocks = Math.ceil(bytes.length / LONGEST_BLOCK)
   const all = new Uint8Array(bytes.length + blocks * BLOCK_HEAD)
   for (let k = 0; k < blocks; k++) {
     const block = bytes.subarray(k * LONGEST_BLOCK, (k + 1) * LONGEST_BLOCK)

@@ -143,11 +143,10 @@ export class Diagram implements DiagramData {
 
   /**
    * @internal Takes the arrays of another diagram and drops all data derived from the old arrays. If `follow` can
-   *   update the search structure of `find`, it returns true, and the cells stay valid too.
+   *   update the search structure of `find`, it returns true.
    */
   protected renew(data: Partial<DiagramData>, follow?: (finder: Finder) => boolean): void {
     Object.assign(this, data)
-    if (follow === undefined) this.#cells = undefined
     if (this.#finder !== undefined && !follow?.(this.#finder)) this.#finder = undefined
     this.#bounds = undefined
     this.#clip = undefined

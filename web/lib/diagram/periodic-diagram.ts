@@ -5,7 +5,14 @@ import { at } from '../base/diagram-data.ts'
 import { hypotenuse } from '../base/scale.ts'
 import type { Box, DiagramData, Int32s, Point } from '../base/types.ts'
 import { edgeCurve, isBoundedCurve } from '../curves/curve.ts'
-import type { ContextOptions, PolygonOptions, TextOptions } from '../drawing/draw-options.ts'
+import {
+  type ContextOptions,
+  checkDrawOptions,
+  DRAW_OPTIONS,
+  POLYGON_OPTIONS,
+  type PolygonOptions,
+  type TextOptions,
+} from '../drawing/draw-options.ts'
 import type { Polygon } from '../drawing/polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
 import { curveLength } from '../regions/measure.ts'
@@ -161,12 +168,14 @@ export class PeriodicDiagram implements PeriodicData {
   cellPath(i: number, options: PolygonOptions & ContextOptions): void
   cellPath(i: number, options: PolygonOptions & (TextOptions | ContextOptions) = {}): string | undefined {
     this.#checkCircle(i, 'cellPath')
+    checkDrawOptions(options, 'cellPath', DRAW_OPTIONS)
     return this.diagram.cellPath(i, this.#whole(options) as PolygonOptions & TextOptions)
   }
 
   /** Returns the polygon of cell `i`, or `undefined` if circle `i` is hidden. */
   cellPolygon(i: number, options: PolygonOptions & { readonly region?: undefined } = {}): Polygon | undefined {
     this.#checkCircle(i, 'cellPolygon')
+    checkDrawOptions(options, 'cellPolygon', POLYGON_OPTIONS)
     return this.diagram.cellPolygon(i, this.#whole(options))
   }
 
@@ -265,7 +274,7 @@ export class PeriodicDiagram implements PeriodicData {
   #whole<Options extends PolygonOptions>(options: Options): Options {
     const { a, b } = this.lattice
     const tolerance = TOLERANCE * Math.max(...[...a, ...b].map(Math.abs))
-    return { bounds: this.#bounds, tolerance, ...options }
+    return { ...(options.region === undefined && { bounds: this.#bounds }), tolerance, ...options }
   }
 
   #checkCircle(i: number, caller: string): void {

@@ -143,9 +143,9 @@ export class ConvexPolygon {
   }
 }
 
-/** Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn. */
-function isUpper({ x, y }: Vector): boolean {
-  return y > 0 || (y === 0 && x > 0)
+/** Whether a direction lies in the upper half-plane. It changes twice in each full turn, because no turn is half a turn. */
+function isUpper({ y }: Vector): boolean {
+  return y > 0
 }
 
 function isInRange(coordinate: number): boolean {

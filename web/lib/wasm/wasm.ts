@@ -107,8 +107,8 @@ async function compileFrom(url: URL): Promise<CompiledWasm> {
 
 async function compileResponse(response: Response): Promise<CompiledWasm> {
   if (!response.ok) throw new Error(`the answer is ${response.status} ${response.statusText}`.trim())
-  // Servers that do not know .wasm send a wrong type, which the streaming compiler refuses.
-  const isTyped = response.headers.get('Content-Type')?.startsWith('application/wasm') ?? false
+  // Servers that do not know .wasm send a wrong type, which the streaming compiler refuses, as it does parameters.
+  const isTyped = response.headers.get('Content-Type') === 'application/wasm'
   return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer())
 }
 

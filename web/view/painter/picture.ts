@@ -406,7 +406,7 @@ function indexed<Color extends string>(
       addPoint(boxes, k, segments as Float64Array, 4 * k + 2)
     }),
     discs: index(discs, 3, (boxes, k) => {
-      addPoint(boxes, k, discs as Float64Array, 3 * k, at(discs as Float64Array, 3 * k + 2))
+      addPoint(boxes, k, discs as Float64Array, 3 * k, Math.abs(at(discs as Float64Array, 3 * k + 2)))
     }),
   }
 }

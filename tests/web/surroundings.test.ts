@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Services that all figures of a page share: the wait for an idle browser, observers of positions, drawings for print,
+// and the thread.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { whenIdle } from '../../web/element/idle.ts'
+import { watchVisibility } from '../../web/element/visibility.ts'
+import { mount } from '../../web/view/mount.ts'
+import { Paper } from '../../web/view/paper.ts'
+import { parsedSvg } from '../../web/view/parsed-svg.ts'
+import { FakeNode, FakePage } from './fake-nodes.ts'
+
+const painters = vi.hoisted(() => [] as { load: unknown; isDisposed: boolean }[])
+vi.mock('../../web/view/painter.ts', () => ({
+  Painter: class {
+    isDisposed = false
+    load: unknown
+    constructor(load: unknown) {
+      this.load = load
+      painters.push(this)
+    }
+    dispose() {
+      this.isDisposed = true
+    }
+  },
+}))
+vi.mock('../../web/view/view.ts', () => ({
+  View: class {
+    painter: unknown
+    dispose: () => void
+    constructor(_: unknown, painter: unknown, ondispose: () => void) {
+      this.painter = painter
+      this.dispose = ondispose
+    }
+  },
+}))
+
+let page: FakePage & { readyState?: string }
+let window: EventTarget
+let print: EventTarget & { matches: boolean }
+beforeEach(() => {
+  page = Object.assign(new FakePage(), { readyState: 'complete' })
+  window = new EventTarget()
+  print = Object.assign(new EventTarget(), { matches: false })
+  vi.stubGlobal('document', page)
+  vi.stubGlobal('addEventListener', window.addEventListener.bind(window))
+  vi.stubGlobal('matchMedia', () => print)
+})
+afterEach(() => {
+  vi.useRealTimers()
+  vi.unstubAllGlobals()
+})
+
+describe('the wait for an idle browser', () => {
+  let idle: { run: () => void; timeout: number }[]
+  const run = () => idle.shift()?.run()
+  beforeEach(() => {
+    idle = []
+    vi.stubGlobal('requestIdleCallback', (run: () => void, { timeout }: { timeout: number }) =>
+      idle.push({ run, timeout }),
+    )
+  })
+
+  it('calls functions one at a time in their order, without those that were canceled', () => {
+    const calls: string[] = []
+    const cancels = ['a', 'b', 'c', 'd'].map((name) => whenIdle(() => calls.push(name)))
+    expect(idle.map(({ timeout }) => timeout)).toEqual([3000])
+    cancels[1]?.()
+    run()
+    expect([calls, idle.length]).toEqual([['a'], 1])
+    run()
+    cancels[3]?.()
+    run()
+    expect([calls, idle.length]).toEqual([['a', 'c'], 0])
+    whenIdle(() => calls.push('e'))
+    run()
+    expect([calls, idle.length]).toEqual([['a', 'c', 'e'], 0])
+  })
+
+  it('begins once the page is loaded, and with a timer where browsers have no idle callback', () => {
+    const calls: string[] = []
+    page.readyState = 'loading'
+    whenIdle(() => calls.push('a'))
+    expect(idle).toEqual([])
+    window.dispatchEvent(new Event('load'))
+    window.dispatchEvent(new Event('load'))
+    expect(idle).toHaveLength(1)
+    run()
+    vi.unstubAllGlobals()
+    vi.stubGlobal('document', { readyState: 'complete' })
+    vi.useFakeTimers({ toFake: ['setTimeout'] })
+    whenIdle(() => calls.push('b'))
+    vi.advanceTimersByTime(299)
+    expect(calls).toEqual(['a'])
+    vi.advanceTimersByTime(1)
+    expect(calls).toEqual(['a', 'b'])
+  })
+})
+
+it('an element is told that it comes near or goes far, by two observers for all, until it stops', () => {
+  const observers: { tell: (entries: unknown[]) => void; margin: string; seen: Set<unknown> }[] = []
+  vi.stubGlobal(
+    'IntersectionObserver',
+    class {
+      readonly seen = new Set<unknown>()
+      observe = (element: unknown) => this.seen.add(element)
+      unobserve = (element: unknown) => this.seen.delete(element)
+      constructor(tell: (entries: unknown[]) => void, { rootMargin }: { rootMargin: string }) {
+        observers.push({ tell, margin: rootMargin, seen: this.seen })
+      }
+    },
+  )
+  const [one, other] = [new FakeNode('a'), new FakeNode('b')] as unknown as [Element, Element]
+  const told: unknown[] = []
+  const stop = watchVisibility(one, (sight) => told.push(['one', sight]))
+  watchVisibility(other, (sight) => told.push(['other', sight]))
+  expect(observers.map(({ margin }) => margin)).toEqual(['25% 0px', '150% 0px'])
+  for (const { seen } of observers) expect(seen.size).toBe(2)
+  const both = (isIntersecting: boolean) => {
+    for (const { tell } of observers) tell([one, other].map((target) => ({ target, isIntersecting })))
+  }
+  both(true)
+  both(false)
+  expect(told.splice(0)).toEqual([
+    ['one', 'near'],
+    ['other', 'near'],
+    ['one', 'far'],
+    ['other', 'far'],
+  ])
+  stop()
+  for (const { seen } of observers) expect([...seen]).toEqual([other])
+  both(true)
+  expect(told).toEqual([['other', 'near']])
+})
+
+describe('the drawing for print', () => {
+  let drawings: (string | Error)[]
+  let place: FakeNode
+  let paper: Paper
+  const print_ = (name: string) => window.dispatchEvent(new Event(name))
+  const shown = () => place.children.map((child) => (child as FakeNode).attributes.get('id'))
+  const svg = (id: string) => `<svg id="${id}"></svg>`
+  /** The window and its media query, to which all drawings of a page listen once. */
+  let first: readonly [EventTarget, typeof print] | undefined
+
+  beforeEach(() => {
+    vi.useFakeTimers()
+    drawings = []
+    first ??= [window, print]
+    ;[window, print] = first
+    print.matches = false
+    place = new FakeNode('div')
+    paper = new Paper(place as unknown as HTMLElement, async () => {
+      const next = drawings.shift() ?? ''
+      if (typeof next !== 'string') throw next
+      return next
+    })
+  })
+  afterEach(() => paper.dispose())
+  const rest = () => vi.advanceTimersByTimeAsync(300)
+
+  it('is made once nothing changes, shown while the page is printed, and gone afterwards', async () => {
+    drawings = [svg('a'), svg('b')]
+    paper.change()
+    await vi.advanceTimersByTimeAsync(299)
+    paper.change()
+    await vi.advanceTimersByTimeAsync(299)
+    expect(drawings).toHaveLength(2)
+    await vi.advanceTimersByTimeAsync(1)
+    expect([drawings.length, shown()]).toEqual([1, []])
+    print_('beforeprint')
+    expect([shown(), place.hidden]).toEqual([['a'], false])
+    print_('beforeprint')
+    expect(shown()).toEqual(['a'])
+    print_('afterprint')
+    expect([shown(), place.hidden]).toEqual([[], true])
+    for (const matches of [true, false]) {
+      print.dispatchEvent(Object.assign(new Event('change'), { matches }))
+      expect([shown(), place.hidden]).toEqual([matches ? ['a'] : [], !matches])
+    }
+  })
+
+  it('of many circles, or one that fails, is that of the pixels', async () => {
+    for (const none of ['', new Error('It broke.')]) {
+      drawings = [svg('a')]
+      paper.change()
+      await rest()
+      drawings = [none]
+      paper.change()
+      await rest()
+      print_('beforeprint')
+      expect([shown(), place.hidden]).toEqual([[], true])
+    }
+  })
+
+  it('that is made while the page is printed is shown, unless it is empty', async () => {
+    drawings = [svg('a')]
+    paper.change()
+    await rest()
+    print.matches = true
+    print_('beforeprint')
+    for (const [drawing, id] of [
+      ['', 'a'],
+      [svg('b'), 'b'],
+    ] as const) {
+      drawings = [drawing]
+      paper.change()
+      await rest()
+      expect(shown()).toEqual([id])
+    }
+  })
+
+  it('is the newest, and none after the figure is gone', async () => {
+    let finish = (_: string) => {}
+    const slow = new Paper(place as unknown as HTMLElement, () => new Promise((resolve) => (finish = resolve)))
+    slow.change()
+    await rest()
+    const first = finish
+    slow.change()
+    await rest()
+    finish(svg('new'))
+    await vi.advanceTimersByTimeAsync(0)
+    first(svg('old'))
+    await vi.advanceTimersByTimeAsync(0)
+    slow.show(true)
+    expect(shown()).toEqual(['new'])
+    slow.change()
+    await rest()
+    slow.dispose()
+    expect([shown(), place.hidden]).toEqual([[], true])
+    finish(svg('late'))
+    await vi.advanceTimersByTimeAsync(0)
+    slow.change()
+    slow.dispose()
+    const before = finish
+    await rest()
+    expect(finish).toBe(before)
+    print_('beforeprint')
+    expect(shown()).toEqual([])
+  })
+})
+
+it('elements of an SVG are made from its text', () => {
+  const text =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="2"><g a:b="1" c-d="2 3"><path d="M0 0"/><text> A </text></g> <path/></svg>'
+  const written = (node: FakeNode | string): unknown =>
+    typeof node === 'string' ? node : [node.tag, Object.fromEntries(node.attributes), ...node.children.map(written)]
+  expect(written(parsedSvg(text) as unknown as FakeNode)).toEqual([
+    'svg',
+    { width: '2' },
+    ['g', { 'a:b': '1', 'c-d': '2 3' }, ['path', { d: 'M0 0' }], ['text', {}, ' A ']],
+    ['path', {}],
+  ])
+  expect(parsedSvg('')).toBeUndefined()
+})
+
+it('views of a page share a thread until the last one is disposed of', () => {
+  const place = {} as HTMLElement
+  const load = { wasm: new Uint8Array() }
+  const [first, second] = [mount(place, load as never), mount(place)] as unknown as {
+    painter: (typeof painters)[number]
+    dispose(): void
+  }[]
+  expect(painters).toHaveLength(1)
+  expect(second?.painter).toBe(first?.painter)
+  expect(painters[0]?.load).toBe(load)
+  first?.dispose()
+  expect(painters[0]?.isDisposed).toBe(false)
+  second?.dispose()
+  expect(painters[0]?.isDisposed).toBe(true)
+  const third = mount(place) as unknown as { dispose(): void }
+  expect(painters).toHaveLength(2)
+  // A view of an earlier thread leaves the later one alone.
+  first?.dispose()
+  expect(painters[1]?.isDisposed).toBe(false)
+  third.dispose()
+  expect(painters[1]?.isDisposed).toBe(true)
+})

@@ -1,0 +1,778 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of the tutorial and the record of read chapters, on stub nodes.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { turnCones } from '../../web/tutorial/cones.ts'
+import { letCorrupt } from '../../web/tutorial/corrupt.ts'
+import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
+import { sayCounts } from '../../web/tutorial/counts.ts'
+import { KINDS } from '../../web/tutorial/drawn/kinds.ts'
+import { bringToLife } from '../../web/tutorial/drawn.ts'
+import { showExtras } from '../../web/tutorial/extras.ts'
+import { numberCircles } from '../../web/tutorial/numbers.ts'
+import { followPrinted } from '../../web/tutorial/printed.ts'
+import { MOST_CIRCLES } from '../../web/tutorial/printed-rules.ts'
+import { markRead } from '../../web/tutorial/progress.ts'
+import { slideFigures } from '../../web/tutorial/sliders.ts'
+import { followTrials } from '../../web/tutorial/trials.ts'
+import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
+import { aTurn, eventually } from './editing-session.ts'
+import { FakeNode, FakePage } from './fake-nodes.ts'
+
+const painted = vi.hoisted(() => [] as unknown[][])
+vi.mock('../../web/tutorial/drawn/paint-cones.ts', () => ({
+  paintCones: (...args: unknown[]) => {
+    painted.push(args)
+    return new Uint8ClampedArray()
+  },
+}))
+
+/** The circles and the rules of each run of the printed method. */
+const runs = vi.hoisted(() => [] as unknown[][])
+let isLoaded = true
+vi.mock('../../web/tutorial/printed-rules.ts', async (original) => ({
+  ...(await original<object>()),
+  loadPrintedRules: async () => {
+    if (!isLoaded) throw new Error('The rules cannot be loaded.')
+    return {
+      run: (circles: Float64Array, rules: readonly string[]) => {
+        runs.push([[...circles], rules])
+        return { edges: new Int32Array(), directedEdges: new Int32Array() }
+      },
+    }
+  },
+  compare: () => ({ found: [], wrong: [], missing: [], leftover: [], borders: 0 }),
+}))
+
+let page: FakePage
+let frames: ((now: number) => void)[]
+let resized: (() => void)[]
+beforeEach(() => {
+  page = new FakePage()
+  frames = []
+  resized = []
+  painted.length = 0
+  vi.stubGlobal('document', page)
+  vi.stubGlobal('devicePixelRatio', 1)
+  vi.stubGlobal('requestAnimationFrame', (frame: (now: number) => void) => frames.push(frame))
+  vi.stubGlobal('cancelAnimationFrame', (frame: number) => {
+    frames[frame - 1] = () => {}
+  })
+  vi.stubGlobal(
+    'ResizeObserver',
+    class {
+      constructor(change: () => void) {
+        resized.push(change)
+      }
+      observe() {}
+    },
+  )
+  vi.stubGlobal('matchMedia', () => ({ matches: false }))
+  vi.stubGlobal(
+    'Option',
+    class extends FakeNode {
+      isNow: boolean
+      constructor(text: string, value: string, _ = false, isNow = false) {
+        super('option')
+        this.textContent = text
+        this.value = value
+        this.isNow = isNow
+      }
+    },
+  )
+})
+afterEach(() => vi.unstubAllGlobals())
+
+/** Draws the next frame. */
+function frame(now = 0): void {
+  const next = frames
+  frames = []
+  for (const draw of next) draw(now)
+}
+
+const SIX = [0, 0, 4, 10, 0, 3, 4, 9, 3, 13, 8, 2, -4, 7, 1, 6, 4, 1]
+
+/** The element in a figure. */
+class Element extends FakeNode {
+  ready: Promise<void> = Promise.resolve()
+  updateComplete: Promise<void> = Promise.resolve()
+  circles = Float64Array.from(SIX)
+  layers: Layers = DEFAULT_LAYERS
+  clientWidth = 300
+  clientHeight = 200
+  view: unknown
+  isInView = false
+  getState = () => ({ view: this.view })
+  scrollIntoView() {
+    this.isInView = true
+  }
+}
+const element = () => new Element('circle-voronoi', page)
+
+/** A slider, whose value is a number. */
+function sliderOf(value: number, max = 10): FakeNode & { valueAsNumber: number; max: string; step: string } {
+  const slider = Object.assign(page.make('input'), { max: `${max}`, step: '' })
+  slider.setAttribute('type=range', '')
+  let now = value
+  Object.defineProperty(slider, 'valueAsNumber', {
+    get: () => now,
+    set: (next: number) => {
+      now = Math.min(Math.max(next, -180), 180)
+    },
+  })
+  Object.defineProperty(slider, 'value', {
+    get: () => String(now),
+    set: (text: string) => {
+      now = Number(text)
+    },
+  })
+  return slider as ReturnType<typeof sliderOf>
+}
+
+describe('read chapters', () => {
+  const KEY = 'circle-voronoi tutorial'
+  let stored: Map<string, string>
+  let isAllowed: boolean
+  let see: (isIntersecting: boolean) => void
+  let isWatching: boolean
+  beforeEach(() => {
+    stored = new Map()
+    isAllowed = true
+    isWatching = false
+    const allowed = () => {
+      if (!isAllowed) throw new Error('forbidden')
+    }
+    vi.stubGlobal('localStorage', {
+      getItem(key: string) {
+        allowed()
+        return stored.get(key) ?? null
+      },
+      setItem(key: string, value: string) {
+        allowed()
+        stored.set(key, value)
+      },
+    })
+    vi.stubGlobal(
+      'IntersectionObserver',
+      class {
+        constructor(tell: (entries: unknown[], observer: unknown) => void) {
+          see = (isIntersecting) => isWatching && tell([{ isIntersecting }], this)
+        }
+        observe() {
+          isWatching = true
+        }
+        disconnect() {
+          isWatching = false
+        }
+      },
+    )
+  })
+  /** A chapter with links to three chapters, of which the second is this one. */
+  const chapter = () => {
+    const links = ['1.html', '2.html', '3.html'].map((file) => {
+      const link = page.make('a')
+      link.setAttribute('href', file)
+      if (file === '2.html') link.setAttribute('aria-current', 'page')
+      return link
+    })
+    page.replaceChildren(...links, page.make('nav', { className: 'turn' }))
+    markRead(page as unknown as Document)
+    return links.map((link) => [link.classes.has('read'), link.textContent])
+  }
+
+  it('are those whose end was seen, and are marked with a word', () => {
+    stored.set(KEY, '["1.html", 7]')
+    expect(chapter()).toEqual([
+      [true, ' (read)'],
+      [false, ''],
+      [false, ''],
+    ])
+    see(false)
+    expect(stored.get(KEY)).toBe('["1.html", 7]')
+    see(true)
+    expect(stored.get(KEY)).toBe('["1.html","2.html"]')
+    expect(isWatching).toBe(false)
+    expect(chapter().map(([isRead]) => isRead)).toEqual([true, true, false])
+  })
+
+  it('are none where nothing can be kept, or something else was', () => {
+    for (const text of ['{}', '7', '{', 'null']) {
+      stored.set(KEY, text)
+      expect(chapter().map(([isRead]) => isRead)).toEqual([false, false, false])
+    }
+    isAllowed = false
+    expect(chapter().map(([isRead]) => isRead)).toEqual([false, false, false])
+    expect(() => see(true)).not.toThrow()
+  })
+})
+
+it('an exercise says that it is done while it is, and shows its answer', () => {
+  const [figure, output] = [element(), page.make('output')]
+  output.dataset.done = 'Well done.'
+  const button = page.make('button', { className: 'show' })
+  button.dataset.circles = '[[1, 1, 1]]'
+  const section = page.make('section', { className: 'try' }, figure, output, button)
+  page.append(section)
+  followTrials(page as unknown as ParentNode)
+  for (const isMet of [true, false]) {
+    figure.fire('checkchange', { detail: { isMet } })
+    expect([section.classes.has('done'), output.value]).toEqual([isMet, isMet ? 'Well done.' : ''])
+  }
+  button.click()
+  expect([figure.circles, figure.isInView]).toEqual([[[1, 1, 1]], true])
+})
+
+it('a slider changes the radii or the samples of its figure, and says its value', async () => {
+  const figure = element()
+  const outputs = ['scale', 'dynamic', 'uniform'].map((changes) => {
+    const slider = sliderOf(1)
+    slider.dataset.changes = changes
+    slider.dataset.figure = 'one'
+    const output = page.make('output')
+    page.append(page.make('p', {}, slider, output))
+    return { slider, output }
+  })
+  page.append(page.make('figure', { id: 'one' }, figure))
+  figure.layers = { ...DEFAULT_LAYERS, hull: true }
+  slideFigures(page as unknown as Document)
+  const values = outputs.map(({ slider, output }, k) => {
+    slider.valueAsNumber = [1.504, 3, 40][k] as number
+    slider.fire('input')
+    return output.value
+  })
+  expect(values).toEqual(['1.5', '3', '40'])
+  expect([...figure.circles].filter((_, k) => k % 3 === 2)).toEqual(
+    SIX.filter((_, k) => k % 3 === 2).map((r) => r * 1.504),
+  )
+  expect(figure.layers).toMatchObject({ hull: true, candidates: 'uniform', sampleCount: 40 })
+  outputs[1]?.slider.fire('input')
+  expect(figure.layers).toMatchObject({ hull: true, candidates: 'dynamic', sampleCount: 3 })
+})
+
+it('counts of samples follow the circles and the slider', async () => {
+  const [figure, output] = [element(), page.make('output', { className: 'counts' })]
+  const around = page.make('figure', {}, figure, output)
+  page.append(around)
+  await sayCounts(page as unknown as ParentNode)
+  const first = output.value
+  expect(first).toMatch(/^\d+ samples on the largest circle/)
+  figure.layers = { ...figure.layers, sampleCount: 5 }
+  around.fire('input')
+  const more = output.value
+  expect(Number.parseInt(more, 10)).toBeGreaterThan(Number.parseInt(first, 10))
+  figure.circles = figure.circles.slice(0, 9)
+  figure.fire('circleschange')
+  expect(output.value).not.toBe(more)
+})
+
+it('numbers of circles are at their centers, wherever the figure looks', async () => {
+  const figure = element()
+  page.append(figure)
+  numberCircles(figure as never)
+  const svg = page.querySelector('svg') as FakeNode
+  expect(svg.getAttribute('aria-hidden')).toBe('true')
+  await aTurn()
+  frame()
+  const places = () =>
+    svg.querySelectorAll('text').map((text) => [text.textContent, text.getAttribute('x'), text.getAttribute('y')])
+  const whole = places()
+  expect(whole.map(([name]) => name)).toEqual(['0', '1', '2', '3', '4', '5'])
+  expect(svg.getAttribute('viewBox')).toBe('0 0 300 200')
+  figure.view = { x: 0, y: 0, span: 20 }
+  for (const name of ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick', 'circleschange']) {
+    figure.fire(name)
+    figure.fire(name)
+    expect(frames, name).toHaveLength(1)
+    frame()
+    expect(places()[1]).toEqual(['1', '250', '100'])
+  }
+  for (const none of [() => Object.assign(figure, { clientWidth: 0 }), () => (figure.view = { span: 0 })]) {
+    none()
+    resized[0]?.()
+    frame()
+    expect(places()[1]).toEqual(['1', '250', '100'])
+    figure.clientWidth = 300
+  }
+})
+
+describe('a diagram that is corrupted', () => {
+  async function corrupted() {
+    const figure = element()
+    const caption = page.make('figcaption')
+    const around = page.make('figure', { id: 'c' }, figure, caption)
+    around.dataset.corrupt = ''
+    page.replaceChildren(around)
+    letCorrupt(page as unknown as Document)
+    await aTurn()
+    await eventually(() => expect(verdict.value).not.toBe(''))
+    const box = around.querySelector('.corrupt') as FakeNode
+    const choice = box.querySelector('select') as FakeNode
+    return { figure, box, choice }
+  }
+  let verdict: FakeNode
+  beforeEach(() => {
+    const create = page.createElement.bind(page)
+    page.createElement = (tag) => {
+      const node = create(tag)
+      if (tag === 'output') verdict = node
+      return node
+    }
+  })
+  const RIGHT = 'The judge: this diagram is right.'
+
+  it('is refused by the judge with its flaw marked, and right again by the button and with other circles', async () => {
+    const { figure, box, choice } = await corrupted()
+    const about = () => box.querySelector('p')?.textContent
+    const drawn = () => [
+      figure.layers.edges,
+      figure.layers.vertices,
+      figure.layers.cells,
+      figure.layers.data.map(({ id }) => id),
+    ]
+    const isRight = () => {
+      expect([verdict.value, choice.value, about()]).toEqual([RIGHT, '', 'This is the right diagram. Choose a change.'])
+      expect(drawn()).toEqual([true, true, 'auto', []])
+    }
+    isRight()
+    figure.layers = { ...figure.layers, hull: true }
+    expect(box.querySelector('label')).toHaveProperty('htmlFor', 'c-change')
+    expect(choice.id).toBe('c-change')
+    for (const back of [() => box.querySelector('button')?.click(), () => figure.fire('circleschange')]) {
+      choice.value = '0'
+      choice.fire('change')
+      await aTurn()
+      expect(verdict.value).toMatch(/^The judge: no\. \w/)
+      expect(about()).toBe(CORRUPTIONS[0]?.about)
+      expect(drawn()).toEqual([false, false, 'none', ['claimed', 'marked']])
+      expect(figure.layers.hull).toBe(true)
+      back()
+      await aTurn()
+      isRight()
+    }
+    // No circle is hidden.
+    choice.value = `${CORRUPTIONS.length - 1}`
+    choice.fire('change')
+    await aTurn()
+    expect(about()).toMatch(/^These circles leave nothing/)
+    expect(verdict.value).toBe(RIGHT)
+  })
+
+  it('has a table whose vertices are marked while they are looked at, and can be changed', async () => {
+    const { figure, box } = await corrupted()
+    const table = box.querySelector('table') as FakeNode
+    const rows = table.querySelectorAll('tr')
+    expect(rows[0]?.textContent).toBe('Vertextouches these circles')
+    expect(rows.length).toBeGreaterThan(3)
+    const marked = () => figure.layers.data.map(({ id }) => id)
+    for (const [come, leave] of [
+      ['focusin', 'focusout'],
+      ['pointerenter', 'pointerleave'],
+    ] as const) {
+      rows[1]?.fire(come)
+      expect(marked()).toEqual(['marked'])
+      table.fire(leave)
+      expect(marked()).toEqual([])
+    }
+    const selects = rows[1]?.querySelectorAll('select') as FakeNode[]
+    expect(selects.map((select) => select.getAttribute('aria-label'))).toEqual([
+      'vertex 0, circle 1',
+      'vertex 0, circle 2',
+      'vertex 0, circle 3',
+    ])
+    const [select] = selects as [FakeNode]
+    const now = select
+      .querySelectorAll('option')
+      .flatMap((option) => ((option as FakeNode & { isNow: boolean }).isNow ? [option.value] : []))
+    expect(now).toHaveLength(1)
+    select.value = `${(Number(now[0]) + 1) % 6}`
+    select.fire('change')
+    await aTurn()
+    expect(box.querySelector('p')?.textContent).toBe('You changed a vertex.')
+    expect(verdict.value).toMatch(/^The judge: no\. \w/)
+    expect(marked()).toEqual(['claimed', 'marked'])
+    select.value = now[0] as string
+    select.fire('change')
+    await aTurn()
+    expect(verdict.value).toBe(RIGHT)
+  })
+})
+
+describe('a figure that the tutorial draws', () => {
+  async function drawn(spec: object = {}) {
+    const [told, slider] = [page.make('output', { className: 'told' }), sliderOf(0)]
+    const [play, back, forth] = ['play', 'back', 'forth'].map((className) => page.make('button', { className })) as [
+      FakeNode,
+      FakeNode,
+      FakeNode,
+    ]
+    const link = Object.assign(page.make('a', { className: 'open' }), { href: 'https://example.org/#v1.first' })
+    const image = Object.assign(page.make('img'), { alt: 'Discs' })
+    const picture = page.make('div', { className: 'picture' }, image)
+    const figure = page.make('figure', {}, picture, slider, play, back, forth, link, told)
+    figure.dataset.drawn = JSON.stringify({
+      kind: 'growing',
+      circles: [
+        [0, 0, 3],
+        [10, 0, 2],
+        [4, 9, 2],
+        [12, 9, 1],
+      ],
+      view: [6, 4, 24],
+      at: 0,
+      ...spec,
+    })
+    page.replaceChildren(figure)
+    let width = 480
+    const createNS = page.createElementNS.bind(page)
+    page.createElementNS = (namespace, tag) => {
+      const node = createNS(namespace, tag)
+      const captured = new Set<number>()
+      Object.assign(node, {
+        innerHTML: '',
+        getBoundingClientRect: () => ({ left: 10, top: 20, width }),
+        setPointerCapture: (id: number) => captured.add(id),
+        style: { setProperty: (name: string, value: string) => node.attributes.set(name, value) },
+      })
+      return node
+    }
+    await bringToLife(page as unknown as Document)
+    await eventually(() => expect(picture.querySelector('svg')).not.toBeNull())
+    const svg = picture.querySelector('svg') as FakeNode
+    const [content, handles] = svg.children as [FakeNode & { innerHTML: string }, FakeNode]
+    const resize = (to: number) => {
+      width = to
+      resized.at(-1)?.()
+    }
+    return { told, slider, play, back, forth, link, svg, content, handles: handles.children as FakeNode[], resize }
+  }
+  const place = (handle: FakeNode | undefined) => ['cx', 'cy', 'r'].map((name) => Number(handle?.getAttribute(name)))
+
+  it('shows the state at its slider, goes back and forth by whole steps, and stays within its range', async () => {
+    const { slider, told, back, forth, content } = await drawn()
+    const last = Number(slider.max)
+    expect(last).toBeGreaterThan(3)
+    const seen = new Set<string>()
+    const at = (value: number) => {
+      expect(slider.valueAsNumber).toBe(value)
+      expect(slider.getAttribute('aria-valuetext')).toBe(told.value)
+      seen.add(content.innerHTML)
+    }
+    at(0)
+    back.click()
+    at(0)
+    forth.click()
+    at(1)
+    forth.click()
+    at(2)
+    back.click()
+    at(1)
+    slider.valueAsNumber = 1.5
+    slider.fire('input')
+    at(1.5)
+    forth.click()
+    at(2)
+    slider.valueAsNumber = 1.5
+    slider.fire('input')
+    back.click()
+    at(1)
+    slider.valueAsNumber = last
+    slider.fire('input')
+    forth.click()
+    at(last)
+    expect(seen.size).toBe(5)
+  })
+
+  it('plays an event in 1.4 s, of which it rests half, to the end, from where it begins again; it pauses', async () => {
+    const { slider, play, forth } = await drawn()
+    const last = Number(slider.max)
+    play.click()
+    expect(play.textContent).toBe('Pause')
+    const seen = [0, 700, 1050, 1400, 2800].map((now) => {
+      frame(now)
+      return slider.valueAsNumber
+    })
+    expect(seen).toEqual([0, 0, 0.5, 1, 2])
+    play.click()
+    expect(play.textContent).toBe('Play')
+    frame(9000)
+    expect(slider.valueAsNumber).toBe(2)
+    play.click()
+    frame(20_000)
+    frame(20_000 + 1400)
+    expect(slider.valueAsNumber).toBe(3)
+    forth.click()
+    expect([play.textContent, slider.valueAsNumber]).toEqual(['Play', 4])
+    play.click()
+    frame(50_000)
+    frame(50_000 + 1400 * last)
+    expect([play.textContent, slider.valueAsNumber]).toEqual(['Play', last])
+    play.click()
+    frame(0)
+    expect([play.textContent, slider.valueAsNumber]).toEqual(['Pause', 0])
+  })
+
+  it('jumps from event to event for readers who want less motion', async () => {
+    vi.stubGlobal('matchMedia', (query: string) => ({ matches: query === '(prefers-reduced-motion: reduce)' }))
+    const { slider, play } = await drawn()
+    play.click()
+    const seen = [0, 1300, 1400, 2700].map((now) => {
+      frame(now)
+      return slider.valueAsNumber
+    })
+    expect(seen).toEqual([0, 0, 1, 1])
+  })
+
+  it('has handles that are dragged and moved by keys within the picture, and its link follows', async () => {
+    const { svg, handles, content, link, play, resize } = await drawn({ kind: 'nearest', point: [3, 3] })
+    expect([svg.getAttribute('aria-label'), svg.getAttribute('role')]).toEqual(['Discs', 'group'])
+    expect(handles.map((handle) => handle.getAttribute('aria-label')?.split(':')[0])).toEqual([
+      'Circle 0',
+      'Circle 1',
+      'Circle 2',
+      'Circle 3',
+      'Point',
+    ])
+    const [, , width = 0, height = 0] = svg.getAttribute('viewBox')?.split(' ').map(Number) ?? []
+    const scale = width / 24
+    const [x, y, r] = place(handles[0])
+    expect([x, r]).toEqual([width / 2 - 6 * scale, 3 * scale])
+    expect(place(handles[4])[2]).toBe((22 * width) / 480)
+    const before = content.innerHTML
+    // A CSS pixel is width / 480 units of the picture.
+    handles[0]?.fire('pointerdown', { pointerId: 1, clientX: 100, clientY: 100 })
+    handles[0]?.fire('pointermove', { pointerId: 1, clientX: 100 + 48, clientY: 100 - 24 })
+    expect(frames).toHaveLength(1)
+    handles[0]?.fire('pointermove', { pointerId: 1, clientX: 100 + 48, clientY: 100 - 24 })
+    expect(frames).toHaveLength(1)
+    frame()
+    const moved = place(handles[0])
+    expect(moved[0]).toBeCloseTo((x as number) + width / 10, 6)
+    expect(moved[1]).toBeCloseTo((y as number) - width / 20, 6)
+    expect(content.innerHTML).not.toBe(before)
+    handles[0]?.fire('lostpointercapture')
+    handles[0]?.fire('pointermove', { pointerId: 1, clientX: 300, clientY: 100 })
+    frame()
+    expect(place(handles[0])).toEqual(moved)
+    for (const [key, dx, dy] of [
+      ['ArrowRight', 1, 0],
+      ['ArrowUp', 0, -1],
+      ['ArrowLeft', -1, 0],
+      ['ArrowDown', 0, 1],
+    ] as const) {
+      const [fromX, fromY] = place(handles[4]) as [number, number]
+      expect(handles[4]?.fire('keydown', { key }).defaultPrevented).toBe(true)
+      frame()
+      const [toX, toY] = place(handles[4]) as [number, number]
+      expect([toX - fromX, toY - fromY].map((step) => Math.round((1e6 * step * 80) / width) / 1e6)).toEqual([dx, dy])
+    }
+    expect(handles[4]?.fire('keydown', { key: 'a' }).defaultPrevented).toBe(false)
+    expect(handles[4]?.fire('touchstart').defaultPrevented).toBe(true)
+    handles[1]?.fire('pointerdown', { pointerId: 1, clientX: 0, clientY: 0 })
+    handles[1]?.fire('pointermove', { pointerId: 1, clientX: 1e5, clientY: -1e5 })
+    frame()
+    expect(place(handles[1]).slice(0, 2)).toEqual([width, 0])
+    handles[1]?.fire('pointermove', { pointerId: 1, clientX: -1e5, clientY: 1e5 })
+    frame()
+    expect(place(handles[1]).slice(0, 2)).toEqual([0, height])
+    await eventually(() => expect(link.href).toMatch(/^https:\/\/example\.org\/#v1\.(?!first)/))
+    resize(240)
+    expect(svg.attributes.get('--unit')).toBe(`${width / 240}`)
+    expect(place(handles[4])[2]).toBe((22 * width) / 240)
+    resize(0)
+    expect(svg.attributes.get('--unit')).toBe('1')
+    play.click()
+    handles[4]?.fire('keydown', { key: 'ArrowRight' })
+    expect(play.textContent).not.toBe('Pause')
+  })
+
+  it('is drawn with regions where its kind needs them', async () => {
+    const [name] = Object.entries(KINDS).find(([, kind]) => kind.hasRegions) as [string, unknown]
+    const square = [
+      [
+        [
+          [-6, -4],
+          [18, -4],
+          [18, 12],
+          [-6, 12],
+        ],
+      ],
+    ]
+    const { content } = await drawn({ kind: name, region: { type: 'MultiPolygon', coordinates: square } })
+    expect(content.innerHTML).not.toBe('')
+  })
+})
+
+describe('what the printed rules find', () => {
+  async function followed(circles = SIX) {
+    const figure = element()
+    figure.circles = Float64Array.from(circles)
+    const image = Object.assign(page.make('img'), { alt: 'The rules as printed' })
+    const [picture, output] = [page.make('div', { className: 'picture' }, image), page.make('output')]
+    const around = page.make('figure', { className: 'printed' }, figure, picture, output)
+    around.dataset.rules = 'literal'
+    page.replaceChildren(around)
+    followPrinted(page as unknown as Document)
+    await aTurn()
+    const draw = async () => {
+      frame()
+      await aTurn()
+      await aTurn()
+    }
+    return { figure, picture, output, draw }
+  }
+  beforeEach(() => {
+    runs.length = 0
+    isLoaded = true
+  })
+
+  it('is drawn beside the figure and said, for its circles and wherever it looks', async () => {
+    const { figure, picture, output, draw } = await followed()
+    resized[0]?.()
+    resized[0]?.()
+    expect(frames).toHaveLength(1)
+    await draw()
+    await eventually(() => expect(picture.querySelector('svg')).not.toBeNull())
+    const svg = picture.querySelector('svg') as FakeNode & { innerHTML: string }
+    expect([svg.getAttribute('aria-label'), svg.getAttribute('role'), picture.children.length]).toEqual([
+      'The rules as printed',
+      'img',
+      1,
+    ])
+    expect(output.value).toMatch(/\w/)
+    expect(svg.innerHTML).toContain('class="discs"')
+    expect(runs).toEqual([[SIX, ['literal']]])
+    const before = svg.getAttribute('viewBox')
+    figure.view = { x: 0, y: 0, span: 20 }
+    for (const name of ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick']) {
+      figure.fire(name)
+      expect(frames, name).toHaveLength(1)
+      await draw()
+    }
+    expect(svg.getAttribute('viewBox')).not.toBe(before)
+    expect(runs).toHaveLength(1)
+    const looked = svg.getAttribute('viewBox')
+    figure.view = { x: 0, y: 0, span: 0 }
+    figure.fire('wheel')
+    await draw()
+    expect(svg.getAttribute('viewBox')).toBe(looked)
+    figure.view = undefined
+    figure.circles = Float64Array.from(SIX.slice(0, 9))
+    figure.fire('circleschange')
+    await draw()
+    expect(runs).toHaveLength(2)
+  })
+
+  it('is nothing of too many circles, and is loaded again where that has failed', async () => {
+    isLoaded = false
+    const { figure, output, draw } = await followed()
+    resized[0]?.()
+    await draw()
+    await eventually(() => expect(output.value).toBe('The rules cannot be loaded.'))
+    isLoaded = true
+    figure.fire('circleschange')
+    await draw()
+    await eventually(() => expect(output.value).not.toBe('The rules cannot be loaded.'))
+    const count = runs.length
+    figure.circles = Float64Array.from({ length: 3 * MOST_CIRCLES + 3 }, (_, k) => (k % 3 === 2 ? 0.1 : k))
+    figure.fire('circleschange')
+    await draw()
+    await eventually(() => expect(output.value).toBe(`Here the rules are tried on ${MOST_CIRCLES} circles at most.`))
+    expect(runs).toHaveLength(count)
+  })
+})
+
+it('a figure has its rims and its steps above, also after its circles have changed', async () => {
+  const [rims, steps] = [element(), element()]
+  for (const [name, figure] of [
+    ['rims', rims],
+    ['steps', steps],
+  ] as const) {
+    const around = page.make('figure', {}, figure)
+    around.dataset[name] = name === 'steps' ? '0 3' : ''
+    page.append(around)
+  }
+  rims.layers = { ...DEFAULT_LAYERS, hull: true }
+  await showExtras(page as unknown as Document)
+  await aTurn()
+  expect(rims.layers).toMatchObject({ hull: true, data: [{ id: 'rims', discs: expect.any(Float64Array) }] })
+  expect(rims.layers.data).toHaveLength(1)
+  const [way] = steps.layers.data
+  expect([way?.id, [...(way?.points?.slice(0, 2) ?? [])], [...(way?.points?.slice(-2) ?? [])]]).toEqual([
+    'steps',
+    [0, 0],
+    [13, 8],
+  ])
+  rims.circles = Float64Array.of(0, 0, 3, 9, 0, 1)
+  rims.fire('circleschange')
+  expect(rims.layers.data[0]?.discs).toEqual(Float64Array.of(0, 0, 2, 9, 0, 0))
+})
+
+it('cones turn with the pointer and the sliders, in whole pixels of the screen', () => {
+  const sliders = [sliderOf(60, 90), sliderOf(0, 180)] as const
+  const outputs = sliders.map(() => page.make('output'))
+  const image = Object.assign(page.make('img'), { alt: 'Cones' })
+  const picture = page.make('div', { className: 'picture' }, image)
+  const figure = page.make(
+    'figure',
+    {},
+    picture,
+    ...sliders.map((slider, k) => page.make('label', {}, slider, outputs[k] as FakeNode)),
+  )
+  figure.dataset.cones = JSON.stringify({ circles: [1, 2, 3], view: [0, 0, 9] })
+  const put: unknown[] = []
+  let width = 320
+  const captured = new Set<number>()
+  const create = page.createElement.bind(page)
+  page.createElement = (tag) =>
+    Object.assign(create(tag), {
+      getBoundingClientRect: () => ({ width }),
+      getContext: () => ({ putImageData: (...args: unknown[]) => put.push(args.slice(1)) }),
+      setPointerCapture: (id: number) => captured.add(id),
+      hasPointerCapture: (id: number) => captured.has(id),
+    })
+  vi.stubGlobal('ImageData', class {})
+  page.append(figure)
+  turnCones(page as unknown as Document)
+  const canvas = picture.querySelector('canvas') as FakeNode & { width: number; height: number }
+  expect([canvas.getAttribute('aria-label'), canvas.getAttribute('role'), picture.children]).toEqual([
+    'Cones',
+    'img',
+    [canvas],
+  ])
+  resized[0]?.()
+  resized[0]?.()
+  expect(frames).toHaveLength(1)
+  frame()
+  // Lines are smooth also where a pixel of the screen is one of the page.
+  expect(painted.at(-1)).toEqual([[1, 2, 3], [0, 0, 9], { tilt: 60, turn: 0 }, 480, 300])
+  expect([canvas.width, canvas.height, put]).toEqual([480, 300, [[0, 0]]])
+  for (const [ratio, pixels] of [
+    [1.75, 560],
+    [3, 640],
+  ] as const) {
+    vi.stubGlobal('devicePixelRatio', ratio)
+    resized[0]?.()
+    frame()
+    expect(painted.at(-1)?.slice(3)).toEqual([pixels, Math.round(pixels / 1.6)])
+  }
+  width = 0
+  const count = painted.length
+  resized[0]?.()
+  frame()
+  expect(painted).toHaveLength(count)
+  width = 320
+  sliders[0].valueAsNumber = 30.4
+  sliders[0].fire('input')
+  frame()
+  expect([outputs[0]?.value, painted.at(-1)?.[2]]).toEqual(['30°', { tilt: 30.4, turn: 0 }])
+  const move = (movementX: number, movementY: number) => {
+    canvas.fire('pointermove', { pointerId: 1, movementX, movementY })
+    frame()
+    return sliders.map(({ valueAsNumber }) => Math.round(10 * valueAsNumber) / 10)
+  }
+  expect(move(100, 10)).toEqual([30.4, 0])
+  canvas.fire('pointerdown', { pointerId: 1 })
+  expect(move(100, 10)).toEqual([33.4, -40])
+  expect(outputs[1]?.value).toBe('-40°')
+  // Half a turn leads to the other end.
+  expect(move(400, 0)).toEqual([33.4, 160])
+})
