@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { vi } from 'vitest'
+export { aTurn, eventually } from './turns.ts'
+
 import { Editing } from '../../web/editing/editing.ts'
 import { EditorActions } from '../../web/editing/editor-actions.ts'
 import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
@@ -13,12 +14,6 @@ import { LibraryBackend } from './library-backend.ts'
 export function sceneOf(circles: Float64Array, dataSet = '') {
   return { circles: circles as Float64Array<ArrayBuffer>, dataSet, isEdited: false }
 }
-
-/** Waits for the next turn of the event loop. */
-export const aTurn = () => new Promise<unknown>((resolve) => setTimeout(resolve))
-
-/** Waits until a check passes, however busy the machine is. */
-export const eventually = <Value>(check: () => Value | Promise<Value>) => vi.waitFor(check, { timeout: 40_000 })
 
 /** Edits circles in a view without a picture. Each request of the backend waits for `before`. */
 export function editingSession({

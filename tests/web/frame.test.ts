@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of one figure, on stub nodes: its texts, its messages, and states that come one after the other.
+// The page of one figure: its texts, its messages, and states that come one after the other.
+// @vitest-environment happy-dom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { FrameMessage } from '../../web/element/frame-types.ts'
 import { Frame } from '../../web/embed/frame.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
-import { aTurn, eventually } from './editing-session.ts'
-import { FakeNode, FakePage } from './fake-nodes.ts'
+import { make, send } from './page-document.ts'
+import { aTurn, eventually } from './turns.ts'
 
 const PARTS = ['texts', 'title', 'question', 'met', 'again', 'open', 'problem']
 const CIRCLES = [
@@ -23,15 +24,14 @@ const QUESTION: LinkInput = {
 }
 
 /** The element, which records the states that it was given. */
-class Figure extends FakeNode {
+class Figure extends HTMLElement {
   readonly states: LinkInput[] = []
   readonly order: string[] = []
   controls: string | undefined
   readonly = false
   alt = ''
-  override lang: string | undefined = ''
+  override lang = ''
   view: unknown = 'unset'
-  hasFocus = false
   state: { circles: unknown; view?: unknown } = { circles: [] }
   /** The error of the next state. */
   refusal: Error | undefined
@@ -47,7 +47,7 @@ class Figure extends FakeNode {
     this.#check = check
     this.order.push(check === undefined ? 'no check' : 'check')
     if (check === undefined || this.wrongCheck === undefined) return
-    this.fire('error', { detail: { error: this.wrongCheck } })
+    send(this, 'error', { detail: { error: this.wrongCheck } })
   }
   async setState(state: LinkInput) {
     const { refusal } = this
@@ -57,35 +57,32 @@ class Figure extends FakeNode {
     if (refusal !== undefined) throw refusal
     this.states.push(state)
     if (state.circles !== undefined) this.state = { circles: [...(state.circles as Iterable<number>)] }
-    this.fire('circleschange')
+    send(this, 'circleschange')
   }
   getState = () => this.state
-  override focus() {
-    this.hasFocus = true
-  }
 }
 
-let page: FakePage
+customElements.define('circle-voronoi', Figure)
+
 let figure: Figure
-let main: FakeNode
+let main: HTMLElement
 let told: FrameMessage[]
 let frame: Frame
 let loads: Map<string, (circles: Float64Array) => void>
 let resized: () => void
 let height: number
 let observed: unknown[]
-const part = (id: string) => main.querySelector(`#${id}`) as FakeNode
+const part = (id: string) => main.querySelector(`#${id}`) as HTMLElement
 
 beforeEach(() => {
-  page = new FakePage()
-  figure = new Figure('circle-voronoi')
-  main = page.make('main', {}, figure, ...PARTS.map((id) => page.make('p', { id })))
+  figure = new Figure()
+  main = make('main', {}, figure, ...PARTS.map((id) => make('p', { id })))
+  document.body.replaceChildren(main)
   height = 100
   observed = []
-  Object.assign(main, { getBoundingClientRect: () => ({ height: main.classes.has('natural') ? height : 1 }) })
+  Object.assign(main, { getBoundingClientRect: () => ({ height: main.classList.contains('natural') ? height : 1 }) })
   told = []
   loads = new Map()
-  vi.stubGlobal('document', page)
   vi.stubGlobal(
     'ResizeObserver',
     class {
@@ -95,7 +92,7 @@ beforeEach(() => {
       observe = (node: unknown) => observed.push(node)
     },
   )
-  frame = new Frame(main as unknown as HTMLElement, {
+  frame = new Frame(main, {
     load: (name) =>
       name === ''
         ? Promise.resolve({ circles: new Float64Array() })
@@ -119,11 +116,11 @@ const texts = () => ({
   open: part('open').textContent,
   again: part('again').textContent,
   met: part('met').textContent,
-  page: page.title,
-  lang: page.documentElement.lang,
+  page: document.title,
+  lang: document.documentElement.lang,
 })
 const hidden = () => PARTS.filter((id) => part(id).hidden)
-const unseen = () => PARTS.filter((id) => part(id).classes.has('visually-hidden'))
+const unseen = () => PARTS.filter((id) => part(id).classList.contains('visually-hidden'))
 
 it('has the texts of a question, and the usual ones without', async () => {
   await frame.open(await encodeLink(QUESTION))
@@ -140,7 +137,7 @@ it('has the texts of a question, and the usual ones without', async () => {
   expect([figure.readonly, figure.alt, figure.lang]).toEqual([true, 'Two circles', 'de'])
   await frame.open(await encodeLink({ circles: CIRCLES }))
   expect(texts()).toMatchObject({ title: 'Voronoi diagram of circles', question: '', open: 'Open', lang: 'en' })
-  expect(page.title).toBe('Voronoi diagram of circles')
+  expect(document.title).toBe('Voronoi diagram of circles')
   expect([hidden(), unseen()]).toEqual([
     ['question', 'met', 'again', 'problem'],
     ['texts', 'title'],
@@ -160,7 +157,7 @@ it('has its texts before its circles, and none of either where a link has none',
   let go = () => {}
   figure.wait = () => new Promise<void>((resolve) => (go = resolve))
   const opening = frame.open(await encodeLink(QUESTION))
-  await eventually(() => expect(page.title).toBe('Neighbors'))
+  await eventually(() => expect(document.title).toBe('Neighbors'))
   expect(figure.states).toEqual([])
   figure.wait = async () => {}
   await eventually(() => {
@@ -199,7 +196,7 @@ it('has no check of other circles while it shows new ones, and tells an error of
   figure.wrongCheck = undefined
   await frame.request({ state: { check: { cell: 1, edges: 3 } } })
   expect(told.at(-1)?.error).toBeUndefined()
-  figure.fire('error', { detail: { error: new Error('later') } })
+  send(figure, 'error', { detail: { error: new Error('later') } })
   await frame.request({})
   expect(told.at(-1)?.error).toBeUndefined()
 })
@@ -222,7 +219,7 @@ it('says whether the check is met, once for each change, and reports it with the
     [true, 'Solved', 1],
     [false, 'Not solved yet', 2],
   ] as const) {
-    figure.fire('checkchange', { detail: { isMet } })
+    send(figure, 'checkchange', { detail: { isMet } })
     expect([text, met.dataset.met, assigned]).toEqual([said, String(isMet), count])
     await aTurn()
     expect(told.at(-1)?.met).toBe(isMet)
@@ -236,7 +233,7 @@ it('says whether the check is met, once for each change, and reports it with the
 it('starts over once the circles of a question have changed', async () => {
   await frame.open(await encodeLink({ ...QUESTION, region: REGION }))
   expect(part('again').hidden).toBe(true)
-  figure.fire('circleschange')
+  send(figure, 'circleschange')
   await aTurn()
   expect(part('again').hidden).toBe(false)
   await frame.request({ state: { layers: { hull: true } } })
@@ -246,12 +243,12 @@ it('starts over once the circles of a question have changed', async () => {
   await aTurn()
   expect(figure.states.at(-1)).toHaveProperty('region', REGION)
   expect([...(figure.states.at(-1) as { circles: Float64Array }).circles]).toEqual(CIRCLES.flat())
-  expect([figure.hasFocus, part('again').hidden]).toEqual([true, true])
+  expect([document.activeElement === figure, part('again').hidden]).toEqual([true, true])
   await frame.open(await encodeLink(QUESTION))
   await frame.startOver()
   expect(figure.states.at(-1)).toHaveProperty('region', null)
   await frame.open(await encodeLink({ circles: CIRCLES }))
-  figure.fire('circleschange')
+  send(figure, 'circleschange')
   await aTurn()
   expect(part('again').hidden).toBe(true)
 })
@@ -267,7 +264,7 @@ it('shows the newest state, however late others are, and no error of older ones'
   await first
   expect(figure.states.map(({ circles }) => [...(circles as Float64Array)])).toEqual([[2, 2, 2]])
   expect(figure.states[0]).toMatchObject({ region: REGION })
-  expect(page.title).toBe('Second')
+  expect(document.title).toBe('Second')
   // The states are told once both are done.
   expect(told.map(({ state }) => state?.circles)).toEqual([[2, 2, 2]])
   let go = () => {}
@@ -298,9 +295,9 @@ it('tells changes together once they are computed, and the current state where i
   told.length = 0
   let complete = () => {}
   figure.updateComplete = new Promise<void>((resolve) => (complete = resolve))
-  figure.fire('circleschange')
-  figure.fire('stepchange')
-  figure.fire('checkchange', { detail: { isMet: true } })
+  send(figure, 'circleschange')
+  send(figure, 'stepchange')
+  send(figure, 'checkchange', { detail: { isMet: true } })
   await aTurn()
   expect(told).toEqual([])
   complete()
@@ -308,7 +305,7 @@ it('tells changes together once they are computed, and the current state where i
   expect(told).toHaveLength(1)
   await frame.request({})
   expect(told).toHaveLength(2)
-  figure.fire('stepchange')
+  send(figure, 'stepchange')
   await aTurn()
   expect(told).toHaveLength(3)
   frame.restore(Float64Array.of(1, 1, 1))
@@ -327,7 +324,7 @@ it('tells its height where that changes, and keeps all circles visible where the
   height = 199.5
   resized()
   expect(told.map(({ height }) => height)).toEqual([200])
-  expect(main.classes.has('natural')).toBe(false)
+  expect(main.classList.contains('natural')).toBe(false)
   await aTurn()
   figure.state = { circles: [], view: { x: 1, y: 2, span: 3 } }
   await frame.request({})

@@ -28,6 +28,17 @@ export function openPage(body = BODY) {
 
 export const element = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind
 
+/** Creates an element with children. */
+export function make<Name extends keyof HTMLElementTagNameMap>(
+  name: Name,
+  more: object = {},
+  ...children: (Node | string)[]
+) {
+  const made = Object.assign(document.createElement(name), more)
+  made.append(...children)
+  return made
+}
+
 /** The button that opens a panel. */
 export const buttonOf = (id: string) => document.querySelector(`[aria-controls="${id}"]`) as HTMLButtonElement
 

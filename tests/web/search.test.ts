@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search of the site: results, ranking and snippets.
+// @vitest-environment happy-dom
 import MiniSearch from 'minisearch'
 import { afterEach, describe, expect, it, test, vi } from 'vitest'
 import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'
 import { find, offerSearch, type Section, snippetOf } from '../../web/reading/search.ts'
-import { aTurn, eventually } from './editing-session.ts'
-import { type FakeNode, FakePage } from './fake-nodes.ts'
+import { all, make, openPage, send, textOf } from './page-document.ts'
+import { aTurn, eventually } from './turns.ts'
 
 function searchIn(sections: readonly Section[]): MiniSearch<Section> {
   const search = new MiniSearch<Section>({
@@ -124,37 +125,29 @@ describe('sections of a page', () => {
   })
 })
 
+/** Fills the document with a field for a search. */
+function opened(value: string) {
+  openPage('<div><form class="search"><input name="q" /></form><ol class="found" hidden></ol></div>')
+  const [box, form, list] = ['div', 'form', 'ol'].map((name) => document.querySelector(name) as HTMLElement) as [
+    HTMLElement,
+    HTMLElement,
+    HTMLElement,
+  ]
+  const field = Object.assign(form.children[0] as HTMLInputElement, { value })
+  const shown = () => [...list.children].map(textOf)
+  return { box, form, list, field, shown }
+}
+
 it('is loaded again where loading it failed', async () => {
-  const field = Object.assign(new EventTarget(), { value: 'disc' })
-  const form = Object.assign(new EventTarget(), {
-    elements: { namedItem: () => field },
-    parentElement: new EventTarget(),
-  })
-  let shown: string[] = []
-  const list = {
-    hidden: true,
-    replaceChildren: (...entries: { text: string }[]) => {
-      shown = entries.map(({ text }) => text)
-    },
-  }
-  const page = Object.assign(new EventTarget(), {
-    querySelector: (selector: string) => (selector === 'form.search' ? form : list),
-    createElement: () =>
-      Object.assign(new EventTarget(), {
-        text: '',
-        append(this: { text: string }, ...parts: (string | { text: string; textContent?: string })[]) {
-          this.text += parts.map((part) => (typeof part === 'string' ? part : (part.textContent ?? part.text))).join('')
-        },
-      }),
-  })
+  const { field, list, shown } = opened('disc')
   let isThere = false
   const index = JSON.stringify(searchIn([section('docs/a.html', 'Discs', '', 'A disc.')]))
   vi.stubGlobal('fetch', async () => ({ ok: isThere, status: 404, text: async () => index }))
-  offerSearch(page as unknown as Document)
-  await expect.poll(() => shown).toEqual(['The search could not be loaded.'])
+  offerSearch(document)
+  await expect.poll(shown).toEqual(['The search could not be loaded.'])
   isThere = true
-  field.dispatchEvent(new Event('input'))
-  await expect.poll(() => shown).toEqual(['DiscsA disc.'])
+  send(field, 'input')
+  await expect.poll(shown).toEqual(['DiscsA disc.'])
   expect(list.hidden).toBe(false)
   vi.unstubAllGlobals()
 })
@@ -164,44 +157,37 @@ describe('the field of a search', () => {
     searchIn([section('docs/a.html', 'Discs', '', 'A disc.'), section('docs/b.html#b', 'Page', 'Disc', 'Of a disc.')]),
   )
   function offered(value = '') {
-    const page = new FakePage()
-    const field = Object.assign(page.make('input'), { value })
-    const form = Object.assign(page.make('form', { className: 'search' }, field), {
-      elements: { namedItem: () => field },
-    })
-    const list = page.make('ol', { className: 'found', hidden: true })
-    const box = page.make('div', {}, form, list)
-    page.append(box)
+    const made = opened(value)
+    const { field } = made
     const asked: string[] = []
     vi.stubGlobal('fetch', async (address: string) => {
       asked.push(address)
       return { ok: true, text: async () => index }
     })
-    offerSearch(page as unknown as Document)
-    const shown = () => list.children.map((child) => (child as FakeNode).textContent)
+    offerSearch(document)
     const type = async (text: string) => {
       field.value = text
-      field.fire('input')
+      send(field, 'input')
       await aTurn()
     }
-    return { page, field, form, list, box, asked, shown, type }
+    return { ...made, asked, type }
   }
   afterEach(() => vi.unstubAllGlobals())
 
   it('loads its index once, when it gets the focus, and shows what it finds while it is typed', async () => {
     const { field, asked, shown, type, list } = offered()
     expect(asked).toEqual([])
-    field.fire('focus')
-    field.fire('focus')
+    send(field, 'focus')
+    send(field, 'focus')
     await eventually(() => expect(asked).toEqual(['../search.json']))
     await eventually(async () => {
       await type(' disc ')
       expect(shown()).toEqual(['Disc PageOf a disc.', 'DiscsA disc.'])
     })
     expect([list.hidden, asked.length]).toEqual([false, 1])
-    const links = list.querySelectorAll('a') as (FakeNode & { href: string })[]
-    expect(links.map(({ href }) => href)).toEqual(['../docs/b.html#b', '../docs/a.html'])
-    expect(list.querySelectorAll('mark').map(({ textContent }) => textContent)).toEqual(['disc', 'disc'])
+    const links = all(list, 'a')
+    expect(links.map((link) => link.getAttribute('href'))).toEqual(['../docs/b.html#b', '../docs/a.html'])
+    expect(all(list, 'mark').map(textOf)).toEqual(['disc', 'disc'])
     links[0]?.click()
     expect(list.hidden).toBe(true)
     await type('nothing')
@@ -211,11 +197,11 @@ describe('the field of a search', () => {
   })
 
   it('is walked through by arrows, left by Escape or a press elsewhere, and opens the first result', async () => {
-    const { page, field, form, list, box, shown } = offered('disc')
+    const { field, form, list, box, shown } = offered('disc')
     await eventually(() => expect(shown()).toHaveLength(2))
-    const [first, second] = list.querySelectorAll('a') as [FakeNode, FakeNode]
-    page.activeElement = field
-    const go = (key: string) => [box.fire('keydown', { key }).defaultPrevented, page.activeElement]
+    const [first, second] = all(list, 'a') as [HTMLAnchorElement, HTMLAnchorElement]
+    field.focus()
+    const go = (key: string) => [send(box, 'keydown', { key }).defaultPrevented, document.activeElement]
     expect(['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'ArrowUp', 'ArrowUp', 'a'].map(go)).toEqual([
       [true, first],
       [true, second],
@@ -229,20 +215,20 @@ describe('the field of a search', () => {
     first.addEventListener('click', () => {
       clicks += 1
     })
-    expect(form.fire('submit').defaultPrevented).toBe(true)
+    expect(send(form, 'submit').defaultPrevented).toBe(true)
     expect(clicks).toBe(1)
     list.hidden = false
     go('ArrowDown')
     go('Escape')
-    expect([list.hidden, page.activeElement]).toEqual([true, field])
-    const press = (target: FakeNode) => {
+    expect([list.hidden, document.activeElement]).toEqual([true, field])
+    const press = (target: HTMLElement) => {
       list.hidden = false
-      const event = new Event('pointerdown')
-      Object.defineProperty(event, 'target', { value: target })
-      page.dispatchEvent(event)
+      send(target, 'pointerdown')
       return list.hidden
     }
-    expect([press(first), press(page.make('p'))]).toEqual([false, true])
+    const other = make('p')
+    document.body.append(other)
+    expect([press(first), press(other)]).toEqual([false, true])
   })
 })
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Services that all figures of a page share: the wait for an idle browser, observers of positions, drawings for print,
 // and the thread.
+// @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { whenIdle } from '../../web/element/idle.ts'
 import { watchVisibility } from '../../web/element/visibility.ts'
 import { mount } from '../../web/view/mount.ts'
 import { Paper } from '../../web/view/paper.ts'
 import { parsedSvg } from '../../web/view/parsed-svg.ts'
-import { FakeNode, FakePage } from './fake-nodes.ts'
+import { make } from './page-document.ts'
 
 const painters = vi.hoisted(() => [] as { load: unknown; isDisposed: boolean }[])
 vi.mock('../../web/view/painter.ts', () => ({
@@ -34,14 +35,11 @@ vi.mock('../../web/view/view.ts', () => ({
   },
 }))
 
-let page: FakePage & { readyState?: string }
 let window: EventTarget
 let print: EventTarget & { matches: boolean }
 beforeEach(() => {
-  page = Object.assign(new FakePage(), { readyState: 'complete' })
   window = new EventTarget()
   print = Object.assign(new EventTarget(), { matches: false })
-  vi.stubGlobal('document', page)
   vi.stubGlobal('addEventListener', window.addEventListener.bind(window))
   vi.stubGlobal('matchMedia', () => print)
 })
@@ -78,7 +76,7 @@ describe('the wait for an idle browser', () => {
 
   it('begins once the page is loaded, and with a timer where browsers have no idle callback', () => {
     const calls: string[] = []
-    page.readyState = 'loading'
+    const state = vi.spyOn(document, 'readyState', 'get').mockReturnValue('loading')
     whenIdle(() => calls.push('a'))
     expect(idle).toEqual([])
     window.dispatchEvent(new Event('load'))
@@ -86,7 +84,7 @@ describe('the wait for an idle browser', () => {
     expect(idle).toHaveLength(1)
     run()
     vi.unstubAllGlobals()
-    vi.stubGlobal('document', { readyState: 'complete' })
+    state.mockRestore()
     vi.useFakeTimers({ toFake: ['setTimeout'] })
     whenIdle(() => calls.push('b'))
     vi.advanceTimersByTime(299)
@@ -109,7 +107,7 @@ it('an element is told that it comes near or goes far, by two observers for all,
       }
     },
   )
-  const [one, other] = [new FakeNode('a'), new FakeNode('b')] as unknown as [Element, Element]
+  const [one, other] = [make('a'), make('b')]
   const told: unknown[] = []
   const stop = watchVisibility(one, (sight) => told.push(['one', sight]))
   watchVisibility(other, (sight) => told.push(['other', sight]))
@@ -134,10 +132,10 @@ it('an element is told that it comes near or goes far, by two observers for all,
 
 describe('the drawing for print', () => {
   let drawings: (string | Error)[]
-  let place: FakeNode
+  let place: HTMLElement
   let paper: Paper
   const print_ = (name: string) => window.dispatchEvent(new Event(name))
-  const shown = () => place.children.map((child) => (child as FakeNode).attributes.get('id'))
+  const shown = () => [...place.children].map(({ id }) => id)
   const svg = (id: string) => `<svg id="${id}"></svg>`
   /** The window and its media query, to which all drawings of a page listen once. */
   let first: readonly [EventTarget, typeof print] | undefined
@@ -148,8 +146,8 @@ describe('the drawing for print', () => {
     first ??= [window, print]
     ;[window, print] = first
     print.matches = false
-    place = new FakeNode('div')
-    paper = new Paper(place as unknown as HTMLElement, async () => {
+    place = make('div')
+    paper = new Paper(place, async () => {
       const next = drawings.shift() ?? ''
       if (typeof next !== 'string') throw next
       return next
@@ -211,7 +209,7 @@ describe('the drawing for print', () => {
 
   it('is the newest, and none after the figure is gone', async () => {
     let finish = (_: string) => {}
-    const slow = new Paper(place as unknown as HTMLElement, () => new Promise((resolve) => (finish = resolve)))
+    const slow = new Paper(place, () => new Promise((resolve) => (finish = resolve)))
     slow.change()
     await rest()
     const first = finish
@@ -242,9 +240,15 @@ describe('the drawing for print', () => {
 it('elements of an SVG are made from its text', () => {
   const text =
     '<svg xmlns="http://www.w3.org/2000/svg" width="2"><g a:b="1" c-d="2 3"><path d="M0 0"/><text> A </text></g> <path/></svg>'
-  const written = (node: FakeNode | string): unknown =>
-    typeof node === 'string' ? node : [node.tag, Object.fromEntries(node.attributes), ...node.children.map(written)]
-  expect(written(parsedSvg(text) as unknown as FakeNode)).toEqual([
+  const written = (node: Node): unknown =>
+    node instanceof Element
+      ? [
+          node.localName,
+          Object.fromEntries([...node.attributes].map(({ name, value }) => [name, value])),
+          ...[...node.childNodes].map(written),
+        ]
+      : node.textContent
+  expect(written(parsedSvg(text) as SVGElement)).toEqual([
     'svg',
     { width: '2' },
     ['g', { 'a:b': '1', 'c-d': '2 3' }, ['path', { d: 'M0 0' }], ['text', {}, ' A ']],

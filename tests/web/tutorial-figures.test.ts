@@ -15,8 +15,8 @@ import { markRead } from '../../web/tutorial/progress.ts'
 import { slideFigures } from '../../web/tutorial/sliders.ts'
 import { followTrials } from '../../web/tutorial/trials.ts'
 import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
-import { aTurn, eventually } from './editing-session.ts'
 import { FakeNode, FakePage } from './fake-nodes.ts'
+import { aTurn, eventually } from './turns.ts'
 
 const painted = vi.hoisted(() => [] as unknown[][])
 vi.mock('../../web/tutorial/drawn/paint-cones.ts', () => ({

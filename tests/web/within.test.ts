@@ -1,52 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The circles between the tags of an element, on stub nodes.
-import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+// The circles between the tags of an element.
+// @vitest-environment happy-dom
+import { expect, it } from 'vitest'
 import { circlesWithin } from '../../web/element/data-of.ts'
-import { FakeNode, FakePage } from './fake-nodes.ts'
+import { make } from './page-document.ts'
 
-class Table extends FakeNode {
-  readonly rows: unknown[]
-  constructor(...rows: string[][]) {
-    super('table')
-    this.rows = rows.map((cells) => ({ cells: cells.map((textContent) => ({ textContent })) }))
-  }
-}
-
-let page: FakePage
-beforeEach(() => {
-  page = new FakePage()
-  vi.stubGlobal('HTMLTableElement', Table)
-  vi.stubGlobal(
-    'Node',
-    class {
-      static readonly TEXT_NODE = 3
-      readonly nodeType = 0
-    },
+const node = (tag: string, ...children: (Node | string)[]) => make(tag as 'div', {}, ...children)
+const table = () =>
+  node(
+    'table',
+    ...[
+      ['x', 'y', 'r'],
+      ['1', '2', '3'],
+    ].map((cells) => node('tr', ...cells.map((cell) => node('td', cell)))),
   )
-})
-afterEach(() => vi.unstubAllGlobals())
-
-const table = () => new Table(['x', 'y', 'r'], ['1', '2', '3'])
-const numbers = (element: unknown) => {
-  const found = circlesWithin(element as Element)
+const numbers = (element: Element) => {
+  const found = circlesWithin(element)
   return found && [...found.circles]
 }
-/** A node whose children are nodes and texts. */
-function node(tag: string, ...children: (FakeNode | string)[]): FakeNode {
-  const made = page.make(tag)
-  made.append(...children)
-  const childNodes = children.map((child) =>
-    typeof child === 'string' ? { nodeType: 3, textContent: child } : Object.assign(child, { nodeType: 1 }),
-  )
-  Object.defineProperty(made, 'textContent', { value: made.textContent })
-  const elements = children.filter((child) => typeof child !== 'string')
-  return Object.assign(made, { childNodes, children: elements, localName: tag })
-}
-const script = (text: string) => {
-  const made = node('script', text)
-  made.setAttribute('type="application/json"', '')
-  return made
-}
+const script = (text: string) => make('script', { type: 'application/json' }, text)
 
 it('circles are a script, else a table, else a table in Markdown', () => {
   expect(numbers(node('circle-voronoi', script('[[7, 8, 9]]'), table()))).toEqual([7, 8, 9])
@@ -58,13 +30,9 @@ it('circles are a script, else a table, else a table in Markdown', () => {
 
 it('a table that Markdown has moved behind the element belongs to it, if an empty paragraph closes it', () => {
   /** The element in a paragraph, with the nodes after that. */
-  const moved = (paragraph: FakeNode, ...after: FakeNode[]) => {
-    const [element] = paragraph.children as [FakeNode]
-    const all = [paragraph, ...after]
-    all.forEach((one, k) => {
-      Object.assign(one, { nextElementSibling: all[k + 1] ?? null })
-    })
-    return numbers(element)
+  const moved = (paragraph: Element, ...after: Element[]) => {
+    node('div', paragraph, ...after)
+    return numbers(paragraph.children[0] as Element)
   }
   const element = () => node('circle-voronoi')
   expect(moved(node('p', element()), table(), node('p'))).toEqual([1, 2, 3])
