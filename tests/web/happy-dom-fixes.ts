@@ -30,7 +30,7 @@ for (const name of REFLECTED.split(' ')) {
 
 // Options have no constructor.
 Object.assign(globalThis, {
-  Option: function Option(text: string, value: string) {
-    return Object.assign(document.createElement('option'), { text, value })
+  Option: function Option(text: string, value: string, defaultSelected = false, selected = false) {
+    return Object.assign(document.createElement('option'), { text, value, defaultSelected, selected })
   },
 })

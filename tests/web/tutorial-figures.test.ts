@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of the tutorial and the record of read chapters, on stub nodes.
+// @vitest-environment happy-dom
+import { readFileSync } from 'node:fs'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { turnCones } from '../../web/tutorial/cones.ts'
 import { letCorrupt } from '../../web/tutorial/corrupt.ts'
@@ -15,7 +17,7 @@ import { markRead } from '../../web/tutorial/progress.ts'
 import { slideFigures } from '../../web/tutorial/sliders.ts'
 import { followTrials } from '../../web/tutorial/trials.ts'
 import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
-import { FakeNode, FakePage } from './fake-nodes.ts'
+import { all, make, openPage, send } from './page-document.ts'
 import { aTurn, eventually } from './turns.ts'
 
 const painted = vi.hoisted(() => [] as unknown[][])
@@ -43,16 +45,18 @@ vi.mock('../../web/tutorial/printed-rules.ts', async (original) => ({
   compare: () => ({ found: [], wrong: [], missing: [], leftover: [], borders: 0 }),
 }))
 
-let page: FakePage
 let frames: ((now: number) => void)[]
 let resized: (() => void)[]
 beforeEach(() => {
-  page = new FakePage()
+  openPage('')
   frames = []
   resized = []
   painted.length = 0
-  vi.stubGlobal('document', page)
   vi.stubGlobal('devicePixelRatio', 1)
+  vi.stubGlobal('fetch', async ({ pathname }: URL) => {
+    const bytes = readFileSync(`web/lib/generated/${pathname.split('/').at(-1)}`)
+    return { ok: true, headers: new Headers(), arrayBuffer: async () => bytes }
+  })
   vi.stubGlobal('requestAnimationFrame', (frame: (now: number) => void) => frames.push(frame))
   vi.stubGlobal('cancelAnimationFrame', (frame: number) => {
     frames[frame - 1] = () => {}
@@ -67,20 +71,11 @@ beforeEach(() => {
     },
   )
   vi.stubGlobal('matchMedia', () => ({ matches: false }))
-  vi.stubGlobal(
-    'Option',
-    class extends FakeNode {
-      isNow: boolean
-      constructor(text: string, value: string, _ = false, isNow = false) {
-        super('option')
-        this.textContent = text
-        this.value = value
-        this.isNow = isNow
-      }
-    },
-  )
 })
-afterEach(() => vi.unstubAllGlobals())
+afterEach(() => {
+  vi.unstubAllGlobals()
+  vi.restoreAllMocks()
+})
 
 /** Draws the next frame. */
 function frame(now = 0): void {
@@ -92,41 +87,24 @@ function frame(now = 0): void {
 const SIX = [0, 0, 4, 10, 0, 3, 4, 9, 3, 13, 8, 2, -4, 7, 1, 6, 4, 1]
 
 /** The element in a figure. */
-class Element extends FakeNode {
+class Figure extends HTMLElement {
   ready: Promise<void> = Promise.resolve()
   updateComplete: Promise<void> = Promise.resolve()
   circles = Float64Array.from(SIX)
   layers: Layers = DEFAULT_LAYERS
-  clientWidth = 300
-  clientHeight = 200
+  override clientWidth = 300
+  override clientHeight = 200
   view: unknown
   isInView = false
   getState = () => ({ view: this.view })
-  scrollIntoView() {
+  override scrollIntoView() {
     this.isInView = true
   }
 }
-const element = () => new Element('circle-voronoi', page)
+customElements.define('circle-voronoi', Figure)
+const element = () => new Figure()
 
-/** A slider, whose value is a number. */
-function sliderOf(value: number, max = 10): FakeNode & { valueAsNumber: number; max: string; step: string } {
-  const slider = Object.assign(page.make('input'), { max: `${max}`, step: '' })
-  slider.setAttribute('type=range', '')
-  let now = value
-  Object.defineProperty(slider, 'valueAsNumber', {
-    get: () => now,
-    set: (next: number) => {
-      now = Math.min(Math.max(next, -180), 180)
-    },
-  })
-  Object.defineProperty(slider, 'value', {
-    get: () => String(now),
-    set: (text: string) => {
-      now = Number(text)
-    },
-  })
-  return slider as ReturnType<typeof sliderOf>
-}
+const sliderOf = (value: number, max = 10, min = 0) => make('input', { type: 'range', min, max, step: 'any', value })
 
 describe('read chapters', () => {
   const KEY = 'circle-voronoi tutorial'
@@ -169,14 +147,15 @@ describe('read chapters', () => {
   /** A chapter with links to three chapters, of which the second is this one. */
   const chapter = () => {
     const links = ['1.html', '2.html', '3.html'].map((file) => {
-      const link = page.make('a')
+      const link = make('a')
       link.setAttribute('href', file)
       if (file === '2.html') link.setAttribute('aria-current', 'page')
       return link
     })
-    page.replaceChildren(...links, page.make('nav', { className: 'turn' }))
-    markRead(page as unknown as Document)
-    return links.map((link) => [link.classes.has('read'), link.textContent])
+    const pages = make('nav', { className: 'pages' }, make('ol', {}, ...links))
+    document.body.replaceChildren(pages, make('nav', { className: 'turn' }))
+    markRead(document)
+    return links.map((link) => [link.classList.contains('read'), link.textContent])
   }
 
   it('are those whose end was seen, and are marked with a word', () => {
@@ -206,16 +185,16 @@ describe('read chapters', () => {
 })
 
 it('an exercise says that it is done while it is, and shows its answer', () => {
-  const [figure, output] = [element(), page.make('output')]
+  const [figure, output] = [element(), make('output')]
   output.dataset.done = 'Well done.'
-  const button = page.make('button', { className: 'show' })
+  const button = make('button', { className: 'show' })
   button.dataset.circles = '[[1, 1, 1]]'
-  const section = page.make('section', { className: 'try' }, figure, output, button)
-  page.append(section)
-  followTrials(page as unknown as ParentNode)
+  const section = make('section', { className: 'try' }, figure, make('figcaption', {}, output), button)
+  document.body.append(section)
+  followTrials(document)
   for (const isMet of [true, false]) {
-    figure.fire('checkchange', { detail: { isMet } })
-    expect([section.classes.has('done'), output.value]).toEqual([isMet, isMet ? 'Well done.' : ''])
+    send(figure, 'checkchange', { detail: { isMet } })
+    expect([section.classList.contains('done'), output.value]).toEqual([isMet, isMet ? 'Well done.' : ''])
   }
   button.click()
   expect([figure.circles, figure.isInView]).toEqual([[[1, 1, 1]], true])
@@ -224,19 +203,19 @@ it('an exercise says that it is done while it is, and shows its answer', () => {
 it('a slider changes the radii or the samples of its figure, and says its value', async () => {
   const figure = element()
   const outputs = ['scale', 'dynamic', 'uniform'].map((changes) => {
-    const slider = sliderOf(1)
+    const slider = sliderOf(1, 50)
     slider.dataset.changes = changes
     slider.dataset.figure = 'one'
-    const output = page.make('output')
-    page.append(page.make('p', {}, slider, output))
+    const output = make('output')
+    document.body.append(make('p', {}, slider, output))
     return { slider, output }
   })
-  page.append(page.make('figure', { id: 'one' }, figure))
+  document.body.append(make('figure', { id: 'one' }, figure))
   figure.layers = { ...DEFAULT_LAYERS, hull: true }
-  slideFigures(page as unknown as Document)
+  slideFigures(document)
   const values = outputs.map(({ slider, output }, k) => {
     slider.valueAsNumber = [1.504, 3, 40][k] as number
-    slider.fire('input')
+    send(slider, 'input')
     return output.value
   })
   expect(values).toEqual(['1.5', '3', '40'])
@@ -244,43 +223,43 @@ it('a slider changes the radii or the samples of its figure, and says its value'
     SIX.filter((_, k) => k % 3 === 2).map((r) => r * 1.504),
   )
   expect(figure.layers).toMatchObject({ hull: true, candidates: 'uniform', sampleCount: 40 })
-  outputs[1]?.slider.fire('input')
+  send(outputs[1]?.slider as Element, 'input')
   expect(figure.layers).toMatchObject({ hull: true, candidates: 'dynamic', sampleCount: 3 })
 })
 
 it('counts of samples follow the circles and the slider', async () => {
-  const [figure, output] = [element(), page.make('output', { className: 'counts' })]
-  const around = page.make('figure', {}, figure, output)
-  page.append(around)
-  await sayCounts(page as unknown as ParentNode)
+  const [figure, output] = [element(), make('output', { className: 'counts' })]
+  const around = make('figure', {}, figure, output)
+  document.body.append(around)
+  await sayCounts(document)
   const first = output.value
   expect(first).toMatch(/^\d+ samples on the largest circle/)
   figure.layers = { ...figure.layers, sampleCount: 5 }
-  around.fire('input')
+  send(around, 'input')
   const more = output.value
   expect(Number.parseInt(more, 10)).toBeGreaterThan(Number.parseInt(first, 10))
   figure.circles = figure.circles.slice(0, 9)
-  figure.fire('circleschange')
+  send(figure, 'circleschange')
   expect(output.value).not.toBe(more)
 })
 
 it('numbers of circles are at their centers, wherever the figure looks', async () => {
   const figure = element()
-  page.append(figure)
+  document.body.append(figure)
   numberCircles(figure as never)
-  const svg = page.querySelector('svg') as FakeNode
+  const svg = document.querySelector('svg') as SVGElement
   expect(svg.getAttribute('aria-hidden')).toBe('true')
   await aTurn()
   frame()
   const places = () =>
-    svg.querySelectorAll('text').map((text) => [text.textContent, text.getAttribute('x'), text.getAttribute('y')])
+    [...svg.querySelectorAll('text')].map((text) => [text.textContent, text.getAttribute('x'), text.getAttribute('y')])
   const whole = places()
   expect(whole.map(([name]) => name)).toEqual(['0', '1', '2', '3', '4', '5'])
   expect(svg.getAttribute('viewBox')).toBe('0 0 300 200')
   figure.view = { x: 0, y: 0, span: 20 }
   for (const name of ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick', 'circleschange']) {
-    figure.fire(name)
-    figure.fire(name)
+    send(figure, name)
+    send(figure, name)
     expect(frames, name).toHaveLength(1)
     frame()
     expect(places()[1]).toEqual(['1', '250', '100'])
@@ -297,26 +276,18 @@ it('numbers of circles are at their centers, wherever the figure looks', async (
 describe('a diagram that is corrupted', () => {
   async function corrupted() {
     const figure = element()
-    const caption = page.make('figcaption')
-    const around = page.make('figure', { id: 'c' }, figure, caption)
+    const caption = make('figcaption')
+    const around = make('figure', { id: 'c' }, figure, caption)
     around.dataset.corrupt = ''
-    page.replaceChildren(around)
-    letCorrupt(page as unknown as Document)
+    document.body.replaceChildren(around)
+    letCorrupt(document)
     await aTurn()
-    await eventually(() => expect(verdict.value).not.toBe(''))
-    const box = around.querySelector('.corrupt') as FakeNode
-    const choice = box.querySelector('select') as FakeNode
+    await eventually(() => expect(verdict()).toMatch(/./))
+    const box = around.querySelector('.corrupt') as HTMLElement
+    const choice = box.querySelector('select') as HTMLSelectElement
     return { figure, box, choice }
   }
-  let verdict: FakeNode
-  beforeEach(() => {
-    const create = page.createElement.bind(page)
-    page.createElement = (tag) => {
-      const node = create(tag)
-      if (tag === 'output') verdict = node
-      return node
-    }
-  })
+  const verdict = () => document.querySelector('output')?.value
   const RIGHT = 'The judge: this diagram is right.'
 
   it('is refused by the judge with its flaw marked, and right again by the button and with other circles', async () => {
@@ -329,18 +300,18 @@ describe('a diagram that is corrupted', () => {
       figure.layers.data.map(({ id }) => id),
     ]
     const isRight = () => {
-      expect([verdict.value, choice.value, about()]).toEqual([RIGHT, '', 'This is the right diagram. Choose a change.'])
+      expect([verdict(), choice.value, about()]).toEqual([RIGHT, '', 'This is the right diagram. Choose a change.'])
       expect(drawn()).toEqual([true, true, 'auto', []])
     }
     isRight()
     figure.layers = { ...figure.layers, hull: true }
     expect(box.querySelector('label')).toHaveProperty('htmlFor', 'c-change')
     expect(choice.id).toBe('c-change')
-    for (const back of [() => box.querySelector('button')?.click(), () => figure.fire('circleschange')]) {
+    for (const back of [() => box.querySelector('button')?.click(), () => send(figure, 'circleschange')]) {
       choice.value = '0'
-      choice.fire('change')
+      send(choice, 'change')
       await aTurn()
-      expect(verdict.value).toMatch(/^The judge: no\. \w/)
+      expect(verdict()).toMatch(/^The judge: no\. \w/)
       expect(about()).toBe(CORRUPTIONS[0]?.about)
       expect(drawn()).toEqual([false, false, 'none', ['claimed', 'marked']])
       expect(figure.layers.hull).toBe(true)
@@ -350,16 +321,16 @@ describe('a diagram that is corrupted', () => {
     }
     // No circle is hidden.
     choice.value = `${CORRUPTIONS.length - 1}`
-    choice.fire('change')
+    send(choice, 'change')
     await aTurn()
     expect(about()).toMatch(/^These circles leave nothing/)
-    expect(verdict.value).toBe(RIGHT)
+    expect(verdict()).toBe(RIGHT)
   })
 
   it('has a table whose vertices are marked while they are looked at, and can be changed', async () => {
     const { figure, box } = await corrupted()
-    const table = box.querySelector('table') as FakeNode
-    const rows = table.querySelectorAll('tr')
+    const table = box.querySelector('table') as HTMLElement
+    const rows = all(table, 'tr')
     expect(rows[0]?.textContent).toBe('Vertextouches these circles')
     expect(rows.length).toBeGreaterThan(3)
     const marked = () => figure.layers.data.map(({ id }) => id)
@@ -367,47 +338,45 @@ describe('a diagram that is corrupted', () => {
       ['focusin', 'focusout'],
       ['pointerenter', 'pointerleave'],
     ] as const) {
-      rows[1]?.fire(come)
+      send(rows[1] as Element, come)
       expect(marked()).toEqual(['marked'])
-      table.fire(leave)
+      send(table, leave)
       expect(marked()).toEqual([])
     }
-    const selects = rows[1]?.querySelectorAll('select') as FakeNode[]
+    const selects = all(rows[1] as Element, 'select')
     expect(selects.map((select) => select.getAttribute('aria-label'))).toEqual([
       'vertex 0, circle 1',
       'vertex 0, circle 2',
       'vertex 0, circle 3',
     ])
-    const [select] = selects as [FakeNode]
-    const now = select
-      .querySelectorAll('option')
-      .flatMap((option) => ((option as FakeNode & { isNow: boolean }).isNow ? [option.value] : []))
-    expect(now).toHaveLength(1)
-    select.value = `${(Number(now[0]) + 1) % 6}`
-    select.fire('change')
+    const [select] = selects as [HTMLSelectElement]
+    const now = select.value
+    expect(now).toMatch(/^[0-5]$/)
+    select.value = `${(Number(now) + 1) % 6}`
+    send(select, 'change')
     await aTurn()
     expect(box.querySelector('p')?.textContent).toBe('You changed a vertex.')
-    expect(verdict.value).toMatch(/^The judge: no\. \w/)
+    expect(verdict()).toMatch(/^The judge: no\. \w/)
     expect(marked()).toEqual(['claimed', 'marked'])
-    select.value = now[0] as string
-    select.fire('change')
+    select.value = now
+    send(select, 'change')
     await aTurn()
-    expect(verdict.value).toBe(RIGHT)
+    expect(verdict()).toBe(RIGHT)
   })
 })
 
 describe('a figure that the tutorial draws', () => {
   async function drawn(spec: object = {}) {
-    const [told, slider] = [page.make('output', { className: 'told' }), sliderOf(0)]
-    const [play, back, forth] = ['play', 'back', 'forth'].map((className) => page.make('button', { className })) as [
-      FakeNode,
-      FakeNode,
-      FakeNode,
+    const [told, slider] = [make('output', { className: 'told' }), sliderOf(0)]
+    const [play, back, forth] = ['play', 'back', 'forth'].map((className) => make('button', { className })) as [
+      HTMLButtonElement,
+      HTMLButtonElement,
+      HTMLButtonElement,
     ]
-    const link = Object.assign(page.make('a', { className: 'open' }), { href: 'https://example.org/#v1.first' })
-    const image = Object.assign(page.make('img'), { alt: 'Discs' })
-    const picture = page.make('div', { className: 'picture' }, image)
-    const figure = page.make('figure', {}, picture, slider, play, back, forth, link, told)
+    const link = Object.assign(make('a', { className: 'open' }), { href: 'https://example.org/#v1.first' })
+    const image = Object.assign(make('img'), { alt: 'Discs' })
+    const picture = make('div', { className: 'picture' }, image)
+    const figure = make('figure', {}, picture, slider, play, back, forth, link, told)
     figure.dataset.drawn = JSON.stringify({
       kind: 'growing',
       circles: [
@@ -420,31 +389,33 @@ describe('a figure that the tutorial draws', () => {
       at: 0,
       ...spec,
     })
-    page.replaceChildren(figure)
+    document.body.replaceChildren(figure)
     let width = 480
-    const createNS = page.createElementNS.bind(page)
-    page.createElementNS = (namespace, tag) => {
-      const node = createNS(namespace, tag)
-      const captured = new Set<number>()
-      Object.assign(node, {
-        innerHTML: '',
-        getBoundingClientRect: () => ({ left: 10, top: 20, width }),
-        setPointerCapture: (id: number) => captured.add(id),
-        style: { setProperty: (name: string, value: string) => node.attributes.set(name, value) },
-      })
-      return node
-    }
-    await bringToLife(page as unknown as Document)
+    vi.spyOn(Element.prototype, 'getBoundingClientRect').mockImplementation(
+      () => ({ left: 10, top: 20, width }) as DOMRect,
+    )
+    await bringToLife(document)
     await eventually(() => expect(picture.querySelector('svg')).not.toBeNull())
-    const svg = picture.querySelector('svg') as FakeNode
-    const [content, handles] = svg.children as [FakeNode & { innerHTML: string }, FakeNode]
+    const svg = picture.querySelector('svg') as SVGElement
+    const [content, handles] = svg.children as unknown as [SVGElement, SVGElement]
     const resize = (to: number) => {
       width = to
       resized.at(-1)?.()
     }
-    return { told, slider, play, back, forth, link, svg, content, handles: handles.children as FakeNode[], resize }
+    return {
+      told,
+      slider,
+      play,
+      back,
+      forth,
+      link,
+      svg,
+      content,
+      handles: [...handles.children] as SVGElement[],
+      resize,
+    }
   }
-  const place = (handle: FakeNode | undefined) => ['cx', 'cy', 'r'].map((name) => Number(handle?.getAttribute(name)))
+  const place = (handle: Element | undefined) => ['cx', 'cy', 'r'].map((name) => Number(handle?.getAttribute(name)))
 
   it('shows the state at its slider, goes back and forth by whole steps, and stays within its range', async () => {
     const { slider, told, back, forth, content } = await drawn()
@@ -466,16 +437,16 @@ describe('a figure that the tutorial draws', () => {
     back.click()
     at(1)
     slider.valueAsNumber = 1.5
-    slider.fire('input')
+    send(slider, 'input')
     at(1.5)
     forth.click()
     at(2)
     slider.valueAsNumber = 1.5
-    slider.fire('input')
+    send(slider, 'input')
     back.click()
     at(1)
     slider.valueAsNumber = last
-    slider.fire('input')
+    send(slider, 'input')
     forth.click()
     at(last)
     expect(seen.size).toBe(5)
@@ -538,18 +509,18 @@ describe('a figure that the tutorial draws', () => {
     expect(place(handles[4])[2]).toBe((22 * width) / 480)
     const before = content.innerHTML
     // A CSS pixel is width / 480 units of the picture.
-    handles[0]?.fire('pointerdown', { pointerId: 1, clientX: 100, clientY: 100 })
-    handles[0]?.fire('pointermove', { pointerId: 1, clientX: 100 + 48, clientY: 100 - 24 })
+    send(handles[0] as Element, 'pointerdown', { pointerId: 1, clientX: 100, clientY: 100 })
+    send(handles[0] as Element, 'pointermove', { pointerId: 1, clientX: 100 + 48, clientY: 100 - 24 })
     expect(frames).toHaveLength(1)
-    handles[0]?.fire('pointermove', { pointerId: 1, clientX: 100 + 48, clientY: 100 - 24 })
+    send(handles[0] as Element, 'pointermove', { pointerId: 1, clientX: 100 + 48, clientY: 100 - 24 })
     expect(frames).toHaveLength(1)
     frame()
     const moved = place(handles[0])
     expect(moved[0]).toBeCloseTo((x as number) + width / 10, 6)
     expect(moved[1]).toBeCloseTo((y as number) - width / 20, 6)
     expect(content.innerHTML).not.toBe(before)
-    handles[0]?.fire('lostpointercapture')
-    handles[0]?.fire('pointermove', { pointerId: 1, clientX: 300, clientY: 100 })
+    send(handles[0] as Element, 'lostpointercapture')
+    send(handles[0] as Element, 'pointermove', { pointerId: 1, clientX: 300, clientY: 100 })
     frame()
     expect(place(handles[0])).toEqual(moved)
     for (const [key, dx, dy] of [
@@ -559,28 +530,28 @@ describe('a figure that the tutorial draws', () => {
       ['ArrowDown', 0, 1],
     ] as const) {
       const [fromX, fromY] = place(handles[4]) as [number, number]
-      expect(handles[4]?.fire('keydown', { key }).defaultPrevented).toBe(true)
+      expect(send(handles[4] as Element, 'keydown', { key }).defaultPrevented).toBe(true)
       frame()
       const [toX, toY] = place(handles[4]) as [number, number]
       expect([toX - fromX, toY - fromY].map((step) => Math.round((1e6 * step * 80) / width) / 1e6)).toEqual([dx, dy])
     }
-    expect(handles[4]?.fire('keydown', { key: 'a' }).defaultPrevented).toBe(false)
-    expect(handles[4]?.fire('touchstart').defaultPrevented).toBe(true)
-    handles[1]?.fire('pointerdown', { pointerId: 1, clientX: 0, clientY: 0 })
-    handles[1]?.fire('pointermove', { pointerId: 1, clientX: 1e5, clientY: -1e5 })
+    expect(send(handles[4] as Element, 'keydown', { key: 'a' }).defaultPrevented).toBe(false)
+    expect(send(handles[4] as Element, 'touchstart').defaultPrevented).toBe(true)
+    send(handles[1] as Element, 'pointerdown', { pointerId: 1, clientX: 0, clientY: 0 })
+    send(handles[1] as Element, 'pointermove', { pointerId: 1, clientX: 1e5, clientY: -1e5 })
     frame()
     expect(place(handles[1]).slice(0, 2)).toEqual([width, 0])
-    handles[1]?.fire('pointermove', { pointerId: 1, clientX: -1e5, clientY: 1e5 })
+    send(handles[1] as Element, 'pointermove', { pointerId: 1, clientX: -1e5, clientY: 1e5 })
     frame()
     expect(place(handles[1]).slice(0, 2)).toEqual([0, height])
     await eventually(() => expect(link.href).toMatch(/^https:\/\/example\.org\/#v1\.(?!first)/))
     resize(240)
-    expect(svg.attributes.get('--unit')).toBe(`${width / 240}`)
+    expect(svg.style.getPropertyValue('--unit')).toBe(`${width / 240}`)
     expect(place(handles[4])[2]).toBe((22 * width) / 240)
     resize(0)
-    expect(svg.attributes.get('--unit')).toBe('1')
+    expect(svg.style.getPropertyValue('--unit')).toBe('1')
     play.click()
-    handles[4]?.fire('keydown', { key: 'ArrowRight' })
+    send(handles[4] as Element, 'keydown', { key: 'ArrowRight' })
     expect(play.textContent).not.toBe('Pause')
   })
 
@@ -605,12 +576,12 @@ describe('what the printed rules find', () => {
   async function followed(circles = SIX) {
     const figure = element()
     figure.circles = Float64Array.from(circles)
-    const image = Object.assign(page.make('img'), { alt: 'The rules as printed' })
-    const [picture, output] = [page.make('div', { className: 'picture' }, image), page.make('output')]
-    const around = page.make('figure', { className: 'printed' }, figure, picture, output)
+    const image = Object.assign(make('img'), { alt: 'The rules as printed' })
+    const [picture, output] = [make('div', { className: 'picture' }, image), make('output')]
+    const around = make('figure', { className: 'printed' }, figure, picture, output)
     around.dataset.rules = 'literal'
-    page.replaceChildren(around)
-    followPrinted(page as unknown as Document)
+    document.body.replaceChildren(around)
+    followPrinted(document)
     await aTurn()
     const draw = async () => {
       frame()
@@ -631,7 +602,7 @@ describe('what the printed rules find', () => {
     expect(frames).toHaveLength(1)
     await draw()
     await eventually(() => expect(picture.querySelector('svg')).not.toBeNull())
-    const svg = picture.querySelector('svg') as FakeNode & { innerHTML: string }
+    const svg = picture.querySelector('svg') as SVGElement
     expect([svg.getAttribute('aria-label'), svg.getAttribute('role'), picture.children.length]).toEqual([
       'The rules as printed',
       'img',
@@ -643,7 +614,7 @@ describe('what the printed rules find', () => {
     const before = svg.getAttribute('viewBox')
     figure.view = { x: 0, y: 0, span: 20 }
     for (const name of ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick']) {
-      figure.fire(name)
+      send(figure, name)
       expect(frames, name).toHaveLength(1)
       await draw()
     }
@@ -651,12 +622,12 @@ describe('what the printed rules find', () => {
     expect(runs).toHaveLength(1)
     const looked = svg.getAttribute('viewBox')
     figure.view = { x: 0, y: 0, span: 0 }
-    figure.fire('wheel')
+    send(figure, 'wheel')
     await draw()
     expect(svg.getAttribute('viewBox')).toBe(looked)
     figure.view = undefined
     figure.circles = Float64Array.from(SIX.slice(0, 9))
-    figure.fire('circleschange')
+    send(figure, 'circleschange')
     await draw()
     expect(runs).toHaveLength(2)
   })
@@ -668,12 +639,12 @@ describe('what the printed rules find', () => {
     await draw()
     await eventually(() => expect(output.value).toBe('The rules cannot be loaded.'))
     isLoaded = true
-    figure.fire('circleschange')
+    send(figure, 'circleschange')
     await draw()
     await eventually(() => expect(output.value).not.toBe('The rules cannot be loaded.'))
     const count = runs.length
     figure.circles = Float64Array.from({ length: 3 * MOST_CIRCLES + 3 }, (_, k) => (k % 3 === 2 ? 0.1 : k))
-    figure.fire('circleschange')
+    send(figure, 'circleschange')
     await draw()
     await eventually(() => expect(output.value).toBe(`Here the rules are tried on ${MOST_CIRCLES} circles at most.`))
     expect(runs).toHaveLength(count)
@@ -686,12 +657,12 @@ it('a figure has its rims and its steps above, also after its circles have chang
     ['rims', rims],
     ['steps', steps],
   ] as const) {
-    const around = page.make('figure', {}, figure)
+    const around = make('figure', {}, figure)
     around.dataset[name] = name === 'steps' ? '0 3' : ''
-    page.append(around)
+    document.body.append(around)
   }
   rims.layers = { ...DEFAULT_LAYERS, hull: true }
-  await showExtras(page as unknown as Document)
+  await showExtras(document)
   await aTurn()
   expect(rims.layers).toMatchObject({ hull: true, data: [{ id: 'rims', discs: expect.any(Float64Array) }] })
   expect(rims.layers.data).toHaveLength(1)
@@ -702,38 +673,38 @@ it('a figure has its rims and its steps above, also after its circles have chang
     [13, 8],
   ])
   rims.circles = Float64Array.of(0, 0, 3, 9, 0, 1)
-  rims.fire('circleschange')
+  send(rims, 'circleschange')
   expect(rims.layers.data[0]?.discs).toEqual(Float64Array.of(0, 0, 2, 9, 0, 0))
 })
 
 it('cones turn with the pointer and the sliders, in whole pixels of the screen', () => {
-  const sliders = [sliderOf(60, 90), sliderOf(0, 180)] as const
-  const outputs = sliders.map(() => page.make('output'))
-  const image = Object.assign(page.make('img'), { alt: 'Cones' })
-  const picture = page.make('div', { className: 'picture' }, image)
-  const figure = page.make(
+  const sliders = [sliderOf(60, 90), sliderOf(0, 180, -180)] as const
+  const outputs = sliders.map(() => make('output'))
+  const image = Object.assign(make('img'), { alt: 'Cones' })
+  const picture = make('div', { className: 'picture' }, image)
+  const figure = make(
     'figure',
     {},
     picture,
-    ...sliders.map((slider, k) => page.make('label', {}, slider, outputs[k] as FakeNode)),
+    ...sliders.map((slider, k) => make('label', {}, slider, outputs[k] as Node)),
   )
   figure.dataset.cones = JSON.stringify({ circles: [1, 2, 3], view: [0, 0, 9] })
   const put: unknown[] = []
   let width = 320
   const captured = new Set<number>()
-  const create = page.createElement.bind(page)
-  page.createElement = (tag) =>
-    Object.assign(create(tag), {
-      getBoundingClientRect: () => ({ width }),
-      getContext: () => ({ putImageData: (...args: unknown[]) => put.push(args.slice(1)) }),
-      setPointerCapture: (id: number) => captured.add(id),
-      hasPointerCapture: (id: number) => captured.has(id),
-    })
+  vi.spyOn(HTMLCanvasElement.prototype, 'getBoundingClientRect').mockImplementation(() => ({ width }) as DOMRect)
+  vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockReturnValue({
+    putImageData: (...args: unknown[]) => put.push(args.slice(1)),
+  } as never)
+  Object.assign(HTMLCanvasElement.prototype, {
+    setPointerCapture: (id: number) => captured.add(id),
+    hasPointerCapture: (id: number) => captured.has(id),
+  })
   vi.stubGlobal('ImageData', class {})
-  page.append(figure)
-  turnCones(page as unknown as Document)
-  const canvas = picture.querySelector('canvas') as FakeNode & { width: number; height: number }
-  expect([canvas.getAttribute('aria-label'), canvas.getAttribute('role'), picture.children]).toEqual([
+  document.body.append(figure)
+  turnCones(document)
+  const canvas = picture.querySelector('canvas') as HTMLCanvasElement
+  expect([canvas.getAttribute('aria-label'), canvas.getAttribute('role'), [...picture.children]]).toEqual([
     'Cones',
     'img',
     [canvas],
@@ -761,16 +732,16 @@ it('cones turn with the pointer and the sliders, in whole pixels of the screen',
   expect(painted).toHaveLength(count)
   width = 320
   sliders[0].valueAsNumber = 30.4
-  sliders[0].fire('input')
+  send(sliders[0], 'input')
   frame()
   expect([outputs[0]?.value, painted.at(-1)?.[2]]).toEqual(['30°', { tilt: 30.4, turn: 0 }])
   const move = (movementX: number, movementY: number) => {
-    canvas.fire('pointermove', { pointerId: 1, movementX, movementY })
+    send(canvas, 'pointermove', { pointerId: 1, movementX, movementY })
     frame()
     return sliders.map(({ valueAsNumber }) => Math.round(10 * valueAsNumber) / 10)
   }
   expect(move(100, 10)).toEqual([30.4, 0])
-  canvas.fire('pointerdown', { pointerId: 1 })
+  send(canvas, 'pointerdown', { pointerId: 1 })
   expect(move(100, 10)).toEqual([33.4, -40])
   expect(outputs[1]?.value).toBe('-40°')
   // Half a turn leads to the other end.
