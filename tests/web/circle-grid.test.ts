@@ -195,6 +195,17 @@ describe('rows', () => {
     expect(done, 'the measures are not known yet').not.toContainEqual(['goTo', 1])
     await answer({ ids: Int32Array.of(0, 1, 2), columns: [[3, 1, 2]] })
     expect([ids(), done.filter(([name]) => name === 'goTo')]).toEqual([[1, 2, 0], [['goTo', 0]]])
+    await editing.edit([{ kind: 'replace', id: 1, circle: { x: 0, y: 98, r: 1 } }])
+    await settled()
+    await vi.advanceTimersByTimeAsync(300)
+    done.length = 0
+    grid.isEditing = true
+    await answer({ ids: Int32Array.of(0, 1, 2), columns: [[3, 1, 2]] })
+    expect(
+      done.filter(([name]) => name === 'goTo'),
+      'while a cell is edited',
+    ).toEqual([])
+    grid.isEditing = false
     const late = table.sort(column('nearest'))
     await table.sort(column('y'))
     for (const act of answers.splice(0)) act(tabulated)

@@ -342,7 +342,13 @@ describe('a check', () => {
     area: 7.5,
     perimeter: 11,
   }
-  const facts: Facts = { circles: 4, hidden: 1, vertices: 3, edges: 6, cells: new Map([[1, cell]]) }
+  const facts: Facts = {
+    circles: 4,
+    hidden: 1,
+    vertices: 3,
+    edges: 6,
+    cells: new Map([1, 2].map((id) => [id, { ...cell, neighbors: [id - 1, id + 1] }])),
+  }
 
   test.each([
     [{ cell: 1, edges: 3 }, true],
@@ -351,6 +357,7 @@ describe('a check', () => {
     [{ cell: 1, edges: 3, bounded: false }, false],
     [{ cell: 1, neighbor: 2 }, true],
     [{ cell: 1, neighbor: 3 }, false],
+    [{ cell: 2, neighbor: 0 }, false],
     [{ cell: 1, area: { min: 7, max: 8 } }, true],
     [{ cell: 1, area: { max: 7 } }, false],
     [{ cell: 1, x: 1, y: { min: 2 }, r: { max: 3 } }, true],

@@ -2,8 +2,10 @@
 // The answers of the files thread: what it reads and writes, and its failures.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { HowRead, Read, SavedFormat } from '../../web/app/files/files-protocol.ts'
+import type { Lattice } from '../../web/lib/index.ts'
 import { decodeLink } from '../../web/lib/link.ts'
 import type { RemoteReply } from '../../web/view/remote-calls.ts'
+import { library } from './library.ts'
 
 const world = vi.hoisted(() => ({ failures: 1 }))
 vi.mock('../../web/app/generators/generators.ts', () => ({
@@ -153,7 +155,7 @@ describe('saved data', () => {
   })
 
   it('of cells that repeat has whole cells, with ids and properties as they are written in the file', async () => {
-    const lattice = { a: [40, 0], b: [0, 50] }
+    const lattice: Lattice = { a: [40, 0], b: [0, 50] }
     const text = await write('cells', { lattice }, ATTRIBUTES)
     expect(text.endsWith('\n]}\n')).toBe(true)
     const { features } = JSON.parse(text)
@@ -162,9 +164,11 @@ describe('saved data', () => {
     const properties = features.map((feature: { properties: object }) => feature.properties)
     expect(properties[2]).toMatchObject({ circle: 2, r: 3, a: '}' })
     expect(properties.reduce((sum: number, { area }: { area: number }) => sum + area, 0)).toBeCloseTo(2000, 6)
-    for (const { neighbors, shifts } of properties)
-      expect([neighbors.length, shifts.length]).toEqual([shifts.length, neighbors.length])
-    expect(properties[0].neighbors).toContain(1)
+    const periodic = library.computePeriodic(CIRCLES, lattice)
+    for (const [circle, { neighbors, shifts }] of properties.entries()) {
+      const images = periodic.neighbors(circle)
+      expect([neighbors, shifts]).toEqual([images.map((image) => image.circle), images.map((image) => image.shift)])
+    }
     expect(features[0].geometry.type).toBe('Polygon')
     expect(Object.keys(JSON.parse(await write('cells', { lattice })).features[0])).toEqual([
       'type',

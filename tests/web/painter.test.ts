@@ -543,7 +543,7 @@ describe('what another thread has to know', () => {
   })
 })
 
-it('all tiles of a viewport are painted once, and again when the whole picture has changed', () => {
+it('all tiles of a viewport are painted once, and again when the whole picture or the grid has changed', () => {
   vi.stubGlobal(
     'OffscreenCanvas',
     class {
@@ -568,6 +568,8 @@ it('all tiles of a viewport are painted once, and again when the whole picture h
   tiles.turnTo(viewport)
   expect(paintAll()).toBe(0)
   tiles.restart()
+  expect(paintAll()).toBe(count)
+  tiles.turnTo({ ...viewport, grid: { ...grid, id: 2, scale: 2 } })
   expect(paintAll()).toBe(count)
   vi.unstubAllGlobals()
 })

@@ -492,6 +492,23 @@ describe('a figure that the tutorial draws', () => {
     expect(seen).toEqual([0, 0, 1, 1])
   })
 
+  it('colors points that are evenly spread over its box', async () => {
+    const { slider, content } = await drawn({ kind: 'nearest', point: [3, 3] })
+    slider.valueAsNumber = 36
+    send(slider, 'input')
+    const dots = [...content.querySelectorAll('.dot:not(.point)')].map(place)
+    const partsOf = (axis: 0 | 1, count: number) => {
+      const sorted = dots.map((dot) => dot[axis] as number).sort((one, other) => one - other)
+      return dots.map((dot) => Math.floor((sorted.indexOf(dot[axis] as number) / sorted.length) * count))
+    }
+    // Among 36 points of the Halton sequence, each sixth of the box has six.
+    const [halves, thirds] = [partsOf(0, 2), partsOf(1, 3)]
+    const sixths = halves.map((half, k) => 3 * half + (thirds[k] as number))
+    expect([0, 1, 2, 3, 4, 5].map((sixth) => sixths.filter((other) => other === sixth).length)).toEqual([
+      6, 6, 6, 6, 6, 6,
+    ])
+  })
+
   it('has handles that are dragged and moved by keys within the picture, and its link follows', async () => {
     const { svg, handles, content, link, play, resize } = await drawn({ kind: 'nearest', point: [3, 3] })
     expect([svg.getAttribute('aria-label'), svg.getAttribute('role')]).toEqual(['Discs', 'group'])

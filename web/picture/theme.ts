@@ -64,11 +64,10 @@ function channelsOf(color: string): [red: number, green: number, blue: number, a
     const [red, green, blue, alpha = 255] = (long.match(/../g) as string[]).map((pair) => Number.parseInt(pair, 16))
     return [red as number, green as number, blue as number, alphaOf(alpha)]
   }
-  const [, red, green, blue, percent = '100'] =
-    /^rgba?\((\d+)[ ,]+(\d+)[ ,]+(\d+)(?:[ ,/]+([\d.]+)%?)?\)$/.exec(color) ?? []
+  const [, red, green, blue, alpha = '1', percent] =
+    /^rgba?\((\d+)[ ,]+(\d+)[ ,]+(\d+)(?:[ ,/]+([\d.]+)(%)?)?\)$/.exec(color) ?? []
   if (red === undefined) throw new Error(`The style sheet has a color that cannot be read: ${color}`)
-  const share = Number(percent)
-  return [Number(red), Number(green), Number(blue), color.includes('%') ? share / 100 : percent === '100' ? 1 : share]
+  return [Number(red), Number(green), Number(blue), Number(alpha) / (percent === undefined ? 1 : 100)]
 }
 
 /** Uses the fewest digits that give the same byte (CSS Color 4, section 15.2). */
