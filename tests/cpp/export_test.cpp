@@ -506,6 +506,19 @@ TEST(Export, SvgHasItsLayers) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(Export, OnlyCellsThatACommonDistanceLimitsHaveBorders) {
+  const auto strokeOfCells = [](const ExportOptions& options) {
+    const std::string svg = textOf(writeSvg, {{0, 0, 1}, {9, 0, 1}}, options);
+    const std::size_t cells = svg.find("<g class=\"cells\"");
+    const std::size_t stroke = svg.find("stroke=\"", cells) + 8;
+    return svg.substr(stroke, svg.find('"', stroke) - stroke);
+  };
+  ExportOptions near;
+  near.maxDistance = 2;
+  EXPECT_EQ(strokeOfCells({}), "none");
+  EXPECT_EQ(strokeOfCells(near), "#1f4e79");
+}
+
 TEST(Export, SvgTellsHiddenCirclesAndPoints) {
   const std::string svg = textOf(writeSvg, {{0, 0, 3}, {1, 1, 1}, {9, 2, 0}, {0, 1, 0}, {0, 8, 0.001}});
   EXPECT_NE(svg.find("<circle data-circle=\"0\" cx=\"0\" cy=\"0\" r=\"3\"/>"), std::string::npos);
