@@ -57,6 +57,18 @@ describe('a table whose columns the reader does not know', () => {
     expect(guessedColumns({ heading: names })).toEqual({ isDiameter: false, isSure: true, ...columns })
   })
 
+  it.each([
+    ['x', 'x cx x-coord xwert x_center pos_x lon long lng longitude länge längengrad east easting rechtswert'],
+    ['y', 'y cy y-coord ywert y_center pos_y lat latitude breite breitengrad north northing hochwert'],
+    ['r', 'r rad radius radien radii weight gewicht'],
+    ['diameter', 'd diam diameter durchmesser dbh bhd'],
+  ])('knows the words for %s', (kind, words) => {
+    const guessed = kind === 'diameter' ? { r: 0, isDiameter: true } : { [kind]: 0, isDiameter: false }
+    for (const word of words.split(' ')) {
+      expect(guessedColumns({ heading: [word] }), word).toEqual({ isSure: false, ...guessed })
+    }
+  })
+
   it('names its columns as the reader does, to the bit', async () => {
     const files = await loadFiles()
     for (const [text, circles] of [
