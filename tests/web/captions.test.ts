@@ -30,6 +30,7 @@ import {
   stateOf,
   textOf,
 } from './page-document.ts'
+import { settled } from './turns.ts'
 
 vi.mock('../../web/view/style.ts', () => ({ readStyle: () => ({ ramp: ['a', 'b'], map: ['red', 'blue'] }) }))
 
@@ -46,9 +47,6 @@ afterEach(() => {
 const editedOf = (circles: number, more: object = {}) =>
   ({ counts: { circles, vertices: 1, edges: 2, hidden: 0 }, seconds: 0, ...more }) as unknown as State['edited']
 const EDITS = { done: [{ kind: 'edits' }], undone: [] } as unknown as History
-const settled = async () => {
-  for (let k = 0; k < 9; k++) await Promise.resolve()
-}
 
 describe('the caption', () => {
   function said(isTouch = false) {

@@ -36,15 +36,13 @@ import {
   stateOf,
   textOf,
 } from './page-document.ts'
+import { settled } from './turns.ts'
 
 vi.mock('lit/html.js', { spy: true })
 
 beforeEach(() => void openPage())
 afterEach(() => vi.unstubAllGlobals())
 
-const settled = async () => {
-  for (let k = 0; k < 9; k++) await Promise.resolve()
-}
 const called = (id: number) => `circle ${id}`
 
 describe('the card of several circles', () => {

@@ -6,6 +6,7 @@ import { CircleGrid } from '../../web/app/table/circle-grid.ts'
 import { NO_ATTRIBUTES } from '../../web/editing/attributes.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
 import { editingSession, sceneOf } from './editing-session.ts'
+import { settled } from './turns.ts'
 
 const { grid, done } = vi.hoisted(() => ({ grid: { isEditing: false }, done: [] as unknown[][] }))
 vi.mock('../../web/app/table/grid.ts', () => ({
@@ -41,9 +42,6 @@ afterEach(() => {
   vi.unstubAllGlobals()
   vi.useRealTimers()
 })
-const settled = async () => {
-  for (let k = 0; k < 30; k++) await Promise.resolve()
-}
 
 const CIRCLES = [0, 9, 1, 30.123456789, 5, 3, 60, 7, 2]
 const COLUMNS = [

@@ -143,7 +143,7 @@ describe('a path in a frame', () => {
       ['arc', 200, 150, 6, turn, -Math.round(2e6 * Math.PI) / 1e6, false],
       ['closePath'],
     ])
-    // Where an arc has ended far away, the side to the start is cut to what is near.
+    // The side from an arc that ended far away to the start is cut to what is near.
     calls.length = 0
     sink.moveTo(13, 20)
     sink.arc(10, 20, 1e6, 0, Math.PI / 2)

@@ -4,6 +4,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { Grid, type GridContent } from '../../web/app/table/grid.ts'
 import { all, element, measure, openPage, send, textOf } from './page-document.ts'
+import { settled } from './turns.ts'
 
 const { world } = vi.hoisted(() => ({
   world: { first: 0, last: 3, scrolled: [] as unknown[][], mounted: 0, counted: [] as number[] },
@@ -57,10 +58,6 @@ afterEach(() => {
   vi.unstubAllGlobals()
   vi.restoreAllMocks()
 })
-
-const settled = async () => {
-  for (let k = 0; k < 20; k++) await Promise.resolve()
-}
 
 function gridOf({ rows = 10 } = {}) {
   const done: unknown[][] = []

@@ -5,6 +5,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
 import type { Outcome } from '../../web/editing/editing.ts'
 import { element, openPage, stateOf } from './page-document.ts'
+import { settled } from './turns.ts'
 
 const world = vi.hoisted(() => {
   const done: unknown[][] = []
@@ -111,10 +112,6 @@ beforeEach(() => {
   world.isAddressNew = false
 })
 afterEach(() => vi.unstubAllGlobals())
-
-const settled = async () => {
-  for (let k = 0; k < 20; k++) await Promise.resolve()
-}
 
 /** Starts the page at an address. `kept` is its saved link. */
 async function started(

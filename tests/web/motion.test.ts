@@ -11,6 +11,7 @@ import type { Circle } from '../../web/lib/index.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import type { View } from '../../web/view/view.ts'
 import { editingSession, sceneOf } from './editing-session.ts'
+import { settled } from './turns.ts'
 
 /** Frames of a browser that the test shows. */
 let frames: Map<number, (now: number) => void>
@@ -29,9 +30,6 @@ afterEach(() => {
   vi.unstubAllGlobals()
   vi.useRealTimers()
 })
-const settled = async () => {
-  for (let k = 0; k < 20; k++) await Promise.resolve()
-}
 async function show(now: number) {
   for (const [frame, act] of [...frames]) {
     frames.delete(frame)

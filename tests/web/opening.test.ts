@@ -7,6 +7,7 @@ import { encodeLink } from '../../web/lib/link.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 import { box } from './shapes.ts'
+import { settled } from './turns.ts'
 
 const FIRST = { ...opened(0, 0, 1, 5, 5, 2), edits: [{ kind: 'remove' as const, id: 0 }], layers: { hull: true } }
 const SECOND = opened(1, 1, 1, 2, 2, 2, 3, 3, 3)
@@ -55,7 +56,7 @@ describe('what is opened', () => {
     const { actions, editing, view, circles } = started()
     const first = actions.open(async () => FIRST)
     // Loading is over by then; computing takes another turn.
-    for (let k = 0; k < 10; k++) await Promise.resolve()
+    await settled()
     const second = actions.open(async () => SECOND)
     expect([await first, await second]).toEqual(['superseded', 'opened'])
     expect([circles(), view.layers.hull]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], false])
@@ -116,7 +117,7 @@ describe('what is opened', () => {
       const { actions, fake, editing, store } = editingSession({ before: aTurn, padding })
       actions.select([0])
       const opening = actions.open(async () => SECOND)
-      for (let k = 0; k < 9; k++) await Promise.resolve()
+      await settled()
       expect(fake.camera.x).toBe(3)
       expect(store.get().selection, 'of the former circles').toEqual([])
       const camera = { x: 7, y: 8, scale: 9 }

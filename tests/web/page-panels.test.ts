@@ -41,6 +41,7 @@ import {
   stateOf,
   textOf,
 } from './page-document.ts'
+import { settled } from './turns.ts'
 
 vi.mock('lit/html.js', { spy: true })
 vi.mock('../../web/app/motion/film.ts', () => ({ filmed: vi.fn() }))
@@ -90,9 +91,6 @@ afterEach(() => {
   vi.useRealTimers()
 })
 
-const settled = async () => {
-  for (let k = 0; k < 9; k++) await Promise.resolve()
-}
 /** Waits for modules that panels import. */
 const imported = () => vi.dynamicImportSettled()
 

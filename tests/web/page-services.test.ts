@@ -18,6 +18,7 @@ import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import type { View } from '../../web/view/view.ts'
 import { all, element, openPage, textOf } from './page-document.ts'
+import { settled } from './turns.ts'
 
 beforeEach(() => void openPage())
 afterEach(() => {
@@ -25,9 +26,6 @@ afterEach(() => {
   vi.unstubAllGlobals()
   vi.useRealTimers()
 })
-const settled = async () => {
-  for (let k = 0; k < 20; k++) await Promise.resolve()
-}
 
 describe('a data set', () => {
   const files: Record<string, string | undefined> = {}

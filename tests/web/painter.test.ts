@@ -543,7 +543,8 @@ describe('what another thread has to know', () => {
   })
 })
 
-it('all tiles of a viewport are painted once, and again when the whole picture or the grid has changed', () => {
+/** A canvas whose pixels do not matter. */
+function stubCanvas(): void {
   vi.stubGlobal(
     'OffscreenCanvas',
     class {
@@ -553,6 +554,10 @@ it('all tiles of a viewport are painted once, and again when the whole picture o
       transferToImageBitmap() {}
     },
   )
+}
+
+it('all tiles of a viewport are painted once, and again when the whole picture or the grid has changed', () => {
+  stubCanvas()
   const tiles = new Tiles(() => {})
   const box = { left: 0, top: 0, width: 512, height: 512 }
   const grid = { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }
@@ -575,15 +580,7 @@ it('all tiles of a viewport are painted once, and again when the whole picture o
 })
 
 it('tiles in the middle are painted first, and a changed box with its strokes at every pixel ratio', () => {
-  vi.stubGlobal(
-    'OffscreenCanvas',
-    class {
-      getContext() {
-        return {}
-      }
-      transferToImageBitmap() {}
-    },
-  )
+  stubCanvas()
   for (const pixelRatio of [1, 2]) {
     const tiles = new Tiles(() => {})
     const grid = { id: 1, x: 0, y: 0, scale: 1, pixelRatio }

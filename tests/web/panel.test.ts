@@ -5,6 +5,7 @@ import { html } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
 import { buttonOf, control, element, openPage, press, send, textOf } from './page-document.ts'
+import { settled } from './turns.ts'
 
 const STORED = 'circle-voronoi:open-panel'
 let panels: typeof import('../../web/app/panels/panel.ts')
@@ -181,10 +182,6 @@ describe('the handle of a sheet', () => {
 })
 
 describe('a panel that is loaded later', () => {
-  const settled = async () => {
-    for (let k = 0; k < 9; k++) await Promise.resolve()
-  }
-
   it('is loaded by a press, which then opens it, once', async () => {
     const button = buttonOf('a')
     let mounted = 0

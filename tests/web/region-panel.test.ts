@@ -27,6 +27,7 @@ import {
   stateOf,
   textOf,
 } from './page-document.ts'
+import { settled } from './turns.ts'
 
 vi.mock('lit/html.js', { spy: true })
 
@@ -39,9 +40,6 @@ const SQUARE = [
   [4, 4],
   [0, 4],
 ] as const
-const settled = async () => {
-  for (let k = 0; k < 9; k++) await Promise.resolve()
-}
 
 function mounted(domain: Partial<Domain> = {}, columns: readonly string[] = []) {
   const done: unknown[][] = []

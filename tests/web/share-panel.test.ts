@@ -30,6 +30,7 @@ import {
   stateOf,
   textOf,
 } from './page-document.ts'
+import { settled } from './turns.ts'
 
 vi.mock('../../web/app/motion/clip.ts', () => ({ recordClip: vi.fn() }))
 const saved = vi.hoisted(() => [] as unknown[])
@@ -46,9 +47,6 @@ afterEach(() => {
   vi.useRealTimers()
 })
 
-const settled = async () => {
-  for (let k = 0; k < 9; k++) await Promise.resolve()
-}
 const FACTS: CellFacts = {
   x: 1.25,
   y: -2,

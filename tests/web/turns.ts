@@ -7,3 +7,8 @@ export const aTurn = () => new Promise<unknown>((resolve) => setTimeout(resolve)
 
 /** Waits until a check passes, however busy the machine is. */
 export const eventually = <Value>(check: () => Value | Promise<Value>) => vi.waitFor(check, { timeout: 40_000 })
+
+/** Lets promises pass that wait for no event, also while timers are faked. */
+export async function settled(): Promise<void> {
+  for (let k = 0; k < 30; k++) await Promise.resolve()
+}
