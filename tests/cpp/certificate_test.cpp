@@ -131,7 +131,7 @@ TEST(Certificate, RefusesACellForAHiddenCircle) {
 }
 
 TEST(Certificate, NamesCirclesByTheirIndicesAmongAllCircles) {
-  // In front of all others comes a circle that the first of them hides.
+  // The first circle is hidden by the second.
   std::vector<Circle> circles = kNested;
   circles.insert(circles.begin(), {9, 9, 0.5});
   const auto behind = [&](Diagram diagram) {

@@ -125,7 +125,7 @@ Json numbersOf(const std::vector<Item>& items, Members... members) {
 TEST_F(CliEdit, ChangesAreThoseOfTheLibrary) {
   const std::string text = "0,0,1\n6,0,1\n0,8,1\n5,7,2\n9,3,0.5\n";
   DiagramEditor editor = DiagramEditor::from(readCircles(text, "test").value()).value();
-  // Comes between others, grows over them, and goes.
+  // A circle comes between others, grows over them, and is removed.
   const std::vector<Edit> edits = {
       {Edit::Kind::insert, kNone, {3, 4, 0.5}}, {Edit::Kind::replace, 5, {4, 6, 4}}, {Edit::Kind::remove, 5, {}}};
   textOf("edit - --script " + write("edits.csv", "insert,3,4,0.5\nreplace,5,4,6,4\nremove,5\n") + " --changes " +

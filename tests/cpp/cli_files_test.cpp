@@ -118,7 +118,7 @@ TEST_F(CliFiles, AnOutputIsNoOtherOutput) {
   refuses(edit + " --trace -", "--trace and --output", "standard output");
   refuses(edit + " -o " + path("new.csv") + " --changes - --trace -", "--trace and --changes", "standard output");
   refuses(tile + " --open -", "--open and --output", "standard output");
-  // Into a pipe as well as into a file.
+  // Standard output may be a pipe, too.
   const std::string both = shell(program_ + " " + edit + " -o " + path("new.csv") + " --changes - --trace - | cat").err;
   EXPECT_NE(both.find("--trace and --changes cannot both be standard output."), std::string::npos) << both;
   const std::string trace = program_ + " " + compute + " --trace " + path("new.csv") + " >" + path("new.csv");

@@ -5,7 +5,7 @@ const menus = HTMLSelectElement.prototype as unknown as Record<symbol, (option?:
 const update = Object.getOwnPropertySymbols(menus).find(({ description }) => description === 'updateSelectedness')
 const updated = menus[update as symbol]
 const former = new WeakMap<HTMLSelectElement, HTMLOptionElement | undefined>()
-// A wrong option is selected where one that is selected is inserted. Browsers select the inserted one.
+// Where a selected option is inserted, another one stays selected. Browsers select the inserted one.
 menus[update as symbol] = function (this: HTMLSelectElement, option?: unknown) {
   const selected = [...this.options].filter((one) => one.selected)
   updated?.call(this, option ?? selected.find((one) => one !== former.get(this)) ?? selected[0])

@@ -907,7 +907,7 @@ it('marks are none of circles that were opened since, and results are found anew
     scene.open(Float64Array.of(0, 0, 10, ...around.flatMap((angle) => [20 * Math.cos(angle), 20 * Math.sin(angle), 0])))
     const { selected } = scene.mark(0, undefined)
     expect([selected?.neighbors.length, (selected?.neighborhood.length ?? 0) > 0]).toEqual([count, isOutlined])
-    // They are listed in their order around the cell, from the least id on.
+    // The neighbors are listed in their order around the cell, from the least id on.
     const steps = new Set(selected?.neighbors.map((id, k, ring) => ((ring[k + 1] ?? 1) - id + count) % count))
     expect([selected?.neighbors[0], steps.size]).toEqual([1, 1])
   }

@@ -337,7 +337,7 @@ describe('the name and the color of the selected circle', () => {
     for (const frame of frames.splice(0)) frame()
   }
   const field = (name: string) => element<HTMLInputElement>(`field-${name}`)
-  /** Whether other elements do not get to know of the key. */
+  /** Presses a key in a field. Returns whether no other element hears of it. */
   const pressKey = (key: string) => {
     const event = Object.assign(new Event('keydown', { bubbles: true }), { key })
     const stop = vi.spyOn(event, 'stopPropagation')

@@ -754,12 +754,12 @@ describe('the base picture', () => {
       whole(picture, picture.see(camera, size, 2) as PaintRequest)
       expect(shown(picture, camera, 2)).toEqual([[0, -256, -256, 1280, 1024]])
       expect(shown(picture, { ...camera, x: 10, y: 5 }, 2)).toEqual([[0, -276, -246, 1280, 1024]])
-      // Twice as large around the middle of the picture.
+      // Pixels of half the scale are shown twice as large around the middle of the picture.
       expect(shown(picture, { ...camera, scale: 2 }, 2)).toEqual([[0, -300 - 512, -200 - 512, 2560, 2048]])
       expect([256, 257, 1 / 256, 1 / 257].map((scale) => shown(picture, { ...camera, scale }, 2).length)).toEqual([
         1, 0, 1, 0,
       ])
-      // The former pixels are below the new ones until these are whole, and those of a third scale are none.
+      // The former pixels are below the new ones until the new ones are whole. Only two scales are kept.
       const second = picture.see({ ...camera, scale: 2 }, size, 2) as PaintRequest
       expect(shown(picture, { ...camera, scale: 2 }, 2).map(([canvas]) => canvas)).toEqual([0, 1])
       const third = picture.see({ ...camera, scale: 4 }, size, 2) as PaintRequest

@@ -107,7 +107,7 @@ it('plays from the start where no step is shown, from the step otherwise, and pa
   expect(play).toHaveBeenCalledTimes(2)
   stepping.pause()
   expect(pause).toHaveBeenCalledOnce()
-  // It does not play either once it is mounted again.
+  // The player does not play once it is mounted again, either.
   showStep(undefined)
   frame()
   stepping.play()

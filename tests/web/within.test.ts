@@ -38,7 +38,7 @@ it('a table that Markdown has moved behind the element belongs to it, if an empt
   expect(moved(node('p', element()), table(), node('p'))).toEqual([1, 2, 3])
   expect(moved(node('p', element()), node('div', table()), node('p'))).toEqual([1, 2, 3])
   expect(moved(node('p', element(), '\n'), table(), node('p'))).toEqual([1, 2, 3])
-  // Others are tables of the page.
+  // Tables elsewhere belong to the page.
   expect(moved(node('div', element()), table(), node('p'))).toBeUndefined()
   expect(moved(node('p', element(), 'text'), table(), node('p'))).toBeUndefined()
   expect(moved(node('p', element(), node('b')), table(), node('p'))).toBeUndefined()
