@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Changes of the input that must not change the diagram, or must change it in a known way. Where the arithmetic of the
 // change is exact the outcome is compared exactly: circles are multiples of 2^-10 below 2^10, so that shifts and powers
-// of two lose no bit. weights_test.cpp tests adding a constant to all radii.
+// of two lose no bit. order_test.cpp tests other orders of the circles,
+// weights_test.cpp adding a constant to all radii.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,16 +34,6 @@ void expectSame(const Diagram& actual, const Diagram& expected, const Circles& c
   EXPECT_EQ(test::differenceAfterMerging(actual, expected, circles), "");
 }
 
-/// Whether two ends of an edge are so near that they may be one.
-bool hasTies(const Diagram& diagram) {
-  return std::ranges::any_of(diagram.edges, [&](const Edge& edge) {
-    if (edge.start == kNone || edge.end == kNone) return false;
-    const Vertex& s = diagram.vertices[static_cast<std::size_t>(edge.start)];
-    const Vertex& e = diagram.vertices[static_cast<std::size_t>(edge.end)];
-    return std::hypot(s.x - e.x, s.y - e.y) < 1e-6;
-  });
-}
-
 using test::diagramOf;
 
 template <class Check>
@@ -60,14 +50,6 @@ void onEveryFamily(Check check) {
   }
 }
 
-/// The circle that stands for each of several identical ones: the first.
-std::vector<std::int32_t> firstOfIdentical(const Circles& circles) {
-  std::vector<std::int32_t> first(circles.size());
-  for (std::size_t i = 0; i < circles.size(); ++i)
-    first[i] = static_cast<std::int32_t>(std::ranges::find(circles, circles[i]) - circles.begin());
-  return first;
-}
-
 /// A diagram with other indices of circles.
 Diagram renamed(Diagram diagram, const std::vector<std::int32_t>& names) {
   const auto rename = [&](CircleIndex& i) { i = names[static_cast<std::size_t>(i)]; };
@@ -82,25 +64,6 @@ Diagram renamed(Diagram diagram, const std::vector<std::int32_t>& names) {
   }
   std::ranges::for_each(diagram.hull, rename);
   return diagram;
-}
-
-TEST(Metamorphic, TheOrderOfCirclesDoesNotMatter) {
-  onEveryFamily([](const Circles& circles, const FamilyInfo&, Random& random) {
-    std::vector<std::int32_t> order(circles.size());
-    std::iota(order.begin(), order.end(), 0);
-    random.shuffle(order);
-    Circles shuffled;
-    for (const std::int32_t i : order) shuffled.push_back(circles[static_cast<std::size_t>(i)]);
-
-    const auto first = firstOfIdentical(circles);
-    Diagram actual = renamed(renamed(diagramOf(shuffled), order), first);
-    Diagram expected = renamed(diagramOf(circles), first);
-    for (Diagram* diagram : {&actual, &expected}) std::ranges::sort(diagram->hidden, {}, &HiddenCircle::circle);
-    EXPECT_EQ(test::differenceAfterMerging(actual, expected, circles), "");
-    if (!hasTies(expected)) {
-      EXPECT_EQ(test::difference(actual, expected), "");
-    }
-  });
 }
 
 TEST(Metamorphic, TranslationByIntegersKeepsTheTopology) {

@@ -23,6 +23,7 @@ add_executable(circle_voronoi_proof_tests
   judge_step_test.cpp
   judge_test.cpp
   metamorphic_test.cpp
+  order_test.cpp
   predicates_test.cpp
   repair_test.cpp
   settle_ties_test.cpp

@@ -5,24 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "branchless.h"
 #include "certificate_message.h"
 #include "predicates.h"
 #include "validate.h"
 
 namespace circle_voronoi {
-
-namespace {
-
-using Triple = Predicates::Triple;
-
-/// Rotates the circles of a vertex so that the one with the smallest input index comes first. Then a vertex has the
-/// same bits however it was found.
-Triple fromFirst(const Triple& corners, const std::vector<int>& indices) {
-  return startingAt(corners, indexOfSmallest({indices[corners[0]], indices[corners[1]], indices[corners[2]]}));
-}
-
-}  // namespace
 
 Diagram diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, Threads threads) {
   Diagram diagram;
@@ -30,8 +17,8 @@ Diagram diagramOf(std::span<const Circle> circles, Construction construction, Si
   Links links;
   const Predicates predicates(sites.circles);
   // A diagram that is not certified may have triples without a disc, whose vertex may be anything.
-  const auto vertexOf = [&](const Triple& corners, const FaceDisc& disc) {
-    return predicates.vertex(fromFirst(corners, sites.indices), disc);
+  const auto vertexOf = [&](const Predicates::Triple& corners, const FaceDisc& disc) {
+    return predicates.vertex(corners, disc).value_or(Vertex{});
   };
   if (construction.flawed) {
     const TopologyFlaw& found = construction.flawed->flaw;
@@ -40,7 +27,7 @@ Diagram diagramOf(std::span<const Circle> circles, Construction construction, Si
     const auto ofInput = [&](CircleIndex& circle) { circle = sites.indices[circle]; };
     for (auto& triple : topology.vertexCircles) {
       const auto& [i, j, k] = triple;
-      diagram.vertices.push_back(vertexOf({i, j, k}, {}).value_or(Vertex{}));
+      diagram.vertices.push_back(vertexOf({i, j, k}, {}));
       std::for_each(triple.begin(), triple.end(), ofInput);
       std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     }
@@ -62,9 +49,8 @@ Diagram diagramOf(std::span<const Circle> circles, Construction construction, Si
     diagram.vertices.resize(static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), isVertex)));
     threads.forEach(vertices.size(), [&](std::size_t face) {
       if (!isVertex(vertices[face])) return;
-      const auto vertex =
+      diagram.vertices[vertices[face]] =
           vertexOf(cornersOf(dual, 3 * static_cast<int>(face)), discs.empty() ? FaceDisc{} : discs[face]);
-      diagram.vertices[vertices[face]] = vertex.value_or(Vertex{});
     });
     // Frees memory before more is needed.
     verdict.proof = {};

@@ -53,7 +53,7 @@ std::array<int, 3> slotsOfVertex(const EditState& state, int face) {
 }
 
 Vertex vertexOfFace(const EditState& state, int face) {
-  return state.predicates.vertex(slotsOfVertex(state, face), state.discs[face]).value_or(Vertex{});
+  return state.predicates.vertex(cornersOf(state.dual, 3 * face), state.discs[face]).value_or(Vertex{});
 }
 
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,

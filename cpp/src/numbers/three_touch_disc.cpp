@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include "estimate.h"
 #include "exact.h"
@@ -10,6 +13,17 @@
 #include "refined.h"
 
 namespace circle_voronoi {
+namespace {
+
+/// Rotates three circles so that the one with the smallest center, by x and then y, comes first.
+exact::Face fromLeast(exact::Face circles) {
+  const auto isLess = [](const Circle* a, const Circle* b) { return std::pair(a->x, a->y) < std::pair(b->x, b->y); };
+  std::rotate(circles.begin(), std::min_element(circles.begin(), circles.end(), isLess), circles.end());
+  return circles;
+}
+
+}  // namespace
+
 std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles) {
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
@@ -21,12 +35,13 @@ std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circ
 }
 
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c) {
-  const std::array<const Circle*, 3> circles = {&a, &b, &c};
-  int io = 0;
-  if (b.r < circles[io]->r) io = 1;
-  if (c.r < circles[io]->r) io = 2;
-  const int iu = (io + 1) % 3;
-  const int iv = (io + 2) % 3;
+  const exact::Face circles = {&a, &b, &c};
+  const auto isLess = [](const Circle* i, const Circle* j) {
+    return std::tuple(i->r, i->x, i->y) < std::tuple(j->r, j->x, j->y);
+  };
+  const auto io = static_cast<std::size_t>(std::min_element(circles.begin(), circles.end(), isLess) - circles.begin());
+  const std::size_t iu = (io + 1) % 3;
+  const std::size_t iv = (io + 2) % 3;
   const Circle& o = *circles[io];
 
   const Difference u(*circles[iu], o);
@@ -69,8 +84,10 @@ std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c
 }
 
 std::optional<Vertex> refinedVertexOf(const Circle& a, const Circle& b, const Circle& c) {
-  if (const auto vertex = vertexAt(refinedDiscOf(a, b, c), {&a, &b, &c})) return vertex;
-  return exact::disc({&a, &b, &c});
+  // Of equal radii, the disc is seen from the first.
+  const exact::Face circles = fromLeast({&a, &b, &c});
+  if (const auto vertex = vertexAt(refinedDiscOf(*circles[0], *circles[1], *circles[2]), circles)) return vertex;
+  return exact::disc(circles);
 }
 
 }  // namespace circle_voronoi

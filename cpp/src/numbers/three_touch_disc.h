@@ -24,12 +24,13 @@ struct ThreeTouchDisc {
 ///
 /// Relative to the circle o of smallest radius, the center (x, y) and the distance rho = radius + o.r from it lie on
 /// two planes and on the cone x^2 + y^2 = rho^2; of the two points the counter-clockwise disc is always the same root.
-/// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCenter, bit for bit unless radii are equal.
+/// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCenter, bit for bit.
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c);
 
 /// Computes the disc of three circles in counter-clockwise order. However near the circles come to having no disc, or
 /// an infinitely large one, it is right to 36 bits of their distances from each other and from its center. If the
-/// circles have no disc, the result is nothing or arbitrary. Its bits depend on the three circles alone.
+/// circles have no disc, the result is nothing or arbitrary. Its bits depend on the three circles alone, not on which
+/// of them comes first.
 ///
 /// The center lies within 2^876 of the circles. With the letters of exact.cpp, its distance from one of them is 1 / (2
 /// t), and t |D|^2 is some p + q root whose norm is |D|^2 <N, N>. As N is a product of two differences, <N, N> is an
