@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -586,6 +587,72 @@ TEST(Editor, RefusesCirclesThatAreAllTooSmall) {
   EXPECT_TRUE(editor.apply(std::vector<Edit>{small, large}).ok());
   EXPECT_TRUE(editor.apply({&small, 1}).ok());
   expectRight(editor);
+}
+
+TEST(Editor, RefusesARemovalThatLeavesOnlyCirclesThatAreTooSmall) {
+  const std::vector<Circle> circles = {{1, 0, 0}, {1e-18, 0, 0}, {0, 1e-18, 0}};
+  DiagramEditor editor = editorOf(circles);
+  const Edit shrink = {Edit::Kind::replace, 0, {0, 0, 0}};
+  const Edit other = {Edit::Kind::insert, kNone, {0, 3, 0}};
+  for (const auto& refused : {editor.remove(0), editor.apply({&shrink, 1}), editor.replace(0, {0, 0, 1e-30})}) {
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::coordinateTooSmall);
+    EXPECT_EQ(refused.error().message,
+              "The circles that are left are too small: all numbers are below 1.4e-17 (2^-56). Multiply them by 1e18.");
+    EXPECT_EQ(editor.size(), 3U);
+    expectRight(editor);
+  }
+  changeOf(editor.apply(std::vector<Edit>{{Edit::Kind::remove, 0, {}}, other}));
+  expectRight(editor);
+  changeOf(editor.apply(std::vector<Edit>{{Edit::Kind::remove, 1, {}}, {Edit::Kind::remove, 2, {}}}));
+  changeOf(editor.remove(3));
+  EXPECT_EQ(editor.size(), 0U);
+}
+
+/// A number from the ends of the range: too small, the smallest, usual, the largest, zero.
+double extremeNumber(Random& random) {
+  constexpr double kSizes[] = {0x1p-110, 0x1p-97, 0x1p-90, 0x1p-57, kSmallestInput, 1, 0x1p90};
+  if (random.below(3) == 0) return 0;
+  return kSizes[random.below(std::size(kSizes))] * random.uniform(0.5, 1);
+}
+
+// One rule: an editor holds what `compute` takes, and refuses what `compute` refuses.
+TEST(Editor, NeverHoldsWhatComputeRefuses) {
+  const std::uint64_t seed = test::seedOr(1);
+  int refused = 0;
+  for (std::uint64_t trial = 0; trial < 300; ++trial) {
+    Random random(seed * 1'000'003 + trial);
+    DiagramEditor editor = editorOf({});
+    for (int step = 0; step < 20; ++step) {
+      std::vector<Edit> edits;
+      std::vector<Circle> left;
+      for (const CircleId id : editor.ids()) {
+        const Edit::Kind kind = random.below(3) == 0 ? Edit::Kind::remove : Edit::Kind::replace;
+        if (random.below(editor.size()) == 0) {
+          edits.push_back({kind, id, {extremeNumber(random), extremeNumber(random), extremeNumber(random)}});
+          if (kind == Edit::Kind::replace) left.push_back(edits.back().circle);
+        } else {
+          left.push_back(*editor.circle(id));
+        }
+      }
+      if (edits.empty() || random.below(4) > 0) {
+        left.push_back({extremeNumber(random), extremeNumber(random), extremeNumber(random)});
+        edits.push_back({Edit::Kind::insert, kNone, left.back()});
+      }
+      const auto change = editor.apply(edits);
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", trial " + std::to_string(trial) + test::describe(left));
+      if (!change.ok()) {
+        ++refused;
+        const auto computed = compute(left);
+        ASSERT_FALSE(computed.ok());
+        EXPECT_EQ(computed.error().code, change.error().code);
+      }
+      ASSERT_TRUE(compute(editor.circles()).ok());
+      expectRight(editor);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+  EXPECT_GT(refused, 100);
 }
 
 TEST(Editor, FindsTheNearestCircle) {

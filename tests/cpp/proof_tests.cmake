@@ -4,6 +4,7 @@ add_executable(circle_voronoi_proof_tests
   apollonius.cpp
   arithmetic_test.cpp
   automatic_test.cpp
+  callbacks_test.cpp
   certificate_mutation_test.cpp
   certificate_test.cpp
   construct_test.cpp
@@ -34,7 +35,7 @@ add_executable(circle_voronoi_proof_tests
   validate_test.cpp
   vertex_test.cpp
   weights_test.cpp)
-target_link_libraries(circle_voronoi_proof_tests PRIVATE circle_voronoi_trials GTest::gtest_main)
+target_link_libraries(circle_voronoi_proof_tests PRIVATE circle_voronoi_trials circle_voronoi::fit GTest::gtest_main)
 # Their names for exact numbers mean different types.
 set_source_files_properties(estimate_test.cpp exact_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 gtest_discover_tests(circle_voronoi_proof_tests ${discovery} NO_PRETTY_VALUES)

@@ -112,8 +112,8 @@ struct EditorOptions {
 ///
 /// The diagram does not depend on the edits that led to it. It equals the result of `compute`, even where more than
 /// three circles touch one disc. The circles may be any that `compute` takes, and their numbers are rounded as there:
-/// at most 2^96 (7.9e28) in absolute value, to multiples of 2^-96 (1.3e-29). An edit is an error if all circles before
-/// it and all circles that it inserts are 0 or below 2^-56 (1.4e-17).
+/// at most 2^96 (7.9e28) in absolute value, to multiples of 2^-96 (1.3e-29). An edit that leaves circles that `compute`
+/// refuses is an error, also a removal: numbers that are not all 0 may not all be below 2^-56 (1.4e-17).
 ///
 /// Only one thread at a time may use an editor, except that several threads may call const functions.
 class DiagramEditor {
@@ -141,8 +141,12 @@ class DiagramEditor {
 
   /// Sets an observer. It is first called for all faces, as a round, and then for each edit once that is done
   /// (trace.h). If an edit computes the whole diagram, a round with all faces begins. An empty observer ends this. An
-  /// edit that runs out of memory does so, too. Exceptions of the observer pass through; the edit is then done. Errors:
-  /// tooManyCircles if memory runs out.
+  /// edit that runs out of memory does so, too. Errors: tooManyCircles if memory runs out.
+  ///
+  /// While the observer is called, the diagram is that after the edit. The observer may call const functions, and
+  /// `observe`: once the call returns, the new observer replaces it and is called for all faces. An edit is the error
+  /// badInput then. The observer must not move or destroy the editor. An exception of the observer passes through. The
+  /// edit is then done, and the observer misses the rest of its events.
   Result<void> observe(const Observer& observer);
 
   /// Returns the circle with the smallest signed distance from p. If several are equally near up to rounding, returns

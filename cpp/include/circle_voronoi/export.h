@@ -47,7 +47,8 @@ struct ExportOptions {
   const CircleAttributes* attributes = nullptr;
   /// Maps each point to the point that `writeGeoJson`, `writeGeoJsonLines` and `writeWkt` write, for example to
   /// longitude and latitude. Long sides of polygons get more points, so that they stay within the tolerance. Polygons
-  /// of neighbors still share their points. Empty: the point itself.
+  /// of neighbors still share their points. Empty: the point itself. The function may call any function of the
+  /// library.
   std::function<Point(Point)> place = {};
 };
 

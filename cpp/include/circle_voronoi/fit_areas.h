@@ -33,7 +33,7 @@ struct AreaFitOptions {
   /// again. Cells become rounder each time. The diagram of the result has the sites where they have come to.
   int relax = 0;
   /// Called before the first step, after each one, and after sites have moved. To cancel, throw: the exception passes
-  /// through `fitAreas`.
+  /// through `fitAreas`. The callback may call any function of the library.
   std::function<void(const AreaFitStep&)> onStep = {};
 };
 

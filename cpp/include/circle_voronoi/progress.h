@@ -17,6 +17,7 @@ enum class Stage { order, triangulate, sample, pair, touch, flip, repair, certif
 /// A callback that `compute` calls when a stage begins, with `done` = 0. The stages of the touching disc method
 /// (sample, pair, touch) also call it with the part of the stage that is done, up to 1. The method and the input
 /// determine which stages run, and how often. To cancel a computation, throw: the exception passes through `compute`.
+/// The callback may call any function of the library.
 using Progress = std::function<void(Stage stage, double done)>;
 
 }  // namespace circle_voronoi

@@ -64,7 +64,8 @@ struct TraceEvent {
   std::array<std::int32_t, 2> numbers = {kNone, kNone};
 };
 
-/// A callback for each event. Its exceptions pass through `compute`.
+/// A callback for each event. Its exceptions pass through `compute`. It may call any function of the library, except
+/// that an editor refuses edits by its own observer (DiagramEditor::observe).
 using Observer = std::function<void(const TraceEvent&)>;
 
 }  // namespace circle_voronoi

@@ -58,8 +58,9 @@ Vertex vertexOfFace(const EditState& state, int face) {
 
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
                                               CircleId nextId, bool weights) {
-  if (const auto valid = validatePart(circles, weights, 0); !valid) return valid.error();
-  const std::vector<Circle> rounded = normalized(circles);
+  const auto valid = validate(circles, weights);
+  if (!valid) return valid.error();
+  const std::vector<Circle>& rounded = *valid;
   const Progress silent;
   Journal journal(silent);
   FoundSites found = findSites(order(rounded));
@@ -88,6 +89,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
     state->circles[slots[i]] = rounded[i];
     state->sites[slots[i]].id = ids[i];
     state->ids.add(ids[i], slots[i]);
+    state->sizes.add(rounded[i], 1);
   }
   for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
   state->nextId = std::max(nextId, ids.empty() ? CircleId(0) : CircleId(ids.back() + 1));

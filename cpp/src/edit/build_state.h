@@ -13,13 +13,11 @@ namespace circle_voronoi {
 
 /// Makes the state of an editor with these circles. Their ids must increase, and new circles get ids from `nextId` on,
 /// or from above the largest id for kNone.
-/// Errors: see `compute`, with ids instead of indices, except for vertices (vertexError) and without
-/// coordinateTooSmall, because removals may leave only small numbers.
+/// Errors: see `compute`; a hidden circle that no one contains is named by its id.
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
                                               CircleId nextId, bool weights);
 
-/// Returns the circles of a vertex, starting with the lowest id, so that its disc has the same bits however it was
-/// found.
+/// Returns the circles of a vertex, starting with the lowest id.
 std::array<int, 3> slotsOfVertex(const EditState& state, int face);
 
 /// Returns the disc of a vertex.

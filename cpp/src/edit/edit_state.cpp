@@ -67,6 +67,7 @@ int EditState::addSite(const Circle& circle, CircleId id) {
   circles[slot] = circle;
   hasNoCell[slot] = 1;
   ++circleCount;
+  sizes.add(circle, 1);
   return slot;
 }
 
@@ -75,6 +76,14 @@ void EditState::removeSite(int slot) {
   siteNumbers.release(slot);
   sites[slot].id = kNone;  // if it still has a list, the judge rejects the step
   --circleCount;
+  sizes.add(circles[slot], -1);
+}
+
+void EditState::setCircle(int slot, const Circle& circle) {
+  willChangeSite(slot);
+  sizes.add(circles[slot], -1);
+  circles[slot] = circle;
+  sizes.add(circle, 1);
 }
 
 void EditState::attach(int slot, int hider) {
@@ -112,7 +121,8 @@ void EditState::detach(int slot) {
 EditState::Mark EditState::beginStep() {
   stepFaces_ = faceLog.size();
   stepSites_ = siteLog.size();
-  return {stepFaces_, stepSites_, faceNumbers.mark(), siteNumbers.mark(), nextId, circleCount, visibleCount, faceCount};
+  return {stepFaces_, stepSites_, faceNumbers.mark(), siteNumbers.mark(), nextId, circleCount, visibleCount,
+          faceCount,  sizes};
 }
 
 void EditState::takeBack(const Mark& mark) noexcept {
@@ -146,6 +156,7 @@ void EditState::takeBack(const Mark& mark) noexcept {
   circleCount = mark.circleCount;
   visibleCount = mark.visibleCount;
   faceCount = mark.faceCount;
+  sizes = mark.sizes;
 }
 
 void EditState::noteEdgesOf(int face) noexcept {

@@ -9,6 +9,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/index.h"
+#include "circle_voronoi/limits.h"
 #include "dual.h"
 #include "dual_keeper.h"
 #include "face_discs.h"
@@ -18,6 +19,7 @@
 #include "predicates.h"
 #include "proof.h"
 #include "report_faces.h"
+#include "rounded.h"
 
 namespace circle_voronoi {
 
@@ -31,6 +33,20 @@ struct Site {
   int previous = kNone;
 
   friend bool operator==(const Site&, const Site&) = default;
+};
+
+/// The numbers of circles by size: those with a number from kSmallestInput up, and those without one that are not all
+/// 0.
+struct SizeCounts {
+  int large = 0;
+  int small = 0;
+
+  void add(const Circle& circle, int times) {
+    const double largest = largestNumber(circle);
+    (largest >= kSmallestInput ? large : small) += largest > 0 ? times : 0;
+  }
+  /// Returns whether `compute` refuses such circles (limits.h).
+  bool areTooSmall() const { return large == 0 && small > 0; }
 };
 
 /// The whole diagram of an editor, and a log to undo the changes since it was last kept.
@@ -62,6 +78,7 @@ class EditState final : public DualKeeper {
   int circleCount = 0;
   int visibleCount = 0;
   int faceCount = 0;
+  SizeCounts sizes;
   /// Reports the faces that change to an observer, if there is one.
   FaceReporter* reporter = nullptr;
   NumberPool faceNumbers;
@@ -108,6 +125,8 @@ class EditState final : public DualKeeper {
   /// Adds a circle with a former id, or with a new one for kNone. Returns its slot.
   int addSite(const Circle& circle, CircleId id);
   void removeSite(int slot);
+  /// Changes the circle in a slot.
+  void setCircle(int slot, const Circle& circle);
   /// Puts a circle into the list of a visible circle that contains it.
   void attach(int slot, int hider);
   /// Takes a hidden circle out of its list.
@@ -155,6 +174,7 @@ class EditState final : public DualKeeper {
     int circleCount;
     int visibleCount;
     int faceCount;
+    SizeCounts sizes;
   };
   /// Begins a step: from now on, faces and sites are saved again before they change.
   Mark beginStep();

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,8 +79,12 @@ class DiagramEditor::Editor {
     return slot != kNone && state_->sites[slot].id == id ? slot : kNone;
   }
 
-  /// Sets the observer, and tells it all faces before anything else.
+  /// Sets the observer, and records all faces for it. While an observer is called, this waits until the call returns.
   void observe(const Observer& observer) {
+    if (isTelling_) {
+      nextObserver_ = observer;
+      return;
+    }
     stopTelling();
     observer_ = observer;
     if (observer_) beginTelling();
@@ -91,16 +97,27 @@ class DiagramEditor::Editor {
     events_.clear();
   }
 
-  /// Passes the recorded events to the observer.
+  /// Passes the recorded events to the observer. If a call sets another observer, that one gets all faces in place of
+  /// the rest, also if the call throws.
   void handOut() {
-    std::vector<TraceEvent> events;
-    events.swap(events_);
-    for (const TraceEvent& event : events) observer_(event);
+    if (isTelling_) return;
+    std::exception_ptr thrown;
+    do {
+      isTelling_ = true;
+      try {
+        tellRecorded();
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+      isTelling_ = false;
+    } while (takeNextObserver());
+    if (thrown) std::rethrow_exception(thrown);
   }
 
   /// Applies edits, then tells the observer. If the observer throws, the exception reaches the caller, but the edits
   /// are done.
   Result<Change> edited(std::span<const Edit> edits, CircleId hint) {
+    if (isTelling_) return Error{ErrorCode::badInput, kNone, "An observer must not edit the editor that calls it."};
     auto change = guarded([&] { return apply(edits, hint); });
     if (!change) events_.clear();  // refused edits were never done
     handOut();
@@ -132,6 +149,24 @@ class DiagramEditor::Editor {
   }
 
  private:
+  /// Passes the recorded events to the observer until a call sets another one.
+  void tellRecorded() {
+    const std::vector<TraceEvent> events = std::exchange(events_, {});
+    for (const TraceEvent& event : events) {
+      observer_(event);
+      if (nextObserver_) return;
+    }
+  }
+
+  /// Sets the observer that a call of the last one has set. Returns whether there is one.
+  bool takeNextObserver() {
+    if (!nextObserver_) return false;
+    stopTelling();
+    observer_ = *std::exchange(nextObserver_, std::nullopt);
+    reportAnew();
+    return true;
+  }
+
   void takeAllBack() {
     state_->takeAllBack();
     if (!reporter_) return;
@@ -202,23 +237,23 @@ class DiagramEditor::Editor {
       const std::string who = isNew ? "The new circle" : "Circle " + std::to_string(edit.id);
       return Error{error->code, isNew ? CircleId() : edit.id, who + " " + error->what, static_cast<std::int64_t>(i)};
     }
-    return tooSmallEditsError(edits);
-  }
-
-  /// Returns an error if the edits bring in circles that are too small, while there are no larger ones (limits.h).
-  std::optional<Error> tooSmallEditsError(std::span<const Edit> edits) const {
+    // Numbers that are rounded to zero are too small, too, unless there are larger ones.
+    if (state_->sizes.large > 0) return std::nullopt;
     double largest = 0;
     for (const Edit& edit : edits) {
       if (edit.kind != Edit::Kind::remove) largest = std::max(largest, largestNumber(edit.circle));
     }
-    if (largest == 0 || largest >= kSmallestInput) return std::nullopt;
-    const auto isLarge = [&](int slot) {
-      return state_->sites[slot].id != kNone && largestNumber(state_->circles[slot]) >= kSmallestInput;
-    };
-    for (int slot = 0; slot < static_cast<int>(state_->sites.size()); ++slot) {
-      if (isLarge(slot)) return std::nullopt;
-    }
     return tooSmallError(largest, "The circles");
+  }
+
+  /// Returns the error of `compute` for the circles that are left, if they are too small without one that is gone.
+  std::optional<Error> refusalOfRest() const {
+    if (!state_->sizes.areTooSmall()) return std::nullopt;
+    double largest = 0;
+    for (std::size_t slot = 0; slot < state_->sites.size(); ++slot) {
+      if (state_->sites[slot].id != kNone) largest = std::max(largest, largestNumber(state_->circles[slot]));
+    }
+    return tooSmallError(largest, "The circles that are left");
   }
 
   /// Returns nothing if the whole diagram must be computed again.
@@ -245,6 +280,7 @@ class DiagramEditor::Editor {
       reportRest();
       way = std::max(way, *done);
     }
+    if (auto error = refusalOfRest()) return *std::move(error);
     return recorder_.record(*state_, way);
   }
 
@@ -275,9 +311,10 @@ class DiagramEditor::Editor {
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
       const bool isInsertion = edit.kind == Edit::Kind::insert;
+      const Circle circle = normalized(edit.circle);
       if (isInsertion && edit.id == kNone) {
-        entries.push_back({nextId, edit.circle, Presence::present});
-        reportEdit(edit, nextId, edit.circle);
+        entries.push_back({nextId, circle, Presence::present});
+        reportEdit(edit, nextId, circle);
         ++nextId;
         continue;
       }
@@ -287,16 +324,16 @@ class DiagramEditor::Editor {
         return isInsertion ? notFormer(edit.id, i) : unknownCircle(edit.id, i);
       }
       const bool isRemoval = edit.kind == Edit::Kind::remove;
-      reportEdit(edit, edit.id, isRemoval ? found->circle : edit.circle);
+      reportEdit(edit, edit.id, isRemoval ? found->circle : circle);
       found->presence = isRemoval ? Presence::removed : Presence::present;
-      if (!isRemoval) found->circle = edit.circle;
+      if (!isRemoval) found->circle = circle;
     }
     std::vector<CircleId> ids;
     std::vector<Circle> circles;
-    for (const auto& [id, circle, presence] : entries) {
-      if (presence != Presence::present) continue;
-      ids.push_back(id);
-      circles.push_back(circle);
+    for (const Entry& entry : entries) {
+      if (entry.presence != Presence::present) continue;
+      ids.push_back(entry.id);
+      circles.push_back(entry.circle);
     }
     auto state = buildState(circles, ids, nextId, state_->weights);
     if (!state) return state.error();
@@ -329,7 +366,9 @@ class DiagramEditor::Editor {
   std::unique_ptr<Stepper> stepper_;
   ChangeRecorder recorder_;
   Observer observer_;
-  std::vector<TraceEvent> events_;  ///< to be told once the edit is done
+  std::optional<Observer> nextObserver_;  ///< set while `observer_` is called
+  bool isTelling_ = false;                ///< whether `observer_` is being called
+  std::vector<TraceEvent> events_;        ///< to be told once the edit is done
   /// Collects events, by ids.
   const Observer sink_ = [this](TraceEvent event) {
     for (CircleIndex& circle : event.circles) circle = state_->idOf(circle);
@@ -346,7 +385,6 @@ DiagramEditor::~DiagramEditor() = default;
 
 Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles, const EditorOptions& options) {
   return guarded([&]() -> Result<DiagramEditor> {
-    if (const auto valid = validate(circles, options.weights); !valid) return valid.error();
     const auto ids = startIds(circles.size(), options);
     if (!ids) return ids.error();
     auto state = buildState(circles, *ids, options.nextId, options.weights);

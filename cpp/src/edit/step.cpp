@@ -72,8 +72,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
     state_.detach(slot);
   }
   reportCircle(TraceKind::circleReplaced, slot, circle);
-  state_.willChangeSite(slot);
-  state_.circles[slot] = circle;
+  state_.setCircle(slot, circle);
   if (!put(slot, hint) || !releaseHidden(slot, hiderBy(slot)) || !putWaiting(hint)) return std::nullopt;
   return certify(slot);
 }
@@ -224,8 +223,7 @@ bool Stepper::staysNear(int slot, const Circle& circle) const {
 bool Stepper::move(int slot, const Circle& circle) {
   Dual& dual = state_.dual;
   reportCircle(TraceKind::circleReplaced, slot, circle);
-  state_.willChangeSite(slot);
-  state_.circles[slot] = circle;
+  state_.setCircle(slot, circle);
   edges_.clear();
   const int first = state_.edgeOf[slot];
   int h = first;

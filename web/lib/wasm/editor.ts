@@ -53,7 +53,9 @@ export interface EditorOptions {
 export interface EditorMethods {
   /**
    * A callback for each change, called before the method that made the change returns. If the callback throws, the
-   * error is reported as uncaught, and the change stays.
+   * error is reported as uncaught, and the change stays. The callback may call any method, also `dispose`. An edit
+   * inside it calls the callback for its own change, so apply the first change to a snapshot before you edit. Another
+   * callback is used from the next change on.
    */
   onchange: ((change: Change) => void) | undefined
   /**

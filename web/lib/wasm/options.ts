@@ -20,6 +20,7 @@ export type Stage = Exclude<keyof Seconds, 'total'>
 /**
  * A callback for progress. It is called with `done` = 0 when a stage begins, and in the stages of the touching disc
  * method (`sample`, `pair`, `touch`) also with the completed fraction. The stages depend on the method and the input.
+ * The callback may call any function of the library.
  *
  * @category Loading
  */
