@@ -17,7 +17,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cell_limits.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clearest_path.h"
 #include "circle_voronoi/comparison.h"
@@ -34,6 +33,8 @@ namespace {
 
 /// Query points along each side of the box.
 constexpr int kPlaces = 7;
+/// The parameter at which a piece of an unbounded edge begins, or the inverse of that at which it ends.
+constexpr double kNearParameter = 0.1;
 
 /// One line of output, written by the destructor: a question, then its numbers.
 class Answer {
@@ -99,8 +100,6 @@ class Questions {
             box_.minY + (j / (kPlaces - 1.0)) * (box_.maxY - box_.minY)};
   }
 
-  bool hasDistances() const { return diagram_.metric != Metric::power; }
-
   void askRegions() const {
     for (std::size_t k = 0; k < regions_.size(); ++k) {
       const ConvexPolygon& region = regions_[k];
@@ -128,13 +127,17 @@ class Questions {
       const Point p = pointAt(b, s);
       Answer(question("pointAt", e)) << p << parameterAt(b, p);
     }
-    for (std::size_t k = 0; k < regions_.size(); ++k) {
-      for (const EdgeCurve& piece : clip(curve, regions_[k])) askPiece(question("piece", e, k), piece);
-      if (!hasDistances()) continue;
-      for (const auto& [piece, from, to] : keptParts(diagram_, e, {&regions_[k], maxDistance_})) {
-        Answer(question("near part", e, k)) << piece.from << piece.to << piece.start << piece.end << from << to;
-      }
+    // A bounded piece of the edge, between parameters.
+    EdgeCurve piece = curve;
+    if (curve.startsAtInfinity()) {
+      piece.from = std::min(kNearParameter, curve.to / 2);
+      piece.start = pointAt(b, piece.from);
     }
+    if (curve.endsAtInfinity()) {
+      piece.to = std::max(1 / kNearParameter, 2 * piece.from);
+      piece.end = pointAt(b, piece.to);
+    }
+    askPiece(question("piece", e), piece);
   }
 
   void askPiece(const std::string& name, const EdgeCurve& piece) const {
@@ -166,13 +169,7 @@ class Questions {
                                      << diagram_.targetOf(side) << curve.from << curve.to << curve.bisector.a
                                      << curve.bisector.across;
     }
-    for (std::size_t k = 0; k < regions_.size(); ++k) {
-      askOutline(question("outline", i, k), outline(diagram_, i, regions_[k]));
-      if (hasDistances()) {
-        askOutline(question("outline at a distance", i, k),
-                   clippedBufferOutline(diagram_, i, regions_[k], maxDistance_));
-      }
-    }
+    askOutline(question("outline", i), outline(diagram_, i));
   }
 
   static void askOutline(const std::string& name, const Outline& parts) {
@@ -225,10 +222,6 @@ class Questions {
   void askQueries() const {
     if (const auto pair = closestPair(diagram_)) Answer("closestPair") << pair->first << pair->second << pair->gap;
     askDisc("largestEmptyDiscCenteredInHull", largestEmptyDiscCenteredInHull(diagram_));
-    for (const ConvexPolygon& region : regions_) {
-      askDisc("largestEmptyDiscCenteredIn", largestEmptyDiscCenteredIn(diagram_, region));
-      askDisc("largestEmptyDiscInside", largestEmptyDiscInside(diagram_, region));
-    }
     if (diagram_.circles.empty()) return;
     for (std::size_t k = 0; k < places_.size(); k += 3) {
       const ClearestPath path =

@@ -15,14 +15,11 @@ import { linkSides } from '../../dist/lib/diagram/link-sides.js'
 import {
   ConvexPolygon,
   clearestPath,
-  clipCurve,
   closestPair,
   convexHull,
   cubicBeziers,
   edgeCurve,
-  largestEmptyDiscCenteredIn,
   largestEmptyDiscCenteredInHull,
-  largestEmptyDiscInside,
   loadCircleVoronoi,
   mergeVertices,
   outlineArea,
@@ -33,9 +30,9 @@ import {
   polyline,
   rationalBezier,
 } from '../../dist/lib/index.js'
-import { keptParts } from '../../dist/lib/regions/cell-limits.js'
 import { exportBox } from '../../dist/lib/regions/export-box.js'
 import { curveLength } from '../../dist/lib/regions/measure.js'
+import { wholeLoop } from '../../dist/lib/regions/outline.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const NATIVE = `${ROOT}build/native/circle-voronoi`
@@ -43,6 +40,8 @@ const ANSWERS = `${ROOT}build/native/tests/geometry/circle_voronoi_geometry_answ
 const LARGEST_OUTPUT = 2 ** 28
 /** Query points along each side of the box. */
 const PLACES = 7
+/** The parameter at which a piece of an unbounded edge begins, or the inverse of that at which it ends. */
+const NEAR_PARAMETER = 0.1
 /** Results of an arctangent, which differs between platforms. */
 const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 
@@ -169,7 +168,6 @@ function answersOf(diagram, box, maxDistance) {
     y: minY + (Math.floor(k / PLACES) / (PLACES - 1)) * (maxY - minY),
   }))
   const { circles, cells, edges, metric } = diagram
-  const hasDistances = metric !== 'power'
   const count = circles.length / 3
 
   regions.forEach((region, k) => {
@@ -203,13 +201,11 @@ function answersOf(diagram, box, maxDistance) {
       const p = pointAt(curve.bisector, s)
       say(`pointAt ${e}`, ...of(p), parameterAt(curve.bisector, p.x, p.y))
     }
-    regions.forEach((region, k) => {
-      for (const piece of clipCurve(curve, { bounds: region })) sayPiece(`piece ${e} ${k}`, piece)
-      if (!hasDistances) return
-      for (const { curve: piece, cutFrom, cutTo } of keptParts(diagram, e, { bounds: region, maxDistance })) {
-        say(`near part ${e} ${k}`, piece.from, piece.to, ...of(piece.start), ...of(piece.end), cutFrom, cutTo)
-      }
-    })
+    // A bounded piece of the edge, between parameters.
+    const from = curve.start === undefined ? Math.min(NEAR_PARAMETER, curve.to / 2) : curve.from
+    const to = curve.end === undefined ? Math.max(1 / NEAR_PARAMETER, 2 * from) : curve.to
+    const { start = pointAt(curve.bisector, from), end = pointAt(curve.bisector, to) } = curve
+    sayPiece(`piece ${e}`, { bisector: curve.bisector, from, to, start, end })
   }
 
   const sayOutline = (name, parts) => {
@@ -233,11 +229,7 @@ function answersOf(diagram, box, maxDistance) {
       const around = [cells.circleOf(side), cells.neighborOf(side), cells.originOf(side), cells.targetOf(side)]
       say(`side ${side}`, ...around, from, to, bisector.a, ...of(bisector.across))
     }
-    regions.forEach((region, k) => {
-      sayOutline(`outline ${i} ${k}`, diagram.cellOutline(i, { bounds: region }))
-      if (hasDistances)
-        sayOutline(`outline at a distance ${i} ${k}`, diagram.cellOutline(i, { bounds: region, maxDistance }))
-    })
+    sayOutline(`outline ${i}`, cells.isBounded(i) ? [wholeLoop(cells, i)] : [])
   }
 
   if (count > 0) {
@@ -273,10 +265,6 @@ function answersOf(diagram, box, maxDistance) {
   const sayDisc = (name, found) =>
     say(name, ...(found === undefined ? [] : [found.disc.x, found.disc.y, found.disc.r, ...found.circles]))
   sayDisc('largestEmptyDiscCenteredInHull', largestEmptyDiscCenteredInHull(diagram))
-  for (const region of regions) {
-    sayDisc('largestEmptyDiscCenteredIn', largestEmptyDiscCenteredIn(diagram, { bounds: region }))
-    sayDisc('largestEmptyDiscInside', largestEmptyDiscInside(diagram, { bounds: region }))
-  }
   if (count === 0) return answers
   for (let k = 0; k < places.length; k += 3) {
     const to = places[places.length - 1 - ((5 * k) % places.length)]

@@ -62,7 +62,7 @@ describe('cells in bounds', () => {
     ],
     [
       'two circles trade places',
-      /^notCertified: The areas of the cells sum to 16\.5,/,
+      /^notCertified: The outline of cell 0 does not close/,
       ({ circles }) => {
         const first = circles.slice(0, 3)
         circles.copyWithin(0, 3 * MIDDLE, 3 * MIDDLE + 3)

@@ -41,12 +41,12 @@ import {
   toleranceOf,
 } from '../drawing/draw-options.ts'
 import { cellRing, hullInRegion, hullRing, type Polygon } from '../drawing/polygon.ts'
-import { keptParts, type Limits } from '../regions/cell-limits.ts'
+import type { Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
 import { AreaJudge, areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
-import { outlineOf } from '../regions/outline.ts'
+import { keptParts, outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import { type ClippedCells, type ClippedDiagram, Region, regionOption } from '../regions/region.ts'
 import { type DiagramFile, fileOf } from './diagram-file.ts'
@@ -356,9 +356,10 @@ export class Diagram implements DiagramData {
 
   /**
    * Returns the part of cell `i` inside the bounds as a closed counter-clockwise polygon that repeats its first point
-   * at the end, or `undefined` if the part is empty. If the bounds cut the cell into several pieces, the ring goes to
-   * each further piece and back along the same segment, so that its area and inside are correct; `cellOutline` returns
-   * the pieces. With a `region`, returns a `MultiPolygon`. Neighboring cells share their points bit for bit.
+   * at the end, or `undefined` if the part is empty or thinner than the tolerance. If the bounds cut the cell into
+   * several pieces, the ring goes to each further piece and back along the same segment, so that its area and inside
+   * are correct; `cellOutline` returns the pieces. With a `region`, returns a `MultiPolygon`. Neighboring cells share
+   * their points bit for bit.
    */
   cellPolygon(i: number, options: PolygonOptions & { readonly region: Region }): MultiPolygon | undefined
   cellPolygon(i: number, options?: PolygonOptions & { readonly region?: undefined }): Polygon | undefined

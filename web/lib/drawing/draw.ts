@@ -5,11 +5,11 @@ import { hypotenuse, lengthOf } from '../base/scale.ts'
 import type { Box, DiagramData, PathSink, Point } from '../base/types.ts'
 import { addArc, controlPoint } from '../curves/bezier.ts'
 import { type BoundedCurve, borrowCurve, returnCurve } from '../curves/curve.ts'
-import { isKeptWhole, keptParts, type Limits } from '../regions/cell-limits.ts'
+import { isKeptWhole, type Limits } from '../regions/cell-limits.ts'
 import type { Cells } from '../regions/cells.ts'
 import type { ConvexPolygon } from '../regions/convex-polygon.ts'
 import { convexHull } from '../regions/hull.ts'
-import { outlineOf } from '../regions/outline.ts'
+import { keptParts, outlineOf } from '../regions/outline.ts'
 import { drawOutline } from './draw-clipped.ts'
 
 /** Draws the kept parts of edge `e`, no farther than `tolerance` from the true curve. */

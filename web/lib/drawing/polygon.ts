@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { at, circleOf } from '../base/diagram-data.ts'
-import { lengthOf } from '../base/scale.ts'
+import { lengthOf, turn } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
 import { polylineOf } from '../curves/bezier.ts'
 import { type BoundedCurve, borrowCurve, returnCurve } from '../curves/curve.ts'
@@ -22,11 +22,15 @@ export type Polygon = [x: number, y: number][]
 
 /**
  * Returns the part of a cell inside the limits as one ring, which goes from the first point to each further loop and
- * back; `undefined` if the part is empty. Neighboring cells share their points bit for bit.
+ * back; `undefined` if the part is empty. Neighboring cells share their points bit for bit. A loop that is so thin
+ * that its points at the tolerance enclose no area is left out.
  */
 export function cellRing(cells: Cells, circle: number, limits: Limits, tolerance: number): Polygon | undefined {
-  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return wholeRing(cells, circle, tolerance)
-  const [ring, ...others] = outlineOf(cells, circle, limits).map((loop) => {
+  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) {
+    const whole = wholeRing(cells, circle, tolerance)
+    return hasArea(whole) ? whole : undefined
+  }
+  const rings = outlineOf(cells, circle, limits).map((loop) => {
     const points: Polygon = []
     for (const piece of loop) {
       if (isCircleArc(piece)) addPoints(points, arcPolyline(piece, tolerance))
@@ -34,13 +38,24 @@ export function cellRing(cells: Cells, circle: number, limits: Limits, tolerance
     }
     return points
   })
-  if (ring === undefined || ring[0] === undefined) return undefined
+  const [ring, ...others] = rings.filter(hasArea)
+  if (ring?.[0] === undefined) return undefined
   const [x, y] = ring[0]
   for (const other of others) {
     for (const point of other) ring.push(point)
     ring.push([x, y])
   }
   return ring
+}
+
+function hasArea(ring: Polygon): boolean {
+  const [x, y] = ring[0] ?? [0, 0]
+  let twice = 0
+  for (let k = 2; k < ring.length; k++) {
+    const [p, q] = [ring[k - 1], ring[k]] as [Polygon[number], Polygon[number]]
+    twice += turn({ x: p[0] - x, y: p[1] - y }, { x: q[0] - x, y: q[1] - y })
+  }
+  return twice > 0
 }
 
 /** Returns the ring of a whole bounded cell. */

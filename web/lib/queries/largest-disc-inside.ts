@@ -7,10 +7,9 @@ import { between, dot, length } from '../base/point.ts'
 import { lengthOf, ROUNDING, turn } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { curveOf } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
-import { boundedPart, partsInside } from '../regions/clip.ts'
 import { type ConvexBoundsOptions, ConvexPolygon } from '../regions/convex-polygon.ts'
+import { keptParts } from '../regions/outline.ts'
 import { type Region, regionOption } from '../regions/region.ts'
 import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
 
@@ -178,19 +177,20 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
 function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
   const { left, right } = edgeOf(diagram, e)
   const radius = Math.min(circleOf(diagram.circles, left).r, circleOf(diagram.circles, right).r)
-  return partsInside(boundedPart(curveOf(diagram, e), region), region).flatMap(({ curve: { bisector, from, to } }) =>
-    sides.flatMap((side) => {
-      const a = Math.abs(bisector.a)
-      const c = bisector.apex + a
-      const along = dot(side.inward, bisector.along)
-      const p = c + a * along
-      const q = bisector.b * dot(side.inward, bisector.across)
-      const reach = depth(side, bisector.origin) + radius
-      const bend = c * along + a
-      return rootsOf(p - q, reach + bend, p + q, reach * (reach + 2 * bend))
-        .filter((s) => s >= from * (1 - ROUNDING) && s <= to * (1 + ROUNDING))
-        .map((s) => pointOf(bisector, s))
-    }),
+  return keptParts(diagram, e, { bounds: region, maxDistance: undefined }).flatMap(
+    ({ curve: { bisector, from, to } }) =>
+      sides.flatMap((side) => {
+        const a = Math.abs(bisector.a)
+        const c = bisector.apex + a
+        const along = dot(side.inward, bisector.along)
+        const p = c + a * along
+        const q = bisector.b * dot(side.inward, bisector.across)
+        const reach = depth(side, bisector.origin) + radius
+        const bend = c * along + a
+        return rootsOf(p - q, reach + bend, p + q, reach * (reach + 2 * bend))
+          .filter((s) => s >= from * (1 - ROUNDING) && s <= to * (1 + ROUNDING))
+          .map((s) => pointOf(bisector, s))
+      }),
   )
 }
 

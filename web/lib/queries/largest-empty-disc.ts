@@ -6,12 +6,12 @@ import { distanceFrom } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { curveOf } from '../curves/curve.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 import type { Diagram } from '../diagram/diagram.ts'
-import { boundedPart, LineCrossing, partsInside } from '../regions/clip.ts'
+import { LineCrossing } from '../regions/clip.ts'
 import { type ConvexBoundsOptions, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
+import { keptParts } from '../regions/outline.ts'
 import { type Region, regionOption } from '../regions/region.ts'
 
 /**
@@ -62,7 +62,7 @@ export function largestEmptyDiscCenteredIn(
     const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
-    for (const { curve, cutFrom, cutTo } of partsInside(boundedPart(curveOf(diagram, e), region), region)) {
+    for (const { curve, cutFrom, cutTo } of keptParts(diagram, e, { bounds: region, maxDistance: undefined })) {
       if (cutFrom !== NONE) largest.offerAround(curve.start, left, right)
       if (cutTo !== NONE) largest.offerAround(curve.end, left, right)
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkOutline } from '../base/check.ts'
+import { at } from '../base/diagram-data.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import { between, cross } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
-import type { Metric, Point } from '../base/types.ts'
+import type { DiagramData, Metric, Point } from '../base/types.ts'
 import { type Bisector, pointOf } from '../curves/bisector.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { BoundedCurve } from '../curves/curve.ts'
@@ -45,22 +46,8 @@ export function outlineArea(outline: Outline): number {
 /** Does what `outlineArea` does, for arguments that have been checked. */
 export function areaOf(outline: Outline): number {
   const unit = unitFor(extentOf(outline))
-  return momentsOf(outline, unit).area * unit * unit
-}
-
-/**
- * Returns how far rounding of coordinates can move a loop of a cell around `center`, and whether the loop has more area
- * than rounding can make.
- */
-export function roundingOf(
-  loop: Outline[number],
-  center: Point,
-): { readonly rounding: number; readonly hasArea: boolean } {
-  const outline = [loop]
-  const extent = extentOf(outline)
-  const unit = unitFor(extent)
-  const rounding = ROUNDING_OF_COORDINATES * Math.max(extent, largestOf(referenceOf(outline)), largestOf(center))
-  return { rounding, hasArea: momentsOf(outline, unit).area > (rounding / unit) * (extent / unit) }
+  // Not -0.
+  return momentsOf(outline, unit).area * unit * unit + 0
 }
 
 /**
@@ -112,6 +99,19 @@ export function outlinePerimeter(outline: Outline): number {
 /** Does what `outlinePerimeter` does, for arguments that have been checked. */
 export function perimeterOf(outline: Outline): number {
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
+}
+
+/** Returns a bound on the error of the coordinates of a vertex. */
+export function errorOfVertex({ circles, metric, vertexCircles, vertices }: DiagramData, vertex: number): number {
+  const x = at(vertices, 3 * vertex)
+  const y = at(vertices, 3 * vertex + 1)
+  let size = 0
+  for (let k = 3 * vertex; k < 3 * vertex + 3; k++) {
+    const circle = 3 * at(vertexCircles, k)
+    size += Math.abs(at(circles, circle) - x) + Math.abs(at(circles, circle + 1) - y)
+  }
+  const rounding = metric === 'power' ? ROUNDING_OF_POWER_VERTICES : ROUNDING_OF_VERTICES
+  return rounding * size + ROUNDING_OF_COORDINATES * (Math.abs(x) + Math.abs(y))
 }
 
 /** Judges the areas of cells inside bounds. */
@@ -192,7 +192,7 @@ function referenceOf(outline: Outline): Point {
   return outline[0]?.[0]?.curve.start ?? { x: 0, y: 0 }
 }
 
-export function middleOf({ bisector, from, to }: BoundedCurve): Point {
+function middleOf({ bisector, from, to }: BoundedCurve): Point {
   return pointOf(bisector, Math.sqrt(from) * Math.sqrt(to))
 }
 

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts cells out of bounds. Exact signs decide which curves cross and in which order, and rounding only moves points.
+// web/lib/README.md explains the steps.
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import { CircleVoronoiError } from '../base/errors.ts'
-import { between, cross, dot } from '../base/point.ts'
-import { facing, largestOf, lengthOf, measuredIn, ROUNDING, turn, unitFor } from '../base/scale.ts'
-import type { Point, Vector } from '../base/types.ts'
+import { compareSurds, coordinateOf, type Surd, surd, wholeOf } from '../base/exact.ts'
+import type { DiagramData, Point } from '../base/types.ts'
+import { parameterOf, pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, curveOf, reversed, segment } from '../curves/curve.ts'
-import { isKeptWhole, type Limits, partAtDistance, reachFrom } from './cell-limits.ts'
-import type { Cells } from './cells.ts'
-import { cutPart, HalfPlane, isPoint, isSame, movedOntoSides, type Part } from './clip.ts'
-import { middleOf, roundingOf } from './measure.ts'
+import { BisectorBorder, placeAlong } from './border-curve.ts'
+import type { BorderEnd } from './border-end.ts'
+import { type BorderPiece, CellBorder, refuseOutline, type SidePiece } from './cell-border.ts'
+import { isKeptWhole, isOutside, type Limits, reachFrom } from './cell-limits.ts'
+import { Cells } from './cells.ts'
+import { CIRCLE_CUT, isSame, LineCrossing, type Part, pointAtShare, shareOn } from './clip.ts'
+import { ClipLine } from './clip-line.ts'
 import type { OutlinePiece } from './outline-piece.ts'
+import { TIE } from './sign-filter.ts'
 
 /**
  * A piece with its curve also in the direction of its edge (`forward`). Points computed from `forward` are equal bit
@@ -19,486 +24,408 @@ export interface SharedPiece extends OutlinePiece {
   readonly forward: BoundedCurve
 }
 
-const AXES: readonly Vector[] = [
-  { x: 1, y: 0 },
-  { x: 0, y: 1 },
-  { x: -1, y: 0 },
-  { x: 0, y: -1 },
-]
-/** The radius of a cell without sides, as a multiple of the distance of the bounds. */
-const FAR_OUT = 64
-/**
- * Tolerance for the crossings of a line and a curve, relative to the size of the part that is clipped. If the two are
- * nearly tangent, a rounding error moves the crossing by the square root of that error.
- */
-const SLACK = 2 ** -20
-/** Largest angle between two directions whose order rounding may exchange on a narrow branch, in radians. */
-const NEAR = 2 ** -20
-
 /** Does what `Diagram.cellOutline` does, for arguments that have been checked. */
 export function outlineOf(cells: Cells, circle: number, limits: Limits): readonly (readonly SharedPiece[])[] {
+  const { diagram } = cells
   if (!cells.exists(circle)) return []
   const { maxDistance } = limits
-  const radius = maxDistance === undefined ? undefined : reachFrom(cells.diagram, circle, maxDistance)
-  if (radius !== undefined && !(radius > 0)) return []
-  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return [wholeLoop(cells, circle)]
-  return new LoopCutter(cells, circle, limits, radius).run()
+  if (maxDistance !== undefined && !(reachFrom(diagram, circle, maxDistance) > 0)) return []
+  const reach = cells.reach(circle)
+  if (isKeptWhole(diagram, circle, reach, limits)) return [wholeLoop(cells, circle)]
+  if (isOutside(diagram, circle, reach, limits)) return []
+  return new CellClip(cells, circle, limits).outline()
+}
+
+/** Returns the parts of an edge inside the limits, in the direction of the edge. */
+export function keptParts(diagram: DiagramData, edge: number, limits: Limits): Part[] {
+  const cells = new Cells(diagram)
+  const left = cells.circleOf(2 * edge)
+  return cells.exists(left) ? new CellClip(cells, left, limits).partsOf(2 * edge) : []
 }
 
 /** Returns the outline of a cell that the bounds contain, without clipping it. */
-function wholeLoop(cells: Cells, circle: number): SharedPiece[] {
-  const { diagram } = cells
+export function wholeLoop(cells: Cells, circle: number): SharedPiece[] {
+  const { firstSide, nextSide } = cells.diagram
   const pieces: SharedPiece[] = []
-  const first = at(diagram.firstSide, circle)
+  const first = at(firstSide, circle)
   let side = first
   do {
-    const forward = curveOf(diagram, side >> 1) as BoundedCurve
+    const forward = curveOf(cells.diagram, side >> 1) as BoundedCurve
     const curve = side & 1 ? reversed(forward) : forward
     pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), r: 0 })
-    side = at(diagram.nextSide, side)
+    side = at(nextSide, side)
   } while (side !== first)
   return pieces
 }
 
-/** @throws CircleVoronoiError `notCertified` */
-function refuseOutline(circle: number): never {
-  throw new CircleVoronoiError('notCertified', `The outline of cell ${circle} does not close.`, { circle })
+/** A crossing of the border of a cell and a side of the bounds. */
+interface Crossing {
+  readonly piece: BorderPiece
+  readonly line: ClipLine
+  /** Whether the border leaves the bounds here, so that the boundary of the bounds enters the cell. */
+  readonly leaves: boolean
+  /** The vertex at the same place, if the shift decides on which side of it the crossing lies. */
+  readonly vertex: BorderEnd | undefined
 }
 
-/**
- * A piece of a loop. The pieces of an edge follow its direction, so that both cells of the edge cut it at the same
- * points, bit for bit.
- */
-interface CutPiece {
-  /** For a segment or an arc of a circle, only the ends count. */
-  readonly part: Part
-  /** The side of the cell; `NONE` for a segment or an arc. */
-  readonly side: number
-  /** The radius of an arc. */
-  readonly r: number
-  /** The side of the bounds on whose line a segment lies; `NONE` if it lies far outside. */
-  readonly line: number
+/** The place of a crossing: its point, and the parameter on the curve of its edge. */
+interface Place {
+  readonly point: Point
+  readonly s: number
 }
 
-function isSegment({ side, r }: CutPiece): boolean {
-  return side === NONE && r === 0
+/** A stretch of a piece inside the bounds. Without crossings it reaches from end to end. */
+interface Stretch {
+  readonly piece: BorderPiece
+  readonly enters: Crossing | undefined
+  readonly leaves: Crossing | undefined
 }
 
-function isAgainst({ side }: CutPiece): boolean {
-  return side !== NONE && side % 2 === 1
-}
-
-function startOf(piece: CutPiece): Point {
-  return isAgainst(piece) ? piece.part.curve.end : piece.part.curve.start
-}
-
-function endOf(piece: CutPiece): Point {
-  return isAgainst(piece) ? piece.part.curve.start : piece.part.curve.end
-}
-
-function cutStart(piece: CutPiece): number {
-  return isAgainst(piece) ? piece.part.cutTo : piece.part.cutFrom
-}
-
-function cutEnd(piece: CutPiece): number {
-  return isAgainst(piece) ? piece.part.cutFrom : piece.part.cutTo
-}
-
-function isPointOf(piece: CutPiece): boolean {
-  return isPoint(piece.part) || (isSegment(piece) && isSame(startOf(piece), endOf(piece)))
-}
-
-/** A placeholder for pieces without a bisector. */
-const NO_BISECTOR = segment({ x: 0, y: 0 }, { x: 1, y: 0 }).bisector
-
-function pieceBetween(start: Point, end: Point, r: number, line: number): CutPiece {
-  const curve = { bisector: NO_BISECTOR, from: 0, to: 0, start, end }
-  return { part: { curve, cutFrom: NONE, cutTo: NONE }, side: NONE, r, line }
-}
-
-/** The part of a loop in a half-plane between an entry and the next exit. */
-interface Chain {
-  readonly pieces: CutPiece[]
-  readonly entry: Point
-  exit: Point
-}
-
-/**
- * A gap between a side that is cut off, far outside or by the circle, and the next side, as directions from the center.
- */
-interface Gap {
-  readonly from: Vector
-  readonly to: Vector
-  /** Whether the gap is a full turn or zero, up to rounding. */
-  readonly isNear: boolean
-  readonly sweep: number
-}
-
-/**
- * Returns a number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; 0 for the zero vector.
- */
-function pseudoAngle({ x, y }: Vector): number {
-  const size = Math.abs(x) + Math.abs(y)
-  const along = size > 0 ? x / size : 1
-  return y >= 0 ? 1 - along : 3 + along
-}
-
-/** Returns the turn from u to v as a difference of pseudo-angles. It may be slightly below 0. */
-function sweep(u: Vector, v: Vector): number {
-  const difference = pseudoAngle(v) - pseudoAngle(u)
-  return difference <= -1 ? difference + 4 : difference > 3 ? difference - 4 : difference
-}
-
-function negative({ x, y }: Vector): Vector {
-  return { x: -x, y: -y }
-}
-
-function onAxis(middle: Point, r: number, k: number): Point {
-  const axis = AXES[k] as Vector
-  return { x: middle.x + r * axis.x, y: middle.y + r * axis.y }
-}
-
-/** Returns the quarter of the circle that contains a direction. A quarter includes its first axis only. */
-function quarterOf({ x, y }: Vector): number {
-  if (y >= 0) return x > 0 ? 0 : y > 0 ? 1 : 2
-  return x < 0 ? 2 : 3
-}
-
-/** Returns the approximate distance that the chains reach from the line of a side. */
-function extentOf(chains: readonly Chain[], half: HalfPlane): number {
-  let extent = 0
-  for (const { pieces } of chains) {
-    for (const piece of pieces) extent = Math.max(extent, largestOf(between(half.from, startOf(piece))))
-  }
-  return extent
-}
-
-/**
- * A cell as a loop, cut by one line after the other. Every step is continuous, so a rounding error of a point moves the
- * result only slightly.
- */
-class LoopCutter {
+/** One cell, clipped. */
+class CellClip {
   readonly #cells: Cells
   readonly #circle: number
-  readonly #limits: Limits
-  /** The radius of the kept disc around the circle's center, if the limits have a distance. */
-  readonly #radius: number | undefined
-  readonly #center: Point
-  readonly #halves: readonly HalfPlane[]
-  #loops: CutPiece[][] = []
-  /** Whether entries and exits have alternated along each line, and nothing far outside is left. */
-  #isSound = true
+  readonly #border: CellBorder
+  readonly #radius: number
+  readonly #lines: readonly ClipLine[]
+  readonly #places = new Map<Crossing, Place>()
 
-  constructor(cells: Cells, circle: number, limits: Limits, radius: number | undefined) {
+  constructor(cells: Cells, circle: number, limits: Limits) {
     this.#cells = cells
     this.#circle = circle
-    this.#limits = limits
-    this.#radius = radius
-    const { x, y } = circleOf(cells.diagram.circles, circle)
-    this.#center = { x, y }
-    this.#halves = HalfPlane.of(limits.bounds)
+    this.#border = new CellBorder(cells, circle, limits)
+    this.#radius = reachFrom(cells.diagram, circle, limits.maxDistance ?? 0)
+    this.#lines = ClipLine.of(limits.bounds, this.#border.center)
   }
 
-  run(): SharedPiece[][] {
-    this.#begin()
-    for (let h = 0; h < this.#halves.length && this.#loops.length > 0; h++) this.#cut(h)
-    const outline = this.#loops.map((loop) => this.#finished(loop)).filter((loop) => loop.length > 0)
-    if (!this.#isSound) refuseOutline(this.#circle)
-    return outline
-  }
-
-  /**
-   * Starts with the cell inside the disc of the maximum distance. Without a maximum distance, unbounded sides end far
-   * outside and are joined around the bounds.
-   */
-  #begin(): void {
-    const sides: CutPiece[] = []
-    for (const side of this.#cells.sides(this.#circle)) {
-      const part = partAtDistance(this.#cells.diagram, side >> 1, this.#limits)
-      if (part !== undefined) sides.push({ part, side, r: 0, line: NONE })
+  outline(): SharedPiece[][] {
+    const pieces = this.#border.pieces()
+    const crossings = pieces.map((piece) => this.#crossingsOf(piece))
+    const isCornerInside = pieces.every(({ line }) => line.sideOf(this.#lines[0] as ClipLine) > 0)
+    if (crossings.every(({ length }) => length === 0)) {
+      if (isCornerInside) return [this.#bounds()]
+      const start = pieces[0]?.from
+      const isInside = pieces.every(({ from, to }) => from !== undefined && to !== undefined) && this.#contains(start)
+      const loop = isInside ? pieces.flatMap((piece) => this.#pieceBetween(piece, undefined, undefined)) : []
+      return loop.length > 0 ? [loop] : []
     }
-    if (sides.length > 0) {
-      this.#loops.push(this.#closed(sides))
-      return
-    }
-    const radius = this.#radius ?? FAR_OUT * this.#limits.bounds.reachFrom(this.#center)
-    const loop: CutPiece[] = []
-    const corner = (k: number) => onAxis(this.#center, radius, k % AXES.length)
-    for (const k of AXES.keys()) this.#addStep(loop, corner(k), corner(k + 1))
-    this.#loops.push(loop)
-  }
-
-  /** Joins the sides to a closed loop, counter-clockwise around the center, across the gaps between cut ends. */
-  #closed(sides: readonly CutPiece[]): CutPiece[] {
-    const { metric } = this.#cells.diagram
-    let total = 0
-    let radius = 0
-    let nearest: Gap | undefined
-    const middle = this.#pointIn(sides)
-    const gaps = sides.map((piece, k): Gap | undefined => {
-      const next = sides[(k + 1) % sides.length] as CutPiece
-      total += this.#sweepOf(piece)
-      if (cutEnd(piece) === NONE && cutStart(next) === NONE && isSame(endOf(piece), startOf(next))) return undefined
-      let from = between(middle, endOf(piece))
-      let to = between(middle, startOf(next))
-      radius = Math.max(radius, lengthOf(from), lengthOf(to))
-      // A cell of the power diagram is convex, so these directions stay in the cell from any of its points.
-      if (metric === 'power') {
-        const { across } = piece.part.curve.bisector
-        const { across: nextAcross } = next.part.curve.bisector
-        from = isAgainst(piece) ? negative(across) : across
-        to = isAgainst(next) ? nextAcross : negative(nextAcross)
-      }
-      const unit = unitFor(Math.max(largestOf(from), largestOf(to)))
-      const u = measuredIn(unit, from)
-      const v = measuredIn(unit, to)
-      const isNear = dot(u, v) > 0 && Math.abs(cross(u, v)) <= NEAR * dot(u, v)
-      const turned = sweep(u, v)
-      const gap = { from, to, isNear, sweep: !isNear && turned < 0 ? turned + 4 : turned }
-      total += gap.sweep
-      if (isNear && (nearest === undefined || gap.sweep < nearest.sweep)) nearest = gap
-      return gap
+    // In the order of the border, beginning at a place outside if there is one at infinity.
+    const begin = Math.max(
+      pieces.findIndex(({ from }) => from === undefined),
+      0,
+    )
+    const stretches: Stretch[] = []
+    let isInside = this.#contains(pieces[begin]?.from)
+    pieces.forEach((_, k) => {
+      const i = (begin + k) % pieces.length
+      const piece = pieces[i] as BorderPiece
+      if (piece.from === undefined && isInside) refuseOutline(this.#circle)
+      isInside = this.#addStretches(stretches, piece, crossings[i] as Crossing[], isInside)
     })
-    radius = this.#radius ?? radius
-    // Sides and gaps go around the center once. On a folded branch, the directions are only rounding.
-    let full: Gap | undefined
-    if (nearest !== undefined && total < 2 && metric !== 'power') {
-      const { from } = nearest as Gap
-      const share = radius / lengthOf(from)
-      const opposite = { x: this.#center.x - share * from.x, y: this.#center.y - share * from.y }
-      if (this.#cells.contains(this.#circle, opposite.x, opposite.y)) full = nearest
-    }
-    const loop: CutPiece[] = []
-    sides.forEach((piece, k) => {
-      loop.push(piece)
-      const gap = gaps[k]
-      if (gap === undefined) return
-      let last = endOf(piece)
-      let quarter = quarterOf(gap.from)
-      const lastQuarter = quarterOf(gap.to)
-      const isOneQuarter = quarter === lastQuarter && turn(gap.from, gap.to) >= 0
-      if (gap === full || (!gap.isNear && !isOneQuarter)) {
-        do {
-          quarter = (quarter + 1) % AXES.length
-          const next = onAxis(middle, radius, quarter)
-          this.#addStep(loop, last, next)
-          last = next
-        } while (quarter !== lastQuarter)
-      }
-      this.#addStep(loop, last, startOf(sides[(k + 1) % sides.length] as CutPiece))
+    if (isInside !== this.#contains(pieces[begin]?.from)) refuseOutline(this.#circle)
+    return this.#joined(stretches, this.#boundary(crossings.flat(), isCornerInside))
+  }
+
+  /** Returns the parts of a side inside the limits, in its direction, which is that of its edge. */
+  partsOf(side: number): Part[] {
+    const piece = this.#border.partOf(side)
+    if (piece === undefined) return []
+    const stretches: Stretch[] = []
+    this.#addStretches(stretches, piece, this.#crossingsOf(piece), this.#contains(piece.from))
+    return stretches.flatMap(({ enters, leaves }): Part[] => {
+      const curve = this.#curveBetween(piece, enters, leaves)
+      const cutFrom = enters ? enters.line.side : piece.isCutFrom ? CIRCLE_CUT : NONE
+      const cutTo = leaves ? leaves.line.side : piece.isCutTo ? CIRCLE_CUT : NONE
+      if (isSame(curve.start, curve.end) && (cutFrom !== NONE || cutTo !== NONE)) return []
+      return [{ curve, cutFrom, cutTo }]
     })
-    return loop
   }
 
-  /**
-   * Returns the angle that a side covers around the center. A branch around the center covers less than half a turn on
-   * each side of its apex.
-   */
-  #sweepOf(piece: CutPiece): number {
-    const { bisector, from, to } = piece.part.curve
-    const u = between(this.#center, startOf(piece))
-    const v = between(this.#center, endOf(piece))
-    if (!(from < 1 && 1 < to) || !isSame(bisector.origin, this.#center)) return sweep(u, v)
-    return sweep(u, bisector.along) + sweep(bisector.along, v)
-  }
-
-  #addStep(loop: CutPiece[], last: Point, next: Point): void {
-    if (!isSame(last, next)) loop.push(pieceBetween(last, next, this.#radius ?? 0, NONE))
-  }
-
-  /**
-   * Returns a point of the cell: its center, or for the power diagram, whose cells need not contain their centers, the
-   * nearest end of a side.
-   */
-  #pointIn(sides: readonly CutPiece[]): Point {
-    if (this.#cells.diagram.metric !== 'power') return this.#center
-    const distance = (p: Point) => lengthOf(between(this.#center, p))
-    return sides
-      .flatMap((piece) => [startOf(piece), endOf(piece)])
-      .reduce((nearest, p) => (distance(p) < distance(nearest) ? p : nearest))
-  }
-
-  /**
-   * Cuts all loops by the line of a half-plane. From left to right as seen from outside, exits and entries alternate
-   * along the line, and the first is an exit. So the k-th exit is joined to the k-th entry, even if rounding exchanges
-   * exits and entries at the same place.
-   */
-  #cut(h: number): void {
-    const half = this.#halves[h] as HalfPlane
-    const loops: CutPiece[][] = []
-    const chains: Chain[] = []
-    for (const loop of this.#loops) this.#cutLoop(h, loop, loops, chains)
-    this.#loops = loops
-    if (chains.length === 0) return
-
-    const exitOf = (chain: Chain) => half.place(chain.exit)
-    const entryOf = (chain: Chain) => half.place(chain.entry)
-    const byExit = [...chains].sort((one, other) => exitOf(one) - exitOf(other))
-    const byEntry = [...chains].sort((one, other) => entryOf(one) - entryOf(other))
-    const rounding = ROUNDING * Math.max(largestOf(this.#center), largestOf(half.from))
-    const slack = SLACK * extentOf(chains, half) + rounding
-    const next = new Map<Chain, Chain>()
-    byExit.forEach((chain, k) => {
-      const after = byEntry[k] as Chain
-      const later = byExit[k + 1]
-      next.set(chain, after)
-      const isAhead = exitOf(chain) <= entryOf(after) + slack
-      const isBeforeNext = later === undefined || entryOf(after) <= exitOf(later) + slack
-      if (!isAhead || !isBeforeNext) this.#isSound = false
+  /** Returns whether the bounds contain an end of the border; not at infinity. */
+  #contains(end: BorderEnd | undefined): boolean {
+    if (end === undefined) return false
+    const isAbove = this.#lines.map((corner) => end.isBelow(corner))
+    let winding = 0
+    this.#lines.forEach((line, k) => {
+      const goesUp = isAbove[(k + 1) % isAbove.length] as boolean
+      if (isAbove[k] !== goesUp && end.sideOf(line) > 0 === goesUp) winding += goesUp ? 1 : -1
     })
-    const isDone = new Set<Chain>()
-    for (const first of chains) {
-      if (isDone.has(first)) continue
-      const loop: CutPiece[] = []
-      for (let chain = first; !isDone.has(chain); chain = next.get(chain) as Chain) {
-        isDone.add(chain)
-        for (const piece of chain.pieces) loop.push(piece)
-        const to = (next.get(chain) as Chain).entry
-        if (!isSame(chain.exit, to)) loop.push(pieceBetween(chain.exit, to, 0, half.side))
-      }
-      this.#loops.push(loop)
-    }
+    return winding !== 0
   }
 
-  /** Adds a loop to `loops` if it is all inside, otherwise its parts to `chains`. */
-  #cutLoop(h: number, loop: CutPiece[], loops: CutPiece[][], chains: Chain[]): void {
-    const { side } = this.#halves[h] as HalfPlane
-    const found: Chain[] = []
-    let isLinked = false // whether the last chain goes on with the next piece
-    let firstIsLinked = false // whether the first chain goes on from the last piece
-    for (const piece of loop) {
-      const kept = this.#cutPiece(h, piece)
-      if (kept.length === 0) isLinked = false
-      for (const rest of kept) {
-        const isCut = cutStart(rest) === side
-        if (isCut || !isLinked) {
-          firstIsLinked ||= !isCut
-          found.push({ pieces: [], entry: startOf(rest), exit: endOf(rest) })
-        }
-        isLinked = cutEnd(rest) !== side
-        const chain = found.at(-1) as Chain
-        chain.exit = endOf(rest)
-        if (!isPointOf(rest)) chain.pieces.push(rest)
-      }
-    }
-    if (isLinked && firstIsLinked) {
-      if (found.length === 1) {
-        loops.push(loop)
+  /** Returns the crossings of a piece and the sides of the bounds. */
+  #crossingsOf(piece: BorderPiece): Crossing[] {
+    const { line: curve, from, to } = piece
+    const crossings: Crossing[] = []
+    const sides = this.#lines.map((corner) => curve.sideOf(corner))
+    this.#lines.forEach((line, k) => {
+      const after = (k + 1) % this.#lines.length
+      const startsInCell = (sides[k] as number) > 0
+      const endsInCell = (sides[after] as number) > 0
+      const isChanged = startsInCell !== endsInCell
+      // Both ends of the side are on the inner side of the curve, which is convex.
+      if (!isChanged && (curve.isStraight || startsInCell === curve.isCellInside)) return
+      const bulge = curve.isStraight ? 0 : curve.bulgeBeyond(line)
+      if (bulge === 0) {
+        if (!isChanged) return
+        // Where the boundary leaves the cell, the border comes from the right side of the line.
+        const before = startsInCell ? -1 : 1
+        const isBefore = from === undefined || Math.sign(from.sideOf(line)) === before
+        const isAfter = to === undefined || Math.sign(to.sideOf(line)) !== before
+        if (!(isBefore && isAfter)) return
+        const vertex = [from, to].find((end) => end !== undefined && Math.abs(end.sideOf(line)) === TIE)
+        crossings.push({ piece, line, leaves: !startsInCell, vertex })
         return
       }
-      const first = found.shift() as Chain
-      const last = found.at(-1) as Chain
-      last.exit = first.exit
-      for (const piece of first.pieces) last.pieces.push(piece)
-    }
-    // A loop that touches the line from outside leaves only a point, which is dropped.
-    for (const chain of found) if (chain.pieces.length > 0) chains.push(chain)
-  }
-
-  /** Returns the parts of a piece in a half-plane, in the order of the loop. */
-  #cutPiece(h: number, piece: CutPiece): readonly CutPiece[] {
-    const half = this.#halves[h] as HalfPlane
-    if (piece.side !== NONE) {
-      const parts = cutPart(piece.part, half)
-      if (parts[0] === piece.part) return [piece]
-      const { side, r, line } = piece
-      const pieces = parts.map((part) => ({ part, side, r, line }))
-      return isAgainst(piece) ? pieces.reverse() : pieces
-    }
-    const { start, end } = piece.part.curve
-    const hasStart = half.height(start) >= 0
-    const hasEnd = half.height(end) >= 0
-    const partOf = (from: Point, to: Point): CutPiece => ({
-      ...piece,
-      part: {
-        curve: { ...piece.part.curve, start: from, end: to },
-        cutFrom: from === start ? piece.part.cutFrom : half.side,
-        cutTo: to === end ? piece.part.cutTo : half.side,
-      },
+      // Both the curve and the line have a part before the first crossing (0), one between the two (1) and one after
+      // the second (2).
+      const corner = this.#lines[after] as ClipLine
+      const partOf = (p: ClipLine, isInCell: boolean) =>
+        isInCell === curve.isCellInside ? 1 : curve.isAheadOf(p, line) ? 0 : 2
+      const fromPart = partOf(line, startsInCell)
+      const toPart = partOf(corner, endsInCell)
+      const firstLeaves = bulge < 0
+      const isSameOrder = firstLeaves === curve.isCellInside
+      const partOfEnd = (end: BorderEnd | undefined, atInfinity: number) => {
+        if (end === undefined) return atInfinity
+        if (Math.sign(end.sideOf(line)) === bulge) return 1
+        const turn = curve.turnAfter(end, line)
+        return turn === 0 ? atInfinity : turn > 0 === isSameOrder ? 0 : 2
+      }
+      const start = partOfEnd(from, 0)
+      const end = partOfEnd(to, 2)
+      const isOpposite = (end: BorderEnd | undefined) => end !== undefined && curve.turnAfter(end, line) === 0
+      // An arc of length zero opposite the line.
+      if (start === 0 && end === 2 && isOpposite(from) && isOpposite(to)) return
+      for (const number of [0, 1]) {
+        const onLine = isSameOrder ? number : 1 - number
+        if (start <= number && number < end && fromPart <= onLine && onLine < toPart) {
+          crossings.push({ piece, line, leaves: firstLeaves === (number === 0), vertex: undefined })
+        }
+      }
     })
-    if (isSegment(piece)) {
-      if (hasStart === hasEnd) return hasStart ? [piece] : []
-      const p = { ...this.#crossingOf(h, piece) }
-      return [hasStart ? partOf(start, p) : partOf(p, end)]
-    }
-    const { r } = piece
-    const size = lengthOf(half.along)
-    const along = measuredIn(size, half.along)
-    const depth = half.height(this.#center) / size
-    const toMiddle = hasStart ? { x: along.y, y: -along.x } : { x: -along.y, y: along.x }
-    if (hasStart === hasEnd) {
-      const turnsBack =
-        turn(between(this.#center, start), toMiddle) > 0 &&
-        turn(toMiddle, between(this.#center, end)) > 0 &&
-        Math.abs(depth) < r
-      if (!turnsBack) return hasStart ? [piece] : []
-    }
-    const foot = half.nearest(this.#center)
-    const reach = Math.sqrt(Math.max(r - depth, 0)) * Math.sqrt(Math.max(r + depth, 0))
-    const exit = { x: foot.x - reach * along.x, y: foot.y - reach * along.y }
-    const entry = { x: foot.x + reach * along.x, y: foot.y + reach * along.y }
-    if (hasStart && hasEnd) return [partOf(start, exit), partOf(entry, end)]
-    return [partOf(hasStart ? start : entry, hasEnd ? end : exit)]
+    return crossings
   }
 
   /**
-   * Returns the point where a segment crosses the line. If the segment lies on an adjacent side, this is the shared
-   * corner, bit for bit.
+   * Sorts crossings where something begins, and those where it ends. They alternate, so each kind is sorted by itself:
+   * the shift alone decides the order of two crossings of different kinds at one place.
+   *
+   * @throws CircleVoronoiError `notCertified`
    */
-  #crossingOf(h: number, piece: CutPiece): Point {
-    const half = this.#halves[h] as HalfPlane
-    const count = this.#halves.length
-    const { start, end } = piece.part.curve
-    const whole = between(start, end)
-    for (const [other, corner] of [
-      [(h + count - 1) % count, half.from],
-      [(h + 1) % count, half.to],
-    ] as const) {
-      if (piece.line !== this.#halves[other]?.side) continue
-      if (facing(between(start, corner), whole) <= 0) return start
-      return facing(between(corner, end), whole) <= 0 ? end : corner
+  #alternating(
+    crossings: readonly Crossing[],
+    begins: boolean,
+    isInside: boolean,
+    placeOf: (crossing: Crossing) => Surd,
+  ): Crossing[] {
+    if (crossings.length === 0) return []
+    const sorted = (leaves: boolean) => {
+      const found = crossings.filter((crossing) => crossing.leaves === leaves)
+      if (found.length < 2) return found
+      return found
+        .map((crossing) => ({ crossing, place: placeOf(crossing) }))
+        .sort((one, other) => compareSurds(one.place, other.place))
+        .map(({ crossing }) => crossing)
     }
-    const first = half.height(start)
-    const share = first / (first - half.height(end))
-    return half.nearest({ x: start.x + share * whole.x, y: start.y + share * whole.y })
+    const [starts, stops] = [sorted(begins), sorted(!begins)]
+    const [first, second] = isInside ? [stops, starts] : [starts, stops]
+    const rest = first.length - second.length
+    if (rest !== 0 && rest !== 1) refuseOutline(this.#circle)
+    return first.flatMap((crossing, k) => (second[k] === undefined ? [crossing] : [crossing, second[k]]))
   }
 
-  /** Returns whether a loop touches a line or lies along it from outside, up to rounding. */
-  #isSliver(loop: readonly SharedPiece[]): boolean {
-    if (loop.length === 0) return true
-    const { rounding, hasArea } = roundingOf(loop, this.#center)
-    if (hasArea) return false
-    const isBeside = (half: HalfPlane, p: Point) => half.height(p) <= rounding
-    return this.#halves.some((half) =>
-      loop.every(({ curve, r }) => isBeside(half, curve.start) && (r > 0 || isBeside(half, middleOf(curve)))),
-    )
+  /** Adds the stretches of a piece inside the bounds. Returns whether its end is inside. */
+  #addStretches(stretches: Stretch[], piece: BorderPiece, crossings: readonly Crossing[], isInside: boolean): boolean {
+    const placeOf = ({ line, leaves }: Crossing) => placeAlong(piece.line, line, piece.line.shareOf(line, !leaves))
+    let enters: Crossing | undefined
+    let isWithin = isInside
+    for (const crossing of this.#alternating(crossings, false, isInside, placeOf)) {
+      if (crossing.leaves) stretches.push({ piece, enters, leaves: crossing })
+      else enters = crossing
+      isWithin = !crossing.leaves
+    }
+    if (isWithin) stretches.push({ piece, enters, leaves: undefined })
+    return isWithin
   }
 
-  /** Returns a loop as pieces of an outline; empty if the loop is a sliver. */
-  #finished(loop: readonly CutPiece[]): SharedPiece[] {
-    const moved = loop.map((piece) =>
-      isSegment(piece) ? piece : { ...piece, part: movedOntoSides(piece.part, this.#halves) },
-    )
-    const isCut = moved.some((piece) => isSegment(piece) || piece.part.cutFrom >= 0 || piece.part.cutTo >= 0)
-    if (moved.some((piece) => isSegment(piece) && piece.line === NONE)) this.#isSound = false
-    const pieces = moved.flatMap((piece, k): SharedPiece[] => {
-      if (piece.side !== NONE) {
-        if (isPointOf(piece)) return []
-        const forward = piece.part.curve
-        const curve = isAgainst(piece) ? reversed(forward) : forward
-        return [{ curve, forward, side: piece.side, neighbor: this.#cells.neighborOf(piece.side), r: 0 }]
-      }
-      let { start, end } = piece.part.curve
-      if (isSegment(piece)) {
-        const before = moved.at(k - 1) as CutPiece
-        const after = moved[(k + 1) % moved.length] as CutPiece
-        if (!isSegment(before)) start = endOf(before)
-        if (!isSegment(after)) end = startOf(after)
-      }
-      if (isSame(start, end)) return []
-      const curve = segment(start, end)
-      return [{ curve, forward: curve, side: NONE, neighbor: NONE, r: piece.r }]
+  /** Returns the crossings along the boundary of the bounds, in order. */
+  #boundary(crossings: readonly Crossing[], isCornerInside: boolean): Crossing[] {
+    let isInside = isCornerInside
+    const boundary = this.#lines.flatMap((line) => {
+      const along = crossings.filter((crossing) => crossing.line === line)
+      const placeOf = ({ piece, leaves }: Crossing) => piece.line.shareOf(line, !leaves)
+      const sorted = this.#alternating(along, true, isInside, placeOf)
+      isInside = sorted.at(-1)?.leaves ?? isInside
+      return sorted
     })
-    return isCut && this.#isSliver(pieces) ? [] : pieces
+    if (isInside !== isCornerInside) refuseOutline(this.#circle)
+    return boundary
   }
+
+  /** Joins stretches of the border, which are in order, to loops along the boundary of the bounds. */
+  #joined(stretches: readonly Stretch[], boundary: readonly Crossing[]): SharedPiece[][] {
+    const starts = new Map<Crossing, number>()
+    stretches.forEach(({ enters }, k) => {
+      if (enters !== undefined) starts.set(enters, k)
+    })
+    const places = new Map(boundary.map((crossing, k) => [crossing, k]))
+    const isDone = new Set<number>()
+    const loops: SharedPiece[][] = []
+    for (const first of starts.values()) {
+      const loop: SharedPiece[] = []
+      for (let k = first; !isDone.has(k); ) {
+        isDone.add(k)
+        let stretch = stretches[k] as Stretch
+        this.#addPiece(loop, stretch)
+        while (stretch.leaves === undefined) {
+          k = (k + 1) % stretches.length
+          stretch = stretches[k] as Stretch
+          if (stretch.enters !== undefined) refuseOutline(this.#circle)
+          this.#addPiece(loop, stretch)
+        }
+        const place = places.get(stretch.leaves) as number
+        const isLast = place + 1 === boundary.length
+        const next = boundary[isLast ? 0 : place + 1] as Crossing
+        this.#addBoundary(loop, stretch.leaves, next, isLast)
+        k = starts.get(next) as number
+      }
+      if (loop.length > 0) loops.push(this.#fromFirstCorner(loop))
+    }
+    return loops
+  }
+
+  /** Returns a loop that begins at the first corner of the bounds, if it passes there. */
+  #fromFirstCorner(loop: SharedPiece[]): SharedPiece[] {
+    const { from } = this.#lines[0] as ClipLine
+    const first = loop.findIndex(({ curve, side }) => side === NONE && isSame(curve.start, from))
+    return first > 0 ? [...loop.slice(first), ...loop.slice(0, first)] : loop
+  }
+
+  #addPiece(loop: SharedPiece[], { piece, enters, leaves }: Stretch): void {
+    for (const each of this.#pieceBetween(piece, enters, leaves)) loop.push(each)
+  }
+
+  /** Returns a part of a piece; nothing if cutting has left only a point. */
+  #pieceBetween(piece: BorderPiece, enters: Crossing | undefined, leaves: Crossing | undefined): SharedPiece[] {
+    const { side } = piece
+    if (side === NONE) {
+      const start = enters ? this.#placeOf(enters).point : (piece.from as BorderEnd).point
+      const end = leaves ? this.#placeOf(leaves).point : (piece.to as BorderEnd).point
+      return isSame(start, end) ? [] : [straightPiece(start, end, this.#radius)]
+    }
+    const its = piece as SidePiece
+    const isBackward = side % 2 === 1
+    const forward = this.#curveBetween(its, isBackward ? leaves : enters, isBackward ? enters : leaves)
+    const isCut = enters !== undefined || leaves !== undefined || its.isCutFrom || its.isCutTo
+    if (isCut && isSame(forward.start, forward.end)) return []
+    const curve = isBackward ? reversed(forward) : forward
+    return [{ curve, forward, side, neighbor: this.#cells.neighborOf(side), r: 0 }]
+  }
+
+  /** Returns the part of the curve of an edge between two crossings, or up to its ends. */
+  #curveBetween({ forward }: SidePiece, first: Crossing | undefined, last: Crossing | undefined): BoundedCurve {
+    const { bisector } = forward
+    let { from, to, start, end } = forward
+    if (first !== undefined) ({ s: from, point: start } = this.#placeOf(first))
+    if (last !== undefined) ({ s: to, point: end } = this.#placeOf(last))
+    // Rounding has exchanged ends that are at one place.
+    if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
+    if (start === undefined || end === undefined) refuseOutline(this.#circle)
+    return { bisector, from, to, start, end }
+  }
+
+  /** Adds the boundary from one crossing to the next, through the first corner if `isAround`. */
+  #addBoundary(loop: SharedPiece[], from: Crossing, to: Crossing, isAround: boolean): void {
+    let last = this.#placeOf(from).point
+    const addTo = (next: Point) => {
+      if (!isSame(last, next)) loop.push(straightPiece(last, next, 0))
+      last = next
+    }
+    const count = this.#lines.length
+    let line = from.line.side
+    if (isAround && line === to.line.side) {
+      addTo(from.line.to)
+      line = (line + 1) % count
+    }
+    for (; line !== to.line.side; line = (line + 1) % count) addTo((this.#lines[line] as ClipLine).to)
+    addTo(this.#placeOf(to).point)
+  }
+
+  #bounds(): SharedPiece[] {
+    return this.#lines.map(({ from, to }) => straightPiece(from, to, 0))
+  }
+
+  #placeOf(crossing: Crossing): Place {
+    let place = this.#places.get(crossing)
+    if (place === undefined) {
+      const { piece } = crossing
+      place = piece.side === NONE ? this.#placeOnRim(crossing) : this.#placeOnSide(crossing, piece as SidePiece)
+      this.#places.set(crossing, place)
+    }
+    return place
+  }
+
+  /** Both cells of the edge find the same place, bit for bit. */
+  #placeOnSide({ line, leaves, vertex }: Crossing, piece: SidePiece): Place {
+    const { forward, side } = piece
+    const { bisector } = forward
+    const clamped = (s: number) => Math.min(Math.max(s, forward.from), forward.to)
+    const { from, to } = line
+    if (vertex !== undefined && (vertex === piece.from) !== (side % 2 === 1))
+      return { point: vertex.point, s: forward.from }
+    if (vertex !== undefined) return { point: vertex.point, s: forward.to }
+    const direction = { x: line.dx, y: line.dy }
+    const found = new LineCrossing(bisector, from, direction)
+    const s = found.crossing(leaves === (side % 2 === 0))
+    if (s !== undefined && found.isCertainAt(s)) {
+      const share = shareOn(from, to, pointOf(bisector, clamped(s)))
+      if (isBetweenEnds(share)) return { point: pointAtShare(from, to, share), s: clamped(s) }
+    }
+    // Seen from the left cell of the edge.
+    const { diagram } = this.#cells
+    const isLeft = side % 2 === 0
+    const left = this.#cells.circleOf(side & ~1)
+    const curve = new BisectorBorder(diagram, left, this.#cells.circleOf(side | 1))
+    const center = circleOf(diagram.circles, left)
+    const point = exactPoint(from, to, curve.shareOf(new ClipLine(line.side, from, to, center), leaves !== isLeft))
+    return { point, s: clamped(parameterOf(bisector, point.x, point.y)) }
+  }
+
+  #placeOnRim({ line, leaves, piece }: Crossing): Place {
+    const { from, to, x, y, dx, dy } = line
+    const size = Math.sqrt(dx * dx + dy * dy)
+    const height = (dx * y - dy * x) / size
+    const depth = Math.abs(height)
+    const half = Math.sqrt(Math.max(this.#radius - depth, 0)) * Math.sqrt(this.#radius + depth)
+    const scale = this.#radius + Math.abs(x) + Math.abs(y)
+    // The boundary leaves the cell where the border enters the bounds.
+    const share = ((leaves ? -half : half) - (dx * x + dy * y) / size) / size
+    const isCertain = scale * this.#radius < 2 ** 6 * size * half
+    const point =
+      isCertain && isBetweenEnds(share)
+        ? pointAtShare(from, to, share)
+        : exactPoint(from, to, piece.line.shareOf(line, !leaves))
+    return { point, s: 1 }
+  }
+}
+
+/** Next to its ends, the points of a side are exact. */
+function isBetweenEnds(share: number): boolean {
+  return share > 2 ** -30 && share < 1 - 2 ** -30
+}
+
+/** Returns the point at a share of the way between two corners, rounded. */
+function exactPoint(from: Point, to: Point, { p, q, d, w }: Surd): Point {
+  const coordinate = (first: number, last: number) => {
+    const start = wholeOf(first)
+    const step = wholeOf(last) - start
+    return coordinateOf(surd(start * w + step * p, step * q, d, w))
+  }
+  return { x: coordinate(from.x, to.x), y: coordinate(from.y, to.y) }
+}
+
+function straightPiece(start: Point, end: Point, r: number): SharedPiece {
+  const curve = segment(start, end)
+  return { curve, forward: curve, side: NONE, neighbor: NONE, r }
 }

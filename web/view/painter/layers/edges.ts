@@ -4,7 +4,7 @@ import { at, circleOf } from '../../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../../lib/base/scale.ts'
 import { drawEdge } from '../../../lib/drawing/draw.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
-import { keptParts } from '../../../lib/regions/cell-limits.ts'
+import { keptParts } from '../../../lib/regions/outline.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type PaintContext, shareOf } from '../paint-context.ts'
 
