@@ -7,29 +7,23 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
 #include "at.h"
 #include "bit_cast.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/limits.h"
 #include "guarded.h"
 #include "in_circle.h"
+#include "meetings.h"
 #include "rounded.h"
 #include "scale.h"
 #include "two_part.h"
 
 namespace circle_voronoi {
 namespace {
-
-Box boxAround(Point p, Point q) {
-  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
-}
-
-bool meet(const Box& a, const Box& b) {
-  return a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY;
-}
 
 /// Returns the cross product of two vectors with a small relative error, also where they are nearly parallel. A
 /// crossing of such segments would otherwise be off by many steps of the grid.
@@ -40,57 +34,10 @@ double accurateCross(Vector u, Vector v) {
   return difference.value + (difference.rest + (left.rest - right.rest));
 }
 
-/// Boxes in a tree of groups, each of boxes one after the other.
-class BoxTree {
- public:
-  explicit BoxTree(std::vector<Box> boxes) {
-    levels_.push_back(std::move(boxes));
-    while (levels_.back().size() > 1) {
-      const auto& below = levels_.back();
-      std::vector<Box> above;
-      for (std::size_t k = 0; k < below.size(); ++k) {
-        if (k % kGroup == 0) above.push_back(below[k]);
-        Box& box = above.back();
-        box = {std::min(box.minX, below[k].minX), std::min(box.minY, below[k].minY), std::max(box.maxX, below[k].maxX),
-               std::max(box.maxY, below[k].maxY)};
-      }
-      levels_.push_back(std::move(above));
-    }
-  }
-
-  /// Calls `visit` with the index of each box that meets a box.
-  template <class Visit>
-  void visitMeeting(const Box& box, const Visit& visit) const {
-    if (!levels_.back().empty()) visitIn(levels_.size() - 1, 0, box, visit);
-  }
-
- private:
-  static constexpr std::size_t kGroup = 8;
-
-  template <class Visit>
-  void visitIn(std::size_t level, std::size_t k, const Box& box, const Visit& visit) const {
-    if (!meet(levels_[level][k], box)) return;
-    if (level == 0) return visit(k);
-    const std::size_t end = std::min((k + 1) * kGroup, levels_[level - 1].size());
-    for (std::size_t child = k * kGroup; child < end; ++child) visitIn(level - 1, child, box, visit);
-  }
-
-  std::vector<std::vector<Box>> levels_;
-};
-
-/// A segment between two points, by their indices. Point `a` is before point `b`.
-struct Segment {
-  std::int32_t a;
-  std::int32_t b;
-
-  friend auto operator<=>(const Segment&, const Segment&) = default;
-};
-
 /// A part of the boundary of a polygon.
 struct Piece {
   Segment segment;
   std::int32_t polygon;
-  bool isNew;  ///< whether it has not been compared with others yet
 };
 
 /// Segments that meet at their ends only, and the polygons of their pieces. Segment k has the polygons from offsets[k]
@@ -105,10 +52,10 @@ struct Arrangement {
 /// Divides the sides of rings where they cross, touch or overlap, until they meet at their ends only.
 ///
 /// Crossing points are rounded, which moves the sides through them. This may create new crossings, so the division is
-/// repeated. A few rounds usually suffice. If not, all points move to a grid, and a side that passes through the square
-/// of a point, a step of the grid wide, is led through the point: snap rounding (J. D. Hobby, "Practical segment
-/// intersection with finite precision output", 1999). If that does not suffice either, the grid becomes coarser, up to
-/// a step at which the result would no longer be that of the given sides.
+/// repeated as long as few are left. One or two rounds usually suffice. Sides that nearly coincide can cross anew
+/// without end; then all points move to a grid, and each side is led through the centers of the squares of the grid in
+/// which it meets an end or a crossing: snap rounding (J. D. Hobby, "Practical segment intersection with finite
+/// precision output", 1999). As the squares are found with exact signs, no two sides cross after that.
 class Noder {
  public:
   Noder(const Rings& rings, std::span<const std::int32_t> polygonOfRing) {
@@ -119,17 +66,12 @@ class Noder {
         add(indexOf(rings.points[k]), indexOf(rings.points[k + 1 == end ? begin : k + 1]), polygonOfRing[r], pieces_);
       }
     }
+    givenPoints_ = points_;
+    givenPieces_ = pieces_;
   }
 
   Arrangement run() {
-    for (int round = 1;; ++round) {
-      cancelPairs();
-      findSegments();
-      findSplits();
-      if (splits_.empty()) break;
-      split();
-      if (round % kPatience == 0) coarsen();
-    }
+    if (!divideByRounding()) snap();
     Arrangement result;
     result.segments = std::move(segments_);
     for (const Piece& piece : pieces_) {
@@ -144,13 +86,18 @@ class Noder {
   }
 
  private:
-  static constexpr int kPatience = 12;
-  /// The steps of the first and the coarsest grid, as shares of the largest coordinate, and the factor to each next
-  /// step.
-  static constexpr double kFirstGrid = 0x1p-46;
-  static constexpr double kCoarsestGrid = 0x1p-34;
+  /// After the first round, each may find as many meetings as this, or half of those of the first round.
+  static constexpr std::size_t kFew = 64;
+  static constexpr int kMostRounds = 12;
+  /// The steps of the first and the coarsest grid, as shares of a power of two up to the largest coordinate, and the
+  /// factor to each next step. A grid is too fine if squares and sides meet more often than this, for each side and
+  /// crossing.
+  static constexpr double kFinestGrid = 0x1p-51;
+  static constexpr double kCoarsestGrid = 0x1p-33;
   static constexpr double kCoarser = 0x1p6;
+  static constexpr std::size_t kMostMeetings = 8;
 
+  /// A point inside a segment at which it is divided.
   struct Split {
     std::size_t segment;
     std::int32_t point;
@@ -165,24 +112,29 @@ class Noder {
   };
 
   Point point(std::int32_t index) const { return points_[at(index)]; }
+  Point startOf(const Segment& segment) const { return point(segment.a); }
+  Point endOf(const Segment& segment) const { return point(segment.b); }
+
+  [[noreturn]] static void refuse() {
+    throw ThrownError{{ErrorCode::tooManyCircles, kNone, "The sides of the region cross in too many points."}};
+  }
 
   std::int32_t indexOf(Point p) {
     const auto [found, isNew] = indices_.try_emplace(p, static_cast<std::int32_t>(points_.size()));
     if (isNew) points_.push_back(p);
-    if (points_.size() > kMaxRegionSides) {
-      throw ThrownError{{ErrorCode::tooManyCircles, kNone, "The sides of the region cross in too many points."}};
-    }
+    if (points_.size() > kMaxRegionSides) refuse();
     return found->second;
   }
 
   void add(std::int32_t from, std::int32_t to, std::int32_t polygon, std::vector<Piece>& pieces) const {
     if (from == to) return;
     const bool isForward = isBefore(point(from), point(to));
-    pieces.push_back({isForward ? Segment{from, to} : Segment{to, from}, polygon, true});
+    pieces.push_back({isForward ? Segment{from, to} : Segment{to, from}, polygon});
   }
 
-  /// Two pieces of one polygon in the same place bound nothing. Sorts the others by their segments.
-  void cancelPairs() {
+  /// Takes out two pieces of one polygon in the same place, which bound nothing. Sorts the others by their segments, and
+  /// lists these.
+  void findSegments() {
     std::ranges::sort(pieces_, {}, [](const Piece& piece) { return std::pair(piece.segment, piece.polygon); });
     std::size_t kept = 0;
     for (const Piece& piece : pieces_) {
@@ -195,208 +147,258 @@ class Noder {
       }
     }
     pieces_.resize(kept);
-  }
-
-  void findSegments() {
     segments_.clear();
-    isNew_.clear();
     for (const Piece& piece : pieces_) {
-      if (segments_.empty() || segments_.back() != piece.segment) {
-        segments_.push_back(piece.segment);
-        isNew_.push_back(false);
-      }
-      if (piece.isNew) isNew_.back() = true;
+      if (segments_.empty() || segments_.back() != piece.segment) segments_.push_back(piece.segment);
     }
   }
 
-  /// Returns a box around a segment and the squares of its ends.
-  Box boxOf(const Segment& segment) const {
-    const Box box = boxAround(point(segment.a), point(segment.b));
-    const double half = grid_ / 2;
-    return {box.minX - half, box.minY - half, box.maxX + half, box.maxY + half};
-  }
-
-  /// The segments in an order in which those near one another are mostly one after the other: along a curve of
-  /// G. M. Morton.
-  std::vector<std::size_t> spatialOrder() const {
-    Box all = {0, 0, 0, 0};
-    if (!points_.empty()) all = boxAround(points_[0], points_[0]);
-    for (const Point& p : points_) {
-      all = {std::min(all.minX, p.x), std::min(all.minY, p.y), std::max(all.maxX, p.x), std::max(all.maxY, p.y)};
-    }
-    const auto place = [](double value, double from, double to) {
-      constexpr double kCells = 65535;
-      return to > from ? static_cast<std::uint32_t>(std::clamp((value - from) / (to - from), 0.0, 1.0) * kCells) : 0;
-    };
-    const auto spread = [](std::uint64_t bits) {
-      bits = (bits | bits << 8) & 0x00FF00FF;
-      bits = (bits | bits << 4) & 0x0F0F0F0F;
-      bits = (bits | bits << 2) & 0x33333333;
-      return (bits | bits << 1) & 0x55555555;
-    };
-    std::vector<std::pair<std::uint64_t, std::size_t>> order;
-    order.reserve(segments_.size());
-    for (std::size_t k = 0; k < segments_.size(); ++k) {
-      const Point p = point(segments_[k].a);
-      order.emplace_back(spread(place(p.x, all.minX, all.maxX)) | spread(place(p.y, all.minY, all.maxY)) << 1, k);
-    }
-    std::ranges::sort(order);
-    std::vector<std::size_t> result;
-    for (const auto& [code, k] : order) result.push_back(k);
-    return result;
-  }
-
-  void findSplits() {
-    splits_.clear();
-    const std::vector<std::size_t> order = spatialOrder();
-    std::vector<Box> boxes;
-    for (const std::size_t k : order) boxes.push_back(boxOf(segments_[k]));
-    const BoxTree tree(boxes);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (!isNew_[order[i]]) continue;
-      tree.visitMeeting(boxes[i], [&](std::size_t j) {
-        if (i != j && (i < j || !isNew_[order[j]])) splitWhereTheyMeet(order[i], order[j]);
+  /// Returns whether no segments meet after a few rounds.
+  bool divideByRounding() {
+    for (int round = 1; round <= kMostRounds; ++round) {
+      findSegments();
+      auto meetings = meetingsOf(points_, segments_, round == 1 ? kMaxRegionSides : std::max(kFew, crossings_ / 2));
+      if (!meetings && round == 1) refuse();
+      if (!meetings) return false;
+      if (round == 1) crossings_ = meetings->crossings.size() + meetings->touches.size();
+      std::vector<Split> splits = splitsAt(*meetings);
+      if (splits.empty()) return true;
+      std::ranges::sort(splits, [&](const Split& one, const Split& other) {
+        if (one.segment != other.segment) return one.segment < other.segment;
+        return one.along != other.along ? one.along < other.along : isBefore(point(one.point), point(other.point));
       });
+      split(splits);
     }
+    return false;
   }
 
-  void splitWhereTheyMeet(std::size_t i, std::size_t j) {
-    const auto [a, b] = segments_[i];
-    const auto [c, d] = segments_[j];
-    if (grid_ > 0) {
-      for (const std::int32_t end : {c, d}) splitIfInSquare(i, end);
-      for (const std::int32_t end : {a, b}) splitIfInSquare(j, end);
-    }
-    const int ofC = orientation(point(a), point(b), point(c));
-    const int ofD = orientation(point(a), point(b), point(d));
-    if (ofC * ofD > 0) return;
-    const int ofA = orientation(point(c), point(d), point(a));
-    const int ofB = orientation(point(c), point(d), point(b));
-    if (ofA * ofB > 0) return;
-    if (ofC * ofD < 0 && ofA * ofB < 0) {
-      const std::int32_t crossing = indexOf(crossingOf(segments_[i], segments_[j]));
-      splitAt(i, crossing);
-      splitAt(j, crossing);
-      return;
-    }
-    const auto splitIfWithin = [&](std::size_t k, std::int32_t end, int side) {
-      const Point p = point(end);
-      if (side == 0 && isBefore(point(segments_[k].a), p) && isBefore(p, point(segments_[k].b))) splitAt(k, end);
+  std::vector<Split> splitsAt(Meetings& meetings) {
+    std::vector<Split> splits;
+    const auto add = [&](std::int32_t segment, std::int32_t index) {
+      const auto [a, b] = segments_[at(segment)];
+      if (index == a || index == b) return;
+      splits.push_back({at(segment), index, facing(vectorTo(point(a), point(b)), vectorTo(point(a), point(index)))});
     };
-    splitIfWithin(i, c, ofC);
-    splitIfWithin(i, d, ofD);
-    splitIfWithin(j, a, ofA);
-    splitIfWithin(j, b, ofB);
+    auto& [crossings, touches] = meetings;
+    std::ranges::sort(touches, [&](const Meetings::Touch& one, const Meetings::Touch& other) {
+      return one.segment != other.segment ? one.segment < other.segment
+                                          : isBefore(point(one.point), point(other.point));
+    });
+    for (const auto& [segment, index] : touches) add(segment, index);
+    for (const auto& [first, second] : crossings) {
+      const bool isFirst = comesFirst(segments_[at(first)], segments_[at(second)]);
+      const std::int32_t one = isFirst ? first : second;
+      const std::int32_t other = isFirst ? second : first;
+      const Point p = crossingOf(segments_[at(one)], segments_[at(other)]);
+      if (touchesNear(touches, one, other, p)) continue;
+      const std::int32_t index = indexOf(p);
+      add(one, index);
+      add(other, index);
+    }
+    return splits;
   }
 
-  /// Splits a segment at a point if it passes through the inside of the point's square.
-  void splitIfInSquare(std::size_t k, std::int32_t index) {
-    const auto [a, b] = segments_[k];
-    if (index == a || index == b) return;
-    const auto [x, y] = point(index);
-    const double half = grid_ / 2;
-    const Box box = boxAround(point(a), point(b));
-    if (!(box.minX < x + half && x - half < box.maxX && box.minY < y + half && y - half < box.maxY)) return;
-    bool isLeft = false;
-    bool isRight = false;
-    for (const Point corner :
-         {Point{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}) {
-      const int side = orientation(point(a), point(b), corner);
-      isLeft |= side > 0;
-      isRight |= side < 0;
-    }
-    if (isLeft && isRight) splitAt(k, index);
+  bool comesFirst(const Segment& s, const Segment& t) const {
+    return s.a != t.a ? isBefore(startOf(s), startOf(t)) : isBefore(endOf(s), endOf(t));
+  }
+
+  /// Whether two segments cross at a point on one that lies on the other, too. Its rounded crossing is given.
+  bool touchesNear(const std::vector<Meetings::Touch>& touches, std::int32_t one, std::int32_t other,
+                   Point crossing) const {
+    const auto next = std::ranges::lower_bound(touches, one, {}, &Meetings::Touch::segment);
+    auto place = std::partition_point(next, touches.end(), [&](const Meetings::Touch& touch) {
+      return touch.segment == one && isBefore(point(touch.point), crossing);
+    });
+    const auto isCommon = [&](const Meetings::Touch& touch) {
+      const auto& [a, b] = segments_[at(other)];
+      return touch.segment == one && orientation(point(a), point(b), point(touch.point)) == 0;
+    };
+    return (place != touches.end() && isCommon(*place)) || (place != touches.begin() && isCommon(*std::prev(place)));
   }
 
   /// Returns the rounded crossing of two segments, moved into the bounding boxes of both, so that no point leaves a
-  /// side along an axis.
+  /// side along an axis. Adding zero turns -0 into +0.
   Point crossingOf(const Segment& s, const Segment& t) const {
-    const Point p = point(s.a);
-    const Point q = point(s.b);
-    const Point u = point(t.a);
-    const Point v = point(t.b);
+    const Point p = startOf(s);
+    const Point q = endOf(s);
+    const Point u = startOf(t);
+    const Point v = endOf(t);
     const Vector along = vectorTo(p, q);
     const Vector across = vectorTo(u, v);
     const double slope = accurateCross(along, across);
     const double share = slope == 0 ? 0.5 : accurateCross(vectorTo(p, u), across) / slope;
-    const Box first = boxAround(p, q);
-    const Box second = boxAround(u, v);
-    const auto within = [](double value, double low, double high) {
-      return std::clamp(value, low, std::max(low, high));
+    const auto within = [](double value, double a, double b, double c, double d) {
+      const double low = std::max(std::min(a, b), std::min(c, d));
+      return std::clamp(value, low, std::max(low, std::min(std::max(a, b), std::max(c, d))));
     };
     const double x = p.x + share * (q.x - p.x);
     const double y = p.y + share * (q.y - p.y);
-    return rounded({within(x, std::max(first.minX, second.minX), std::min(first.maxX, second.maxX)),
-                    within(y, std::max(first.minY, second.minY), std::min(first.maxY, second.maxY))});
+    return {rounded(within(x, p.x, q.x, u.x, v.x)) + 0.0, rounded(within(y, p.y, q.y, u.y, v.y)) + 0.0};
   }
 
-  /// Adding zero turns -0 into +0. Without a grid, numbers are rounded as those of a region.
-  Point rounded(Point p) const {
-    if (grid_ == 0) return {circle_voronoi::rounded(p.x) + 0.0, circle_voronoi::rounded(p.y) + 0.0};
-    return {std::floor(p.x / grid_ + 0.5) * grid_ + 0.0, std::floor(p.y / grid_ + 0.5) * grid_ + 0.0};
-  }
-
-  void splitAt(std::size_t segment, std::int32_t index) {
-    const auto [a, b] = segments_[segment];
-    if (index == a || index == b) return;
-    splits_.push_back({segment, index, facing(vectorTo(point(a), point(b)), vectorTo(point(a), point(index)))});
-  }
-
-  void split() {
-    std::ranges::sort(splits_, [&](const Split& one, const Split& other) {
-      if (one.segment != other.segment) return one.segment < other.segment;
-      return one.along != other.along ? one.along < other.along : isBefore(point(one.point), point(other.point));
-    });
+  /// Divides pieces at points of their segments. The points are sorted by segments, and along each segment.
+  void split(const std::vector<Split>& splits) {
     std::vector<Piece> pieces;
     std::size_t segment = 0;
     std::size_t next = 0;
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      const auto& [its, polygon, isNew] = pieces_[k];
+      const auto& [its, polygon] = pieces_[k];
       if (k > 0 && its != pieces_[k - 1].segment) {
-        while (next < splits_.size() && splits_[next].segment == segment) ++next;
+        while (next < splits.size() && splits[next].segment == segment) ++next;
         ++segment;
       }
-      if (next == splits_.size() || splits_[next].segment != segment) {
-        pieces.push_back({its, polygon, false});
-        continue;
-      }
       std::int32_t last = its.a;
-      for (std::size_t s = next; s < splits_.size() && splits_[s].segment == segment; ++s) {
-        add(last, splits_[s].point, polygon, pieces);
-        last = splits_[s].point;
+      for (std::size_t s = next; s < splits.size() && splits[s].segment == segment; ++s) {
+        add(last, splits[s].point, polygon, pieces);
+        last = splits[s].point;
       }
       add(last, its.b, polygon, pieces);
     }
     pieces_ = std::move(pieces);
   }
 
-  void coarsen() {
+  void snap() {
     double size = 0;
-    for (const Point& p : points_) size = std::max({size, std::abs(p.x), std::abs(p.y)});
+    for (const Point& p : givenPoints_) size = std::max({size, std::abs(p.x), std::abs(p.y)});
     const double unit = powerOfTwoIn(size);
-    grid_ = grid_ == 0 ? std::max(kFirstGrid * unit, 2 * kCoordinateStep) : kCoarser * grid_;
-    if (grid_ > std::max(kCoarsestGrid * unit, 2 * kCoordinateStep)) {
-      throw ThrownError{
-          {ErrorCode::badOption, kNone, "Too many sides of the region nearly meet. Simplify its polygons."}};
+    const double coarsest = std::max(kCoarsestGrid * unit, 2 * kCoordinateStep);
+    grid_ = std::max(kFinestGrid * unit, 2 * kCoordinateStep);
+    for (; !snapToGrid(grid_ >= coarsest); grid_ *= kCoarser) {
     }
-    const std::vector<Point> before = std::move(points_);
-    const std::vector<Piece> pieces = std::move(pieces_);
+  }
+
+  /// Returns whether this made few enough pieces. The last grid takes them all.
+  bool snapToGrid(bool isLast) {
+    moveToGrid();
+    const std::size_t few = isLast ? kMaxRegionSides : kMostMeetings * (givenPieces_.size() + crossings_);
+    const auto meetings = meetingsOf(points_, segments_, few);
+    if (!meetings && isLast) refuse();
+    if (!meetings) return false;
+    for (const auto& [first, second] : meetings->crossings) {
+      indexOf(centerOfCrossing(segments_[at(first)], segments_[at(second)]));
+    }
+    std::optional<std::vector<Split>> splits = splitsInSquares(few);
+    if (!splits && isLast) refuse();
+    if (!splits) return false;
+    // A segment goes through squares from left to right, and all the way up or all the way down.
+    std::ranges::sort(*splits, [&](const Split& one, const Split& other) {
+      if (one.segment != other.segment) return one.segment < other.segment;
+      const Point p = point(one.point);
+      const Point q = point(other.point);
+      if (p.x != q.x) return p.x < q.x;
+      return startOf(segments_[one.segment]).y < endOf(segments_[one.segment]).y ? p.y < q.y : p.y > q.y;
+    });
+    split(*splits);
+    findSegments();
+    return true;
+  }
+
+  double onGrid(double value) const { return std::floor(value / grid_ + 0.5) * grid_ + 0.0; }
+
+  void moveToGrid() {
     points_.clear();
     indices_.clear();
     pieces_.clear();
-    for (const auto& [segment, polygon, isNew] : pieces) {
-      const std::int32_t from = indexOf(rounded(before[at(segment.a)]));
-      add(from, indexOf(rounded(before[at(segment.b)])), polygon, pieces_);
+    for (const auto& [segment, polygon] : givenPieces_) {
+      const auto moved = [&](std::int32_t end) {
+        return indexOf({onGrid(givenPoints_[at(end)].x), onGrid(givenPoints_[at(end)].y)});
+      };
+      const std::int32_t from = moved(segment.a);
+      add(from, moved(segment.b), polygon, pieces_);
     }
+    findSegments();
+  }
+
+  /// Returns the center of the square in which two segments cross. The left and the lower side of a square belong to it.
+  Point centerOfCrossing(const Segment& s, const Segment& t) const {
+    const auto placed = [&](double guess, Point a, Point b, Point c, Point d) {
+      double center = onGrid(guess);
+      while (sideOfCrossing(a, b, c, d, center - grid_ / 2) > 0) center -= grid_;
+      while (sideOfCrossing(a, b, c, d, center + grid_ / 2) <= 0) center += grid_;
+      return center + 0.0;
+    };
+    const Point guess = crossingOf(s, t);
+    const auto turned = [](Point p) { return Point{p.y, p.x}; };
+    const std::array ends = {startOf(s), endOf(s), startOf(t), endOf(t)};
+    const auto& [a, b, c, d] = ends;
+    return {placed(guess.x, a, b, c, d), placed(guess.y, turned(a), turned(b), turned(c), turned(d))};
+  }
+
+  /// Finds the squares of points that segments go through, unless there are too many. A segment that meets a square
+  /// meets one of its diagonals.
+  std::optional<std::vector<Split>> splitsInSquares(std::size_t most) const {
+    std::vector<Point> points = points_;
+    std::unordered_map<Point, std::int32_t, Hash> corners;
+    const double half = grid_ / 2;
+    const auto cornerAt = [&](double x, double y) {
+      const auto [found, isNew] = corners.try_emplace({x + 0.0, y + 0.0}, static_cast<std::int32_t>(points.size()));
+      if (isNew) points.push_back(found->first);
+      return found->second;
+    };
+    std::vector<Segment> segments = segments_;
+    for (const auto& [x, y] : points_) {
+      for (const double rise : {half, -half}) {
+        const std::int32_t from = cornerAt(x - half, y - rise);
+        segments.push_back({from, cornerAt(x + half, y + rise)});
+      }
+    }
+    // The diagonals of each square cross, perhaps at a point.
+    const auto meetings = meetingsOf(points, segments, most + 3 * points_.size());
+    if (!meetings) return {};
+    std::vector<Segment> places;  // a segment and the point of a square
+    const auto squareOf = [&](std::int32_t diagonal) {
+      return static_cast<std::int32_t>((at(diagonal) - segments_.size()) / 2);
+    };
+    const auto isDiagonal = [&](std::int32_t segment) { return at(segment) >= segments_.size(); };
+    for (const auto& [first, second] : meetings->crossings) {
+      if (isDiagonal(first) == isDiagonal(second)) continue;
+      places.push_back(isDiagonal(first) ? Segment{second, squareOf(first)} : Segment{first, squareOf(second)});
+    }
+    for (const auto& [segment, touched] : meetings->touches) {
+      if (isDiagonal(segment)) continue;
+      if (at(touched) < points_.size()) {
+        places.push_back({segment, touched});
+        continue;
+      }
+      const auto [x, y] = points[at(touched)];
+      for (const Point center : {Point{x - half, y - half}, {x + half, y - half}, {x - half, y + half},
+                                 {x + half, y + half}}) {
+        const auto found = indices_.find({center.x + 0.0, center.y + 0.0});
+        if (found != indices_.end()) places.push_back({segment, found->second});
+      }
+    }
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    std::vector<Split> splits;
+    for (const auto& [segment, square] : places) {
+      const Segment& its = segments_[at(segment)];
+      if (square != its.a && square != its.b && goesThrough(its, point(square))) splits.push_back({at(segment), square, 0});
+    }
+    return splits;
+  }
+
+  /// Whether a segment between centers of squares meets the square around another one. The left and the lower side
+  /// belong to the square, with the corner between them.
+  bool goesThrough(const Segment& segment, Point center) const {
+    const Point p = startOf(segment);
+    const Point q = endOf(segment);
+    const double half = grid_ / 2;
+    const auto [low, high] = std::minmax(p.y, q.y);
+    if (center.x < p.x || center.x > q.x || center.y < low || center.y > high) return false;
+    const auto sideOf = [&](double x, double y) { return orientation(p, q, {center.x + x, center.y + y}); };
+    // One that only touches a corner meets the square if this is the corner at the lower left.
+    if (p.y <= q.y) return sideOf(-half, half) > 0 && sideOf(half, -half) < 0;
+    return sideOf(half, half) > 0 && sideOf(-half, -half) <= 0;
   }
 
   std::vector<Point> points_;
   std::unordered_map<Point, std::int32_t, Hash> indices_;
   std::vector<Piece> pieces_;
   std::vector<Segment> segments_;  ///< the segments of all pieces, without duplicates
-  std::vector<bool> isNew_;        ///< of each segment
-  std::vector<Split> splits_;
-  double grid_ = 0;  ///< the step of the grid of points; 0 for all doubles
+  std::vector<Point> givenPoints_;
+  std::vector<Piece> givenPieces_;
+  std::size_t crossings_ = 0;  ///< the meetings of the given sides
+  double grid_ = 0;            ///< the step of the grid of points
 };
 
 /// The faces of an arrangement, whether each lies in a polygon, and the rings around the faces that do.
@@ -491,74 +493,72 @@ class Faces {
     }
   }
 
-  /// Joins the outer cycle of each component with the face around it. Face `cycles_` is the unbounded one.
+  /// Joins the outer cycle of each component with the face around it. Face `cycles_` is the unbounded one. A line sweeps
+  /// over the points and keeps the segments that it crosses, from below.
   void joinComponents() {
     std::vector<std::size_t> faceOf(cycles_ + 1);
     std::iota(faceOf.begin(), faceOf.end(), std::size_t{0});
-    std::vector<Box> boxes;
-    for (const Segment& segment : its_.segments) boxes.push_back(boxAround(pointAt(segment.a), pointAt(segment.b)));
-    const BoxTree tree(std::move(boxes));
-    for (const std::int32_t first : firstPoints()) {
-      // The unbounded side of the component is on the left of the half-edge that leaves its first point uppermost.
-      const std::size_t outer = leaving_[offsets_[at(first) + 1] - 1];
-      const auto below = segmentBelow(tree, pointAt(first));
-      faceOf[face_[outer]] = below ? faceOf[face_[2 * *below]] : cycles_;
+    Active active(Below{this});
+    std::vector<Active::iterator> places(its_.segments.size());
+    std::vector<bool> isMet(its_.points.size(), false);
+    for (const std::int32_t v : pointsInOrder()) {
+      const auto leaving = std::span(leaving_).subspan(offsets_[at(v)], offsets_[at(v) + 1] - offsets_[at(v)]);
+      for (const std::size_t h : leaving) {
+        if (h % 2 == 1) active.erase(places[h / 2]);
+      }
+      const auto above = active.lower_bound(pointAt(v));
+      if (!isMet[at(v)]) {
+        // The unbounded side of the component is on the left of the half-edge that leaves its first point uppermost.
+        faceOf[face_[leaving.back()]] = above == active.begin() ? cycles_ : faceOf[face_[2 * *std::prev(above)]];
+        markComponent(v, isMet);
+      }
+      for (const std::size_t h : leaving) {
+        if (h % 2 == 0) places[h / 2] = active.insert(above, h / 2);
+      }
     }
     for (std::size_t& face : face_) face = faceOf[face];
   }
 
-  /// The first point of each component, in their order.
-  std::vector<std::int32_t> firstPoints() const {
+  /// Compares segments where a line crosses both, and with a point on the line.
+  struct Below {
+    using is_transparent = void;
+    const Faces* faces;
+
+    bool operator()(std::size_t s, std::size_t t) const {
+      return isBelow(faces->startOf(s), faces->endOf(s), faces->startOf(t), faces->endOf(t));
+    }
+    bool operator()(std::size_t s, Point p) const { return orientation(faces->startOf(s), faces->endOf(s), p) > 0; }
+    bool operator()(Point p, std::size_t s) const { return orientation(faces->startOf(s), faces->endOf(s), p) < 0; }
+  };
+  using Active = std::set<std::size_t, Below>;
+
+  Point startOf(std::size_t segment) const { return pointAt(its_.segments[segment].a); }
+  Point endOf(std::size_t segment) const { return pointAt(its_.segments[segment].b); }
+
+  /// The points of segments, in the order in which the line meets them.
+  std::vector<std::int32_t> pointsInOrder() const {
     std::vector<std::int32_t> order;
     for (std::size_t v = 0; v + 1 < offsets_.size(); ++v) {
       if (offsets_[v] < offsets_[v + 1]) order.push_back(static_cast<std::int32_t>(v));
     }
     std::ranges::sort(order, [&](std::int32_t v, std::int32_t w) { return isBefore(pointAt(v), pointAt(w)); });
-    std::vector<bool> isMet(its_.points.size(), false);
-    std::vector<std::int32_t> pending;
-    std::vector<std::int32_t> result;
-    for (const std::int32_t first : order) {
-      if (isMet[at(first)]) continue;
-      isMet[at(first)] = true;
-      result.push_back(first);
-      pending.push_back(first);
-      while (!pending.empty()) {
-        const std::size_t v = at(pending.back());
-        pending.pop_back();
-        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k) {
-          const std::int32_t other = originOf(leaving_[k] ^ 1);
-          if (isMet[at(other)]) continue;
-          isMet[at(other)] = true;
-          pending.push_back(other);
-        }
+    return order;
+  }
+
+  /// Marks the points of the component of a point.
+  void markComponent(std::int32_t first, std::vector<bool>& isMet) const {
+    isMet[at(first)] = true;
+    std::vector<std::int32_t> pending = {first};
+    while (!pending.empty()) {
+      const std::size_t v = at(pending.back());
+      pending.pop_back();
+      for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k) {
+        const std::int32_t other = originOf(leaving_[k] ^ 1);
+        if (isMet[at(other)]) continue;
+        isMet[at(other)] = true;
+        pending.push_back(other);
       }
     }
-    return result;
-  }
-
-  /// The uppermost segment below a point that is the first of its component.
-  std::optional<std::size_t> segmentBelow(const BoxTree& tree, Point p) const {
-    std::optional<std::size_t> result;
-    tree.visitMeeting({p.x, -kRegionLimit, p.x, p.y}, [&](std::size_t k) {
-      const Point a = pointAt(its_.segments[k].a);
-      const Point b = pointAt(its_.segments[k].b);
-      if (!isBefore(a, p) || !isBefore(p, b) || orientation(a, b, p) <= 0) return;
-      if (!result || isBelow(its_.segments[*result], its_.segments[k])) result = k;
-    });
-    return result;
-  }
-
-  /// Whether one of two segments is below the other where a line crosses both.
-  bool isBelow(const Segment& s, const Segment& t) const {
-    const auto sideOf = [&](const Segment& segment, std::int32_t point) {
-      return orientation(pointAt(segment.a), pointAt(segment.b), pointAt(point));
-    };
-    if (isBefore(pointAt(t.a), pointAt(s.a))) {
-      const int side = sideOf(t, s.a);
-      return (side != 0 ? side : sideOf(t, s.b)) < 0;
-    }
-    const int side = s.a == t.a ? 0 : sideOf(s, t.a);
-    return (side != 0 ? side : sideOf(s, t.b)) > 0;
   }
 
   /// Walks from face to face, and keeps the polygons that contain the face where it is.

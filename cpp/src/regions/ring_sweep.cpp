@@ -105,15 +105,7 @@ class Sweep {
   bool isOn(std::int32_t side, Point p) const { return sideOf(side, p) == 0; }
 
   bool isBelow(std::int32_t a, std::int32_t b) const {
-    if (a == b) return false;
-    const Point p = leftOf(a);
-    const Point q = leftOf(b);
-    if (isBefore(q, p)) {
-      const int sign = sideOf(b, p);
-      return (sign != 0 ? sign : sideOf(b, rightOf(a))) < 0;
-    }
-    const int sign = p == q ? 0 : sideOf(a, q);
-    return (sign != 0 ? sign : sideOf(a, rightOf(b))) > 0;
+    return a != b && circle_voronoi::isBelow(leftOf(a), rightOf(a), leftOf(b), rightOf(b));
   }
 
   /// Passes a vertex where nothing else is. Returns whether that is so; otherwise nothing is changed.
@@ -315,6 +307,15 @@ class Sweep {
 };
 
 }  // namespace
+
+bool isBelow(Point a, Point b, Point c, Point d) {
+  if (isBefore(c, a)) {
+    const int sign = orientation(c, d, a);
+    return (sign != 0 ? sign : orientation(c, d, b)) < 0;
+  }
+  const int sign = a == c ? 0 : orientation(a, b, c);
+  return (sign != 0 ? sign : orientation(a, b, d)) > 0;
+}
 
 RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName,
                   const std::function<std::string(std::int32_t a, std::int32_t b)>& advice) {

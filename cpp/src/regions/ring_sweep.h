@@ -14,6 +14,10 @@ namespace circle_voronoi {
 /// The order in which a line from left to right meets points; one of the same x from below.
 inline bool isBefore(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
+/// Returns whether the segment from a to b is below that from c to d where a line from left to right crosses both. They
+/// do not cross, and a is before b and c before d.
+bool isBelow(Point a, Point b, Point c, Point d);
+
 /// Rings of points, one after the other: those from offsets[k] to before offsets[k + 1] are ring k, which has three
 /// points or more. Points in a row differ. Side k begins at point k.
 struct Rings {
