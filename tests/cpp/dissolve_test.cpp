@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -191,6 +194,101 @@ TEST(Dissolve, TakesManySides) {
   const Region region = unionOf(polygons);
   EXPECT_NEAR(region.area(), kSide * kSide / 49.0, 1e-11);
   EXPECT_EQ(region.polygonCount(), 1U);
+}
+
+/// A ring around a point, of corners at any distance between a share of the radius and all of it.
+Ring starAround(Point center, double radius, double least, std::size_t corners, std::mt19937& random) {
+  constexpr double kTurn = 6.283185307179586;
+  Ring ring;
+  for (std::size_t k = 0; k < corners; ++k) {
+    const double share = least + (1 - least) * static_cast<double>(random() % 65536) / 65536;
+    const double angle = kTurn * static_cast<double>(k) / static_cast<double>(corners) + 0.3;
+    ring.push_back({center.x + radius * share * std::cos(angle), center.y + radius * share * std::sin(angle)});
+  }
+  return ring;
+}
+
+/// Moves a number by up to `most` steps of doubles.
+double movedByDigits(double value, int most, std::mt19937& random) {
+  const int steps = static_cast<int>(random() % static_cast<unsigned>(2 * most + 1)) - most;
+  for (int k = 0; k < std::abs(steps); ++k) value = std::nextafter(value, steps < 0 ? -1e300 : 1e300);
+  return value;
+}
+
+Ring movedByDigits(Ring ring, int most, std::mt19937& random) {
+  for (Point& p : ring) p = {movedByDigits(p.x, most, random), movedByDigits(p.y, most, random)};
+  return ring;
+}
+
+double perimeterOf(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point q = ring[(k + 1) % ring.size()];
+    sum += std::hypot(q.x - ring[k].x, q.y - ring[k].y);
+  }
+  return sum;
+}
+
+/// Sides of copies of a polygon that differ in their last digits cross anew wherever crossings are rounded.
+TEST(Dissolve, EndsForCopiesThatDifferInTheLastDigits) {
+  std::mt19937 random(static_cast<std::uint32_t>(test::seedOr(3)));
+  for (int trial = 0; trial < 400; ++trial) {
+    const std::size_t corners = std::array<std::size_t, 6>{3, 4, 7, 12, 40, 200}[random() % 6];
+    const std::size_t copies = std::array<std::size_t, 5>{2, 3, 8, 15, 30}[random() % 5];
+    if (corners * copies > 1000) continue;
+    const double radius = std::array{1.0, 1e-9, 1e9}[random() % 3];
+    const double far = std::array{0.0, 0.0, 1.0, 1e3, -1e6}[random() % 5] * radius;
+    const Point center = {far, 0.7 * far};
+    const int digits = 1 + trial % 4;
+    const Ring ring = starAround(center, radius, std::array{0.9, 0.5, 0.1}[random() % 3], corners, random);
+    std::vector<Polygon> polygons;
+    for (std::size_t k = 0; k < copies; ++k) {
+      Ring copy = movedByDigits(ring, digits, random);
+      std::rotate(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(random() % corners), copy.end());
+      if (random() % 2 == 0) std::ranges::reverse(copy);
+      polygons.push_back({std::move(copy)});
+    }
+    const Region region = unionOf(polygons);
+    const double digit = 0x1p-52 * (std::abs(far) + radius);
+    EXPECT_NEAR(region.area(), test::areaOf(ring), 4 * (digits + 4) * digit * perimeterOf(ring)) << trial;
+    // Two copies of a side cross once at most.
+    EXPECT_LE(region.sideCount(), corners * (copies * copies + 4 * copies)) << trial;
+  }
+}
+
+TEST(Dissolve, EndsForTheCopiesOfAFixture) {
+  std::ifstream file(CIRCLE_VORONOI_FIXTURES "/regions/copies-off-by-last-digits.geojson");
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  const auto region = readRegion(text, "copies", kDissolve);
+  ASSERT_TRUE(region) << region.error().message;
+  EXPECT_EQ(region->polygonCount(), 1U);
+  // The area of the first copy, in fractions.
+  EXPECT_NEAR(region->area(), 0.7305337845063771, 1e-14);
+  EXPECT_LE(region->sideCount(), 7U * 8 * 12);
+}
+
+/// Squares of a map whose corners are off by some digits, and grids that cross under nearly the same directions.
+TEST(Dissolve, KeepsAreasWhereSidesAlmostCoincide) {
+  std::mt19937 random(static_cast<std::uint32_t>(test::seedOr(4)));
+  for (int trial = 0; trial < 60; ++trial) {
+    std::vector<Polygon> polygons;
+    const int side = 2 + trial % 9;
+    const double far = trial % 3 == 0 ? 1e5 : 0;
+    const double angle = trial % 2 == 0 ? 0 : 0.1 * trial;
+    const double x = std::cos(angle);
+    const double y = std::sin(angle);
+    for (int i = 0; i < side; ++i) {
+      for (int j = 0; j < side; ++j) {
+        Ring ring;
+        for (const auto& [u, v] : {std::pair{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}) {
+          ring.push_back({far + u * x - v * y, far + u * y + v * x});
+        }
+        polygons.push_back({movedByDigits(ring, 1 + trial % 4, random)});
+      }
+    }
+    const Region region = unionOf(polygons);
+    EXPECT_NEAR(region.area(), side * side, 0x1p-48 * (far + side) * side * side * 8) << trial;
+  }
 }
 
 }  // namespace

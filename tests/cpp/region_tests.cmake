@@ -10,6 +10,7 @@ add_executable(circle_voronoi_region_tests
   fit_limits_test.cpp
   fit_periodic_test.cpp
   independent_clip.cpp
+  meetings_test.cpp
   recompute_test.cpp
   region_shapes.cpp
   region_test.cpp
@@ -24,7 +25,7 @@ endif()
 set_source_files_properties(clipped_polygons_test.cpp PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON
   COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-set_source_files_properties(certified_clip_test.cpp PROPERTIES
+set_source_files_properties(certified_clip_test.cpp dissolve_test.cpp fit_areas_test.cpp PROPERTIES
   COMPILE_DEFINITIONS CIRCLE_VORONOI_FIXTURES="${PROJECT_SOURCE_DIR}/tests/fixtures")
 # Clips for GEOS (tests/long/geos.test.mjs).
 add_executable(circle_voronoi_print_clips print_clips.cpp clip_families.cpp)

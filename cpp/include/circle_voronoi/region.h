@@ -19,6 +19,14 @@ struct RegionOptions {
   /// Whether polygons that share sides or overlap, as administrative areas do, become their union. A point belongs to a
   /// polygon if an odd number of its rings contain it, so rings may cross themselves, too. Rings without an area are
   /// left out. The union of polygons that share sides is exact; points where sides cross are rounded.
+  ///
+  /// Where sides nearly coincide, as those of copies that differ in their last digits, crossings that are rounded may
+  /// cross again without end. If so, all points are rounded to a grid, mostly to 2^-51 (4.4e-16) of the largest
+  /// coordinate, and sides are led through the points near them (snap rounding). No side moves by more than a step of
+  /// the grid in x or y. If too many sides nearly coincide for that grid, its step is 2^6 times as large, up to 2^-33
+  /// (1.2e-10) at most.
+  ///
+  /// Takes O((m + k) log^2 m) steps for m sides that meet in k places.
   bool dissolve = false;
 };
 
@@ -47,8 +55,8 @@ class Region {
   /// GeoJSON.
   /// Errors: badOption if there is no polygon, a polygon has no ring, a coordinate is not finite, or a rule above is
   /// broken and `dissolve` is not set. The message names the rings, the sides and the point. coordinateTooLarge,
-  /// coordinateTooSmall. With `dissolve`, badOption also if thousands of sides nearly meet. tooManyCircles if there are
-  /// more than kMaxRegionSides sides, or memory runs out. badArithmetic.
+  /// coordinateTooSmall. tooManyCircles if there are more than kMaxRegionSides sides, the union of a region has more
+  /// corners, or memory runs out. badArithmetic.
   static Result<Region> fromPolygons(std::span<const std::vector<Ring>> polygons, const RegionOptions& options = {});
   /// Makes a region from rings in any order: a point belongs to the region if an odd number of rings contain it. So a
   /// ring inside another one is a hole, and a ring inside that hole is an island. With `dissolve`, rings may cross and

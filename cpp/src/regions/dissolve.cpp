@@ -132,8 +132,8 @@ class Noder {
     pieces.push_back({isForward ? Segment{from, to} : Segment{to, from}, polygon});
   }
 
-  /// Takes out two pieces of one polygon in the same place, which bound nothing. Sorts the others by their segments, and
-  /// lists these.
+  /// Takes out two pieces of one polygon in the same place, which bound nothing. Sorts the others by their segments,
+  /// and lists these.
   void findSegments() {
     std::ranges::sort(pieces_, {}, [](const Piece& piece) { return std::pair(piece.segment, piece.polygon); });
     std::size_t kept = 0;
@@ -309,7 +309,8 @@ class Noder {
     findSegments();
   }
 
-  /// Returns the center of the square in which two segments cross. The left and the lower side of a square belong to it.
+  /// Returns the center of the square in which two segments cross. The left and the lower side of a square belong to
+  /// it.
   Point centerOfCrossing(const Segment& s, const Segment& t) const {
     const auto placed = [&](double guess, Point a, Point b, Point c, Point d) {
       double center = onGrid(guess);
@@ -361,8 +362,8 @@ class Noder {
         continue;
       }
       const auto [x, y] = points[at(touched)];
-      for (const Point center : {Point{x - half, y - half}, {x + half, y - half}, {x - half, y + half},
-                                 {x + half, y + half}}) {
+      for (const Point center :
+           {Point{x - half, y - half}, {x + half, y - half}, {x - half, y + half}, {x + half, y + half}}) {
         const auto found = indices_.find({center.x + 0.0, center.y + 0.0});
         if (found != indices_.end()) places.push_back({segment, found->second});
       }
@@ -372,7 +373,8 @@ class Noder {
     std::vector<Split> splits;
     for (const auto& [segment, square] : places) {
       const Segment& its = segments_[at(segment)];
-      if (square != its.a && square != its.b && goesThrough(its, point(square))) splits.push_back({at(segment), square, 0});
+      if (square != its.a && square != its.b && goesThrough(its, point(square)))
+        splits.push_back({at(segment), square, 0});
     }
     return splits;
   }
@@ -493,8 +495,8 @@ class Faces {
     }
   }
 
-  /// Joins the outer cycle of each component with the face around it. Face `cycles_` is the unbounded one. A line sweeps
-  /// over the points and keeps the segments that it crosses, from below.
+  /// Joins the outer cycle of each component with the face around it. Face `cycles_` is the unbounded one. A line
+  /// sweeps over the points and keeps the segments that it crosses, from below.
   void joinComponents() {
     std::vector<std::size_t> faceOf(cycles_ + 1);
     std::iota(faceOf.begin(), faceOf.end(), std::size_t{0});

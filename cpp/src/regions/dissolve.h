@@ -15,7 +15,8 @@ namespace circle_voronoi {
 ///
 /// The rings of the result run in either direction. They neither cross nor overlap, touch in single points only, and do
 /// not cut the inside of a polygon apart: a point is in the union if an odd number of rings contain it. Points where
-/// sides cross are rounded; all other points are points of the polygons, to the bit.
+/// sides cross are rounded; all other points are points of the polygons, to the bit, unless sides nearly coincide
+/// (RegionOptions).
 Rings dissolved(const Rings& rings, std::span<const std::int32_t> polygonOfRing);
 
 }  // namespace circle_voronoi

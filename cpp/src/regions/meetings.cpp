@@ -52,7 +52,7 @@ class Search {
   std::optional<Meetings> run() {
     std::vector<std::int32_t> all(segments_.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
-    if (!all.empty()) searchSlab(0, static_cast<std::int32_t>(ends_.size()) - 1, std::move(all));
+    searchSlab(0, static_cast<std::int32_t>(ends_.size()) - 1, std::move(all));
     if (isFull()) return {};
     return std::move(found_);
   }
@@ -127,6 +127,8 @@ class Search {
 
   /// Searches among segments that all meet the inside of the slab between two ends.
   void searchSlab(std::int32_t lo, std::int32_t hi, std::vector<std::int32_t> segments) {
+    // All ends inside are theirs.
+    if (segments.size() < 2 || isFull()) return;
     std::vector<Through> through;
     std::vector<std::int32_t> others;
     for (const std::int32_t s : segments) {
@@ -156,11 +158,9 @@ class Search {
       for (const std::int32_t s : others) {
         const std::int32_t start = startOf(s);
         const std::int32_t stop = stopOf(s);
-        addCrossings(s,
-                     start > lo ? places_[at(start)]
-                                : placeAtBoundary(levels, s, heightAt(s, lo), &Through::left, lo),
-                     stop < hi ? places_[at(stop)] : placeAtBoundary(levels, s, heightAt(s, hi), &Through::right, hi),
-                     levels);
+        addCrossings(
+            s, start > lo ? places_[at(start)] : placeAtBoundary(levels, s, heightAt(s, lo), &Through::left, lo),
+            stop < hi ? places_[at(stop)] : placeAtBoundary(levels, s, heightAt(s, hi), &Through::right, hi), levels);
       }
     }
     for (const Through& t : crossed) others.push_back(t.segment);
@@ -178,8 +178,8 @@ class Search {
     through = {};
     levels = {};
     crossed = {};
-    if (!left.empty() && !isFull()) searchSlab(lo, middle, std::move(left));
-    if (!right.empty() && !isFull()) searchSlab(middle, hi, std::move(right));
+    searchSlab(lo, middle, std::move(left));
+    searchSlab(middle, hi, std::move(right));
   }
 
   /// Finds the crossings in a slab without ends inside. Segments are sorted by their order on the left.
@@ -195,8 +195,8 @@ class Search {
   /// Finds the places of the ends inside a slab among its levels, and the levels on which they lie.
   void placeEnds(const std::vector<Through>& levels, std::int32_t lo, std::int32_t hi) {
     for (std::int32_t end = lo + 1; end < hi; ++end) {
-      const auto first = std::ranges::partition_point(
-          levels, [&](const Through& level) { return sideOf(level.segment, end) > 0; });
+      const auto first =
+          std::ranges::partition_point(levels, [&](const Through& level) { return sideOf(level.segment, end) > 0; });
       auto last = first;
       for (; last != levels.end() && !isFull() && sideOf(last->segment, end) == 0; ++last) {
         found_.touches.push_back({last->segment, ends_[at(end)]});
@@ -208,9 +208,7 @@ class Search {
 
   Place placeAtBoundary(const std::vector<Through>& levels, std::int32_t s, const Height& ofS, Height Through::*height,
                         std::int32_t boundary) const {
-    const auto signOf = [&](const Through& level) {
-      return compare(level.segment, level.*height, s, ofS, boundary);
-    };
+    const auto signOf = [&](const Through& level) { return compare(level.segment, level.*height, s, ofS, boundary); };
     const auto first = std::ranges::partition_point(levels, [&](const Through& level) { return signOf(level) < 0; });
     const auto last =
         std::partition_point(first, levels.end(), [&](const Through& level) { return signOf(level) == 0; });
