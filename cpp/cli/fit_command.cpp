@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -55,6 +56,16 @@ double partDone(double first, double error, double tolerance) {
   return std::clamp(std::log(first / error) / std::log(first / tolerance), 0.0, 1.0);
 }
 
+/// Tells of areas whose error exceeds the tolerance, because last bits allow no less.
+void noteError(double error, ProgressLine& progress) {
+  std::array<char, 32> digits{};
+  const auto [end, failure] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), error, std::chars_format::scientific, 1);
+  note("The largest relative error of an area is " + std::string(digits.data(), end) +
+           ", as the last bits of coordinates and weights allow no better areas.",
+       progress);
+}
+
 void runFit(const CLI::App& command, FitArguments& arguments) {
   settleInput(command, arguments.input);
   if (arguments.lattice.empty() == arguments.output.regionFile.empty()) {
@@ -86,6 +97,7 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
   const auto found = [&](auto fit) {
     if (!fit) fail(withFlags(fit.error()), name + ": ");
     noteSkipped(file, progress);
+    if (fit->error > options.tolerance) noteError(fit->error, progress);
     return std::move(fit).value();
   };
   if (arguments.lattice.empty()) {

@@ -258,7 +258,7 @@ py::tuple fitted(const Doubles& sites, const Doubles& areas, const FitArguments&
     return valueOf(fit(sites, areas, options));
   });
   return py::make_tuple(arrayOf<double>(std::move(found.weights)), diagramOf(found),
-                        arrayOf<double>(std::move(found.areas)), found.error, found.steps);
+                        arrayOf<double>(std::move(found.areas)), found.error, found.steps, found.tolerance);
 }
 
 py::tuple fittedInRegion(const Doubles& sites, const Doubles& areas, const SharedRegion& region,

@@ -213,6 +213,7 @@ val fitValue(const Fit& fit) {
   result.set("areas", float64Array(fit.areas));
   result.set("relativeError", fit.error);
   result.set("steps", fit.steps);
+  result.set("tolerance", fit.tolerance);
   return result;
 }
 

@@ -55,6 +55,22 @@ TEST_F(CliFit, TakesSharesOrAreasFromAColumn) {
   EXPECT_EQ(readFile(file), shares);
 }
 
+TEST_F(CliFit, SaysWhereLastBitsAllowNoBetterAreas) {
+  const std::string square = " --region " + write("unit.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1))");
+  const std::string sliver = write("sliver.csv", "x,y,r,a\n0.3,0.4,0,1\n0.3001,0.4,0,1e-7\n");
+  const auto coarse = run("fit " + sliver + " --areas a --shares --format json" + square);
+  EXPECT_EQ(coarse.status, 0);
+  EXPECT_TRUE(std::regex_search(coarse.err, std::regex("largest relative error of an area is [0-9.]+e-0[34], as")))
+      << coarse.err;
+  // Far from the origin, differences of coordinates are exact.
+  const std::string far = write("far.csv", "x,y,r,a\n5000000.2,5000000.1,0,3\n5000000.7,5000000.6,0,1\n");
+  const std::string there =
+      write("far.wkt", "POLYGON ((5000000 5000000, 5000001 5000000, 5000001 5000001, 5000000 5000001))");
+  const auto fine = run("fit " + far + " --areas a --shares --format json --region " + there);
+  EXPECT_EQ(fine.status, 0);
+  EXPECT_EQ(fine.err, "");
+}
+
 TEST_F(CliFit, TakesAreasFromPropertiesOfPoints) {
   const std::string points = write("points.geojson", R"({"type":"FeatureCollection","features":[
 {"type":"Feature","geometry":{"type":"Point","coordinates":[1,1]},"properties":{"r":0,"people":3}},

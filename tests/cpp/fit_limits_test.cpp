@@ -14,6 +14,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
 #include "random.h"
+#include "report.h"
 
 namespace circle_voronoi {
 namespace {
@@ -103,6 +104,151 @@ TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
   EXPECT_EQ(errorOf(fitToShares({{2e27, 8e26, 0}, {6e27, 2.4e27, 0}}, {1, 3}, regionOfBox({0, 0, 8e27, 8e27}))), "");
   EXPECT_EQ(errorOf(fitToShares({{2.5e-16, 1e-16, 0}, {7.5e-16, 3e-16, 0}}, {1, 3}, regionOfBox({0, 0, 1e-15, 1e-15}))),
             "");
+}
+
+using Polygons = std::vector<std::vector<Region::Ring>>;
+
+Region::Ring squareAt(double x, double y) { return {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}; }
+
+/// Expects that a fit reaches its areas, measured by another clip.
+void expectFit(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
+  const auto fit = fitToShares(sites, shares, region);
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_LE(fit->error, fit->tolerance);
+  if (fit->error > 1e-9) return;
+  EXPECT_EQ(fit->tolerance, 1e-9);
+  const std::vector<double> areas = ClippedDiagram::from(fit->diagram, region).value().areas();
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const double target = shares[i] / sum * region.area();
+    EXPECT_NEAR(areas[i], target, 1.1e-9 * target) << "site " << i;
+  }
+}
+
+/// Two and more sites, at random or on half integers, and shares over decades or equal.
+struct Wanted {
+  std::vector<Circle> sites;
+  std::vector<double> shares;
+
+  Wanted(double width, double height, Random& random) {
+    const bool isAligned = random.below(3) == 0;
+    const bool isEqual = random.below(3) == 0;
+    const double decades = random.below(4) == 0 ? 4 : 1;
+    const auto place = [&](double size) {
+      return isAligned ? static_cast<double>(random.below(static_cast<std::size_t>(2 * size) + 1)) / 2
+                       : random.uniform(0, size);
+    };
+    for (std::size_t k = 2 + random.below(11); k > 0; --k) {
+      const Circle site = {place(width), place(height), 0};
+      if (std::ranges::any_of(sites, [&](const Circle& s) { return s.x == site.x && s.y == site.y; })) continue;
+      sites.push_back(site);
+      shares.push_back(isEqual ? 1 : random.logUniform(0, decades));
+    }
+  }
+};
+
+/// A border through a corner has no length inside.
+TEST(AreaFitLimits, PartsMayTouchInCornersOnly) {
+  Random random(test::seedOr(21));
+  expectFit({{0, 0, 0}, {2, 2, 0}}, {3, 1}, Region::fromPolygons(Polygons{{squareAt(0, 0)}, {squareAt(1, 1)}}).value());
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const int side = 2 + trial % 4;
+    Polygons polygons;
+    for (int i = 0; i < side; ++i) {
+      for (int j = 0; j < side; ++j) {
+        const bool isThere = trial % 3 == 0 ? i == j : (i + j) % 2 == 0 && random.below(10) > 0;
+        if (isThere || i + j == 0) polygons.push_back({squareAt(i, j)});
+      }
+    }
+    // Anywhere, or in one part alone.
+    const double reach = trial % 5 == 0 ? 1 : side;
+    const Wanted wanted(reach, reach, random);
+    expectFit(wanted.sites, wanted.shares, Region::fromPolygons(polygons).value());
+  }
+}
+
+/// The rate at which area passes jumps by many decades where a border comes out of the bridge.
+TEST(AreaFitLimits, PartsMayHangTogetherByAThinBridge) {
+  Random random(test::seedOr(22));
+  for (int trial = 0; trial < 150; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const double top = 0.5 + random.logUniform(-9, -1);
+    const Region region = Region::fromRings(std::vector<Region::Ring>{{{0, 0},
+                                                                       {1, 0},
+                                                                       {1, 0.5},
+                                                                       {2, 0.5},
+                                                                       {2, 0},
+                                                                       {3, 0},
+                                                                       {3, 1},
+                                                                       {2, 1},
+                                                                       {2, top},
+                                                                       {1, top},
+                                                                       {1, 1},
+                                                                       {0, 1}}})
+                              .value();
+    const Wanted wanted(3, trial % 2 == 0 ? 3 : 1, random);
+    expectFit(wanted.sites, wanted.shares, region);
+  }
+}
+
+/// The weights are those of the same sites at the origin, as differences of coordinates are exact.
+TEST(AreaFitLimits, FitsFarAwayAreThoseAtTheOrigin) {
+  Random random(test::seedOr(23));
+  for (int trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const double far = std::ldexp(1.0, 7 + trial % 30) * (trial % 2 == 0 ? 3 : -5);
+    const double other = trial % 3 == 0 ? 0 : far;
+    const double step = 0x1p-12;
+    std::vector<Circle> here;
+    std::vector<Circle> there;
+    std::vector<double> shares;
+    for (std::size_t k = 2 + random.below(10); k > 0; --k) {
+      const Circle site = {step * static_cast<double>(random.below(4096)),
+                           step * static_cast<double>(random.below(4096)), 0};
+      if (std::ranges::any_of(here, [&](const Circle& s) { return s.x == site.x && s.y == site.y; })) continue;
+      here.push_back(site);
+      there.push_back({far + site.x, other + site.y, 0});
+      shares.push_back(random.logUniform(0, 1));
+    }
+    const Region square = Region::fromPolygons(Polygons{{squareAt(0, 0)}}).value();
+    const Region moved = Region::fromPolygons(Polygons{{squareAt(far, other)}}).value();
+    const AreaFit one = fitToShares(here, shares, square).value();
+    const auto fit = fitToShares(there, shares, moved);
+    ASSERT_TRUE(fit) << fit.error().message;
+    EXPECT_EQ(fit->weights, one.weights);
+    EXPECT_EQ(fit->areas, one.areas);
+    EXPECT_LE(fit->error, 1e-9);
+    EXPECT_EQ(fit->tolerance, 1e-9);
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      EXPECT_EQ(fit->diagram.circles[i].x, there[i].x);
+      EXPECT_EQ(fit->diagram.circles[i].y, there[i].y);
+    }
+    // Sites that move have coordinates of their own, with areas as exact.
+    AreaFitOptions options;
+    options.shares = true;
+    options.relax = 2;
+    const AreaFit relaxed = fitAreas(there, shares, moved, options).value();
+    EXPECT_LE(relaxed.error, 1e-9);
+    std::vector<Circle> back = relaxed.diagram.circles;
+    for (Circle& c : back) c = {c.x - far, c.y - other, c.r};
+    const auto areas = ClippedDiagram::from(compute(back).value(), square).value().areas();
+    for (std::size_t i = 0; i < areas.size(); ++i) EXPECT_NEAR(areas[i], relaxed.areas[i], 1e-14);
+  }
+}
+
+TEST(AreaFitLimits, CoordinatesWithoutExactDifferencesAllowTheirLastBits) {
+  const double far = 5e6;
+  const std::vector<Circle> sites = {{far + 0.2, 0.3, 0}, {far + 0.7, 0.6, 0}, {1e-9, 0.5, 0}};
+  const auto fit = fitToShares(sites, {1, 2, 3}, regionOfBox({far, 0, far + 1, 1}));
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_LE(fit->error, fit->tolerance);
+  EXPECT_LE(fit->tolerance, 1e-5);
+  const auto periodic =
+      fitAreas(std::span(sites).first(2), std::vector<double>{1, 2}, Lattice{{2, 0}, {0, 2}}, {.shares = true});
+  ASSERT_TRUE(periodic);
+  EXPECT_LE(periodic->error, periodic->tolerance);
+  EXPECT_EQ(periodic->tolerance, 1e-9);
 }
 
 }  // namespace

@@ -143,8 +143,8 @@ void expectGrowth(const Promise& promise) {
     // Where there is next to nothing to do, a few steps more are no growth.
     const auto size = static_cast<double>(promise.size);
     const double growth = many / std::max(few, size);
-    std::cout << std::fixed << std::setprecision(1) << std::setw(10) << family.name << std::setw(12)
-              << few / size << std::setw(8) << growth << std::endl;
+    std::cout << std::fixed << std::setprecision(1) << std::setw(10) << family.name << std::setw(12) << few / size
+              << std::setw(8) << growth << std::endl;
     EXPECT_LE(growth, kMostGrowth);
   }
 }

@@ -12,39 +12,46 @@ namespace circle_voronoi::test {
 namespace {
 
 TEST(GrowthOfDiagrams, OfCircles) {
-  expectGrowth({"compute", "compute.h", [](const GrowthInput& input) {
-                  return [circles = input.circles] { EXPECT_TRUE(compute(circles)); };
-                }, circleFamilies()});
+  expectGrowth({"compute", "compute.h",
+                [](const GrowthInput& input) { return [circles = input.circles] { EXPECT_TRUE(compute(circles)); }; },
+                circleFamilies()});
 }
 
 TEST(GrowthOfDiagrams, OfTheirProof) {
-  expectGrowth({"certify", "certify.h", [](const GrowthInput& input) {
+  expectGrowth({"certify", "certify.h",
+                [](const GrowthInput& input) {
                   const auto diagram = kept(compute(input.circles).value());
                   return [diagram] { EXPECT_TRUE(certify(*diagram).value().certified()); };
-                }, circleFamilies()});
+                },
+                circleFamilies()});
 }
 
 TEST(GrowthOfDiagrams, OfCenters) {
-  expectGrowth({"computeComparison", "comparison.h", [](const GrowthInput& input) {
+  expectGrowth({"computeComparison", "comparison.h",
+                [](const GrowthInput& input) {
                   return [circles = input.circles] { EXPECT_TRUE(computeComparison(circles, Metric::centers)); };
-                }, circleFamilies()});
+                },
+                circleFamilies()});
 }
 
 TEST(GrowthOfDiagrams, OfPowers) {
-  expectGrowth({"powerDiagram", "comparison.h", [](const GrowthInput& input) {
-                  return [circles = input.circles] { EXPECT_TRUE(powerDiagram(circles)); };
-                }, circleFamilies()});
+  expectGrowth(
+      {"powerDiagram", "comparison.h",
+       [](const GrowthInput& input) { return [circles = input.circles] { EXPECT_TRUE(powerDiagram(circles)); }; },
+       circleFamilies()});
 }
 
 TEST(GrowthOfDiagrams, OfCurves) {
-  expectGrowth({"edgeCurve", "curve.h", [](const GrowthInput& input) {
+  expectGrowth({"edgeCurve", "curve.h",
+                [](const GrowthInput& input) {
                   const auto diagram = kept(compute(input.circles).value());
                   return [diagram] {
                     for (std::size_t e = 0; e < diagram->edges.size(); ++e) {
                       static_cast<void>(edgeCurve(*diagram, static_cast<std::int32_t>(e)));
                     }
                   };
-                }, circleFamilies()});
+                },
+                circleFamilies()});
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ Figure figureOf(int kind, std::mt19937& random) {
         figure.add({below(1000) / 7, below(1000) / 9}, {below(1000) / 7, below(1000) / 9});
         break;
       case 2:  // copies of a few segments, off by some digits
-        figure.add({digits(1 + below(2) / 3), digits(1 + below(3) / 7)}, {digits(5 + below(2) / 3), digits(1 + below(3) / 7)});
+        figure.add({digits(1 + below(2) / 3), digits(1 + below(3) / 7)},
+                   {digits(5 + below(2) / 3), digits(1 + below(3) / 7)});
         break;
       case 3:  // spokes of one hub, and some across
         figure.add({1, 1}, {1 + below(9) - 4, 1 + below(9) - 4});
@@ -113,8 +114,8 @@ TEST(Meetings, AreThoseOfAllPairs) {
       for (std::size_t j = i + 1; j < segments.size(); ++j) {
         const Segment& s = segments[i];
         const Segment& t = segments[j];
-        const bool isCrossing = figure.sideOf(s, t.a) * figure.sideOf(s, t.b) < 0 &&
-                                figure.sideOf(t, s.a) * figure.sideOf(t, s.b) < 0;
+        const bool isCrossing =
+            figure.sideOf(s, t.a) * figure.sideOf(s, t.b) < 0 && figure.sideOf(t, s.a) * figure.sideOf(t, s.b) < 0;
         const bool isAtEnd = std::ranges::any_of(
             ends, [&](std::int32_t end) { return figure.hasInside(s, end) && figure.hasInside(t, end); });
         const bool isFound = crossed.contains({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});

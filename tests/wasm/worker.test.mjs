@@ -115,6 +115,33 @@ describe('fitAreas', () => {
     return seed / 2_147_483_647
   }
 
+  it('reaches areas far from the origin and in parts that touch in a corner', async () => {
+    const { region, fitAreas } = await loadRegions()
+    const square = (x, y) => [
+      [x, y],
+      [x + 1, y],
+      [x + 1, y + 1],
+      [x, y + 1],
+    ]
+    for (const far of [5e6, 1e12]) {
+      const next = random(7)
+      const place = () => far + Math.round(1024 * next()) / 1024
+      const sites = Array.from({ length: 10 }, () => [place(), place()])
+      const areas = sites.map((_, k) => k + 1)
+      const fit = fitAreas(sites, areas, { region: region([square(far, far)]), shares: true })
+      assert.equal(fit.tolerance, 1e-9)
+      assert.ok(fit.error <= 1e-9)
+      for (const [k, area] of fit.areas.entries()) assert.ok(Math.abs(area * 55 - areas[k]) < 1e-7)
+    }
+    const corners = region([square(0, 0), square(1, 1)])
+    const sites = [
+      [0, 0],
+      [2, 2],
+    ]
+    const { areas } = fitAreas(sites, [3, 1], { region: corners, shares: true })
+    assert.ok(Math.abs(areas[0] - 1.5) < 1e-8)
+  })
+
   it('gives what the library gives, to the bit, with the same steps', async () => {
     const { region, fitAreas } = await loadRegions()
     const hall = region([

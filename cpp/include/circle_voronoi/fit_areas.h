@@ -25,7 +25,9 @@ struct AreaFitOptions {
   /// Whether the areas are shares of the area of the region or box: they are multiplied so that they sum to it.
   bool shares = false;
   /// The largest relative error of each area, above 0 and below 1. Larger errors, below 1, remain only where a change
-  /// of the last bits of a weight does not make them smaller, as for a cell that is a sliver behind a close neighbor.
+  /// of the last bits of a weight does not make them smaller, as for a cell that is a sliver behind a close neighbor,
+  /// or where the last bits of coordinates allow no better areas: 2^-52 of the largest coordinate moves a border by
+  /// more than the tolerance. The result has the tolerance that was allowed.
   double tolerance = 1e-9;
   /// The largest number of steps, 1 or more.
   int maxSteps = 500;
@@ -43,11 +45,17 @@ struct AreaFit {
   std::vector<double> areas;    ///< the area of each cell inside the region
   double error = 0;             ///< the largest relative error of an area
   int steps = 0;                ///< the number of Newton steps, of all fits
+  double tolerance = 0;         ///< the error that was allowed: that of the options, or more if bits allow no less
 };
 
 /// Finds weights for which each site's cell has a given area inside a region. A point belongs to the site with the
 /// smallest distance minus weight. The weights exist for all positive areas that sum to that of the region, and are
-/// unique up to a common constant if the region is connected.
+/// unique up to a common constant if the interior of the region is connected. Otherwise some of them may have a range,
+/// as where parts of the region touch in corners only.
+///
+/// A region far from the origin is fitted as if it were there, if the differences of coordinates are exact. Areas are
+/// those of exact cells then: vertices of the diagram have the digits of coordinates only, and areas measured with them
+/// differ by more.
 ///
 /// This is semi-discrete optimal transport with the distance as cost. The weights maximize a concave function. Its
 /// gradient is what the areas lack, and its second derivative is the graph Laplacian of the edges, each a spring.
@@ -77,6 +85,7 @@ struct PeriodicAreaFit {
   std::vector<double> areas;    ///< the area of each cell
   double error = 0;             ///< the largest relative error of an area
   int steps = 0;                ///< the number of Newton steps, of all fits
+  double tolerance = 0;         ///< the error that was allowed: that of the options, or more if bits allow no less
 };
 
 /// Finds weights for which each site's cell has a given area in a plane that repeats with two periods. The areas sum to

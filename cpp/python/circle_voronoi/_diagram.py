@@ -523,7 +523,8 @@ class AreaFit(NamedTuple):
 
     `weights` has the weight of each point, the least one 0. `diagram` is the certified diagram of the points with
     the weights as radii. `areas` are the areas of its cells inside the region, and `error` is the largest relative
-    error of an area. `steps` is the number of Newton steps.
+    error of an area. `steps` is the number of Newton steps. `tolerance` is the error that was allowed: the option's, or
+    more where the last bits of coordinates and weights allow no less.
 """
 
     weights: Floats
@@ -531,6 +532,7 @@ class AreaFit(NamedTuple):
     areas: Floats
     error: float
     steps: int
+    tolerance: float
 
 
 def compute(
@@ -613,7 +615,8 @@ def fit_areas(
     shares : bool
         Whether `areas` are shares: they are multiplied so that they sum to the area of the region.
     tolerance : float
-        The largest relative error of an area.
+        The largest relative error of an area. A larger one remains only where the last bits of coordinates and weights
+        allow no less; the result has the tolerance that was allowed.
     max_steps : int
         The largest number of Newton steps.
     relax : int

@@ -128,7 +128,7 @@ class PeriodicAreaFit(NamedTuple):
 
     `weights` has the weight of each point, the least one 0. `periodic` is the certified periodic diagram of the points with
     the weights as radii. `areas` are the areas of its cells, and `error` is the largest relative error of an area.
-    `steps` is the number of Newton steps.
+    `steps` is the number of Newton steps, and `tolerance` the error that was allowed (see `AreaFit`).
     """
 
     weights: Floats
@@ -136,6 +136,7 @@ class PeriodicAreaFit(NamedTuple):
     areas: Floats
     error: float
     steps: int
+    tolerance: float
 
 
 def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, threads: int = 1) -> PeriodicDiagram:

@@ -88,6 +88,18 @@ def test_options_of_a_fit():
     assert relaxed.areas == pytest.approx(fine.areas, rel=1e-8)
 
 
+def test_fits_far_from_the_origin_and_in_parts_that_touch_in_corners():
+    for far in (5e6, -1e12):
+        square = box(far, far, far + 1, far + 1)
+        points = far + np.round(np.random.default_rng(6).random((10, 2)) * 1024) / 1024
+        fit = cv.fit_areas(points, np.arange(1, 11), square, shares=True)
+        assert fit.error <= fit.tolerance == 1e-9
+        assert fit.areas == pytest.approx(np.arange(1, 11) / 55, rel=1e-9)
+        assert np.array_equal(fit.diagram.circles[:, :2], points)
+    parts = MultiPolygon([box(0, 0, 1, 1), box(1, 1, 2, 2)])
+    assert cv.fit_areas([[0, 0], [2, 2]], [3, 1], parts, shares=True).areas == pytest.approx([1.5, 0.5])
+
+
 def test_a_region_may_be_a_union():
     halves = MultiPolygon([box(0, 0, 60, 100), box(40, 0, 100, 100)])
     with pytest.raises(cv.CircleVoronoiError):

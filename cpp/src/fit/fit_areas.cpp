@@ -23,8 +23,10 @@
 #include "circle_voronoi/metric.h"
 #include "guarded.h"
 #include "recompute.h"
+#include "rounded.h"
 #include "scale.h"
 #include "spring_system.h"
+#include "two_part.h"
 
 namespace circle_voronoi {
 namespace {
@@ -92,16 +94,61 @@ struct Density {
   double background = 0;
 };
 
+double largestIn(const Box& box) { return std::max({-box.minX, -box.minY, box.maxX, box.maxY}); }
+
+/// Returns the caller's coordinates of a point.
+Point placeOf(Point p, Point origin) { return {origin.x + p.x, origin.y + p.y}; }
+
+/// Sites and a region, moved nearer to the origin without rounding.
+struct Moved {
+  Point by = {0, 0};  ///< the point that became the origin
+  std::vector<Circle> sites;
+  std::optional<Region> region;  ///< nothing if all stays where it is
+};
+
+/// Moves sites and a region that are far from the origin for their size, unless a coordinate would be rounded.
+Moved movedToOrigin(std::span<const Circle> sites, const Region& region) {
+  constexpr double kFar = 64;
+  const Box box = region.bounds();
+  const double size = std::max(box.maxX - box.minX, box.maxY - box.minY);
+  const auto start = [&](double low, double high) { return std::max(-low, high) > kFar * size ? low : 0.0; };
+  Moved moved = {{start(box.minX, box.maxX), start(box.minY, box.maxY)}, {}, {}};
+  if (moved.by == Point{0, 0}) return moved;
+  std::vector<Point> points(region.points().begin(), region.points().end());
+  bool isExact = true;
+  const auto move = [&](double& x, double by) {
+    const TwoPart difference = sum(x, -by);
+    isExact &= difference.rest == 0;
+    x = difference.value;
+  };
+  for (Point& p : points) {
+    move(p.x, moved.by.x);
+    move(p.y, moved.by.y);
+  }
+  for (Circle c : sites) {
+    c = rounded(c);
+    move(c.x, moved.by.x);
+    move(c.y, moved.by.y);
+    moved.sites.push_back(c);
+  }
+  if (!isExact) return {};
+  auto its = Region::fromArrays(points, region.ringOffsets(), region.polygonOffsets());
+  if (!its) return {};
+  moved.region = std::move(its).value();
+  return moved;
+}
+
 /// Fits areas in a region or, without one, in the box of a lattice.
 class Fitter {
  public:
   Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region* region, const Lattice& lattice,
-         const AreaFitOptions& options)
+         const AreaFitOptions& options, Point origin = {})
       : sites_(sites.begin(), sites.end()),
         targets_(std::move(targets)),
         region_(region),
         lattice_(lattice),
-        options_(options) {
+        options_(options),
+        origin_(origin) {
     placeBox();
   }
 
@@ -117,6 +164,19 @@ class Fitter {
   }
 
   int steps() const { return steps_; }
+
+  /// Returns the tolerance of the options, or what last bits change if the error of a result is larger.
+  double allowedFor(const State& state) const {
+    double allowed = options_.tolerance;
+    if (errorOf(state) <= allowed) return allowed;
+    const std::vector<double> noise = noiseOf(state, largestCoordinate_);
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      allowed = std::max(allowed, std::min(kNearLastBits * noise[i] / targetOf(i), 1.0));
+    }
+    return std::max(allowed, errorOf(state));
+  }
+
+  const std::vector<Circle>& sites() const { return sites_; }
 
  private:
   /// Accuracy of the areas before sites move.
@@ -140,7 +200,7 @@ class Fitter {
   static constexpr double kScaling = 0.25;
   static constexpr double kLeastScale = 0.01;
   /// A fit that is nearly done ends after this number of steps without better areas.
-  static constexpr int kPatience = 6;
+  static constexpr int kPatience = 16;
   static constexpr double kNearlyThere = 0.01;
   /// Where Newton's method ends within that many times what the last bits of weights change, single bits go on, as long
   /// as each step makes the error smaller by this factor.
@@ -148,6 +208,8 @@ class Fitter {
   /// A fit with sites outside that get no cell without background is hopeless after this number of steps times sites.
   static constexpr double kMostWork = 3e5;
   static constexpr double kBetter = 0.999;
+  /// A spring less stiff than this, as a share of its length, holds nothing.
+  static constexpr double kWeak = 1e-12;
 
   State fitted(double tolerance) {
     State state = startingState();
@@ -164,7 +226,9 @@ class Fitter {
   void moveToCentroids(const State& state) {
     const std::vector<Point> centroids = centroidsOf(state);
     for (std::size_t i = 0; i < sites_.size(); ++i) {
-      sites_[i] = {centroids[i].x, centroids[i].y, state.weights[i]};
+      // As a number of the caller's, so that the site can go back there.
+      const Point place = placeOf(centroids[i], origin_);
+      sites_[i] = {place.x - origin_.x, place.y - origin_.y, state.weights[i]};
     }
     if (region_) {
       checkSites(sites_);
@@ -253,7 +317,7 @@ class Fitter {
         fail(std::move(state), " because so many sites lie outside the region");
       }
       const char* reason = nullptr;
-      if (step(state, least)) {
+      if (step(state, least, idle > kPatience / 2)) {
         count(state);
         const double error = errorOf(state);
         idle = error < best / 2 ? 0 : idle + 1;
@@ -263,7 +327,7 @@ class Fitter {
         reason = " because no step leads further";
       }
       if (reason == nullptr) continue;
-      if (!isWithin(state, tolerance, kNearLastBits)) fail(std::move(state), reason);
+      if (!isWithin(state, tolerance, kNearLastBits, largestCoordinate_)) fail(std::move(state), reason);
       break;
     }
     if (density_.background > 0) return;
@@ -310,34 +374,61 @@ class Fitter {
     return false;
   }
 
-  /// Takes one step that keeps every cell above an area, and returns whether there was one.
-  bool step(State& state, double least) {
-    const std::vector<Spring> springs = springsOf(state);
+  /// Takes one step that keeps every cell above an area, and returns whether there was one. Where springs are too weak
+  /// to lead anywhere, as across a thin bridge, those of the box around the region help.
+  bool step(State& state, double least, bool isSlow) const {
+    if (stepAlong(state, least, springsOf(state), isSlow)) return true;
+    return around_ && density_.background == 0 &&
+           stepAlong(state, least, supported(state.cells.springs, state), isSlow);
+  }
+
+  bool stepAlong(State& state, double least, const std::vector<Spring>& springs, bool isSlow) const {
     std::vector<double> stiffness;
     for (const Spring& spring : springs) stiffness.push_back(spring.stiffness);
     SpringSystem system(sites_.size(), springs);
     const std::vector<double> forces = forcesOn(state);
     const double size = slopeAlong(forces, forces);
     std::vector<double> direction = directionAt(system, state, springs, forces, stiffness);
-    double share = 1;
-    int losses = 0;
-    for (int trial = 0; trial < kMostTrials && !direction.empty(); ++trial) {
+    const auto stateAtShare = [&](double share) {
       std::vector<double> weights = state.weights;
       for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += share * direction[i];
-      std::optional<State> next = stateAt(std::move(weights), &state);
+      return stateAt(std::move(weights), &state);
+    };
+    const auto isTooFar = [&](const State& next) {
+      const std::vector<double> left = forcesOn(next);
+      return slopeAlong(direction, left) <= -slopeAlong(direction, forces) / 2 && slopeAlong(left, left) >= size / 4;
+    };
+    double share = 1;
+    double tooFar = 0;
+    int losses = 0;
+    for (int trial = 0; trial < kMostTrials && !direction.empty(); ++trial) {
+      std::optional<State> next = stateAtShare(share);
       const auto isLost = [&](CircleIndex i) { return !(next->cells.areas[static_cast<std::size_t>(i)] > least); };
       if (next && leastArea(*next) > least) {
-        const std::vector<double> left = forcesOn(*next);
-        if (slopeAlong(direction, left) > -slopeAlong(direction, forces) / 2 || slopeAlong(left, left) < size / 4) {
+        if (!isTooFar(*next)) {
+          // Where a border comes out of a thin bridge, its stiffness jumps: the best place is beside the jump.
+          for (int k = 0; isSlow && k < kMostTrials && share < tooFar; ++k) {
+            if (slopeAlong(direction, forcesOn(*next)) < slopeAlong(direction, forces) / 2) break;
+            const double middle = (share + tooFar) / 2;
+            std::optional<State> between = stateAtShare(middle);
+            if (between && leastArea(*between) > least && !isTooFar(*between)) {
+              share = middle;
+              next = std::move(between);
+            } else {
+              tooFar = middle;
+            }
+          }
           state = std::move(*next);
           return true;
         }
+        tooFar = share;
       } else if (next && ++losses % kPatienceWithLosses == 0) {
         for (std::size_t k = 0; k < springs.size(); ++k) {
           if (isLost(springs[k].left) || isLost(springs[k].right)) stiffness[k] *= kHolding;
         }
         direction = directionAt(system, state, springs, forces, stiffness);
         share = kRenewed;
+        tooFar = 0;
         continue;
       }
       share /= 2;
@@ -351,11 +442,18 @@ class Fitter {
 
   std::vector<Spring> springsOf(const State& state) const {
     std::vector<Spring> springs = state.cells.springs;
-    if (around_ && density_.background == 0 && SpringSystem(sites_.size(), springs).components() > 1) {
-      for (Spring spring : measureCells(state.found.diagram, *around_).springs) {
-        spring.stiffness *= kRoughly * kRoughly;
-        springs.push_back(spring);
-      }
+    if (!around_ || density_.background > 0) return springs;
+    // A border through a corner in which parts of the region touch has next to no length inside, and holds nothing.
+    std::erase_if(springs, [](const Spring& spring) { return !(spring.stiffness > kWeak * spring.length); });
+    if (SpringSystem(sites_.size(), springs).components() == 1) return springs;
+    return supported(std::move(springs), state);
+  }
+
+  /// Returns springs together with weaker ones in the box around the region.
+  std::vector<Spring> supported(std::vector<Spring> springs, const State& state) const {
+    for (Spring spring : measureCells(state.found.diagram, *around_).springs) {
+      spring.stiffness *= kRoughly * kRoughly;
+      springs.push_back(spring);
     }
     return springs;
   }
@@ -405,18 +503,24 @@ class Fitter {
     return std::abs(state.cells.areas[site] - targetOf(site)) / targetOf(site);
   }
 
-  /// Returns whether the relative error of each area is at most `tolerance`, or its error at most `slack` times the
-  /// change that the last bits of the weights cause.
-  bool isWithin(const State& state, double tolerance, double slack) const {
-    if (errorOf(state) <= tolerance) return true;
+  /// Returns how much the last bits of numbers change each area: of weights, and of coordinates up to a size.
+  std::vector<double> noiseOf(const State& state, double coordinate) const {
     std::vector<double> noise(sites_.size(), 0);
     for (const Spring& spring : state.cells.springs) {
       const auto i = static_cast<std::size_t>(spring.left);
       const auto j = static_cast<std::size_t>(spring.right);
-      const double change = spring.stiffness * 0x1p-52 * std::max(state.weights[i], state.weights[j]);
-      noise[i] += change;
-      noise[j] += change;
+      const double number = std::max({state.weights[i], state.weights[j], coordinate});
+      noise[i] += spring.stiffness * 0x1p-52 * number;
+      noise[j] += spring.stiffness * 0x1p-52 * number;
     }
+    return noise;
+  }
+
+  /// Returns whether the relative error of each area is at most `tolerance`, or its error at most `slack` times the
+  /// change that last bits cause.
+  bool isWithin(const State& state, double tolerance, double slack, double coordinate = 0) const {
+    if (errorOf(state) <= tolerance) return true;
+    const std::vector<double> noise = noiseOf(state, coordinate);
     for (std::size_t i = 0; i < sites_.size(); ++i) {
       const double target = targetOf(i);
       if (std::abs(state.cells.areas[i] - target) > std::max(tolerance * target, slack * noise[i])) return false;
@@ -517,6 +621,7 @@ class Fitter {
       box.maxX = std::max(box.maxX, site.x);
       box.maxY = std::max(box.maxY, site.y);
     }
+    largestCoordinate_ = largestIn(box);
     const double margin = std::max(box.maxX - box.minX, box.maxY - box.minY) / 8;
     auto around = Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin});
     if (!around) throw ThrownError{around.error()};
@@ -529,8 +634,10 @@ class Fitter {
   const Region* region_;
   Lattice lattice_;
   const AreaFitOptions& options_;
+  Point origin_;  ///< the caller's coordinates of the origin
   std::optional<Region> around_;
-  double sizeOfBox_ = 0;  ///< its area as a multiple of the region's
+  double sizeOfBox_ = 0;          ///< its area as a multiple of the region's
+  double largestCoordinate_ = 0;  ///< of the region and the sites
   Density density_;
   bool isFromOutside_ = false;  ///< whether the fit began with a background
   int steps_ = 0;
@@ -605,15 +712,32 @@ Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> 
   return guarded([&]() -> Result<AreaFit> {
     checkOptions(options);
     checkSites(sites);
-    const Box box = region.bounds();
-    checkSize(std::max({-box.minX, -box.minY, box.maxX, box.maxY}), "region");
+    checkSize(largestIn(region.bounds()), "region");
     AreaFitOptions own = options;
     own.onStep = lettingThrough(options.onStep);
-    Fitter fitter(sites, targetsFrom(areas, sites.size(), region.area(), "region", options), &region, {}, own);
+    std::vector<double> targets = targetsFrom(areas, sites.size(), region.area(), "region", options);
+    const Moved moved = movedToOrigin(sites, region);
+    Fitter fitter(moved.region ? moved.sites : sites, std::move(targets), moved.region ? &*moved.region : &region, {},
+                  own, moved.by);
     State state = fitter.run();
     const double error = fitter.errorOf(state);
-    return AreaFit{std::move(state.weights), std::move(state.found.diagram), std::move(state.cells.areas), error,
-                   fitter.steps()};
+    const double allowed = fitter.allowedFor(state);
+    if (moved.region) {
+      std::vector<Circle> circles = fitter.sites();
+      for (std::size_t i = 0; i < circles.size(); ++i) {
+        const Point place = placeOf({circles[i].x, circles[i].y}, moved.by);
+        circles[i] = {place.x, place.y, state.weights[i]};
+      }
+      Result<Diagram> diagram = compute(circles);
+      if (!diagram) return diagram.error();
+      state.found.diagram = std::move(diagram).value();
+    }
+    return AreaFit{std::move(state.weights),
+                   std::move(state.found.diagram),
+                   std::move(state.cells.areas),
+                   error,
+                   fitter.steps(),
+                   allowed};
   });
 }
 
@@ -629,8 +753,9 @@ Result<PeriodicAreaFit> fitAreas(std::span<const Circle> sites, std::span<const 
     Fitter fitter(sites, targetsFrom(areas, sites.size(), boxArea(rounded), "box", options), nullptr, rounded, own);
     State state = fitter.run();
     const double error = fitter.errorOf(state);
-    return PeriodicAreaFit{std::move(state.weights), std::move(state.found), std::move(state.cells.areas), error,
-                           fitter.steps()};
+    const double allowed = fitter.allowedFor(state);
+    return PeriodicAreaFit{
+        std::move(state.weights), std::move(state.found), std::move(state.cells.areas), error, fitter.steps(), allowed};
   });
 }
 

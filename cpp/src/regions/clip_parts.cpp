@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "at.h"
 #include "in_outline.h"
@@ -187,23 +188,7 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
     polygons.push_back(polygon);
   }
   if (holes.empty()) return;
-  // For each hole the loop around it.
-  std::vector<std::vector<std::int32_t>> holesOf(polygons.size());
-  for (const std::int32_t hole : holes) {
-    const std::int32_t polygon = region.polygonOf(hole);
-    std::vector<std::size_t> candidates;
-    for (std::size_t k = 0; k < polygons.size(); ++k) {
-      if (polygons[k] == polygon || polygons[k] == -1) candidates.push_back(k);
-    }
-    const Point p = pointOf(region.ringOffsets()[at(hole)]);
-    const auto found =
-        std::ranges::find_if(candidates, [&](std::size_t k) { return hasInLoop(piecesOf(loops.loop(k)), p); });
-    const std::size_t around = candidates.size() == 1 || found == candidates.end()
-                                   ? (candidates.empty() ? polygons.size() : candidates.front())
-                                   : *found;
-    // Where the region is thinner than rounding, nothing may be left around a hole.
-    if (around < polygons.size()) holesOf[around].push_back(hole);
-  }
+  const std::vector<std::vector<std::int32_t>> holesOf = holesIn(loops, polygons, holes);
   const Loops outer = std::move(loops);
   loops.clear();
   for (std::size_t k = 0; k < polygons.size(); ++k) {
@@ -215,6 +200,43 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
       end(true);
     }
   }
+}
+
+/// Returns for each loop the holes in it. `polygons` has the polygon of each loop, or -1 for a whole border.
+std::vector<std::vector<std::int32_t>> ClippedDiagram::Parts::holesIn(const Loops& loops,
+                                                                      const std::vector<std::int32_t>& polygons,
+                                                                      const std::vector<std::int32_t>& holes) const {
+  std::vector<std::vector<std::int32_t>> result(polygons.size());
+  // The loops by polygons, with the whole border first.
+  std::vector<std::int32_t> order(polygons.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto polygonOf = [&](std::int32_t loop) { return polygons[at(loop)]; };
+  std::ranges::stable_sort(order, {}, polygonOf);
+  const auto borders = std::ranges::equal_range(order, -1, {}, polygonOf);
+  std::vector<std::vector<OutlinePiece>> pieces(polygons.size());
+  for (const std::int32_t hole : holes) {
+    const auto others = std::ranges::equal_range(order, region.polygonOf(hole), {}, polygonOf);
+    const std::size_t count = borders.size() + others.size();
+    // Where the region is thinner than rounding, nothing may be left around a hole.
+    if (count == 0) continue;
+    std::int32_t around = borders.empty() ? others.front() : borders.front();
+    if (count > 1) {
+      const Point p = pointOf(region.ringOffsets()[at(hole)]);
+      const auto isAround = [&](std::int32_t loop) {
+        auto& its = pieces[at(loop)];
+        if (its.empty()) its = piecesOf(loops.loop(at(loop)));
+        return hasInLoop(its, p);
+      };
+      for (const auto& candidates : {borders, others}) {
+        const auto found = std::ranges::find_if(candidates, isAround);
+        if (found == candidates.end()) continue;
+        around = *found;
+        break;
+      }
+    }
+    result[at(around)].push_back(hole);
+  }
+  return result;
 }
 
 std::vector<OutlinePiece> ClippedDiagram::Parts::piecesOf(std::span<const LoopPiece> loop) const {

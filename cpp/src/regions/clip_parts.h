@@ -106,6 +106,8 @@ class ClippedDiagram::Parts {
   void addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const;
   std::int32_t addArcs(std::int32_t crossing, Loops& loops) const;
   bool isBorderInside(CircleIndex circle) const;
+  std::vector<std::vector<std::int32_t>> holesIn(const Loops& loops, const std::vector<std::int32_t>& polygons,
+                                                 const std::vector<std::int32_t>& holes) const;
 
   std::vector<RegionSideIndex> after_;
   std::vector<InCell> into_;

@@ -40,7 +40,8 @@ export interface CommonFitOptions {
   readonly shares?: boolean | undefined
   /**
    * The largest relative error of each area, above 0 and below 1. Default: 1e-9. A larger error remains only if the
-   * last bits of the weights cause it, as for a sliver behind a close neighbor.
+   * last bits of the weights or the coordinates cause it, as for a sliver behind a close neighbor. The result has the
+   * tolerance that was allowed.
    */
   readonly tolerance?: number | undefined
   /** The largest number of steps. Default: 500. */
@@ -88,6 +89,8 @@ export interface AreaFit extends FitStep {
   readonly diagram: Diagram
   /** The area of each cell inside the region. */
   readonly areas: Float64Array
+  /** The relative error that was allowed: that of the options, or more if last bits allow no less. */
+  readonly tolerance: number
 }
 
 /**
@@ -100,6 +103,8 @@ export interface PeriodicAreaFit extends FitStep {
   readonly periodic: PeriodicDiagram
   /** The area of each cell. */
   readonly areas: Float64Array
+  /** The relative error that was allowed: that of the options, or more if last bits allow no less. */
+  readonly tolerance: number
 }
 
 /** A site: a point, as an array or an object. */

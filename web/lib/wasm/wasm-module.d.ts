@@ -151,6 +151,7 @@ interface WasmFit {
   readonly areas: Float64Array<ArrayBuffer>
   readonly relativeError: number
   readonly steps: number
+  readonly tolerance: number
 }
 
 /** The options of writers. Missing options have their defaults. `bounds`: minX, minY, maxX, maxY. */
