@@ -232,7 +232,8 @@ TEST(AreaFitLimits, FitsFarAwayAreThoseAtTheOrigin) {
     EXPECT_LE(relaxed.error, 1e-9);
     std::vector<Circle> back = relaxed.diagram.circles;
     for (Circle& c : back) c = {c.x - far, c.y - other, c.r};
-    const auto areas = ClippedDiagram::from(compute(back).value(), square).value().areas();
+    const Diagram diagram = compute(back).value();
+    const auto areas = ClippedDiagram::from(diagram, square).value().areas();
     for (std::size_t i = 0; i < areas.size(); ++i) EXPECT_NEAR(areas[i], relaxed.areas[i], 1e-14);
   }
 }
