@@ -154,7 +154,9 @@ TEST(Meetings, OfTwoLinesLieOnTheExactSide) {
     if (expected == 0) ++ties;
     // Far away and in small units, the sign is the same.
     for (const auto& [unit, far] : {std::pair{1.0, 0.0}, {0x1p-40, 1024.0}, {0x1p40, -0x1p90}}) {
-      const auto in = [&](std::int64_t value) { return far + unit * static_cast<double>(value); };
+      const auto in = [step = unit, start = far](std::int64_t value) {
+        return start + step * static_cast<double>(value);
+      };
       EXPECT_EQ(sideOfCrossing({in(ax), in(ay)}, {in(bx), in(by)}, {in(cx), in(cy)}, {in(dx), in(dy)},
                                far + unit * static_cast<double>(twiceX) / 2),
                 expected)
