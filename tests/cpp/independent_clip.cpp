@@ -115,7 +115,58 @@ class BruteForce {
     return areas;
   }
 
+  std::vector<IndependentCell> cells() {
+    const std::vector<double> areas = run();
+    std::vector<IndependentCell> cells(areas.size());
+    std::vector<std::vector<Piece>> piecesOf(areas.size());
+    for (const Piece& piece : pieces_) {
+      // Pieces of length zero are left out. Rounding moves the ends of others at tangents by the root of its bound.
+      if (lengthOf(piece.to - piece.from) <= least() && piece.isShort) continue;
+      piecesOf[piece.cell].push_back(piece);
+      IndependentCell& cell = cells[piece.cell];
+      const auto length = static_cast<double>(lengthOf(piece.to - piece.from));
+      if (piece.neighbor >= 0) cell.neighbors[piece.neighbor] += length;
+      if (piece.side >= 0) cell.sides[piece.side] += length;
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      cells[i].area = areas[i];
+      cells[i].loops = loopsOf(piecesOf[i]);
+    }
+    return cells;
+  }
+
  private:
+  struct Piece {
+    std::size_t cell;
+    std::int32_t neighbor;  ///< or -1
+    std::int32_t side;      ///< or -1
+    Spot from, to;
+    bool isShort = true;  ///< whether it is no longer than its chord is
+  };
+
+  Real least() const { return size_ * Real(1e-35); }
+
+  /// The number of closed loops, if no two pieces begin at one place.
+  std::optional<int> loopsOf(const std::vector<Piece>& pieces) const {
+    std::vector<std::size_t> next(pieces.size(), pieces.size());
+    for (std::size_t a = 0; a < pieces.size(); ++a) {
+      for (std::size_t b = 0; b < pieces.size(); ++b) {
+        if (lengthOf(pieces[b].from - pieces[a].to) > least() * 1000) continue;
+        if (next[a] != pieces.size()) return std::nullopt;
+        next[a] = b;
+      }
+      if (next[a] == pieces.size()) return std::nullopt;
+    }
+    int count = 0;
+    std::vector<bool> isDone(pieces.size(), false);
+    for (std::size_t a = 0; a < pieces.size(); ++a) {
+      if (isDone[a]) continue;
+      ++count;
+      for (std::size_t b = a; !isDone[b]; b = next[b]) isDone[b] = true;
+    }
+    return count;
+  }
+
   Spot placed(Point p) const { return {Real(p.x) - origin_.x, Real(p.y) - origin_.y}; }
 
   Real distance(std::size_t i, Spot p) const {
@@ -162,7 +213,9 @@ class BruteForce {
       const Spot to = side.from + shares[k] * along;
       const Spot middle = half() * (from + to) + shift_;
       const std::size_t nearest = nearestTo(middle);
-      if (isNear(nearest, middle)) areas_[indices_[nearest]] += cross(from, to) / 2;
+      if (!isNear(nearest, middle)) continue;
+      areas_[indices_[nearest]] += cross(from, to) / 2;
+      pieces_.push_back({indices_[nearest], -1, static_cast<std::int32_t>(&side - sides_.data()), from, to});
     }
   }
 
@@ -266,6 +319,8 @@ class BruteForce {
       if (s != 0) area += a * b * ((t1 - t0) - sinh(t1 - t0)) / 2;
       areas_[indices_[i]] += area;
       areas_[indices_[j]] -= area;
+      pieces_.push_back({indices_[i], static_cast<std::int32_t>(indices_[j]), -1, from, to});
+      pieces_.push_back({indices_[j], static_cast<std::int32_t>(indices_[i]), -1, to, from});
     }
   }
 
@@ -320,6 +375,7 @@ class BruteForce {
       if (!isInRegion(p) || nearestTo(p) != i) continue;
       areas_[indices_[i]] += cross(pointAt(angles[k - 1]), pointAt(angles[k])) / 2;
       areas_[indices_[i]] += radius * radius * (swept - sin(swept)) / 2;
+      pieces_.push_back({indices_[i], -1, -1, pointAt(angles[k - 1]), pointAt(angles[k]), swept < 1});
     }
   }
 
@@ -336,6 +392,7 @@ class BruteForce {
   std::vector<Real> radii_;
   std::vector<Real> weights_;
   std::vector<Real> areas_;
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace
@@ -344,6 +401,11 @@ std::vector<double> areasByBruteForce(const std::vector<Circle>& circles, const 
                                       bool isLong, std::optional<double> maxDistance) {
   if (isLong) return BruteForce<Long>(circles, region, metric, maxDistance, Long("1e-98")).run();
   return BruteForce<long double>(circles, region, metric, maxDistance, 1e-18L).run();
+}
+
+std::vector<IndependentCell> cellsByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
+                                               std::optional<double> maxDistance) {
+  return BruteForce<Long>(circles, region, metric, maxDistance, Long("1e-98")).cells();
 }
 
 }  // namespace circle_voronoi::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -17,5 +18,17 @@ namespace circle_voronoi::test {
 /// digits if `isLong`. With a maximum distance, cells are cut at that distance from their circles.
 std::vector<double> areasByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
                                       bool isLong = false, std::optional<double> maxDistance = {});
+
+/// The part of a cell in a region, found without a diagram.
+struct IndependentCell {
+  double area = 0;
+  std::map<std::int32_t, double> neighbors;  ///< with the lengths of the borders, as those of chords
+  std::map<std::int32_t, double> sides;      ///< the sides of the region on its border, with their lengths there
+  std::optional<int> loops;             ///< nothing if loops touch themselves or each other
+};
+
+/// Computes the parts of the cells of a few circles in a region with numbers of 100 digits, as areasByBruteForce does.
+std::vector<IndependentCell> cellsByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
+                                               std::optional<double> maxDistance = {});
 
 }  // namespace circle_voronoi::test

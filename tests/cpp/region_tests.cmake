@@ -6,6 +6,7 @@ add_executable(circle_voronoi_region_tests
   clipped_diagram_test.cpp
   clipped_polygons_test.cpp
   dissolve_test.cpp
+  distance_clip_test.cpp
   fit_areas_test.cpp
   fit_limits_test.cpp
   fit_periodic_test.cpp
@@ -25,6 +26,7 @@ endif()
 set_source_files_properties(clipped_polygons_test.cpp PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON
   COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+set_source_files_properties(distance_clip_test.cpp independent_clip.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 set_source_files_properties(certified_clip_test.cpp dissolve_test.cpp fit_areas_test.cpp PROPERTIES
   COMPILE_DEFINITIONS CIRCLE_VORONOI_FIXTURES="${PROJECT_SOURCE_DIR}/tests/fixtures")
 # Clips for GEOS (tests/long/geos.test.mjs).

@@ -588,10 +588,6 @@ Outline clippedBufferOutline(const Diagram& diagram, CircleIndex circle, const C
   return limitedOutline(diagram, circle, {&region, maxDistance});
 }
 
-Outline bufferOutline(const Diagram& diagram, CircleIndex circle, double maxDistance) {
-  return limitedOutline(diagram, circle, {nullptr, maxDistance});
-}
-
 double area(const Outline& outline) {
   if (outline.empty()) return 0;
   const double unit = unitFor(extentOf(outline));

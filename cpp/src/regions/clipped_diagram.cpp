@@ -30,13 +30,10 @@ void append(ClippedCells& cells, Point start, SideIndex side, RegionSideIndex re
   cells.r.push_back(r);
 }
 
-/// Whether a loop runs clockwise.
-bool isHoleOf(const std::vector<OutlinePiece>& loop) { return area({loop}) < 0; }
-
-void append(ClippedCells& cells, const Outline& outline) {
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    cells.isHole.push_back(k > 0 && isHoleOf(outline[k]) ? 1 : 0);
-    for (const OutlinePiece& piece : outline[k]) {
+void append(ClippedCells& cells, const NearLoops& loops) {
+  for (std::size_t k = 0; k < loops.outline.size(); ++k) {
+    cells.isHole.push_back(loops.isHole[k]);
+    for (const OutlinePiece& piece : loops.outline[k]) {
       append(cells, piece.curve.start, piece.side, piece.regionSide, piece.r);
     }
     cells.pieceOffsets.push_back(static_cast<std::int32_t>(cells.x.size()));
@@ -58,10 +55,10 @@ ClippedCells cellsOf(const ClippedDiagram& clipped, const Circles& circles) {
   ClippedCells cells;
   Loops loops;
   for (const CircleIndex circle : circles) {
+    clipped.parts().loopsOf(circle, loops);
     if (clipped.maxDistance()) {
-      append(cells, clipped.outline(circle));
+      append(cells, nearLoops(clipped.parts(), circle, loops));
     } else {
-      clipped.parts().loopsOf(circle, loops);
       append(cells, loops);
     }
   }
@@ -83,23 +80,21 @@ struct EdgePart {
 
 template <class Add>
 void visitParts(const Parts& parts, EdgeIndex edge, Add add) {
-  const auto addNear = [&](EdgePart part) {
-    if (!parts.maxDistance) return add(part);
-    const auto near = nearPart(parts.diagram, edge, part.curve, *parts.maxDistance);
-    if (!near) return;
-    if (near->cutFrom != kNone) part.startSide = kNone;
-    if (near->cutTo != kNone) part.endSide = kNone;
-    part.curve = near->curve;
-    add(part);
-  };
-  if (!parts.arcs.isCrossed(edge)) {
-    if (parts.isInside(edge)) addNear({parts.curveOf(edge), kNone, kNone});
-    return;
-  }
   const auto sideOf = [&](std::int32_t crossing) {
     return crossing == kNone ? RegionSideIndex() : parts.crossings.all[at(crossing)].side;
   };
-  for (const Arc& arc : parts.arcs.of(edge)) addNear({parts.curveOf(arc), sideOf(arc.start), sideOf(arc.end)});
+  const auto addArc = [&](const Arc& arc) {
+    if (!parts.maxDistance) return add({parts.curveOf(arc), sideOf(arc.start), sideOf(arc.end)});
+    const auto near = nearArc(parts, arc);
+    if (!near) return;
+    add({near->curve, near->isCutFrom ? RegionSideIndex() : sideOf(arc.start),
+         near->isCutTo ? RegionSideIndex() : sideOf(arc.end)});
+  };
+  if (!parts.arcs.isCrossed(edge)) {
+    if (parts.isInside(edge)) addArc({edge});
+    return;
+  }
+  for (const Arc& arc : parts.arcs.of(edge)) addArc(arc);
 }
 
 }  // namespace
@@ -150,7 +145,7 @@ ClippedDiagram::Place ClippedDiagram::placeOf(CircleIndex circle) const {
 Outline ClippedDiagram::outline(CircleIndex circle) const {
   Loops loops;
   parts_->loopsOf(circle, loops);
-  if (parts_->maxDistance) return nearOutline(*parts_, circle, loops);
+  if (parts_->maxDistance) return nearLoops(*parts_, circle, loops).outline;
   Outline outline;
   for (std::size_t k = 0; k < loops.isHole.size(); ++k) outline.push_back(parts_->piecesOf(loops.loop(k)));
   return outline;

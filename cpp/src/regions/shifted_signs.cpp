@@ -1,11 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// With the letters of exact.cpp: seen from a circle o, the vertex of (o, u, v) is the homogeneous point (e |D|^2 : 2 t
-// |D|^2) at the distance |D|^2 / (2 t |D|^2) from o. So what is linear in the vertex and its distance, alpha x + beta y
-// + gamma rho + delta, has the sign of p + q sqrt(d), d = g_u g_v g_uv, with
-//   p = -D.s (alpha D.x + beta D.y) + gamma |D|^2 + 2 delta (N.x D.y - N.y D.x),
-//   q = beta D.x - alpha D.y + 2 delta N.s.
-// At infinity N is 0, and what is left is the sign for the direction of the asymptote.
 #include "shifted_signs.h"
 
 #include <algorithm>
@@ -14,8 +7,10 @@
 
 #include "homogeneous_disc.h"
 #include "in_circle.h"
+#include "linear_sign.h"
 #include "seen.h"
 #include "vectors.h"
+#include "vertex_error.h"
 
 namespace circle_voronoi {
 namespace {
@@ -32,10 +27,6 @@ using exact::signOf;
 /// multiples of 2^-96 up to 2^100 (limits.h), at most six are multiplied, and vertices, of which there is one at most
 /// in a product, lie within 2^876.
 constexpr double kSignRounding = 0x1p-48;
-/// Vertices are right to 36 bits of the distances from and between their circles (vertexOf), vertices of power diagrams
-/// to 21 bits (radicalCenter).
-constexpr double kVertexRounding = 0x1p-34;
-constexpr double kPowerVertexRounding = 0x1p-18;
 
 double sizeOf(Vector v) { return std::abs(v.x) + std::abs(v.y); }
 Vector vectorFrom(const Circle& c, Point p) { return {p.x - c.x, p.y - c.y}; }
@@ -49,25 +40,6 @@ int sideAfterShift(const ShiftedSigns::Line& line) {
 
 /// A place as a circle, for `seenFrom`: the radius is that of the circle from which it is seen.
 Circle circleAt(Point p, const Circle& from) { return {p.x, p.y, from.r}; }
-
-struct None {};
-
-template <class Number, class Alpha, class Gamma, class Delta>
-int linearSign(const Seen<Number>& u, const Seen<Number>& v, const Alpha& alpha, const Alpha& beta, const Gamma& gamma,
-               const Delta& delta) {
-  const auto d = exact::axisOf(u, v);
-  auto p = -(d.s * (alpha * d.x + beta * d.y));
-  auto q = beta * d.x - alpha * d.y;
-  if constexpr (!std::is_same_v<Gamma, None>) p = p + gamma * planeDot(d, d);
-  if constexpr (!std::is_same_v<Delta, None>) {
-    const auto n = cross(u.v, v.v);
-    const auto twice = delta + delta;
-    p = p + twice * planeCross(n, d);
-    q = q + twice * n.s;
-  }
-  const auto square = u.g * v.g * exact::tangentSquare(u, v);
-  return signOf((p * p - q * q * square).sign(), [&] { return p.sign(); }, [&] { return q.sign(); });
-}
 
 /// Returns the sign of |p - own| - own.r - (|p - other| - other.r): positive if the other circle is nearer.
 int exactLead(const Circle& own, const Circle& other, Point corner) {
@@ -154,15 +126,7 @@ exact::Face ShiftedSigns::faceOf(SideIndex side, bool isTarget) const {
   return {&circle(a), &circle(b), &circle(c)};
 }
 
-double ShiftedSigns::errorOf(VertexIndex vertex) const {
-  const Vertex& v = diagram_.vertices[static_cast<std::size_t>(vertex)];
-  double size = 0;
-  for (const CircleIndex i : diagram_.vertexCircles[static_cast<std::size_t>(vertex)]) {
-    size += sizeOf(vectorFrom(circle(i), {v.x, v.y}));
-  }
-  const double rounding = diagram_.metric == Metric::power ? kPowerVertexRounding : kVertexRounding;
-  return rounding * size + kSignRounding * (std::abs(v.x) + std::abs(v.y));
-}
+double ShiftedSigns::errorOf(VertexIndex vertex) const { return vertexError(diagram_, vertex); }
 
 ShiftedSigns::Comparison ShiftedSigns::compare(CircleIndex own, CircleIndex other, Point corner) const {
   const Circle& c = circle(own);

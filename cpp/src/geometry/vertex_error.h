@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "circle_voronoi/diagram.h"
+
+namespace circle_voronoi {
+
+/// Returns a bound on how far a vertex may be off. Vertices are right to 36 bits of the distances from and between their
+/// circles (vertexOf), vertices of power diagrams to 21 bits (radicalCenter).
+inline double vertexError(const Diagram& diagram, VertexIndex vertex) {
+  constexpr double kVertexRounding = 0x1p-34;
+  constexpr double kPowerVertexRounding = 0x1p-18;
+  constexpr double kRoundingOfCoordinates = 0x1p-48;
+  const Vertex& v = diagram.vertices[static_cast<std::size_t>(vertex)];
+  double size = 0;
+  for (const CircleIndex i : diagram.vertexCircles[static_cast<std::size_t>(vertex)]) {
+    const Circle& c = diagram.circles[static_cast<std::size_t>(i)];
+    size += std::abs(v.x - c.x) + std::abs(v.y - c.y);
+  }
+  const double rounding = diagram.metric == Metric::power ? kPowerVertexRounding : kVertexRounding;
+  return rounding * size + kRoundingOfCoordinates * (std::abs(v.x) + std::abs(v.y));
+}
+
+}  // namespace circle_voronoi

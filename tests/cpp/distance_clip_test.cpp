@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells in regions cut at a distance from their circles, where discs meet corners, sides, vertices and each other
+// exactly, against an independent clip in numbers of 100 digits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <set>
+
+#include "at.h"
+#include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/comparison.h"
+#include "clip_families.h"
+#include "independent_clip.h"
+#include "report.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+using test::cellsByBruteForce;
+using test::ClipFamily;
+using test::ClipInput;
+using test::IndependentCell;
+using test::seedOr;
+
+using Generator = std::mt19937_64;
+
+int pick(Generator& random, int least, int most) { return std::uniform_int_distribution<int>(least, most)(random); }
+double unit(Generator& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
+
+/// The number of clips of each family: a few, or CIRCLE_VORONOI_CLIPS.
+int trials() {
+  const char* count = std::getenv("CIRCLE_VORONOI_CLIPS");
+  return count == nullptr ? 12 : std::atoi(count);
+}
+
+double radiusOf(const ClipInput& input, const Circle& c) { return input.metric == Metric::circles ? c.r : 0; }
+
+/// An input and a distance.
+struct DistanceInput {
+  ClipInput clip;
+  double distance = 0;
+};
+
+/// Moves the region so that one of its corners has the offset (3, 4), (5, 12) ... from a center, in some unit.
+DistanceInput cornerOnRim(Generator& random) {
+  constexpr std::array<std::array<double, 3>, 5> kTriples = {
+      {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {0, 1, 1}, {20, 21, 29}}};
+  const auto triple = [&] {
+    auto [x, y, length] = kTriples[static_cast<std::size_t>(pick(random, 0, 4))];
+    if (pick(random, 0, 1) == 0) std::swap(x, y);
+    const double factor = pick(random, 1, 4);
+    const double signX = pick(random, 0, 1) * 2 - 1;
+    const double signY = pick(random, 0, 1) * 2 - 1;
+    return std::array{factor * signX * x, factor * signY * y, factor * length};
+  };
+  DistanceInput input;
+  const auto [x, y, length] = triple();
+  const Point center = {static_cast<double>(pick(random, -9, 9)), static_cast<double>(pick(random, -9, 9))};
+  const double r = pick(random, 0, static_cast<int>(length) + 3);
+  input.clip.circles.push_back({center.x, center.y, r});
+  input.distance = length - r;
+  for (int k = pick(random, 0, 3); k > 0; --k) {
+    input.clip.circles.push_back({static_cast<double>(pick(random, -40, 40)), static_cast<double>(pick(random, -40, 40)),
+                                  static_cast<double>(pick(random, 0, 9))});
+  }
+  // Rings with corners on the rim, and others.
+  Region::Ring ring = {{center.x + x, center.y + y}};
+  for (int k = pick(random, 2, 5); k > 0; --k) {
+    if (pick(random, 0, 2) == 0) {
+      // Another point of the rim.
+      const double side = pick(random, 0, 1) * 2 - 1;
+      ring.push_back(pick(random, 0, 1) == 0 ? Point{center.x + side * y, center.y + x}
+                                             : Point{center.x - x, center.y + side * y});
+    } else {
+      ring.push_back({static_cast<double>(pick(random, -50, 50)), static_cast<double>(pick(random, -50, 50))});
+    }
+  }
+  Point middle;
+  for (const Point& p : ring) middle = {middle.x + p.x / 7, middle.y + p.y / 7};
+  std::ranges::sort(ring, {}, [&](Point p) { return pseudoAngle({p.x - middle.x, p.y - middle.y}); });
+  input.clip.rings = {ring};
+  if (pick(random, 0, 2) == 0) {
+    // The corner belongs to a hole, in a large region.
+    input.clip.rings.insert(input.clip.rings.begin(), {{-400, -400}, {400, -400}, {400, 400}, {-400, 400}});
+  }
+  return input;
+}
+
+/// A box or a slanted square whose sides touch the disc of a circle from outside or inside.
+DistanceInput tangentSide(Generator& random) {
+  DistanceInput input;
+  const bool isSlanted = pick(random, 0, 1) == 0;
+  const double reach = pick(random, 1, 12) * 5.0;
+  const double r = pick(random, 0, 20);
+  const double x = pick(random, -9, 9);
+  const double y = pick(random, -9, 9);
+  input.clip.circles = {{x, y, r}};
+  input.distance = reach - r;
+  for (int k = pick(random, 0, 3); k > 0; --k) {
+    input.clip.circles.push_back({static_cast<double>(pick(random, -60, 60)), static_cast<double>(pick(random, -60, 60)),
+                                  static_cast<double>(pick(random, 0, 9))});
+  }
+  // In a frame with the unit 5, along (1, 0) or (3, 4) / 5.
+  const auto place = [&](double along, double across) {
+    return isSlanted ? Point{x + (3 * along - 4 * across) / 5, y + (4 * along + 3 * across) / 5}
+                     : Point{x + along, y + across};
+  };
+  const double side = pick(random, 0, 1) * 2 - 1;
+  const double far = side * reach + (pick(random, 0, 1) * 2 - 1) * 5.0 * pick(random, 1, 20);
+  const double low = pick(random, -1, 1) == 0 ? 0 : -5.0 * pick(random, 0, 20);
+  const double high = 5.0 * pick(random, 1, 20);
+  Region::Ring ring = {place(low, side * reach), place(high, side * reach), place(high, far), place(low, far)};
+  if (pick(random, 0, 1) == 0 && low < 0) ring.insert(ring.begin() + 1, place(0, side * reach));
+  input.clip.rings = {ring};
+  if (pick(random, 0, 3) == 0) {
+    input.clip.rings.insert(input.clip.rings.begin(), {{-400, -400}, {400, -400}, {400, 400}, {-400, 400}});
+  }
+  return input;
+}
+
+/// Two equal circles whose rims meet in two points with integer coordinates, or touch; the region meets these points.
+DistanceInput rimsAtSide(Generator& random) {
+  DistanceInput input;
+  const double f = pick(random, 1, 4);
+  const double a = 3 * f;
+  const double b = pick(random, 0, 3) == 0 ? 0 : 4 * f;
+  const double reach = b == 0 ? a : 5 * f;
+  const double r = pick(random, 0, static_cast<int>(reach));
+  // Unequal radii: (0, b) at the distance 4 f from the origin, circles at (0, 0) and (3 f, b) on a line.
+  const bool isEqual = pick(random, 0, 1) == 0;
+  input.clip.circles = {{-a, 0, r}, {a, 0, r}};
+  input.distance = reach - r;
+  if (!isEqual) {
+    // Rims around (0, 0) and (0, 21 f) of the radii 13 f and 20 f meet at (+-12 f, 5 f).
+    input.clip.circles = {{0, 0, 13 * f - 3}, {0, 21 * f, 20 * f - 3}};
+    input.distance = 3;
+  }
+  for (int k = pick(random, 0, 2); k > 0; --k) {
+    input.clip.circles.push_back({static_cast<double>(pick(random, -60, 60)), static_cast<double>(pick(random, 40, 60)),
+                                  static_cast<double>(pick(random, 0, 5))});
+  }
+  const Point meet = isEqual ? Point{0, b} : Point{12 * f, 5 * f};
+  Region::Ring ring = {meet};
+  for (int k = pick(random, 2, 4); k > 0; --k) {
+    ring.push_back({static_cast<double>(pick(random, -50, 50)), static_cast<double>(pick(random, -50, 50))});
+  }
+  if (pick(random, 0, 1) == 0) {
+    // The point lies inside a side.
+    const Point p = ring[1];
+    ring[0] = {2 * meet.x - p.x, 2 * meet.y - p.y};
+  }
+  if (pick(random, 0, 2) == 0) {
+    // A side along the edge, or along the tangent.
+    const double side = pick(random, 0, 1) * 2 - 1;
+    ring = {{0, meet.y - pick(random, 0, 20)}, {0, meet.y + pick(random, 1, 20)}, {side * 50, meet.y + 30},
+            {side * 50, meet.y - 30}};
+  }
+  input.clip.rings = {ring};
+  return input;
+}
+
+/// A clip of another family with a distance at which the disc of a circle meets a corner, a side, a vertex, or another
+/// disc, up to rounding, or something else.
+DistanceInput anyFamily(Generator& random) {
+  const auto& families = test::clipFamilies();
+  DistanceInput input;
+  do {
+    input.clip = families[static_cast<std::size_t>(pick(random, 0, static_cast<int>(families.size()) - 1))].make(random);
+  } while (input.clip.metric == Metric::power);
+  const auto& circles = input.clip.circles;
+  const Circle& c = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
+  const Circle& d = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
+  const double r = radiusOf(input.clip, c);
+  const auto& ring = input.clip.rings.back();
+  const Point p = ring[static_cast<std::size_t>(pick(random, 0, static_cast<int>(ring.size()) - 1))];
+  const double toCorner = std::hypot(p.x - c.x, p.y - c.y);
+  switch (pick(random, 0, 5)) {
+    case 0:
+      input.distance = toCorner - r;
+      break;
+    case 1:
+      // The circles of many families touch one disc around the origin.
+      input.distance = std::hypot(c.x, c.y) - r;
+      break;
+    case 2:
+      input.distance = (std::hypot(d.x - c.x, d.y - c.y) - r - radiusOf(input.clip, d)) / 2;
+      break;
+    case 3:
+      input.distance = pick(random, 0, 1) == 0 ? 0 : -std::floor(r / 2);
+      break;
+    case 4: {
+      const Point q = ring[0];
+      const double size = std::hypot(p.x - q.x, p.y - q.y);
+      const double height = (p.x - q.x) * (c.y - q.y) - (p.y - q.y) * (c.x - q.x);
+      input.distance = size > 0 ? std::abs(height) / size - r : 1;
+      break;
+    }
+    default:
+      input.distance = (0.2 + 1.2 * unit(random)) * toCorner - r;
+  }
+  return input;
+}
+
+/// Random circles in a random star with a hole.
+DistanceInput anything(Generator& random) {
+  DistanceInput input;
+  for (int k = pick(random, 1, 4); k > 0; --k) {
+    input.clip.circles.push_back({unit(random), unit(random), 0.2 * unit(random)});
+  }
+  const auto star = [&](double least, double most, int corners) {
+    Region::Ring ring;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 6.283185307179586 * (k + 0.8 * unit(random)) / corners;
+      const double r = least + (most - least) * unit(random);
+      ring.push_back({0.5 + r * std::cos(angle), 0.5 + r * std::sin(angle)});
+    }
+    return ring;
+  };
+  input.clip.rings = {star(0.3, 0.9, pick(random, 4, 8))};
+  if (pick(random, 0, 1) == 0) input.clip.rings.push_back(star(0.05, 0.25, pick(random, 3, 5)));
+  input.distance = std::pow(10.0, -2 + 2 * unit(random)) - 0.05;
+  return input;
+}
+
+struct DistanceFamily {
+  const char* name;
+  DistanceInput (*make)(Generator& random);
+};
+constexpr std::array<DistanceFamily, 5> kFamilies = {{{"cornerOnRim", cornerOnRim},
+                                                      {"tangentSide", tangentSide},
+                                                      {"rimsAtSide", rimsAtSide},
+                                                      {"anyFamily", anyFamily},
+                                                      {"anything", anything}}};
+
+double lengthOfPiece(const OutlinePiece& piece) {
+  return std::hypot(piece.curve.end.x - piece.curve.start.x, piece.curve.end.y - piece.curve.start.y);
+}
+
+/// Expects the neighbors, sides, loops and area of an independent clip.
+void expectCell(const ClippedDiagram& clipped, CircleIndex circle, const IndependentCell& expected, double size,
+                double rounding) {
+  SCOPED_TRACE("cell " + std::to_string(std::int32_t{circle}));
+  const Outline outline = clipped.outline(circle);
+  const double least = 1e-9 * size;
+  std::set<std::int32_t> neighbors;
+  std::set<std::int32_t> sides;
+  std::set<std::int32_t> longNeighbors;
+  std::set<std::int32_t> longSides;
+  for (const auto& loop : outline) {
+    ASSERT_FALSE(loop.empty());
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const OutlinePiece& piece = loop[k];
+      EXPECT_EQ(piece.curve.end, loop[(k + 1) % loop.size()].curve.start);
+      const bool isLong = lengthOfPiece(piece) > least;
+      if (piece.neighbor != kNone) {
+        neighbors.insert(piece.neighbor);
+        if (isLong) longNeighbors.insert(piece.neighbor);
+      }
+      if (piece.regionSide != kNone) {
+        sides.insert(piece.regionSide);
+        if (isLong) longSides.insert(piece.regionSide);
+      }
+    }
+  }
+  // Pieces shorter than rounding may be missing.
+  const auto expectSame = [&](const std::set<std::int32_t>& all, const std::set<std::int32_t>& ofLength,
+                              const std::map<std::int32_t, double>& theirs, const char* what) {
+    for (const std::int32_t its : ofLength) EXPECT_TRUE(theirs.count(its) == 1) << what << " " << its;
+    for (const auto& [its, length] : theirs) {
+      EXPECT_TRUE(all.count(its) == 1 || length < rounding) << what << " " << its << " of the length " << length;
+    }
+  };
+  expectSame(neighbors, longNeighbors, expected.neighbors, "neighbor");
+  expectSame(sides, longSides, expected.sides, "side");
+  // Where a corner lies on an edge, a cell may have a loop that is a point.
+  const auto isPoint = [](const auto& loop) {
+    return std::ranges::all_of(loop, [](const OutlinePiece& piece) { return lengthOfPiece(piece) == 0; });
+  };
+  const int loops = static_cast<int>(outline.size()) - static_cast<int>(std::ranges::count_if(outline, isPoint));
+  EXPECT_EQ(loops, expected.loops.value_or(loops));
+  EXPECT_NEAR(area(outline), expected.area, 1e-12 * size * size + rounding * size);
+  // The parts of edges are those of the outline.
+  std::set<std::int32_t> listed;
+  for (const CircleIndex neighbor : clipped.neighbors(circle)) listed.insert(neighbor);
+  EXPECT_EQ(listed, neighbors);
+}
+
+class DistanceFamilies : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(DistanceFamilies, HaveTheCellsOfAnIndependentClip) {
+  const DistanceFamily& family = kFamilies[GetParam()];
+  const std::uint64_t seed = seedOr(71);
+  Generator random(seed);
+  std::size_t cells = 0;
+  for (int done = 0; done < trials();) {
+    DistanceInput input = family.make(random);
+    // Also tiny and huge ones.
+    const double scale = pick(random, 0, 3) == 0 ? std::ldexp(1.0, pick(random, -30, 30)) : 1;
+    input.distance *= scale;
+    for (Circle& c : input.clip.circles) c = {c.x * scale, c.y * scale, c.r * scale};
+    for (auto& ring : input.clip.rings) {
+      for (Point& p : ring) p = {p.x * scale, p.y * scale};
+    }
+    const auto region = Region::fromRings(input.clip.rings);
+    if (!region) continue;
+    ++done;
+    SCOPED_TRACE(std::string(family.name) + ", clip " + std::to_string(done) + ", seed " + std::to_string(seed));
+    const Diagram diagram = computeComparison(input.clip.circles, input.clip.metric).value();
+    const auto clipped = ClippedDiagram::from(diagram, *region, input.distance);
+    ASSERT_TRUE(clipped) << clipped.error().message;
+    const auto expected = cellsByBruteForce(input.clip.circles, *region, input.clip.metric, input.distance);
+    const Box box = region->bounds();
+    const double extent = std::max(box.maxX - box.minX, box.maxY - box.minY);
+    double farthest = std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
+    for (const Circle& c : input.clip.circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y), c.r});
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const double reach = radiusOf(input.clip, input.clip.circles[i]) + input.distance;
+      const double size = std::min(extent, std::max(2 * reach, 0.0));
+      expectCell(*clipped, static_cast<std::int32_t>(i), expected[i], size, 1e-15 * farthest);
+      ++cells;
+    }
+    if (HasFailure()) {
+      for (const auto& ring : input.clip.rings) {
+        std::string text;
+        char number[80];
+        for (const Point& p : ring) {
+          std::snprintf(number, sizeof number, "{%.17g, %.17g}, ", p.x, p.y);
+          text += number;
+        }
+        ADD_FAILURE() << "ring " << text;
+      }
+      char number[40];
+      std::snprintf(number, sizeof number, "%.17g", input.distance);
+      FAIL() << test::describe(input.clip.circles) << " within " << number;
+    }
+  }
+  RecordProperty("cells", static_cast<int>(cells));
+}
+
+std::string nameOfFamily(const testing::TestParamInfo<std::size_t>& family) { return kFamilies[family.param].name; }
+INSTANTIATE_TEST_SUITE_P(All, DistanceFamilies, testing::Range(std::size_t{0}, kFamilies.size()), nameOfFamily);
+
+}  // namespace
+}  // namespace circle_voronoi
