@@ -14,7 +14,10 @@
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/comparison.h"
 #include "clip_families.h"
+#include "clip_parts.h"
 #include "independent_clip.h"
+#include "judge_near.h"
+#include "near_part.h"
 #include "report.h"
 #include "vectors.h"
 
@@ -277,9 +280,9 @@ void expectCell(const ClippedDiagram& clipped, CircleIndex circle, const Indepen
   };
   expectSame(neighbors, longNeighbors, expected.neighbors, "neighbor");
   expectSame(sides, longSides, expected.sides, "side");
-  // Where a corner lies on an edge, a cell may have a loop that is a point.
-  const auto isPoint = [](const auto& loop) {
-    return std::ranges::all_of(loop, [](const OutlinePiece& piece) { return lengthOfPiece(piece) == 0; });
+  // Where a corner lies on an edge, a cell may have a loop that is a point up to rounding.
+  const auto isPoint = [&](const auto& loop) {
+    return std::ranges::all_of(loop, [&](const OutlinePiece& piece) { return lengthOfPiece(piece) <= rounding; });
   };
   const int loops = static_cast<int>(outline.size()) - static_cast<int>(std::ranges::count_if(outline, isPoint));
   EXPECT_EQ(loops, expected.loops.value_or(loops));
@@ -344,6 +347,155 @@ TEST_P(DistanceFamilies, HaveTheCellsOfAnIndependentClip) {
 
 std::string nameOfFamily(const testing::TestParamInfo<std::size_t>& family) { return kFamilies[family.param].name; }
 INSTANTIATE_TEST_SUITE_P(All, DistanceFamilies, testing::Range(std::size_t{0}, kFamilies.size()), nameOfFamily);
+
+/// Expects polygons that are regions and have the areas of the cells within the tolerance.
+void expectValidPolygons(const ClippedDiagram& clipped, double tolerance, double rounding) {
+  const ClippedPolygons all = clipped.polygons(tolerance);
+  for (std::size_t i = 0; i + 1 < all.polygonOffsets.size(); ++i) {
+    SCOPED_TRACE("cell " + std::to_string(i) + ", tolerance " + std::to_string(tolerance));
+    std::vector<std::vector<Region::Ring>> polygons;
+    for (std::int32_t p = all.polygonOffsets[i]; p < all.polygonOffsets[i + 1]; ++p) {
+      auto& rings = polygons.emplace_back();
+      for (std::int32_t r = all.ringOffsets[at(p)]; r < all.ringOffsets[at(p) + 1]; ++r) {
+        rings.emplace_back(all.points.begin() + all.pointOffsets[at(r)],
+                           all.points.begin() + all.pointOffsets[at(r) + 1]);
+      }
+    }
+    const Outline outline = clipped.outline(static_cast<std::int32_t>(i));
+    double size = 0;
+    if (!polygons.empty()) {
+      const auto cell = Region::fromPolygons(polygons);
+      ASSERT_TRUE(cell) << cell.error().message;
+      size = cell->area();
+    }
+    EXPECT_NEAR(size, area(outline), tolerance * perimeter(outline) + rounding);
+  }
+}
+
+TEST_P(DistanceFamilies, HaveValidPolygonsAtAnyTolerance) {
+  const DistanceFamily& family = kFamilies[GetParam()];
+  const std::uint64_t seed = seedOr(72);
+  Generator random(seed);
+  for (int done = 0; done < 5 * trials();) {
+    const DistanceInput input = family.make(random);
+    const auto region = Region::fromRings(input.clip.rings);
+    if (!region || !test::hasPolygons(input.clip)) continue;
+    ++done;
+    SCOPED_TRACE(std::string(family.name) + ", clip " + std::to_string(done) + ", seed " + std::to_string(seed));
+    const Diagram diagram = computeComparison(input.clip.circles, input.clip.metric).value();
+    const auto clipped = ClippedDiagram::from(diagram, *region, input.distance);
+    ASSERT_TRUE(clipped) << clipped.error().message;
+    const Box box = region->bounds();
+    const double extent = std::max(box.maxX - box.minX, box.maxY - box.minY);
+    double farthest = std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
+    for (const Circle& c : input.clip.circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y), c.r});
+    const double relative = std::pow(10.0, -6 + 9 * unit(random));
+    expectValidPolygons(*clipped, relative * extent, 1e-12 * farthest * extent);
+    if (HasFailure()) return;
+  }
+}
+
+struct Fixed {
+  std::vector<Circle> circles;
+  Region::Ring ring;
+  double distance;
+};
+
+// Discs exactly through corners of the region, which double arithmetic decides wrongly.
+TEST(DistanceClip, DiscsThroughCornersHaveTheRightAreas) {
+  const std::vector<Fixed> cases = {
+      {{{-117, -156, 103}, {-199, 133, 24}},
+       {{-57.08088757790469, 70.339640768159228}, {0, 0}, {-200, 0}},
+       131.13656918675733},
+      {{{-32, -126, 12}, {32, -126, 12}},
+       {{0, -373}, {25, -373}, {25, 137}, {0, 137}},
+       237.06424873915566},
+      {{{0, 195, 210}, {117, 156, 210}},
+       {{-76, -165}, {-55, -165}, {-55, -30.5}, {-76, -30.5}},
+       154.17715469260287},
+  };
+  for (const Fixed& one : cases) {
+    const Diagram diagram = computeComparison(one.circles, Metric::circles).value();
+    const Region region = Region::fromRings(std::vector<Region::Ring>{one.ring}).value();
+    const auto clipped = ClippedDiagram::from(diagram, region, one.distance);
+    ASSERT_TRUE(clipped) << clipped.error().message;
+    const auto expected = cellsByBruteForce(one.circles, region, Metric::circles, one.distance);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      expectCell(*clipped, static_cast<std::int32_t>(i), expected[i], 500, 1e-12);
+    }
+  }
+}
+
+// A disc far smaller than a rounding step at its center is a tiny disc, or nothing.
+TEST(DistanceClip, DiscsThatCollapseInCoordinatesAreEmpty) {
+  const std::vector<Circle> circles = {{1, 1, 1e-17}, {5, 5, 1}, {1e15, -1e15, 0.25}};
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Region region =
+      Region::fromRings(std::vector<Region::Ring>{{{-2e15, -2e15}, {2e15, -2e15}, {2e15, 2e15}, {-2e15, 2e15}}})
+          .value();
+  for (const double distance : {0.0, 1e-18, -1e-17, -5e-18, 1e-300}) {
+    const auto clipped = ClippedDiagram::from(diagram, region, distance).value();
+    for (const CircleIndex i : {0, 1, 2}) {
+      const double radius = circles[at(i)].r + distance;
+      const double area = circle_voronoi::area(clipped.outline(i));
+      EXPECT_TRUE(i != 1 || std::abs(area - 3.14159265358979 * radius * radius) < 1e-12) << area;
+      EXPECT_LE(area, 4 * std::max(radius, 0.0) * std::max(radius, 0.0));
+      EXPECT_NEAR(circle_voronoi::area(bufferOutline(diagram, i, distance)), area, 1e-12);
+      for (const auto& loop : clipped.outline(i)) EXPECT_FALSE(loop.empty());
+    }
+    EXPECT_EQ(clipped.polygons(1e-3).polygonOffsets.size(), 4U);
+    EXPECT_EQ(clipped.cells().loopOffsets.size(), 4U);
+    EXPECT_TRUE(std::isnan(clipped.centroids()[0].x) || clipped.centroids()[0].x == 1);
+  }
+}
+
+// A chord of the rim cut the hole.
+TEST(DistanceClip, ChordsOfRimsDoNotCutHoles) {
+  const std::vector<Circle> circles = {{0, 130, 50}, {200, 0, 0}};
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Region region =
+      Region::fromRings(std::vector<Region::Ring>{{{0, -800}, {800, 0}, {0, 800}}, {{0, 0}, {60, 40}, {10, 0}}})
+          .value();
+  const auto clipped = ClippedDiagram::from(diagram, region, 60).value();
+  for (double tolerance = 1e-7; tolerance < 1e5; tolerance *= 3) expectValidPolygons(clipped, tolerance, 1e-9);
+}
+
+TEST(DistanceClip, LoopsThatAreWrongAreRefused) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 2}, {1, 5, 1}};
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Region region = Region::fromRings(std::vector<Region::Ring>{{{-3, -3}, {6, -2}, {5, 6}, {-2, 6}},
+                                                                    {{-1, 0}, {-0.5, -0.5}, {-0.5, 0.5}}})
+                            .value();
+  const auto clipped = ClippedDiagram::from(diagram, region, 1.25).value();
+  Loops loops;
+  for (const CircleIndex i : {0, 1, 2}) {
+    clipped.parts().loopsOf(i, loops);
+    const NearLoops right = nearLoops(clipped.parts(), i, loops);
+    const double rounding = 1e-12;
+    const double most = std::min(clipped.parts().moments.area(at(i)), 3.1416 * 12);
+    EXPECT_EQ(faultOf(right, most, rounding), nullptr);
+    NearLoops wrong = right;
+    wrong.isSound = false;
+    EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
+    EXPECT_NE(faultOf(right, area(right.outline) - 1e-9, rounding), nullptr);
+    for (std::size_t k = 0; k < right.outline.size(); ++k) {
+      for (std::size_t p = 0; p < right.outline[k].size(); ++p) {
+        wrong = right;
+        wrong.outline[k].erase(wrong.outline[k].begin() + static_cast<std::ptrdiff_t>(p));
+        EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
+      }
+      wrong = right;
+      wrong.outline[k].clear();
+      EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
+      wrong = right;
+      wrong.isHole[k] = wrong.isHole[k] != 0 ? 0 : 1;
+      EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
+    }
+    wrong = right;
+    wrong.outline.push_back(right.outline.front());
+    EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
+  }
+}
 
 }  // namespace
 }  // namespace circle_voronoi

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "circle_arc.h"
 #include "flatten.h"
 #include "scale.h"
 #include "vectors.h"
@@ -253,7 +252,7 @@ CellPolygons::Ring CellPolygons::pointsOfArcs(CircleIndex circle, std::span<cons
   Ring exact = {from};
   std::size_t last = 0;  // where the last arc begins, of a quarter turn at most
   for (const OutlinePiece& arc : arcs) {
-    const Ring points = polyline(circleArc(arc), frame_.tolerance);
+    const Ring points = flattener_.pointsOfArc(circle, arc);
     last = exact.size();
     exact.insert(exact.end(), points.begin() + (&arc == &arcs.front() ? 1 : 0), points.end() - 1);
   }

@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <numbers>
 
 #include "at.h"
+#include "cell_limits.h"
 #include "in_outline.h"
 #include "judge_clip.h"
+#include "judge_near.h"
+#include "near_part.h"
 #include "refuse_clip.h"
+#include "scale.h"
 #include "with_key.h"
 
 namespace circle_voronoi {
@@ -63,6 +68,27 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
   }
   moments = momentsOf(*this, visit);
   if (const char* fault = faultOf(record, moments)) refuseClip(fault);
+  if (maxDistance) judgeNearParts();
+}
+
+/// Judges the cells that the boundary of the region cuts. Around other rims, exits and entries alternate as the sides of
+/// the cell follow each other.
+void ClippedDiagram::Parts::judgeNearParts() const {
+  const Limits limits = {nullptr, maxDistance};
+  Loops loops;
+  for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
+    const auto circle = static_cast<std::int32_t>(i);
+    if (placeOf(circle) != Place::cut) continue;
+    loopsOf(circle, loops);
+    const double radius = std::max(limits.reachFrom(diagram, circle), 0.0);
+    const double size = std::max({radius, bounds.maxX - bounds.minX, bounds.maxY - bounds.minY});
+    const double most = std::min(moments.area(i), std::numbers::pi * radius * radius);
+    const Circle& c = diagram.circles[i];
+    const double farthest = std::max({std::abs(c.x), std::abs(c.y), size});
+    if (const char* fault = faultOf(nearLoops(*this, circle, loops), most, kRounding * size * farthest)) {
+      refuseClip(fault);
+    }
+  }
 }
 
 std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(const std::vector<InCell>& all,

@@ -108,6 +108,7 @@ class ClippedDiagram::Parts {
   bool isBorderInside(CircleIndex circle) const;
   std::vector<std::vector<std::int32_t>> holesIn(const Loops& loops, const std::vector<std::int32_t>& polygons,
                                                  const std::vector<std::int32_t>& holes) const;
+  void judgeNearParts() const;
 
   std::vector<RegionSideIndex> after_;
   std::vector<InCell> into_;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "at.h"
+#include "cell_limits.h"
 #include "circle_arc.h"
 #include "clip_parts.h"
 #include "flatten.h"
@@ -14,6 +15,7 @@
 #include "near_vertices.h"
 #include "scale.h"
 #include "valid_polygons.h"
+#include "with_key.h"
 
 namespace circle_voronoi {
 namespace {
@@ -39,9 +41,12 @@ Point centerOf(const Diagram& diagram, CircleIndex circle) {
 
 /// Divides steps around a center that corners lie beyond until all corners are on the left of the steps. The steps go
 /// counter-clockwise, and the corners lie inside the cell.
+///
+/// `Between` returns a point of the curve between two of its points, as near as possible to a corner beyond their step.
+template <class Between>
 class RoomMaker {
  public:
-  RoomMaker(const Bisector& bisector, Point center) : bisector_(bisector), center_(center) {}
+  RoomMaker(Point center, Between between) : between_(between), center_(center) {}
 
   std::vector<Point> run(const std::vector<Point>& points, std::vector<Point> corners) {
     // Around the center, from the start of the steps on.
@@ -76,27 +81,31 @@ class RoomMaker {
       result_.push_back(to);
       return;
     }
-    const double fromParameter = parameterAt(bisector_, from);
-    const double toParameter = parameterAt(bisector_, to);
     const Point middleCorner = isBeyond(corners[corners.size() / 2]) ? corners[corners.size() / 2] : *beyond;
-    const double s = parameterAt(bisector_, middleCorner);
-    const bool isBetween = std::min(fromParameter, toParameter) < s && s < std::max(fromParameter, toParameter);
-    Point middle = pointAt(bisector_, isBetween ? s : std::sqrt(fromParameter) * std::sqrt(toParameter));
+    Point middle = between_(from, to, middleCorner);
     // Next to a corner the corner itself, so that rounding does not lead around it.
     const bool isAtCorner = lengthOf(vectorTo(middle, middleCorner)) <= reachAt(middle, center_);
-    if (bisector_.a == 0 || isAtCorner || depth >= kMostDivisions || middle == from || middle == to) {
-      middle = middleCorner;
-    }
+    if (isAtCorner || depth >= kMostDivisions || middle == from || middle == to) middle = middleCorner;
     std::size_t split = 0;
     while (split < corners.size() && orientation(center_, middle, corners[split]) < 0) ++split;
     add(from, middle, corners.first(split), depth + 1);
     add(middle, to, corners.subspan(split), depth + 1);
   }
 
-  const Bisector& bisector_;
+  Between between_;
   Point center_;
   std::vector<Point> result_;
 };
+
+/// A point of a bisector between two of its points, near a corner: on a straight one the corner itself.
+Point betweenOnBisector(const Bisector& bisector, Point from, Point to, Point corner) {
+  if (bisector.a == 0) return corner;
+  const double fromParameter = parameterAt(bisector, from);
+  const double toParameter = parameterAt(bisector, to);
+  const double s = parameterAt(bisector, corner);
+  const bool isBetween = std::min(fromParameter, toParameter) < s && s < std::max(fromParameter, toParameter);
+  return pointAt(bisector, isBetween ? s : std::sqrt(fromParameter) * std::sqrt(toParameter));
+}
 
 }  // namespace
 
@@ -187,6 +196,7 @@ void ClipFlattener::collectCorners() {
   double clearance = 0;  // how far the last point is from the border of its cell, at least
   Point last;
   const auto add = [&](CircleIndex cell, Point p) {
+    if (parts.maxDistance) collectRimCorner(cell, p);
     clearance -= lengthOf(vectorTo(last, p));
     last = p;
     if (clearance > 2 * tolerance_) return;
@@ -220,6 +230,18 @@ void ClipFlattener::collectCorners() {
     }
   }
   std::ranges::stable_sort(corners_, {}, [](const Corner& corner) { return corner.key(); });
+  std::ranges::stable_sort(rimCorners_, {}, [](const RimCorner& corner) { return std::int32_t{corner.cell}; });
+}
+
+/// Keeps a corner if a chord of the rim may cut it off.
+void ClipFlattener::collectRimCorner(CircleIndex cell, Point corner) {
+  const Point center = centerOf(clipped_.diagram(), cell);
+  const double radius = Limits{nullptr, clipped_.maxDistance()}.reachFrom(clipped_.diagram(), cell);
+  const double reached = lengthOf(vectorTo(center, corner));
+  const double rounding = reachAt(corner, center);
+  const double depth = std::max(tolerance_, kFinestPolyline * radius) + rounding;
+  if (reached < radius - depth || reached > radius + rounding) return;
+  rimCorners_.push_back({cell, corner});
 }
 
 /// The position of a point along the bisector of an edge, seen across it. All points between an arc and its chord have
@@ -268,14 +290,16 @@ std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part
     for (const Corner& corner : cornersOn(edge, cell, low - rounding, high + rounding)) its.push_back(corner.point);
     if (its.empty()) continue;
     if (cell == ends.right) std::ranges::reverse(points);
-    points = RoomMaker(part.bisector, centerOf(clipped_.diagram(), cell)).run(points, std::move(its));
+    const auto between = [&](Point from, Point to, Point corner) {
+      return betweenOnBisector(part.bisector, from, to, corner);
+    };
+    points = RoomMaker(centerOf(clipped_.diagram(), cell), between).run(points, std::move(its));
     if (cell == ends.right) std::ranges::reverse(points);
   }
   return points;
 }
 
 std::vector<Point> ClipFlattener::pointsOf(const OutlinePiece& piece) const {
-  if (piece.isOnCircle()) return polyline(circleArc(piece), tolerance_);
   EdgeCurve part = clipped_.parts().curveOf(Diagram::edgeOf(piece.side));
   const bool isAlong = piece.side % 2 == 0;
   part.start = isAlong ? piece.curve.start : piece.curve.end;
@@ -285,6 +309,26 @@ std::vector<Point> ClipFlattener::pointsOf(const OutlinePiece& piece) const {
   std::vector<Point> points = pointsOf(Diagram::edgeOf(piece.side), part);
   if (!isAlong) std::ranges::reverse(points);
   return points;
+}
+
+std::vector<Point> ClipFlattener::pointsOfArc(CircleIndex cell, const OutlinePiece& arc) const {
+  std::vector<Point> points = polyline(circleArc(arc), tolerance_);
+  const auto corners = withKey(rimCorners_, std::int32_t{cell},
+                               [](const RimCorner& corner) { return std::int32_t{corner.cell}; });
+  if (corners.empty()) return points;
+  const Point center = centerOf(clipped_.diagram(), cell);
+  std::vector<Point> its;
+  for (const RimCorner& corner : corners) {
+    const Point p = corner.point;
+    if (orientation(center, points.front(), p) >= 0 && orientation(center, p, points.back()) >= 0) its.push_back(p);
+  }
+  if (its.empty()) return points;
+  const auto onRim = [&](Point p) {
+    const Vector v = vectorTo(center, p);
+    const double share = arc.r / lengthOf(v);
+    return Point{center.x + share * v.x, center.y + share * v.y};
+  };
+  return RoomMaker(center, [&](Point, Point, Point corner) { return onRim(corner); }).run(points, std::move(its));
 }
 
 ClippedPolygons clipPolygons(const ClippedDiagram& clipped, double tolerance) {
@@ -301,7 +345,8 @@ ClippedPolygons clipPolygons(const ClippedDiagram& clipped, double tolerance) {
           loop.points.push_back(flattener.placeOf(piece.curve.start));
           continue;
         }
-        const auto points = flattener.pointsOf(piece);
+        const auto points = piece.isOnCircle() ? flattener.pointsOfArc(static_cast<std::int32_t>(i), piece)
+                                               : flattener.pointsOf(piece);
         loop.points.insert(loop.points.end(), points.begin(), points.size() > 1 ? points.end() - 1 : points.end());
       }
     }
