@@ -68,8 +68,8 @@ DistanceInput cornerOnRim(Generator& random) {
   input.clip.circles.push_back({center.x, center.y, r});
   input.distance = length - r;
   for (int k = pick(random, 0, 3); k > 0; --k) {
-    input.clip.circles.push_back({static_cast<double>(pick(random, -40, 40)), static_cast<double>(pick(random, -40, 40)),
-                                  static_cast<double>(pick(random, 0, 9))});
+    input.clip.circles.push_back({static_cast<double>(pick(random, -40, 40)),
+                                  static_cast<double>(pick(random, -40, 40)), static_cast<double>(pick(random, 0, 9))});
   }
   // Rings with corners on the rim, and others.
   Region::Ring ring = {{center.x + x, center.y + y}};
@@ -105,8 +105,8 @@ DistanceInput tangentSide(Generator& random) {
   input.clip.circles = {{x, y, r}};
   input.distance = reach - r;
   for (int k = pick(random, 0, 3); k > 0; --k) {
-    input.clip.circles.push_back({static_cast<double>(pick(random, -60, 60)), static_cast<double>(pick(random, -60, 60)),
-                                  static_cast<double>(pick(random, 0, 9))});
+    input.clip.circles.push_back({static_cast<double>(pick(random, -60, 60)),
+                                  static_cast<double>(pick(random, -60, 60)), static_cast<double>(pick(random, 0, 9))});
   }
   // In a frame with the unit 5, along (1, 0) or (3, 4) / 5.
   const auto place = [&](double along, double across) {
@@ -160,7 +160,9 @@ DistanceInput rimsAtSide(Generator& random) {
   if (pick(random, 0, 2) == 0) {
     // A side along the edge, or along the tangent.
     const double side = pick(random, 0, 1) * 2 - 1;
-    ring = {{0, meet.y - pick(random, 0, 20)}, {0, meet.y + pick(random, 1, 20)}, {side * 50, meet.y + 30},
+    ring = {{0, meet.y - pick(random, 0, 20)},
+            {0, meet.y + pick(random, 1, 20)},
+            {side * 50, meet.y + 30},
             {side * 50, meet.y - 30}};
   }
   input.clip.rings = {ring};
@@ -173,7 +175,8 @@ DistanceInput anyFamily(Generator& random) {
   const auto& families = test::clipFamilies();
   DistanceInput input;
   do {
-    input.clip = families[static_cast<std::size_t>(pick(random, 0, static_cast<int>(families.size()) - 1))].make(random);
+    input.clip =
+        families[static_cast<std::size_t>(pick(random, 0, static_cast<int>(families.size()) - 1))].make(random);
   } while (input.clip.metric == Metric::power);
   const auto& circles = input.clip.circles;
   const Circle& c = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
@@ -407,12 +410,8 @@ TEST(DistanceClip, DiscsThroughCornersHaveTheRightAreas) {
       {{{-117, -156, 103}, {-199, 133, 24}},
        {{-57.08088757790469, 70.339640768159228}, {0, 0}, {-200, 0}},
        131.13656918675733},
-      {{{-32, -126, 12}, {32, -126, 12}},
-       {{0, -373}, {25, -373}, {25, 137}, {0, 137}},
-       237.06424873915566},
-      {{{0, 195, 210}, {117, 156, 210}},
-       {{-76, -165}, {-55, -165}, {-55, -30.5}, {-76, -30.5}},
-       154.17715469260287},
+      {{{-32, -126, 12}, {32, -126, 12}}, {{0, -373}, {25, -373}, {25, 137}, {0, 137}}, 237.06424873915566},
+      {{{0, 195, 210}, {117, 156, 210}}, {{-76, -165}, {-55, -165}, {-55, -30.5}, {-76, -30.5}}, 154.17715469260287},
   };
   for (const Fixed& one : cases) {
     const Diagram diagram = computeComparison(one.circles, Metric::circles).value();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A libFuzzer target over regions and diagrams in them. Any bytes are an input: three say which metric, how many points
-// the region has and whether they are sorted; two for each point take it from a grid, from the vertices of the diagram,
-// from the centers of circles, from the middles between neighbors, or from one rounding step beside these; the rest are
-// circles (fuzz_input.h). For all inputs,
+// the region has, whether they are sorted and at which distance cells are cut; two for each point take it from a grid,
+// from the vertices of the diagram, from the centers of circles, from the middles between neighbors, or from one
+// rounding step beside these; the rest are circles (fuzz_input.h). For all inputs,
 // - rings are a region, or an error says in one sentence why not;
 // - the region is clipped to;
 // - the outlines of the cells are closed, and cells beside each other share the pieces of their edges to the bit;
-// - the areas of the cells sum to that of the region;
+// - the parts of edges are those of the outlines;
+// - the areas of the cells sum to that of the region, without a distance;
 // - polygons at any tolerance are finite.
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -70,13 +72,29 @@ Point pointOf(const Diagram& diagram, const Box& box, std::uint8_t first, std::u
   return p;
 }
 
-void checkClip(const Diagram& diagram, const Region& region) {
-  const auto clipped = ClippedDiagram::from(diagram, region);
+/// A distance at which discs meet corners or vertices, touch each other, or are points; nothing for most choices.
+std::optional<double> distanceOf(const Diagram& diagram, const Region& region, std::uint8_t choice) {
+  if (choice == 0 || diagram.metric == Metric::power) return std::nullopt;
+  const std::size_t which = choice / 4;
+  const Circle& c = diagram.circles[which % diagram.circles.size()];
+  const Circle& d = diagram.circles[(which + 1) % diagram.circles.size()];
+  const double r = diagram.metric == Metric::circles ? c.r : 0;
+  const double other = diagram.metric == Metric::circles ? d.r : 0;
+  if (choice % 4 == 0) return -r;
+  if (choice % 4 == 1 && !diagram.vertices.empty()) return diagram.vertices[which % diagram.vertices.size()].r;
+  if (choice % 4 == 2) return (std::hypot(d.x - c.x, d.y - c.y) - r - other) / 2;
+  const Point p = region.points()[which % region.sideCount()];
+  return std::hypot(p.x - c.x, p.y - c.y) - r;
+}
+
+void checkClip(const Diagram& diagram, const Region& region, std::optional<double> distance) {
+  const auto clipped = ClippedDiagram::from(diagram, region, distance);
   if (!clipped && !isExact(diagram)) return;
   require(clipped.ok(), clipped ? "" : "a region is not clipped to: " + clipped.error().message);
   std::map<std::tuple<std::int32_t, double, double, double, double>, std::array<int, 2>> pieces;
   for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
     for (const auto& loop : clipped->outline(static_cast<std::int32_t>(i))) {
+      require(!loop.empty(), "a loop has no pieces");
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const EdgeCurve& curve = loop[k].curve;
         require(curve.end == loop[(k + 1) % loop.size()].curve.start, "an outline is open");
@@ -89,11 +107,21 @@ void checkClip(const Diagram& diagram, const Region& region) {
     }
   }
   for (const auto& [piece, count] : pieces) require(count[0] == count[1], "a piece of an edge belongs to one cell");
+  const ClippedEdges edges = clipped->edges();
+  std::size_t listed = 0;
+  for (std::size_t k = 0; k < edges.edge.size(); ++k) {
+    const auto found = pieces.find({edges.edge[k], edges.start[k].x, edges.start[k].y, edges.end[k].x, edges.end[k].y});
+    require(found != pieces.end(), "a part of an edge is in no outline");
+    ++listed;
+  }
+  std::size_t drawn = 0;
+  for (const auto& [piece, count] : pieces) drawn += static_cast<std::size_t>(count[0]);
+  require(listed == drawn, "an outline has a piece that is no part of an edge");
 
   const Box box = region.bounds();
   const double size = std::max(box.maxX - box.minX, box.maxY - box.minY);
   const double area = region.area();
-  if (size > 1e-100 && size < 1e100) {
+  if (!distance && size > 1e-100 && size < 1e100) {
     double sum = 0;
     double total = 0;
     for (const double one : clipped->areas()) {
@@ -146,6 +174,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(region.error().message.ends_with("."), "an error is no sentence: " + region.error().message);
     return 0;
   }
-  checkClip(*diagram, *region);
+  checkClip(*diagram, *region, distanceOf(*diagram, *region, data[2] / 4));
   return 0;
 }

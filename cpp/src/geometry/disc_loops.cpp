@@ -98,9 +98,8 @@ void DiscLoops::join(NearLoops& result) {
   const auto pointOf = [&](const Event& event) -> const RimPoint& {
     return event.isEntry ? chains_[event.chain].entry : chains_[event.chain].exit;
   };
-  std::ranges::stable_sort(events, [&](const Event& a, const Event& b) {
-    return signs_.isBefore(cell_, pointOf(a), pointOf(b));
-  });
+  std::ranges::stable_sort(
+      events, [&](const Event& a, const Event& b) { return signs_.isBefore(cell_, pointOf(a), pointOf(b)); });
   std::vector<std::size_t> next(chains_.size());
   for (std::size_t k = 0; k < events.size(); ++k) {
     const bool isLast = k + 1 == events.size();

@@ -21,9 +21,9 @@ struct NearLoops {
 
 /// Cuts the loops of a cell at the rim of its disc.
 ///
-/// The pieces of each loop are added in order, with the places where it comes into the disc and where it leaves it. Around
-/// the rim, exits and entries alternate in their exact order, and the border goes on from each exit along the rim to the
-/// entry that follows counter-clockwise.
+/// The pieces of each loop are added in order, with the places where it comes into the disc and where it leaves it.
+/// Around the rim, exits and entries alternate in their exact order, and the border goes on from each exit along the
+/// rim to the entry that follows counter-clockwise.
 class DiscLoops {
  public:
   DiscLoops(const DistanceSigns& signs, CircleIndex cell) : signs_(signs), cell_(cell) {}
@@ -74,8 +74,8 @@ class DiscLoops {
   RimPoint firstExit_;
 };
 
-/// Adds a side of the cell, or a part of it: its part in the disc, and where it meets the rim. `curve` is in the direction
-/// of the edge, from `start` to `end`.
+/// Adds a side of the cell, or a part of it: its part in the disc, and where it meets the rim. `curve` is in the
+/// direction of the edge, from `start` to `end`.
 void addNearArc(DiscLoops& loops, const DistanceSigns& signs, const Diagram& diagram, SideIndex side,
                 const EdgeCurve& curve, const ArcEnd& start, const ArcEnd& end);
 

@@ -40,7 +40,8 @@ template <class P, class Q>
 int signOfRoot(int norm, const P& p, const Q& q) {
   const int own = p.sign();
   if (norm == 0 && own == 0) return 0;
-  return signOf(norm, [&] { return own; }, [&] { return q.sign(); });
+  return signOf(
+      norm, [&] { return own; }, [&] { return q.sign(); });
 }
 
 /// Returns the sign of a linear function where a line comes out of the cell of circle o into that of `other`: of
@@ -85,8 +86,7 @@ LineForm(Direction, Height) -> LineForm<Direction, Height>;
 
 /// `first` and `second` are the ends of a side, or the other circle of an edge twice. `radius` is that of the disc.
 template <class View, class SeenCircle, class Radius>
-auto lineForm(View view, const RimLine& line, const SeenCircle& first, const SeenCircle& second,
-              const Radius& radius) {
+auto lineForm(View view, const RimLine& line, const SeenCircle& first, const SeenCircle& second, const Radius& radius) {
   const auto d = view.fixed(first.v);
   const auto s = view.number(first.v.s);
   PlaneVector u = {-d.y, d.x};
@@ -123,12 +123,12 @@ ShiftedSign DistanceSigns::beyond(VertexIndex vertex) const {
   const Circle u = circle(indices[1]);
   const Circle v = circle(indices[2]);
   const Circle reach = reachOf(own);
-  const int sign = seenFrom(own, std::array{&u, &v, &reach},
-                            []<class Number>(const std::array<exact::Seen<Number>, 3>& seen, int) {
-                              const Number zero(0);
-                              const Number one(1);
-                              return linearSign(seen[0], seen[1], zero, zero, one, one * seen[2].v.s);
-                            });
+  const int sign =
+      seenFrom(own, std::array{&u, &v, &reach}, []<class Number>(const std::array<exact::Seen<Number>, 3>& seen, int) {
+        const Number zero(0);
+        const Number one(1);
+        return linearSign(seen[0], seen[1], zero, zero, one, one * seen[2].v.s);
+      });
   return {sign > 0 ? 1 : -1, sign == 0};
 }
 
@@ -138,8 +138,9 @@ ShiftedSign DistanceSigns::beyond(const SideCrossing& crossing) const {
   const Circle other = circle(crossing.after);
   const double reached = lengthOf(fromCenter(own, crossing.point));
   const double value = reached - (own.r + distance_);
-  const double error = kCrossingError * extentOf(vectorTo(crossing.from, crossing.to)) +
-                       kSignError * (reached + own.r + std::abs(distance_) + extentOf({crossing.point.x, crossing.point.y}));
+  const double error =
+      kCrossingError * extentOf(vectorTo(crossing.from, crossing.to)) +
+      kSignError * (reached + own.r + std::abs(distance_) + extentOf({crossing.point.x, crossing.point.y}));
   if (std::abs(value) > error) return {signFrom(value), false};
   const Circle from = placeSeen(crossing.from, own);
   const Circle to = placeSeen(crossing.to, own);
@@ -376,7 +377,8 @@ ShiftedSign DistanceSigns::leftOf(CircleIndex cell, const RimPoint& p, const Rim
     const auto norm = h * h * dot(w, w) - twice(h * k * along) + k * k * uu - doubled * doubled;
     return signOfRoot(norm.sign(), h * along - k * uu, p.isAhead ? across : -across);
   };
-  return shiftedSign(own, std::array<const Circle*, 5>{&circles[0], &circles[1], &circles[2], &circles[3], &reach}, formula);
+  return shiftedSign(own, std::array<const Circle*, 5>{&circles[0], &circles[1], &circles[2], &circles[3], &reach},
+                     formula);
 }
 
 /// Returns 1 if the center of a disc lies on the right of a line, -1 if it lies on its left.
@@ -385,9 +387,11 @@ int DistanceSigns::turnToCenter(CircleIndex cell, const RimLine& line) const {
   const Circle reach = reachOf(own);
   const Circle first = line.isOfEdge() ? circle(line.neighbor) : placeSeen(line.from, own);
   const Circle second = line.isOfEdge() ? first : placeSeen(line.to, own);
-  return shiftedSign(own, std::array{&first, &second, &reach}, [&](auto view, const auto& seen) {
-           return lineForm(view, line, seen[0], seen[1], view.number(-seen[2].v.s)).h.sign();
-         }).sign;
+  return shiftedSign(own, std::array{&first, &second, &reach},
+                     [&](auto view, const auto& seen) {
+                       return lineForm(view, line, seen[0], seen[1], view.number(-seen[2].v.s)).h.sign();
+                     })
+      .sign;
 }
 
 bool DistanceSigns::isUpper(CircleIndex cell, const RimPoint& p) const {
@@ -424,8 +428,8 @@ bool DistanceSigns::isBefore(CircleIndex cell, const RimPoint& p, const RimPoint
   return comesFirst(cell, p, q);
 }
 
-/// Returns whether one side of a cell comes after another one at one place: all vertices between them are exactly at the
-/// distance.
+/// Returns whether one side of a cell comes after another one at one place: all vertices between them are exactly at
+/// the distance.
 bool DistanceSigns::isFollowedBy(SideIndex side, SideIndex other) const {
   for (SideIndex next = side;;) {
     const VertexIndex vertex = diagram_.targetOf(next);

@@ -40,13 +40,14 @@ struct RimPoint {
   double error = 0;
 };
 
-/// The signs that decide how cells are cut at a distance from their circles. The *disc* of a cell is the disc around its
-/// center with the radius r + distance, an exact sum. Its circle is the *rim*.
+/// The signs that decide how cells are cut at a distance from their circles. The *disc* of a cell is the disc around
+/// its center with the radius r + distance, an exact sum. Its circle is the *rim*.
 ///
-/// Whatever involves a region is decided as if the region were moved by a tiny shift (shift_polynomial.h), as where its
-/// sides meet the edges (shifted_signs.h). So no corner lies on a rim, no side touches one, and no side passes through a
-/// point where an edge meets a rim. Vertices exactly at the distance count as within, and an apex exactly there does
-/// not, because an edge of length zero would be kept around it. A disc whose radius is not positive keeps nothing.
+/// Signs that involve a region belong to one region that is moved by a tiny shift (shift_polynomial.h), as those where
+/// its sides meet the edges (shifted_signs.h). So no corner lies on a rim, no side touches one, and no side passes
+/// through a point where an edge meets a rim. Vertices exactly at the distance count as within. An apex exactly at the
+/// distance does not, because only an edge of length zero would be kept there. A disc whose radius is not positive
+/// keeps nothing.
 ///
 /// Each sign is found in doubles with an error bound or, if that does not decide, in integers. Where the value is 0 for
 /// the region that is not moved, the sign is a tie.

@@ -7,8 +7,8 @@
 
 namespace circle_voronoi {
 
-/// Returns a bound on how far a vertex may be off. Vertices are right to 36 bits of the distances from and between their
-/// circles (vertexOf), vertices of power diagrams to 21 bits (radicalCenter).
+/// Returns a bound on how far a vertex may be off. Vertices are right to 36 bits of the distances from and between
+/// their circles (vertexOf), vertices of power diagrams to 21 bits (radicalCenter).
 inline double vertexError(const Diagram& diagram, VertexIndex vertex) {
   constexpr double kVertexRounding = 0x1p-34;
   constexpr double kPowerVertexRounding = 0x1p-18;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Signs of places that are moved by a tiny shift (e, f), where e is positive but smaller than any number and f is
-// positive but smaller than any power of e. A sign is that of a polynomial in e and f: the sign of its first coefficient
-// that is not 0, where all powers of e come before f.
+// positive but smaller than any power of e. A sign is that of a polynomial in e and f: the sign of its first
+// coefficient that is not 0, where all powers of e come before f.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "at.h"
-#include "cell_limits.h"
 #include "in_outline.h"
 #include "judge_clip.h"
 #include "judge_near.h"
@@ -71,16 +70,16 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
   if (maxDistance) judgeNearParts();
 }
 
-/// Judges the cells that the boundary of the region cuts. Around other rims, exits and entries alternate as the sides of
-/// the cell follow each other.
+/// Judges the cells that the boundary of the region cuts. Around other rims, exits and entries alternate as the sides
+/// of the cell follow each other.
 void ClippedDiagram::Parts::judgeNearParts() const {
-  const Limits limits = {nullptr, maxDistance};
+  const DistanceSigns signs(diagram, *maxDistance);
   Loops loops;
   for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
     const auto circle = static_cast<std::int32_t>(i);
     if (placeOf(circle) != Place::cut) continue;
     loopsOf(circle, loops);
-    const double radius = std::max(limits.reachFrom(diagram, circle), 0.0);
+    const double radius = std::max(signs.radius(circle), 0.0);
     const double size = std::max({radius, bounds.maxX - bounds.minX, bounds.maxY - bounds.minY});
     const double most = std::min(moments.area(i), std::numbers::pi * radius * radius);
     const Circle& c = diagram.circles[i];

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "at.h"
-#include "cell_limits.h"
 #include "circle_arc.h"
 #include "clip_parts.h"
+#include "distance_signs.h"
 #include "flatten.h"
 #include "in_circle.h"
 #include "near_vertices.h"
@@ -236,7 +236,7 @@ void ClipFlattener::collectCorners() {
 /// Keeps a corner if a chord of the rim may cut it off.
 void ClipFlattener::collectRimCorner(CircleIndex cell, Point corner) {
   const Point center = centerOf(clipped_.diagram(), cell);
-  const double radius = Limits{nullptr, clipped_.maxDistance()}.reachFrom(clipped_.diagram(), cell);
+  const double radius = DistanceSigns(clipped_.diagram(), *clipped_.maxDistance()).radius(cell);
   const double reached = lengthOf(vectorTo(center, corner));
   const double rounding = reachAt(corner, center);
   const double depth = std::max(tolerance_, kFinestPolyline * radius) + rounding;
@@ -313,8 +313,8 @@ std::vector<Point> ClipFlattener::pointsOf(const OutlinePiece& piece) const {
 
 std::vector<Point> ClipFlattener::pointsOfArc(CircleIndex cell, const OutlinePiece& arc) const {
   std::vector<Point> points = polyline(circleArc(arc), tolerance_);
-  const auto corners = withKey(rimCorners_, std::int32_t{cell},
-                               [](const RimCorner& corner) { return std::int32_t{corner.cell}; });
+  const auto corners =
+      withKey(rimCorners_, std::int32_t{cell}, [](const RimCorner& corner) { return std::int32_t{corner.cell}; });
   if (corners.empty()) return points;
   const Point center = centerOf(clipped_.diagram(), cell);
   std::vector<Point> its;
@@ -345,8 +345,8 @@ ClippedPolygons clipPolygons(const ClippedDiagram& clipped, double tolerance) {
           loop.points.push_back(flattener.placeOf(piece.curve.start));
           continue;
         }
-        const auto points = piece.isOnCircle() ? flattener.pointsOfArc(static_cast<std::int32_t>(i), piece)
-                                               : flattener.pointsOf(piece);
+        const auto points =
+            piece.isOnCircle() ? flattener.pointsOfArc(static_cast<std::int32_t>(i), piece) : flattener.pointsOf(piece);
         loop.points.insert(loop.points.end(), points.begin(), points.size() > 1 ? points.end() - 1 : points.end());
       }
     }

@@ -25,8 +25,8 @@ class CIRCLE_VORONOI_API ClipFlattener {
  public:
   ClipFlattener(const ClippedDiagram& clipped, double tolerance);
 
-  /// Returns the points of a piece of an outline that is a side, in the direction of the outline. The first and last one
-  /// are the ends of the piece.
+  /// Returns the points of a piece of an outline that is a side, in the direction of the outline. The first and last
+  /// one are the ends of the piece.
   std::vector<Point> pointsOf(const OutlinePiece& piece) const;
   /// Returns the points of a piece of the outline of a cell that is an arc of a circle.
   std::vector<Point> pointsOfArc(CircleIndex cell, const OutlinePiece& arc) const;

@@ -5,8 +5,8 @@
 
 namespace circle_voronoi {
 
-/// Judges the part of a cell within the maximum distance, however it was cut. Returns a description of the first fault, or
-/// nullptr:
+/// Judges the part of a cell within the maximum distance, however it was cut. Returns a description of the first fault,
+/// or nullptr:
 /// - Entries and exits alternate around the rim, so each is an end of one arc of the rim and of one chain of pieces.
 /// - Each loop has pieces, and each piece ends where the next one begins.
 /// - Holes have no positive area and other loops no negative one, and the area of all is at most `mostArea`, except for

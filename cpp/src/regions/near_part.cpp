@@ -123,7 +123,8 @@ class LoopCutter {
     }
     cut_.endLoop();
     const RegionSideIndex side = steps_.front().regionSide;
-    if (isInside && side != kNone && steps_.front().crossing == kNone) ringsInside_.push_back(parts_.region.ringOf(side));
+    if (isInside && side != kNone && steps_.front().crossing == kNone)
+      ringsInside_.push_back(parts_.region.ringOf(side));
   }
 
   void addSide(const Step& step, const Step& next, const ShiftedSign& first, const ShiftedSign& last) {
@@ -132,8 +133,8 @@ class LoopCutter {
     const bool isCutFrom = first.sign > 0;
     const bool isCutTo = last.sign > 0;
     if (isCutFrom && isCutTo) {
-      const bool meets = signs_.meetsDisc(cell_, from, to) && pastFoot(step, from, to).sign < 0 &&
-                         pastFoot(next, from, to).sign > 0;
+      const bool meets =
+          signs_.meetsDisc(cell_, from, to) && pastFoot(step, from, to).sign < 0 && pastFoot(next, from, to).sign > 0;
       if (!meets) return;
     }
     Point start = pointOf(step);
@@ -209,8 +210,8 @@ class LoopCutter {
 std::optional<NearArc> nearArc(const Parts& parts, const Arc& arc) {
   const Edge& edge = parts.diagram.edges[at(arc.edge)];
   const DistanceSigns signs(parts.diagram, *parts.maxDistance);
-  auto near = nearArc(signs, edge, parts.curveOf(arc), arcEnd(parts, arc.start, edge.start),
-                      arcEnd(parts, arc.end, edge.end));
+  auto near =
+      nearArc(signs, edge, parts.curveOf(arc), arcEnd(parts, arc.start, edge.start), arcEnd(parts, arc.end, edge.end));
   if (!near || near->isPoint() || !signs.hasDisc(edge.left) || !signs.hasDisc(edge.right)) return std::nullopt;
   return near;
 }
