@@ -287,8 +287,12 @@ void expectCell(const ClippedDiagram& clipped, CircleIndex circle, const Indepen
   const auto isPoint = [&](const auto& loop) {
     return std::ranges::all_of(loop, [&](const OutlinePiece& piece) { return lengthOfPiece(piece) <= rounding; });
   };
-  const int loops = static_cast<int>(outline.size()) - static_cast<int>(std::ranges::count_if(outline, isPoint));
-  EXPECT_EQ(loops, expected.loops.value_or(loops));
+  if (expected.loops) {
+    const auto loops = static_cast<std::ptrdiff_t>(outline.size()) - std::ranges::count_if(outline, isPoint);
+    const auto isLongLoop = [&](double length) { return length > 8 * rounding; };
+    EXPECT_GE(loops, std::ranges::count_if(*expected.loops, isLongLoop));
+    EXPECT_LE(loops, static_cast<std::ptrdiff_t>(expected.loops->size()));
+  }
   EXPECT_NEAR(area(outline), expected.area, 1e-12 * size * size + rounding * size);
   // The parts of edges are those of the outline.
   std::set<std::int32_t> listed;

@@ -146,8 +146,8 @@ class BruteForce {
 
   Real least() const { return size_ * Real(1e-35); }
 
-  /// The number of closed loops, if no two pieces begin at one place.
-  std::optional<int> loopsOf(const std::vector<Piece>& pieces) const {
+  /// The lengths of the closed loops, if no two pieces begin at one place.
+  std::optional<std::vector<double>> loopsOf(const std::vector<Piece>& pieces) const {
     std::vector<std::size_t> next(pieces.size(), pieces.size());
     for (std::size_t a = 0; a < pieces.size(); ++a) {
       for (std::size_t b = 0; b < pieces.size(); ++b) {
@@ -157,14 +157,17 @@ class BruteForce {
       }
       if (next[a] == pieces.size()) return std::nullopt;
     }
-    int count = 0;
+    std::vector<double> lengths;
     std::vector<bool> isDone(pieces.size(), false);
     for (std::size_t a = 0; a < pieces.size(); ++a) {
       if (isDone[a]) continue;
-      ++count;
-      for (std::size_t b = a; !isDone[b]; b = next[b]) isDone[b] = true;
+      double& length = lengths.emplace_back();
+      for (std::size_t b = a; !isDone[b]; b = next[b]) {
+        isDone[b] = true;
+        length += static_cast<double>(lengthOf(pieces[b].to - pieces[b].from));
+      }
     }
-    return count;
+    return lengths;
   }
 
   Spot placed(Point p) const { return {Real(p.x) - origin_.x, Real(p.y) - origin_.y}; }

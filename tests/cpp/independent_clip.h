@@ -24,7 +24,8 @@ struct IndependentCell {
   double area = 0;
   std::map<std::int32_t, double> neighbors;  ///< with the lengths of the borders, as those of chords
   std::map<std::int32_t, double> sides;      ///< the sides of the region on its border, with their lengths there
-  std::optional<int> loops;                  ///< nothing if loops touch themselves or each other
+  /// The lengths of its loops, as those of chords; nothing if loops touch themselves or each other.
+  std::optional<std::vector<double>> loops;
 };
 
 /// Computes the parts of the cells of a few circles in a region with numbers of 100 digits, as areasByBruteForce does.
