@@ -76,16 +76,8 @@ void refuseColumnOptions(const CLI::App& command, const std::string& name) {
 
 CircleFile readInput(const CirclesInput& input, const std::string& text) {
   auto file = readCircleFile(text, inputName(input.file), input.options);
-  if (!file) throw inputError(file.error());
+  if (!file) fail(file.error(), "");
   return *std::move(file);
-}
-
-CommandError inputError(Error error) {
-  constexpr std::string_view kOption = "the option ";
-  if (const std::size_t at = error.message.rfind(kOption); at != std::string::npos) {
-    error.message.replace(at, kOption.size(), "--");
-  }
-  return {kBadInput, error.message};
 }
 
 void noteSkipped(const CircleFile& file, ProgressLine& progress) {

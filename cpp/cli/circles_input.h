@@ -37,9 +37,6 @@ void refuseColumnOptions(const CLI::App& command, const std::string& name);
 /// Reads the circles of a text. Throws CommandError.
 CircleFile readInput(const CirclesInput& input, const std::string& text);
 
-/// Converts an error of a reader, with options named as on the command line.
-CommandError inputError(Error error);
-
 /// Reports on standard error the number of skipped rows, if any, and the error of the first.
 void noteSkipped(const CircleFile& file, ProgressLine& progress);
 

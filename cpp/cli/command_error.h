@@ -34,11 +34,19 @@ struct CommandError {
   std::string message;
 };
 
+/// Returns the message of an error of the library, which names options as on the command line.
+inline std::string messageOf(const Error& error) {
+  const auto& [name, offset, size] = error.option;
+  if (name.empty()) return error.message;
+  const std::string flag = name == "tolerance" ? "area-tolerance" : name == "maxSteps" ? "max-steps" : name;
+  return error.message.substr(0, offset) + "--" + flag + error.message.substr(offset + size);
+}
+
 /// Throws CommandError with an error of the library, after `where`.
 [[noreturn]] inline void fail(const Error& error, const std::string& where) {
   throw CommandError{
       error.code == ErrorCode::notCertified || error.code == ErrorCode::notConverged ? kFailure : kBadInput,
-      where + error.message};
+      where + messageOf(error)};
 }
 
 /// Throws CommandError if a writer failed, unless its stream failed: `writeText` reports failing streams, with the

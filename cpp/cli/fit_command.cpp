@@ -36,20 +36,6 @@ struct FitArguments {
   std::string progress = "auto";
 };
 
-/// The error with the names that the options of a fit have on the command line.
-Error withFlags(Error error) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kFlags = {{{"`shares`", "--shares"},
-                                                                                    {"tolerance ", "--area-tolerance "},
-                                                                                    {"maxSteps ", "--max-steps "},
-                                                                                    {"relax ", "--relax "}}};
-  for (const auto& [name, flag] : kFlags) {
-    if (const std::size_t at = error.message.find(name); at != std::string::npos) {
-      error.message.replace(at, name.size(), flag);
-    }
-  }
-  return error;
-}
-
 /// The progress of a fit: the position of its error between the first error and the tolerance, in orders of magnitude.
 double partDone(double first, double error, double tolerance) {
   if (!(first > tolerance) || !(error > tolerance)) return 1;
@@ -95,7 +81,7 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
     progress.show("fit", partDone(first, step.error, options.tolerance));
   };
   const auto found = [&](auto fit) {
-    if (!fit) fail(withFlags(fit.error()), name + ": ");
+    if (!fit) fail(fit.error(), name + ": ");
     noteSkipped(file, progress);
     if (fit->error > options.tolerance) noteError(fit->error, progress);
     return std::move(fit).value();

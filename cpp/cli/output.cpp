@@ -154,13 +154,7 @@ void settle(Output& output) {
   if (output.regionFile.empty()) return;
   if (!output.bounds.empty()) throw CommandError{kBadInput, "--region takes no --bounds."};
   auto region = readRegion(readText(output.regionFile), inputName(output.regionFile), {.dissolve = output.dissolve});
-  if (!region) {
-    std::string message = region.error().message;
-    constexpr std::string_view kOption = "Set `dissolve` to merge them.";
-    if (message.ends_with(kOption))
-      message.replace(message.size() - kOption.size(), kOption.size(), "--dissolve merges them.");
-    throw CommandError{kBadInput, message};
-  }
+  if (!region) fail(region.error(), "");
   output.region = *std::move(region);
 }
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "command_error.h"
+#include "number_text.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -69,11 +69,6 @@ double ordinateOf(SineCosine conformal) {
 double wrapped(double degrees) { return degrees - 360 * std::floor((degrees + 180) / 360); }
 
 double rounded(double degrees) { return std::floor(degrees * 1e9 + 0.5) / 1e9; }
-
-std::string numberText(double value) {
-  std::array<char, 32> digits{};
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
 
 }  // namespace
 

@@ -29,7 +29,7 @@ void runTile(const CLI::App& command, TileArguments& arguments) {
   TileStream stream(inputName(arguments.input.file), arguments.input.options);
   Tiler tiler(arguments.folder, arguments.size, arguments.halo);
   const auto add = [&](const Result<Tile>& tile) {
-    if (!tile) throw inputError(tile.error());
+    if (!tile) fail(tile.error(), "");
     tiler.add(tile.value());
   };
   progress.show("cut");

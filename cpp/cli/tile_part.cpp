@@ -2,8 +2,6 @@
 #include "tile_part.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "circle_voronoi/tile.h"
 #include "command_error.h"
 #include "files.h"
+#include "number_text.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -38,11 +37,6 @@ bool isDeepInside(const Box& core, const Box& known, double maxRadius) {
   const auto isDeep = [&](double inner, double outer) { return std::isinf(outer) || inner > outer + maxRadius; };
   return isDeep(core.minX, known.minX) && isDeep(core.minY, known.minY) && isDeep(-core.maxX, -known.maxX) &&
          isDeep(-core.maxY, -known.maxY);
-}
-
-std::string textOf(double value) {
-  std::array<char, 32> digits;
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
 /// The final part of a tile.
@@ -91,7 +85,7 @@ class FinalPart {
     if (bounded + unbounded == 0) return "";
     std::string text =
         std::to_string(bounded + unbounded) + " of " + std::to_string(all) + " circles of the core are not final";
-    if (bounded > 0) text += "; a halo wider by " + textOf(halo) + " is enough for " + std::to_string(bounded);
+    if (bounded > 0) text += "; a halo wider by " + numberText(halo) + " is enough for " + std::to_string(bounded);
     if (unbounded > 0) text += "; none is for " + std::to_string(unbounded) + ", whose cells are unbounded";
     return text + ".";
   }
@@ -167,7 +161,7 @@ void computeTilePart(const TilePart& part, const Output& output, const CirclesIn
                      ProgressLine& progress) {
   const std::string name = inputName(input.file);
   const auto tile = readTile(readText(input.file), name, input.options);
-  if (!tile) throw inputError(tile.error());
+  if (!tile) fail(tile.error(), "");
   const auto& circles = tile.value().circles;
   Options options;
   options.weights = input.weights();

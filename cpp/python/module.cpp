@@ -7,7 +7,21 @@
 
 #include "errors.h"
 
-PYBIND11_MODULE(_core, module) {
+namespace {
+
+/// Returns whether the current interpreter is not the first one of the process. pybind11 keeps one set of types for all
+/// interpreters, so that a second one would use objects of the first.
+bool isInSubinterpreter() { return PyInterpreterState_Get() != PyInterpreterState_Main(); }
+
+/// A plain function, because Python copies the module into other interpreters without initializing it.
+PyObject* inSubinterpreter(PyObject*, PyObject*) { return PyBool_FromLong(isInSubinterpreter() ? 1 : 0); }
+
+PyMethodDef plainFunctions[] = {{"in_subinterpreter", inSubinterpreter, METH_NOARGS, nullptr},
+                                {nullptr, nullptr, 0, nullptr}};
+
+}  // namespace
+
+PYBIND11_MODULE(_core_of_main, module) {
   using namespace circle_voronoi::python;
   module.attr("__name__") = "circle_voronoi._core";
   translateErrors();
@@ -16,4 +30,12 @@ PYBIND11_MODULE(_core, module) {
   addUpdates(module);
   addFiles(module);
   addPeriodic(module);
+  if (PyModule_AddFunctions(module.ptr(), plainFunctions) != 0) throw pybind11::error_already_set();
+}
+
+/// Python calls this function by its name. The check comes before any of pybind11's state exists.
+extern "C" PYBIND11_EXPORT PyObject* PyInit__core() {
+  if (!isInSubinterpreter()) return PyInit__core_of_main();
+  PyErr_SetString(PyExc_ImportError, "circle_voronoi cannot be imported in a subinterpreter.");
+  return nullptr;
 }

@@ -50,7 +50,7 @@ TEST_F(CliAwkward, CountiesThatShareABorderAreMergedOnRequest) {
   const std::string circles = write("circles.csv", "x,y,r,share\n2,2,0,1\n7,6,1,2\n");
   const std::string compute =
       "compute " + circles + " --format geojson --region " + fixture("regions/shared-border.wkt");
-  expectFailure(run(compute), 2, "overlap beside (5, 0). --dissolve merges them.");
+  expectFailure(run(compute), 2, "overlap beside (5, 0). Set --dissolve to merge them.");
   const auto [status, out, err] = run(compute + " --dissolve");
   ASSERT_EQ(status, 0) << err;
   double sum = 0;

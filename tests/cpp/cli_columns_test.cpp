@@ -56,6 +56,19 @@ TEST_F(CliColumns, AreNamedInEveryCommandThatReadsCircles) {
       shops_ + ":1: no column is called r, rad or radius, only name, lat, lon, umsatz; name one by --radius.");
 }
 
+TEST_F(CliColumns, AreQuotedAsTheyAre) {
+  for (const std::string name : {"the option r", "Set `dissolve` to merge them.", "`shares` tolerance relax"}) {
+    const std::string file = write(name, "\"x\",\"y\",\"" + name + "\"\n1,2,no\n");
+    const std::string quoted = "'" + file + "'";
+    expectFailure(run("compute " + quoted), 2,
+                  file + ":1: no column is called r, rad or radius, only x, y, " + name + "; name one by --radius.");
+    expectFailure(run("compute " + quoted + " --radius '" + name + "'"), 2,
+                  file + ":2: " + name + " is not a number: \"no\".");
+    expectFailure(run("fit " + quoted + " --lattice 1,0,0,1 --areas '" + name + "'"), 2,
+                  file + ": circle 0 has no number \"" + name + "\".");
+  }
+}
+
 TEST_F(CliColumns, WeightsMayHaveAColumn) {
   const std::string file = write("weights.csv", "x,y,r,w\n0,0,1,-1\n5,0,1,2\n");
   const std::string expected =

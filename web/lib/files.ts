@@ -7,6 +7,7 @@
 import {
   checkDigits,
   checkMaxDistance,
+  checkMemory,
   checkOptionNames,
   checkTolerance,
   isRecord,
@@ -330,7 +331,7 @@ function attributesFrom({ properties, ids, heights, collection }: WasmAttributes
 function linesOf(attributes: CircleAttributes | undefined, count: number): WasmAttributes | undefined {
   if (attributes === undefined) return undefined
   const { properties = [], ids = [], heights = [], collection = '' }: Partial<CircleAttributes> = Object(attributes)
-  const members = (text: string) => (text === '' ? '' : withoutLineEnds(text).replace(/^ *\{|\} *$/g, ''))
+  const members = (text: string) => withoutLineEnds(text).slice(1, -1).trim()
   const lines = (name: string, list: readonly string[], isRight: (value: unknown) => boolean) => {
     if (!Array.isArray(list)) refuseOption(`The ${name} of attributes are a list, not ${shown(list)}.`)
     if (list.length !== 0 && list.length !== count) {
@@ -348,15 +349,8 @@ function linesOf(attributes: CircleAttributes | undefined, count: number): WasmA
       .map(withoutLineEnds)
       .join('\n'),
     heights: lines('heights', heights, Number.isFinite).map(withoutLineEnds).join('\n'),
-    collection: members(foreignMembers(collection)),
+    collection: members(collection),
   }
-}
-
-/** Returns a collection without the members that the writers add, and without `bbox`, which may not fit. */
-function foreignMembers(collection: string): string {
-  const { type, features, bbox, ...others }: Record<string, unknown> = Object(parsed(collection))
-  if (type === undefined && features === undefined && bbox === undefined) return collection
-  return JSON.stringify(others)
 }
 
 /** Removes line ends, which JSON allows only between values. */
@@ -377,6 +371,7 @@ function textOf(text: unknown, caller: string): string | Uint8Array {
   if (typeof text !== 'string' && !(text instanceof Uint8Array)) {
     refuseInput(`${caller} takes a text or its bytes, not ${shown(text)}.`)
   }
+  checkMemory(text, caller, 'the bytes')
   return text
 }
 

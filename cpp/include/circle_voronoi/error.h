@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -33,12 +34,21 @@ enum class ErrorCode {
 /// Returns the name of a code, as in the enumeration. Past the last code the name is empty.
 [[nodiscard]] std::string_view errorCodeName(ErrorCode code);
 
+/// The option that the message of an error names. Programs whose options have other names write theirs in its place,
+/// and need not search a message that may quote the user's text.
+struct NamedOption {
+  std::string name = {};   ///< the option in C++, such as `radius`; empty if the message names none
+  std::size_t offset = 0;  ///< the offset in the message of the words that name the option
+  std::size_t size = 0;    ///< the number of bytes of these words
+};
+
 /// An error with its kind, place and message. The message is one sentence; it is empty if no memory was left for it.
 struct Error {
   ErrorCode code = ErrorCode::badInput;
   std::int64_t circle = kNone;  ///< the index of the circle, or its id in an editor; kNone if no circle is to blame
   std::string message;
   std::int64_t edit = kNone;  ///< the index of the edit in its batch (DiagramEditor::apply), otherwise kNone
+  NamedOption option = {};
 };
 
 /// A value or an error. A function that returns a Result throws nothing for bad input or when memory runs out, and it

@@ -74,8 +74,9 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
 /// All fields of a column of a table become values of one type. They are numbers if all are numerals of JSON, with the
 /// decimal mark of the table; empty fields, NA, NaN and null are null then. They are booleans if all are true or false,
 /// and values of JSON if all are objects or arrays. In all other columns they are strings, exactly as in the file. This
-/// includes columns in which a number is in quotation marks or has a leading zero. Empty fields are null. Numbers keep
-/// all digits that are written.
+/// includes columns in which a number is in quotation marks or has a leading zero, and white space inside quotation
+/// marks. Empty fields are null. Numbers keep all digits that are written. A name that is repeated gets the least
+/// number from 2 that makes it new: a, a_2, a_3. A column without a name is called `column` and its number.
 ///
 /// A column or member `id` (ReadOptions::id) is a property and also the id of the circle. A column or member `z` of
 /// numbers is a property and also the height of the circle.
@@ -99,11 +100,13 @@ Result<Region> readRegion(std::string_view text, std::string_view name, const Re
 // (ReadOptions::weights). Ids are the column or member `id`, or the id of the feature. Heights are the column or member
 // `z`, or the third coordinate. A property whose name means something else to the reader gets `input_` in front.
 //
-// CSV and JSON have no place for CircleAttributes::collection. In CSV a value that is an object or an array is its JSON
-// text, and a property that a circle lacks is null.
+// CSV and JSON have no place for CircleAttributes::collection, and its members type, features and bbox are not written.
+// In CSV a value that is an object or an array is its JSON text, a property that a circle lacks is null, and a property
+// without a name is called by its column.
 //
 // Errors: nonFinite, coordinateTooLarge, coordinateTooSmall, tooManyCircles, badArithmetic; badInput if the numbers of
-// attributes and circles differ; notWritten if the stream fails. If the stream throws, its exception passes through.
+// attributes and circles differ, or attributes are not JSON on one line; notWritten if the stream fails. If the stream
+// throws, its exception passes through.
 
 Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles,
                              const CircleAttributes& attributes = {});
@@ -137,7 +140,7 @@ struct DiagramFile {
 
 /// Writes a diagram like `writeJson`, and attributes of its circles: a circle has the members `id`, `z` and
 /// `properties`, and the diagram the member `collection`. Readers that do not know these members skip them.
-/// Errors: see `writeJson`; badInput also if the numbers of attributes and circles differ.
+/// Errors: see `writeJson`; badInput also if the numbers of attributes and circles differ, or attributes are not JSON.
 Result<void> writeDiagramFile(std::ostream& out, const Diagram& diagram, const CircleAttributes& attributes,
                               std::optional<int> digits = {});
 

@@ -46,7 +46,8 @@ class TileStream {
   TileStream& operator=(TileStream&&) noexcept;
   ~TileStream();
 
-  /// Reads a piece. Returns the circles of the lines that it completes.
+  /// Reads a piece. Returns the circles of the lines that it completes, or a later piece does if a record of more than
+  /// 4 KiB spans several pieces.
   Result<Tile> read(std::string_view piece);
   /// Ends the text. Returns the circle of the last line if that has no line end.
   Result<Tile> end();

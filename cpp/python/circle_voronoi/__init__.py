@@ -10,6 +10,12 @@ The package is a thin layer over the C++ library circle-voronoi. It needs only N
 they are installed.
 """
 
+from . import _core
+
+# Before NumPy, which does not work in subinterpreters either.
+if _core.in_subinterpreter():
+    raise ImportError("circle_voronoi cannot be imported in a subinterpreter.")
+
 from ._diagram import (
     AreaFit,
     Certificate,

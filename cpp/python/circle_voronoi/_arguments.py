@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from operator import index as integer_of
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -19,7 +20,7 @@ _LARGEST_WHOLE = 2**53
 
 def matrix(data: Any, columns: Sequence[str], name: str) -> Floats:
     """Return `data` as an array of doubles, one row for each item and one column for each name."""
-    array = _array(data, name)
+    array = array_of(data, name)
     if array.size == 0 and array.ndim <= 2:
         return np.empty((0, len(columns)))
     if array.ndim == 2 and array.shape[1] == len(columns):
@@ -28,7 +29,7 @@ def matrix(data: Any, columns: Sequence[str], name: str) -> Floats:
     if array.ndim == 1 and array.dtype == object:
         # NumPy keeps rows of different lengths as objects.
         for row, item in enumerate(array):
-            length = len(item) if hasattr(item, "__len__") and not isinstance(item, (str, bytes)) else 1
+            length = _length(item)
             if length != len(columns):
                 raise CircleVoronoiError(
                     f"Row {row} of {name} has {_counted(length, 'number')}; expected {len(columns)}"
@@ -40,7 +41,7 @@ def matrix(data: Any, columns: Sequence[str], name: str) -> Floats:
 
 def column(data: Any, count: int | None, name: str) -> Floats:
     """Return `data` as a one-dimensional array of doubles; a single number is repeated `count` times."""
-    array = _array(data, name)
+    array = array_of(data, name)
     if array.ndim == 0 and count is not None:
         array = np.full(count, array[()])
     if array.ndim != 1:
@@ -70,20 +71,23 @@ def point(data: Any, name: str) -> tuple[float, float]:
 
 
 def indices(data: Any, name: str) -> Indices:
-    """Return whole numbers as an array of 32-bit integers."""
-    array = _array(data, name).reshape(-1)
+    """Return whole numbers as a one-dimensional array of 32-bit integers."""
+    array = np.atleast_1d(array_of(data, name))
+    if array.ndim != 1:
+        raise CircleVoronoiError(f"{name} has the shape {array.shape}; expected (n,).")
     if array.size == 0:
         return np.empty(0, dtype=np.int32)
-    if array.dtype.kind not in "iu" or np.any(array < 0) or np.any(array > np.iinfo(np.int32).max):
+    are_whole = all(_integer(item) is not None for item in array) if array.dtype.kind == "O" else array.dtype.kind in "iu"
+    if not are_whole or np.any(array < 0) or np.any(array > np.iinfo(np.int32).max):
         raise CircleVoronoiError(f"{name} must be whole numbers from 0.")
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
 def index(value: Any, count: int, name: str) -> int:
     """Return the index of one of `count` items."""
-    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__"):
+    number = _integer(value)
+    if number is None:
         raise CircleVoronoiError(f"{name} must be a whole number (got {value!r}).")
-    number = int(value)
     if not 0 <= number < count:
         raise CircleVoronoiError(f"{name} must be from 0 to {count - 1} (got {number}).")
     return number
@@ -91,7 +95,7 @@ def index(value: Any, count: int, name: str) -> int:
 
 def choice(value: Any, choices: Sequence[str], name: str) -> str:
     """Return one of the allowed words."""
-    if value not in choices:
+    if not isinstance(value, str) or value not in choices:
         raise CircleVoronoiError(f"{name} must be one of {', '.join(choices)} (got {value!r}).", "badOption")
     return str(value)
 
@@ -111,9 +115,44 @@ def optional_number(value: Any, name: str) -> float | None:
 
 def whole(value: Any, least: int, most: int, name: str) -> int:
     """Return a whole number in a range."""
-    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__") or not least <= int(value) <= most:
+    number = _integer(value)
+    if number is None or not least <= number <= most:
         raise CircleVoronoiError(f"{name} must be a whole number from {least} to {most} (got {value!r}).", "badOption")
-    return int(value)
+    return number
+
+
+def mapping(value: Any, name: str) -> Mapping[Any, Any]:
+    """Return a mapping."""
+    if not isinstance(value, Mapping):
+        raise CircleVoronoiError(f"{name} must be a mapping (got {value!r}).")
+    return value
+
+
+def items_of(data: Any, name: str) -> list[Any]:
+    """Return the items of an iterable. Exceptions of its iterator pass through."""
+    if not hasattr(data, "__iter__") or isinstance(data, (str, bytes, memoryview)):
+        raise CircleVoronoiError(f"{name} must be a sequence (got {type(data).__name__}).")
+    return list(data)
+
+
+def array_of(data: Any, name: str) -> npt.NDArray[Any]:
+    """Return any array, buffer or iterable as an array of any type and shape."""
+    try:
+        return _array(data, name)
+    except CircleVoronoiError:
+        raise
+    except (TypeError, ValueError, BufferError, NotImplementedError) as error:
+        raise CircleVoronoiError(f"{name} must be an array of numbers (got {type(data).__name__}: {error}).") from error
+
+
+def _integer(value: Any) -> int | None:
+    """Return a whole number; None if it is a truth value or something else."""
+    if isinstance(value, (bool, np.bool_)):
+        return None
+    try:
+        return integer_of(value)
+    except TypeError:
+        return None
 
 
 def _array(data: Any, name: str) -> npt.NDArray[Any]:
@@ -125,7 +164,8 @@ def _array(data: Any, name: str) -> npt.NDArray[Any]:
         return np.asarray(data.data)
     if data is None:
         raise CircleVoronoiError(f"{name} must be an array of numbers (got None).")
-    if isinstance(data, np.ndarray) or hasattr(data, "__array__"):
+    # The items of a memory view of several dimensions cannot be listed.
+    if isinstance(data, (np.ndarray, memoryview)) or hasattr(data, "__array__"):
         return np.asarray(data)
     if isinstance(data, (str, bytes)):
         raise CircleVoronoiError(f"{name} must be an array of numbers (got {data!r}).")
@@ -158,8 +198,16 @@ def _doubles(array: npt.NDArray[Any], columns: Sequence[str]) -> Floats:
     return result
 
 
+def _length(item: Any) -> int:
+    """Return the number of items of a row; 1 if it is no sequence."""
+    try:
+        return 1 if isinstance(item, (str, bytes)) else len(item)
+    except (TypeError, ValueError):
+        return 1
+
+
 def _number(item: Any, row: int, name: str) -> float:
-    if isinstance(item, (str, bytes, complex, np.complexfloating, np.datetime64)) or item is None:
+    if isinstance(item, (str, bytes, complex, np.complexfloating, np.datetime64, np.timedelta64)) or item is None:
         raise CircleVoronoiError(f"Row {row}: {name} is not a real number (got {item!r}).", circle=row)
     try:
         return float(item)

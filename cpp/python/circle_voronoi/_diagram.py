@@ -20,6 +20,8 @@ from ._arguments import (
     finite_points,
     index,
     indices,
+    items_of,
+    mapping,
     matrix,
     optional_number,
     point,
@@ -407,7 +409,7 @@ class Diagram:
             An id is unknown, or a circle is not valid. `edit` is the index of the edit to blame.
         """
         editor = self._editor if self._editor is not None else _Editor(self)
-        changes = {} if replace is None else dict(replace)
+        changes = {} if replace is None else dict(mapping(replace, "replace"))
         edits = (
             indices(remove, "remove"),
             indices(list(changes), "the ids of replace"),
@@ -449,8 +451,9 @@ class Diagram:
         """
         if bounds is not None and region is not None:
             raise CircleVoronoiError("Give either bounds or region, not both.", "badOption")
-        if attributes is not None and len(attributes) != len(self):
-            raise CircleVoronoiError(f"attributes has {len(attributes)} items; expected {len(self)}.")
+        rows = [] if attributes is None else items_of(attributes, "attributes")
+        if attributes is not None and len(rows) != len(self):
+            raise CircleVoronoiError(f"attributes has {len(rows)} items; expected {len(self)}.")
         return _core.write_diagram(
             self._core,
             choice(format, FORMATS, "format"),
@@ -459,7 +462,7 @@ class Diagram:
             _distance(max_distance),
             None if tolerance is None else positive(tolerance, "tolerance"),
             None if digits is None else whole(digits, 0, 2**31 - 1, "digits"),
-            [] if attributes is None else [json.dumps(dict(one))[1:-1] for one in attributes],
+            [_members(one, row) for row, one in enumerate(rows)],
         )
 
     def write(self, path: str | PathLike[str], *, format: str | None = None, **options: Any) -> None:
@@ -701,7 +704,10 @@ def read_attributes(path: str | PathLike[str]) -> list[dict[str, Any]]:
     list of dict, one for each circle
     """
     members = _core.read_attributes(Path(path).read_bytes(), str(path))
-    return [json.loads("{" + text + "}") for text in members]
+    try:
+        return [json.loads("{" + text + "}") for text in members]
+    except RecursionError as error:
+        raise CircleVoronoiError(f"{path}: the attributes of a circle are nested too deep.") from error
 
 
 def _circles(circles: Any, x: Any, y: Any, r: Any) -> Floats:
@@ -717,6 +723,16 @@ def _circles(circles: Any, x: Any, y: Any, r: Any) -> Floats:
         points = matrix(circles, ("x", "y"), "points")
         return np.column_stack([points, column(r, len(points), "r")])
     return matrix(circles, _XYR, "circles")
+
+
+def _members(attributes: Any, row: int) -> str:
+    """Return the attributes of a circle as members of a JSON object."""
+    try:
+        return json.dumps(dict(mapping(attributes, f"Row {row} of attributes")), allow_nan=False)[1:-1]
+    except (TypeError, ValueError, RecursionError) as error:
+        if isinstance(error, CircleVoronoiError):
+            raise
+        raise CircleVoronoiError(f"Row {row} of attributes is no JSON: {error}.", circle=row) from error
 
 
 def _distance(value: Any) -> float | None:

@@ -11,7 +11,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from . import _core
-from ._arguments import Floats, column, matrix
+from ._arguments import Floats, array_of, column, items_of, matrix
 from ._errors import CircleVoronoiError
 
 
@@ -92,7 +92,7 @@ def _read(shape: Any, dissolve: bool) -> _core.Region:
     if isinstance(shape, PathLike):
         return _core.read_region(Path(shape).read_bytes(), fspath(shape), dissolve)
     if isinstance(shape, Mapping):
-        return _core.read_region(json.dumps(shape), "region", dissolve)
+        return _core.read_region(_json(shape), "region", dissolve)
     if hasattr(shape, "geometry") and hasattr(shape.geometry, "iloc"):  # a GeoSeries or a GeoDataFrame
         geometries = list(shape.geometry)
         for row, geometry in enumerate(geometries):
@@ -103,18 +103,26 @@ def _read(shape: Any, dissolve: bool) -> _core.Region:
         ]
         return _core.read_region(json.dumps({"type": "FeatureCollection", "features": features}), "region", dissolve)
     if hasattr(shape, "__geo_interface__"):
-        return _core.read_region(json.dumps(shape.__geo_interface__), "region", dissolve)
+        return _core.read_region(_json(shape.__geo_interface__), "region", dissolve)
     return _core.region_of_rings(_rings(shape), dissolve)
 
 
-def _rings(shape: Any) -> list[Floats]:
+def _json(shape: Any) -> str:
     try:
-        items = list(shape)
-    except TypeError:
+        return json.dumps(shape)
+    except (TypeError, ValueError, RecursionError) as error:
+        raise CircleVoronoiError(f"region is no GeoJSON: {error}.") from error
+
+
+def _rings(shape: Any) -> list[Floats]:
+    if isinstance(shape, memoryview):
+        shape = array_of(shape, "region")
+    if isinstance(shape, bytes) or not hasattr(shape, "__iter__") or getattr(shape, "ndim", 1) == 0:
         raise CircleVoronoiError(
             f"region must be a geometry, GeoJSON, well-known text or a list of rings (got {type(shape).__name__})."
-        ) from None
-    is_one_ring = len(items) > 0 and np.ndim(items[0]) == 1
+        )
+    items = items_of(shape, "region")
+    is_one_ring = len(items) > 0 and np.ndim(array_of(items[0], "the first ring of region")) == 1
     return [
         matrix(ring, ("x", "y"), f"ring {number} of region") for number, ring in enumerate([items] if is_one_ring else items)
     ]

@@ -96,3 +96,25 @@ def test_a_bad_file_is_one_error_that_names_the_line(text, words):
     with pytest.raises(cv.CircleVoronoiError) as caught:
         cv.read("bad.csv")
     assert str(caught.value).startswith(words)
+
+
+HOSTILE = ["the option r", "Set `dissolve` to merge them.", "name one by the option x.", "%s {0} $& \\1"]
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_messages_quote_names_as_they_are(name):
+    Path(name).write_text(f'"x","y","{name}"\n1,2,3\n', encoding="utf-8")
+    with pytest.raises(cv.CircleVoronoiError) as caught:
+        cv.read(name)
+    assert str(caught.value).startswith(f"{name}:1: no column is called r, rad or radius, only x, y, {name}; ")
+
+
+def test_attributes_of_any_text_go_through_a_file():
+    attributes = [{"": "", " a ": [{}, []], "é": {"the option r": None}, "z": "no height", "x\n": "\"\\"}, {}]
+    diagram = cv.compute([[0, 0, 1], [5, 0, 1]])
+    text = diagram.to_bytes("geojson", attributes=attributes)
+    for feature, expected in zip(json.loads(text)["features"], attributes):
+        assert {name: feature["properties"][name] for name in expected} == expected
+    Path("circles.json").write_bytes(diagram.to_bytes("json", attributes=attributes))
+    assert json.loads(Path("circles.json").read_text(encoding="utf-8"))["circles"][0]["properties"] == attributes[0]
+    assert cv.read("circles.json").certified

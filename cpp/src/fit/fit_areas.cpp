@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -22,6 +20,8 @@
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/metric.h"
 #include "guarded.h"
+#include "named_option.h"
+#include "number_text.h"
 #include "recompute.h"
 #include "rounded.h"
 #include "scale.h"
@@ -33,6 +33,12 @@ namespace {
 
 [[noreturn]] void refuse(ErrorCode code, std::string message, std::int64_t site = kNone) {
   throw ThrownError{{code, site, std::move(message)}};
+}
+
+[[noreturn]] void refuse(ErrorCode code, std::string message, const OptionAdvice& advice) {
+  Error error = {code, kNone, std::move(message)};
+  append(error, advice);
+  throw ThrownError{std::move(error)};
 }
 
 std::string counted(std::size_t count, const std::string& thing) {
@@ -605,10 +611,9 @@ class Fitter {
   [[noreturn]] void fail(State state, const std::string& reason) {
     // The error without the background, which is internal.
     if (std::exchange(density_.background, 0) > 0) state = requiredStateAt(std::move(state.weights));
-    char reached[32];
-    std::snprintf(reached, sizeof reached, "%.1e", errorOf(state));
     refuse(ErrorCode::notConverged, "The fit stopped after " + counted(static_cast<std::size_t>(steps_), "step") +
-                                        reason + ": the largest relative error of an area is " + reached + ".");
+                                        reason + ": the largest relative error of an area is " +
+                                        roughNumberText(errorOf(state)) + ".");
   }
 
   /// Places the box of the background around region and sites.
@@ -643,24 +648,14 @@ class Fitter {
   int steps_ = 0;
 };
 
-/// Returns the shortest text that round-trips to the same number.
-std::string text(double value) {
-  char buffer[32];
-  for (int digits = 1; digits <= 17; ++digits) {
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-    if (std::strtod(buffer, nullptr) == value) break;
-  }
-  return buffer;
-}
-
 /// A fit computes with parts and squares of areas, and with boxes and weights that are larger than the region.
 constexpr double kLeastTarget = 0x1p-640;
 constexpr double kLargestRegion = kCoordinateLimit / 8;
 
 void checkSize(double size, const std::string& whole) {
   if (size <= kLargestRegion) return;
-  refuse(ErrorCode::badInput, "The " + whole + " has a coordinate beyond " + text(kLargestRegion) +
-                                  ", the limit of fits (" + text(size) + ").");
+  refuse(ErrorCode::badInput, "The " + whole + " has a coordinate beyond " + numberText(kLargestRegion) +
+                                  ", the limit of fits (" + numberText(size) + ").");
 }
 
 /// Returns the target areas, scaled so that they sum to the area of what errors call `whole`.
@@ -673,23 +668,25 @@ std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (areas[i] > 0 && std::isfinite(areas[i])) continue;
     refuse(ErrorCode::badInput,
-           "Area " + std::to_string(i) + " must be positive and finite (got " + text(areas[i]) + ").",
+           "Area " + std::to_string(i) + " must be positive and finite (got " + numberText(areas[i]) + ").",
            static_cast<std::int64_t>(i));
   }
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   if (!std::isfinite(sum)) refuse(ErrorCode::badInput, "The areas sum to more than the largest number.");
   const double slack = std::max(options.tolerance / 2, 0x1p-50 * static_cast<double>(areas.size()));
   if (!options.shares && !(std::abs(sum - wholeArea) <= slack * wholeArea)) {
-    refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the " + whole + " is " +
-                                    text(wholeArea) + ". Set `shares` to scale them.");
+    refuse(
+        ErrorCode::badInput,
+        "The areas sum to " + numberText(sum) + ", but the area of the " + whole + " is " + numberText(wholeArea) + ".",
+        {" Set ", "`shares`", " to scale them.", "shares"});
   }
   std::vector<double> targets;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     targets.push_back(areas[i] / sum * wholeArea);
     if (targets[i] >= kLeastTarget) continue;
     refuse(ErrorCode::badInput,
-           "Area " + std::to_string(i) + " is too small: " + text(areas[i] / sum) + " of a " + whole +
-               " with the area " + text(wholeArea) + ".",
+           "Area " + std::to_string(i) + " is too small: " + numberText(areas[i] / sum) + " of a " + whole +
+               " with the area " + numberText(wholeArea) + ".",
            static_cast<std::int64_t>(i));
   }
   return targets;
@@ -697,12 +694,17 @@ std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites
 
 void checkOptions(const AreaFitOptions& options) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
-    refuse(ErrorCode::badOption, "tolerance must be above 0 and below 1 (got " + text(options.tolerance) + ").");
+    refuse(ErrorCode::badOption, "",
+           {"", "tolerance", " must be above 0 and below 1 (got " + numberText(options.tolerance) + ").", "tolerance"});
   }
-  if (options.maxSteps < 1)
-    refuse(ErrorCode::badOption, "maxSteps must be 1 or more (got " + std::to_string(options.maxSteps) + ").");
-  if (options.relax < 0)
-    refuse(ErrorCode::badOption, "relax must not be negative (got " + std::to_string(options.relax) + ").");
+  if (options.maxSteps < 1) {
+    refuse(ErrorCode::badOption, "",
+           {"", "maxSteps", " must be 1 or more (got " + std::to_string(options.maxSteps) + ").", "maxSteps"});
+  }
+  if (options.relax < 0) {
+    refuse(ErrorCode::badOption, "",
+           {"", "relax", " must not be negative (got " + std::to_string(options.relax) + ").", "relax"});
+  }
 }
 
 }  // namespace

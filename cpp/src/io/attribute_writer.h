@@ -18,6 +18,13 @@ inline std::string_view entryOf(const std::vector<std::string>& list, std::size_
   return list.empty() ? std::string_view() : std::string_view(list[circle]);
 }
 
+/// Returns whether there is a member of this name.
+inline bool hasMember(std::string_view members, std::string_view name) {
+  bool isFound = false;
+  visitMembers(members, [&](std::string_view other, std::string_view) { isFound = isFound || other == name; });
+  return isFound;
+}
+
 /// Visits the properties of a circle, renamed where a name belongs to the file's own members: `isOwn(name)` returns
 /// whether it does. `visit(name, value)` gets the JSON of the value. Skips a property that repeats the id or the height
 /// under the name of the file's own member for it.
@@ -31,7 +38,10 @@ void visitProperties(const CircleAttributes& attributes, std::size_t circle, IsO
     const std::string_view repeated = isId ? id : isSameName(name, "z") ? height : std::string_view();
     const bool isRepeated =
         value == repeated || (repeated.empty() && value == "null" && (isId || isSameName(name, "z")));
-    if (!isRepeated) visit("input_" + std::string(name), value);
+    if (isRepeated) return;
+    std::string own = "input_" + std::string(name);
+    while (hasMember(entryOf(attributes.properties, circle), own)) own.insert(0, "input_");
+    visit(std::string_view(own), value);
   });
 }
 
@@ -41,7 +51,11 @@ inline void writeCollectionStart(Writer& out, const CircleAttributes* attributes
   if (box != nullptr) {
     out << R"("bbox":[)" << box->minX << "," << box->minY << "," << box->maxX << "," << box->maxY << "],";
   }
-  if (attributes != nullptr && !attributes->collection.empty()) out << attributes->collection << ",";
+  if (attributes != nullptr) {
+    visitMembers(attributes->collection, [&](std::string_view name, std::string_view value) {
+      if (name != "type" && name != "features" && name != "bbox") out << jsonString(name) << ":" << value << ",";
+    });
+  }
   out << R"("features":[)";
 }
 

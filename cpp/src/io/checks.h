@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "circle_voronoi/attributes.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/tile.h"
 #include "guarded.h"
+#include "members.h"
 
 namespace circle_voronoi {
 
@@ -24,14 +29,30 @@ inline Result<void> checkDigits(std::optional<int> digits) {
   return errorWith(ErrorCode::badOption, "The number of digits must not be negative.");
 }
 
-/// Errors: badInput if a list of attributes is not empty and does not have an entry for each circle.
+/// Errors: badInput if a list of attributes is not empty and does not have an entry for each circle, or an entry is not
+/// such JSON.
 inline Result<void> checkAttributes(const CircleAttributes& attributes, std::size_t circleCount) {
   for (const auto* list : {&attributes.properties, &attributes.ids, &attributes.heights}) {
     if (!list->empty() && list->size() != circleCount) {
       return errorWith(ErrorCode::badInput, "There are not as many attributes as circles.");
     }
   }
-  return {};
+  return guarded([&]() -> Result<void> {
+    const auto areMembers = [](const std::string& text) { return text.empty() || isJsonLine("{" + text + "}"); };
+    const auto check = [](const std::vector<std::string>& list, const char* what, auto isRight) {
+      const auto wrong = std::ranges::find_if_not(list, isRight);
+      if (wrong == list.end()) return;
+      const std::int64_t circle = wrong - list.begin();
+      throw ThrownError{{ErrorCode::badInput, circle, "Circle " + std::to_string(circle) + ": " + what + " in JSON."}};
+    };
+    check(attributes.properties, "the properties are not members of an object", areMembers);
+    check(attributes.ids, "the id is not a string or a number",
+          [](const std::string& text) { return text.empty() || (isIdValue(text) && isJsonLine(text)); });
+    check(attributes.heights, "the height is not a number",
+          [](const std::string& text) { return text.empty() || isJsonNumber(text); });
+    if (areMembers(attributes.collection)) return {};
+    return errorWith(ErrorCode::badInput, "The collection of attributes is not members of an object in JSON.");
+  });
 }
 
 /// Errors: badInput if a span of a selection does not have an entry for each circle.

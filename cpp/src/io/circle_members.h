@@ -43,7 +43,7 @@ class CircleMembers {
       } else {
         reader.skip();
       }
-      if (isCandidate) take({k, *names_->rank(k, name), name, kind, value, reader.offset()}, reader);
+      if (isCandidate) take({k, *names_->rank(k, name), name, kind, value, reader.offset()});
       if (names_->isId(name) && (id_.empty() || name == idName_)) {
         const std::string_view raw = text.substr(begin, reader.offset() - begin);
         id_ = isIdValue(raw) ? raw : "";
@@ -55,10 +55,14 @@ class CircleMembers {
     }
   }
 
-  /// Returns number k; nothing if it is missing. Throws ReadError if its value is not a number.
+  /// Returns number k; nothing if it is missing. Throws ReadError if its value is not a number, or if another member
+  /// has the same name but for its case.
   const double* number(std::size_t k) const {
     const Found* const found = best(k);
     if (found == nullptr) return nullptr;
+    if (!found->otherName.empty()) {
+      throw ReadError{found->offset - 1, found->name + " and " + found->otherName + " mean the same."};
+    }
     if (found->kind != JsonKind::number) {
       throw ReadError{found->offset - 1,
                       "expected a number for " + found->name + ", not " + std::string(nameOf(found->kind)) + "."};
@@ -69,10 +73,12 @@ class CircleMembers {
   /// Returns the id in JSON; empty if there is none.
   const std::string& id() const { return id_; }
 
-  /// Returns the JSON of a member that is a number; empty if there is none.
+  /// Returns the JSON of the member z or Z that is a number; empty if there is none.
   std::string height() const {
-    for (const auto& [name, value] : members_) {
-      if (isSameName(name, "z") && isNumberValue(value)) return value;
+    for (const std::string_view name : {"z", "Z"}) {
+      const auto last =
+          std::find_if(members_.rbegin(), members_.rend(), [&](const auto& member) { return member.first == name; });
+      if (last != members_.rend() && isNumberValue(last->second)) return last->second;
     }
     return "";
   }
@@ -95,7 +101,8 @@ class CircleMembers {
     std::string name;  ///< as in the text
     JsonKind kind;
     double value;
-    std::size_t offset;  ///< the offset of the end of the value
+    std::size_t offset;          ///< the offset of the end of the value
+    std::string otherName = {};  ///< the same name in other letters, if a member has it
   };
 
   std::size_t numberNamed(std::string_view name) const {
@@ -104,15 +111,17 @@ class CircleMembers {
     return k;
   }
 
-  void take(Found found, const JsonReader& reader) {
+  void take(Found found) {
     const auto same = std::ranges::find_if(
         found_, [&](const Found& other) { return other.k == found.k && other.rank == found.rank; });
     if (same == found_.end()) {
       found_.push_back(std::move(found));
     } else if (same->name == found.name) {
+      found.otherName = std::move(same->otherName);
       *same = std::move(found);
     } else {
-      reader.fail(same->name + " and " + found.name + " mean the same.");
+      same->otherName = std::move(found.name);
+      same->offset = found.offset;
     }
   }
 

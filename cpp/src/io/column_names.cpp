@@ -5,6 +5,7 @@
 #include <charconv>
 #include <span>
 #include <system_error>
+#include <utility>
 
 namespace circle_voronoi {
 namespace {
@@ -65,6 +66,9 @@ std::string ColumnNames::listOf(std::size_t k) const {
 
 std::string ColumnNames::plain(std::size_t k) { return std::string(kNames[k].front()); }
 
-std::string ColumnNames::option(std::size_t k) { return std::string(kOptions[k]); }
+OptionAdvice ColumnNames::advice(std::string before, std::size_t k) {
+  const std::string option(kOptions[k]);
+  return {std::move(before), "the option " + option, ".", option};
+}
 
 }  // namespace circle_voronoi

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "circle_voronoi/io.h"
+#include "named_option.h"
 
 namespace circle_voronoi {
 
@@ -49,8 +50,8 @@ class ColumnNames {
   std::string listOf(std::size_t k) const;
   /// Returns the name of number k in the library: x, y or r.
   static std::string plain(std::size_t k);
-  /// Returns the name of the option that names the column of number k.
-  static std::string option(std::size_t k);
+  /// Returns advice to name the column of number k by its option: `before`, "the option x" and a full stop.
+  static OptionAdvice advice(std::string before, std::size_t k);
 
  private:
   static std::optional<std::size_t> numberIn(std::string_view option);

@@ -82,9 +82,10 @@ std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names
     for (std::size_t k = 0; k < fields.size(); ++k) {
       if (!names.means(number, textOf(fields[k]))) continue;
       if (place != kNoColumn) {
-        throw ReadError{table.offset(), "the columns " + textOf(fields[place]) + " and " + textOf(fields[k]) +
-                                            " both mean " + ColumnNames::plain(number) + "; choose one by the option " +
-                                            ColumnNames::option(number) + "."};
+        throw ReadError{.offset = table.offset(),
+                        .reason = "the columns " + textOf(fields[place]) + " and " + textOf(fields[k]) + " both mean " +
+                                  ColumnNames::plain(number),
+                        .advice = ColumnNames::advice("; choose one by ", number)};
       }
       place = k;
       columns.areNamed = true;
@@ -124,32 +125,36 @@ std::string listOfFields(Fields fields) {
 }
 
 /// Returns the reason why the first record is neither a header nor a circle.
-std::string problemOf(const CsvTable& table, const ColumnNames& names) {
+ReadError problemOf(const CsvTable& table, const ColumnNames& names) {
+  const auto problem = [&](std::string reason, OptionAdvice advice = {}) {
+    return ReadError{.offset = table.offset(), .reason = std::move(reason), .advice = std::move(advice)};
+  };
   const Fields fields = filled(table.fields());
   const auto isANumber = [&](const CsvField& field) { return isNumber(field, table.separator()); };
   if (fields.size() > 1 && std::ranges::none_of(fields, isANumber)) {
     for (std::size_t number = 0; number < ColumnNames::kCount; ++number) {
       if (std::ranges::none_of(fields, [&](const CsvField& field) { return names.means(number, field.text); })) {
-        return "no column is called " + names.listOf(number) + ", only " + listOfFields(fields) +
-               "; name one by the option " + ColumnNames::option(number) + ".";
+        return problem("no column is called " + names.listOf(number) + ", only " + listOfFields(fields),
+                       ColumnNames::advice("; name one by ", number));
       }
     }
   }
   if (const std::string missing = names.missing(fields.size()); !missing.empty()) {
-    return "no column is called " + missing + "; the first line has no names, but columns are also called #1 to #" +
-           std::to_string(fields.size()) + ".";
+    return problem("no column is called " + missing +
+                   "; the first line has no names, but columns are also called #1 to #" +
+                   std::to_string(fields.size()) + ".");
   }
   if (fields.size() > 3 || names.areGiven()) {
-    return "there are " + std::to_string(fields.size()) +
-           " columns; a header has to name x, y and r, or options as #1, #2 and #3.";
+    return problem("there are " + std::to_string(fields.size()) +
+                   " columns; a header has to name x, y and r, or options as #1, #2 and #3.");
   }
-  if (fields.size() < 3) return numbersExpected(table.separator());
+  if (fields.size() < 3) return problem(numbersExpected(table.separator()));
   double value = 0;
   CsvNumberReader reader(table.separator());
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (const auto problem = reader.read(fields[i], value)) return ColumnNames::plain(i) + *problem;
+    if (const auto reason = reader.read(fields[i], value)) return problem(ColumnNames::plain(i) + *reason);
   }
-  return "";
+  return problem("");
 }
 
 /// The column of one of the names, if there is one.
@@ -229,7 +234,7 @@ std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& opti
     if (width > widestWidth || (width == widestWidth && separator == kDefaultSeparator)) widest = table;
   }
   if (!widest) throw *failure;
-  throw ReadError{widest->offset(), problemOf(*widest, names)};
+  throw problemOf(*widest, names);
 }
 
 std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& value) {
@@ -335,15 +340,32 @@ void CsvRowReader::readNames(const CsvTable& table, FieldOf fieldOf, ParsedCircl
   circles.done.push_back(done != 0);
 }
 
-std::string textOf(const CsvField& field) {
-  std::string text(field.text);
-  if (!field.isQuoted) return text;
-  for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1)) text.erase(at, 1);
+namespace {
+
+std::string withoutDoubling(std::string_view inside) {
+  std::string text(inside);
+  // The second one of two quotation marks is left out.
+  std::size_t size = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    text[size++] = text[at];
+    if (text[at] == '"') ++at;
+  }
+  text.resize(size);
   return text;
 }
 
+}  // namespace
+
+std::string textOf(const CsvField& field) {
+  return field.isQuoted ? withoutDoubling(field.text) : std::string(field.text);
+}
+
+std::string wholeTextOf(const CsvField& field) {
+  return field.isQuoted ? withoutDoubling(field.whole()) : std::string(field.text);
+}
+
 std::string nameOfColumn(const CsvTable& table, std::size_t place, bool hasHeader) {
-  const std::string name = hasHeader ? textOf(table.fields()[place]) : "";
+  const std::string name = hasHeader ? wholeTextOf(table.fields()[place]) : "";
   return name.empty() ? "column " + std::to_string(place + 1) : name;
 }
 

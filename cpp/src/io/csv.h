@@ -94,6 +94,9 @@ class CsvRowReader {
 /// A field as text: without the doubling of quotation marks.
 std::string textOf(const CsvField& field);
 
+/// A field as text, with the white space inside its quotation marks.
+std::string wholeTextOf(const CsvField& field);
+
 /// The name of a column: "column 1" if it has none.
 std::string nameOfColumn(const CsvTable& table, std::size_t place, bool hasHeader);
 

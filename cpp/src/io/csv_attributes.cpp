@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <set>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,7 +58,7 @@ class ColumnType {
     if (hasNumber_ && (areNumbers_ || areNumbersWithCommas_)) {
       return isMissing(field) ? "null" : areNumbers_ ? text : withPoint(text);
     }
-    if (!hasValue_ || !(areBooleans_ || areStructures_)) return jsonString(text);
+    if (!hasValue_ || !(areBooleans_ || areStructures_)) return jsonString(wholeTextOf(field));
     return oneLine(text);
   }
 
@@ -81,12 +81,22 @@ class ColumnType {
   bool hasNumber_ = false;
 };
 
-/// Returns a name, with a number after it if there is such a name already.
-std::string nameBeside(std::set<std::string>& names, const std::string& name) {
-  std::string own = name;
-  for (int count = 2; !names.insert(own).second; ++count) own = name + "_" + std::to_string(count);
-  return own;
-}
+/// Makes names different.
+class DifferentNames {
+ public:
+  /// Returns a name, with a number after it if it was returned before: the least number from 2 that makes it new.
+  std::string add(const std::string& name) {
+    if (numbers_.try_emplace(name, 1).second) return name;
+    while (true) {
+      // All smaller numbers are taken, and stay so.
+      const std::string own = name + "_" + std::to_string(++numbers_.at(name));
+      if (numbers_.try_emplace(own, 1).second) return own;
+    }
+  }
+
+ private:
+  std::map<std::string, std::size_t> numbers_;  ///< for each name, the last number that was tried
+};
 
 /// Throws ReadError unless a text is UTF-8.
 void checkUtf8(std::string_view text, std::size_t offset) {
@@ -135,7 +145,7 @@ CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, ch
     ColumnType type;
   };
   std::vector<Column> columns;
-  std::set<std::string> names;
+  DifferentNames names;
   const bool mayBeComma = mark == ',' || (mark == 0 && CsvNumberReader(layout.separator).mayBeComma());
   CsvTable header(text, layout.separator);
   (void)header.next();
@@ -143,7 +153,7 @@ CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, ch
     std::string name = nameOfColumn(header, k, layout.hasHeader);
     if (std::ranges::find(layout.columns, k) != layout.columns.end()) continue;
     checkUtf8(name, header.offset());
-    columns.push_back({k, nameBeside(names, name), {mark != ',', mayBeComma}});
+    columns.push_back({k, names.add(name), {mark != ',', mayBeComma}});
   }
   if (columns.empty()) return result;
   for (Rows rows(text, layout, skipped); rows.next();) {

@@ -13,6 +13,17 @@ namespace circle_voronoi {
 struct CsvField {
   std::string_view text;
   bool isQuoted = false;
+
+  /// The text with the white space inside the quotation marks.
+  std::string_view whole() const {
+    if (!isQuoted) return text;
+    const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+    const char* begin = text.data();
+    const char* end = begin + text.size();
+    while (isBlank(begin[-1])) --begin;
+    while (isBlank(*end)) ++end;
+    return {begin, static_cast<std::size_t>(end - begin)};
+  }
 };
 
 /// The largest size of a record or a comment, in bytes: a stream keeps a whole record in memory.

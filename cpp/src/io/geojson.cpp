@@ -58,9 +58,10 @@ void readPosition(JsonReader& reader, std::string_view text, Coordinates& to) {
 
 Coordinates readCoordinates(JsonReader& reader, std::string_view text) {
   Coordinates result;
-  JsonReader inside = reader;  // to look at the first item
-  inside.enterArray();
-  result.isList = inside.nextItem() && inside.kind() == JsonKind::array;
+  const auto before = reader.place();
+  reader.enterArray();
+  result.isList = reader.nextItem() && reader.kind() == JsonKind::array;
+  reader.goTo(before);
   reader.enterArray();
   if (!result.isList) {
     readPosition(reader, text, result);

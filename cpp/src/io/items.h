@@ -42,7 +42,7 @@ class ItemReader {
         add(std::move(item), reader.offset());
         continue;
       }
-      const JsonReader before = reader;
+      const auto before = reader.place();
       try {
         readItem(item);
         if (const auto error = errorOf(item.circle, weights_)) {
@@ -53,7 +53,7 @@ class ItemReader {
         failure.circle = index;
         result_.skipped.push_back(failure);
         // A text that is not JSON cannot be skipped.
-        reader = before;
+        reader.goTo(before);
         reader.skip();
       }
     }

@@ -34,6 +34,17 @@ class JsonReader {
   /// The offset of the next character.
   std::size_t offset() const { return at_; }
 
+  /// A place in the text to which the reader can return.
+  struct Place {
+    std::size_t at;
+    bool isFirst;
+  };
+  Place place() const { return {at_, isFirst_}; }
+  void goTo(const Place& place) {
+    at_ = place.at;
+    isFirst_ = place.isFirst;
+  }
+
   /// The kind of the next value.
   JsonKind kind() {
     skipSpace();

@@ -28,7 +28,7 @@ std::string jsonString(std::string_view text) {
 }
 
 std::string membersOf(const MemberList& members) {
-  std::set<std::string> later;
+  std::set<std::string_view> later;
   std::vector<bool> isLast(members.size());
   for (std::size_t k = members.size(); k-- > 0;) isLast[k] = later.insert(members[k].first).second;
   Members result;
@@ -44,6 +44,19 @@ bool isJsonNumber(std::string_view text) {
     JsonReader reader(text);
     if (reader.offset() != 0 || reader.kind() != JsonKind::number || reader.offset() != 0) return false;
     (void)reader.number();
+    return reader.offset() == text.size();
+  } catch (const ReadError&) {
+    return false;
+  }
+}
+
+bool isJsonLine(std::string_view text) {
+  if (text.empty() || text.find_first_of("\n\r") != text.npos) return false;
+  try {
+    JsonReader reader(text);
+    (void)reader.kind();
+    if (reader.offset() != 0) return false;
+    reader.skip();
     return reader.offset() == text.size();
   } catch (const ReadError&) {
     return false;
@@ -69,10 +82,14 @@ std::string rawValue(JsonReader& reader, std::string_view text) {
   return oneLine(text.substr(begin, reader.offset() - begin));
 }
 
-std::string membersOf(std::string_view object) {
-  const std::size_t begin = object.find_first_not_of(" \t", object.find('{') + 1);
-  const std::size_t end = object.find_last_not_of(" \t", object.rfind('}') - 1) + 1;
-  return std::string(object.substr(begin, end - begin));
+std::string readMembers(JsonReader& reader, std::string_view text) {
+  MemberList members;
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    std::string name(*key);
+    members.emplace_back(std::move(name), rawValue(reader, text));
+  }
+  return membersOf(members);
 }
 
 }  // namespace circle_voronoi

@@ -17,6 +17,9 @@ std::string jsonString(std::string_view text);
 /// Returns whether a text is a number in JSON that a double can have.
 bool isJsonNumber(std::string_view text);
 
+/// Returns whether a text is a value in JSON on one line, without white space around it.
+bool isJsonLine(std::string_view text);
+
 /// Returns whether a text marks a missing number in a column of numbers, as in spreadsheets and statistics programs.
 bool isMissingNumber(std::string_view text);
 
@@ -47,6 +50,9 @@ std::string oneLine(std::string_view value);
 /// Reads the next value of a text. Returns its text, but on one line.
 std::string rawValue(JsonReader& reader, std::string_view text);
 
+/// Reads the object that comes next. Returns its members as text, without braces.
+std::string readMembers(JsonReader& reader, std::string_view text);
+
 /// Calls `visit(name, value)` for each of the members of an object, which are written without braces. The value is its
 /// JSON.
 template <class Visit>
@@ -63,9 +69,6 @@ void visitMembers(std::string_view members, Visit visit) {
     visit(std::string_view(name), std::string_view(text).substr(begin, reader.offset() - begin));
   }
 }
-
-/// Returns the members of an object in JSON, without the braces.
-std::string membersOf(std::string_view object);
 
 /// Returns whether a value in JSON can be the id of a circle: a string or a number.
 inline bool isIdValue(std::string_view value) {

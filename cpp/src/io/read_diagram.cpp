@@ -129,8 +129,10 @@ class DiagramReader {
       diagram.weights = reader_.boolean();
     } else if (key == "stats") {
       diagram.stats = readStats(reader_);
-    } else if (key == "collection" && keep_ == Keep::attributes && reader_.kind() == JsonKind::object) {
-      attributes.collection = membersOf(rawValue(reader_, text_));
+    } else if (key == "collection" && keep_ == Keep::attributes) {
+      attributes.collection.clear();
+      if (reader_.kind() != JsonKind::object) return reader_.skip();
+      attributes.collection = readMembers(reader_, text_);
     } else {
       reader_.skip();
     }
@@ -176,23 +178,26 @@ class DiagramReader {
     }
     if (!isOfCircles) return;
     for (auto* list : {&attributes.properties, &attributes.ids, &attributes.heights}) {
-      if (!list->empty()) list->resize(item_);
+      const bool isUsed = std::ranges::any_of(*list, [](const std::string& entry) { return !entry.empty(); });
+      list->resize(isUsed ? item_ : 0);
     }
   }
 
-  /// Reads a member of circle `item_` other than its numbers.
+  /// Reads a member of circle `item_` other than its numbers. A value of another kind counts as none.
   void readAttribute(std::string_view key) {
-    const auto keep = [&](std::vector<std::string>& list, std::string value) {
-      list.resize(item_ + 1);
-      list[item_] = std::move(value);
-    };
-    const JsonKind kind = keep_ == Keep::circles ? JsonKind::null : reader_.kind();
-    if (key == "id" && (kind == JsonKind::string || kind == JsonKind::number)) {
-      keep(attributes.ids, rawValue(reader_, text_));
-    } else if (key == "z" && kind == JsonKind::number) {
-      keep(attributes.heights, rawValue(reader_, text_));
-    } else if (key == "properties" && kind == JsonKind::object) {
-      keep(attributes.properties, membersOf(rawValue(reader_, text_)));
+    const bool isId = key == "id";
+    const bool isHeight = key == "z";
+    if (keep_ == Keep::circles || !(isId || isHeight || key == "properties")) return reader_.skip();
+    const JsonKind kind = reader_.kind();
+    auto& list = isId ? attributes.ids : isHeight ? attributes.heights : attributes.properties;
+    list.resize(item_ + 1);
+    list[item_].clear();
+    if (isId || isHeight) {
+      const bool isRight = kind == JsonKind::number || (isId && kind == JsonKind::string);
+      std::string value = rawValue(reader_, text_);
+      if (isRight) list[item_] = std::move(value);
+    } else if (kind == JsonKind::object) {
+      list[item_] = readMembers(reader_, text_);
     } else {
       reader_.skip();
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -220,15 +219,16 @@ class WktReader {
   std::string nextWord() {
     skipSpace();
     std::string word;
-    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) {
-      word += static_cast<char>(std::toupper(static_cast<unsigned char>(text_[at_++])));
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c;
+      if (upper < 'A' || upper > 'Z') break;
+      word += upper;
     }
     return word;
   }
 
-  void skipSpace() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-  }
+  void skipSpace() { at_ = std::min(text_.find_first_not_of(" \t\n\v\f\r", at_), text_.size()); }
 
   [[noreturn]] void fail(const char* reason) const { throw ReadError{at_, reason}; }
 
@@ -257,9 +257,7 @@ Result<Region> readRegion(std::string_view text, std::string_view name, const Re
       const auto [points, ringOffsets, polygonOffsets] = readPolygons(rest);
       auto region = Region::fromArrays(points, ringOffsets, polygonOffsets, options);
       if (region) return region;
-      Error error = region.error();
-      error.message = std::string(name) + ": " + error.message;
-      return error;
+      return withPrefix(region.error(), std::string(name) + ": ");
     } catch (const ReadError& failure) {
       return errorAt(name, rest, failure.offset, failure.reason);
     }

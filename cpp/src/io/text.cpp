@@ -43,6 +43,7 @@ Error errorAt(std::string_view name, std::string_view text, const ReadError& fai
   Error error = errorAt(name, text, failure.offset, failure.reason, linesBefore);
   error.code = failure.code;
   error.circle = failure.circle;
+  append(error, failure.advice);
   return error;
 }
 

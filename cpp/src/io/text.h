@@ -11,6 +11,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/io.h"
+#include "named_option.h"
 
 namespace circle_voronoi {
 
@@ -29,6 +30,7 @@ struct ReadError {
   std::string reason;
   ErrorCode code = ErrorCode::badInput;
   std::int64_t circle = kNone;  ///< the index of the row, the feature or the item that is no circle
+  OptionAdvice advice = {};     ///< what follows the reason, whatever length that has
 };
 
 /// The circles of a file, their attributes, and the errors of skipped rows.

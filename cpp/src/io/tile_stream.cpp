@@ -21,12 +21,19 @@ class TileStream::Impl {
     const std::size_t from = rest_.empty() ? 0 : rest_.size() - 1;
     rest_ += piece;
     if (rest_.find_first_of("\r\n", from) == rest_.npos && rest_.size() <= kLongestRecord) return Tile{};
-    return readRecords(false);
+    // A long record that an earlier piece did not complete is read again only when it has become twice as long.
+    if (rest_.size() < leastSize_) return Tile{};
+    const std::size_t size = rest_.size();
+    auto tile = readRecords(false);
+    leastSize_ = rest_.size() == size && size > kShortRecord ? std::min(2 * size, kLongestRecord + 1) : 0;
+    return tile;
   }
 
   Result<Tile> end() { return readRecords(true); }
 
  private:
+  static constexpr std::size_t kShortRecord = 4096;
+
   Result<Tile> readRecords(bool isLast) {
     if (!rows_) {
       const auto isFound = readLayout(isLast);
@@ -88,6 +95,7 @@ class TileStream::Impl {
   std::string name_;
   ReadOptions options_;
   std::string rest_;  ///< the beginning of a record, or of the text
+  std::size_t leastSize_ = 0;
   std::size_t linesBefore_ = 0;
   std::size_t circlesBefore_ = 0;
   std::optional<CsvRowReader> rows_;

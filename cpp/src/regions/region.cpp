@@ -13,6 +13,7 @@
 #include "dissolve.h"
 #include "guarded.h"
 #include "in_circle.h"
+#include "named_option.h"
 #include "ring_sweep.h"
 #include "scale.h"
 #include "validate.h"
@@ -28,8 +29,8 @@ constexpr std::size_t kRunsOfRun = 4;
   throw ThrownError{{code, kNone, std::move(message)}};
 }
 
-/// The way out of an error about several polygons.
-constexpr const char* kAdvice = " Set `dissolve` to merge them.";
+/// Appends the way out of an error about several polygons.
+void adviseDissolve(Error& error) { append(error, {" Set ", "`dissolve`", " to merge them.", "dissolve"}); }
 
 /// The input from which a region is made.
 struct Given {
@@ -159,8 +160,11 @@ void checkNesting(const Given& given, const RingOrder& order, const Names& names
     const std::int32_t parent = order.parent[ring];
     if (isOuter(ring)) {
       if (parent == -1 || !isOuter(at(parent))) continue;
-      refuse("Polygons " + std::to_string(names.polygonOf(at(parent))) + " and " +
-             std::to_string(names.polygonOf(ring)) + " of the region overlap: one contains the other." + kAdvice);
+      Error error = {ErrorCode::badOption, kNone,
+                     "Polygons " + std::to_string(names.polygonOf(at(parent))) + " and " +
+                         std::to_string(names.polygonOf(ring)) + " of the region overlap: one contains the other."};
+      adviseDissolve(error);
+      throw ThrownError{std::move(error)};
     }
     if (parent == given.polygonOffsets[names.polygonOf(ring)]) continue;
     std::string name = names.ofRing(ring);
@@ -307,11 +311,11 @@ Region Region::valid(std::span<const Point> points, std::span<const std::int32_t
   const auto nameOf = [&](std::int32_t side) {
     return "side " + std::to_string(inputIndex[at(side)]) + " of " + names.ofRing(ringOfSide(side)) + " of the region";
   };
-  const auto adviceOn = [&](std::int32_t a, std::int32_t b) {
+  const auto advise = [&](Error& error, std::int32_t a, std::int32_t b) {
     const bool areTwo = !polygonOffsets.empty() && names.polygonOf(ringOfSide(a)) != names.polygonOf(ringOfSide(b));
-    return areTwo ? kAdvice : "";
+    if (areTwo) adviseDissolve(error);
   };
-  const RingOrder order = orderOf(rings, nameOf, adviceOn);
+  const RingOrder order = orderOf(rings, nameOf, advise);
   if (!polygonOffsets.empty()) checkNesting(given, order, names);
   const Grouping grouping = grouped(given, order);
   checkInteriors(order, grouping.polygonOfRing);

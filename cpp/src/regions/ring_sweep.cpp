@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <compare>
 #include <iterator>
@@ -14,26 +13,21 @@
 #include "at.h"
 #include "guarded.h"
 #include "in_circle.h"
+#include "number_text.h"
 #include "scale.h"
 
 namespace circle_voronoi {
 namespace {
 
-std::string textOf(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
-
-std::string textOf(Point p) { return "(" + textOf(p.x) + ", " + textOf(p.y) + ")"; }
+std::string textOf(Point p) { return "(" + numberText(p.x) + ", " + numberText(p.y) + ")"; }
 
 class Sweep {
  public:
   using SideName = std::function<std::string(std::int32_t)>;
-  using Advice = std::function<std::string(std::int32_t, std::int32_t)>;
+  using Advise = std::function<void(Error&, std::int32_t, std::int32_t)>;
 
-  Sweep(const Rings& rings, const SideName& sideName, const Advice& advice)
-      : rings_(rings), sideName_(sideName), advice_(advice), active_(Below{this}) {
+  Sweep(const Rings& rings, const SideName& sideName, const Advise& advise)
+      : rings_(rings), sideName_(sideName), advise_(advise), active_(Below{this}) {
     const std::size_t count = rings.points.size();
     next_.resize(count);
     previous_.resize(count);
@@ -287,14 +281,15 @@ class Sweep {
   [[noreturn]] void refuse(std::int32_t a, std::int32_t b, const char* what, Point p) const {
     std::string first = sideName_(std::min(a, b));
     first[0] = 'S';
-    const std::string message =
-        first + " and " + sideName_(std::max(a, b)) + " " + what + " " + textOf(p) + "." + advice_(a, b);
-    throw ThrownError{{ErrorCode::badOption, -1, message}};
+    Error error = {ErrorCode::badOption, kNone,
+                   first + " and " + sideName_(std::max(a, b)) + " " + what + " " + textOf(p) + "."};
+    advise_(error, a, b);
+    throw ThrownError{std::move(error)};
   }
 
   const Rings& rings_;
   const SideName& sideName_;
-  const Advice& advice_;
+  const Advise& advise_;
   std::vector<std::int32_t> next_;
   std::vector<std::int32_t> previous_;
   std::vector<std::int32_t> ring_;
@@ -318,8 +313,8 @@ bool isBelow(Point a, Point b, Point c, Point d) {
 }
 
 RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName,
-                  const std::function<std::string(std::int32_t a, std::int32_t b)>& advice) {
-  return Sweep(rings, sideName, advice).run();
+                  const std::function<void(Error& error, std::int32_t a, std::int32_t b)>& advise) {
+  return Sweep(rings, sideName, advise).run();
 }
 
 }  // namespace circle_voronoi

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "circle_voronoi/error.h"
 #include "circle_voronoi/point.h"
 
 namespace circle_voronoi {
@@ -43,8 +44,8 @@ struct RingOrder {
 /// crosses in order (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976). All signs are exact.
 ///
 /// Takes O(m log m) steps for m sides. Throws a ThrownError with a sentence if a ring crosses or touches itself, or two
-/// rings cross or overlap; `sideName` says what a side is called, and `advice` what to add about two sides.
+/// rings cross or overlap; `sideName` says what a side is called, and `advise` appends advice about two sides.
 RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName,
-                  const std::function<std::string(std::int32_t a, std::int32_t b)>& advice);
+                  const std::function<void(Error& error, std::int32_t a, std::int32_t b)>& advise);
 
 }  // namespace circle_voronoi

@@ -5,6 +5,18 @@ import { REGION_LIMIT, REGION_LIMIT_TEXT } from './coordinate-limits.ts'
 import { CircleVoronoiError } from './errors.ts'
 import type { DiagramData, Metric, Point } from './types.ts'
 
+const DIAGRAM_ARRAYS = [
+  'circles',
+  'vertices',
+  'vertexCircles',
+  'edges',
+  'hidden',
+  'hull',
+  'nextSide',
+  'vertexSides',
+  'firstSide',
+] as const
+
 /** @throws CircleVoronoiError `badInput` */
 export function refuseInput(message: string): never {
   throw new CircleVoronoiError('badInput', message)
@@ -69,6 +81,7 @@ export function checkDiagram(diagram: unknown, caller: string): void {
   if (typeof (diagram as { find?: unknown } | null | undefined)?.find !== 'function') {
     refuseInput(`${caller} takes a Diagram, not ${shown(diagram)}; new Diagram(data) makes one of plain data.`)
   }
+  checkData(diagram, caller)
 }
 
 /** @throws CircleVoronoiError `badInput`, if `value` has no property `part`, which every `thing` has */
@@ -78,9 +91,30 @@ export function checkThing(value: unknown, part: string, caller: string, thing: 
   }
 }
 
-/** @throws CircleVoronoiError `badInput`, if `data` is not a diagram */
+/** @throws CircleVoronoiError `badInput`, if `data` is not a diagram, or an array of it has lost its memory */
 export function checkData(data: unknown, caller: string): void {
   checkThing(data, 'vertexCircles', caller, 'a diagram')
+  for (const array of DIAGRAM_ARRAYS) checkMemory((data as DiagramData)[array], caller, array)
+}
+
+/**
+ * Refuses an array that has lost its memory: its buffer was transferred, or has become too short. Such an array reads
+ * as empty.
+ *
+ * @throws CircleVoronoiError `badInput`
+ */
+export function checkMemory(array: unknown, caller: string, name: string): void {
+  if (!isTypedArray(array) || array.length > 0) return
+  try {
+    array.keys()
+  } catch (cause) {
+    throw new CircleVoronoiError('badInput', `${caller}: the buffer of ${name} was transferred or resized.`, { cause })
+  }
+}
+
+/** Whether a value is a typed array of any type. */
+export function isTypedArray(value: unknown): value is Float64Array {
+  return ArrayBuffer.isView(value) && !(value instanceof DataView)
 }
 
 /**
@@ -104,6 +138,7 @@ export function checkCircles(circles: unknown, caller: string): void {
   if (!(circles instanceof Float64Array)) {
     refuseInput(`${caller} takes a Float64Array of x, y and r for each circle, not ${shown(circles)}.`)
   }
+  checkMemory(circles, caller, 'circles')
   if (circles.length % 3 !== 0) {
     refuseInput(`${caller} takes three numbers for each circle, but there are ${circles.length}.`)
   }

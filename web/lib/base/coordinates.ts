@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { shown } from './check.ts'
+import { checkMemory, shown } from './check.ts'
 import { CircleVoronoiError } from './errors.ts'
 import type { Circle, Float64s } from './types.ts'
 
@@ -46,6 +46,7 @@ export function coordinatesOf<Datum>(
   circles: Circles | Iterable<Datum>,
   { x: fx, y: fy, r: fr }: { readonly [Name in keyof Circle]?: Accessor<Datum> | undefined } = {},
 ): Float64s {
+  checkMemory(circles, 'The circles', 'their array')
   const isRead = fx !== undefined || fy !== undefined || fr !== undefined
   if (!isRead && (circles instanceof Float64Array || circles instanceof Float32Array)) {
     if (circles.length % 3 !== 0) refuse(`Three numbers per circle are needed, but there are ${circles.length}.`)

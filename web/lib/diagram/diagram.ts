@@ -4,6 +4,7 @@ import {
   checkData,
   checkIndex,
   checkMaxDistance,
+  checkMemory,
   checkNoOptions,
   checkNumber,
   refuseInput,
@@ -138,6 +139,7 @@ export class Diagram implements DiagramData {
 
   /** Returns the content of a JSON file as the command line writes and reads it. Only the sign of a zero is lost. */
   toJSON(): DiagramFile {
+    checkData(this, 'toJSON')
     return fileOf(this)
   }
 
@@ -156,8 +158,17 @@ export class Diagram implements DiagramData {
 
   /** The cells with their sides. */
   get cells(): Cells {
+    this.#checkMemory()
     this.#cells ??= new Cells(this)
     return this.#cells
+  }
+
+  /** Refuses arrays that have lost their memory. Only few diagrams have an empty one of these arrays. */
+  #checkMemory(): void {
+    const { circles, vertices, vertexCircles, edges, hull, nextSide, vertexSides, firstSide } = this
+    const isFull = circles.length * vertices.length * edges.length * hull.length > 0
+    const isLinked = vertexCircles.length * nextSide.length * vertexSides.length * firstSide.length > 0
+    if (!isFull || !isLinked) checkData(this, 'Diagram')
   }
 
   /**
@@ -173,6 +184,7 @@ export class Diagram implements DiagramData {
    * k-th circle of triangle t to the next one.
    */
   get halfedges(): Int32Array {
+    checkData(this, 'halfedges')
     this.#halfedges ??= halfedgesOf(this)
     return this.#halfedges
   }
@@ -236,7 +248,8 @@ export class Diagram implements DiagramData {
     checkNumber(x, 'find', 'x')
     checkNumber(y, 'find', 'y')
     checkNumber(hint, 'find', 'hint')
-    this.#finder ??= new Finder(this.cells)
+    const { cells } = this
+    this.#finder ??= new Finder(cells)
     return this.#finder.find(x, y, hint)
   }
 
@@ -249,11 +262,13 @@ export class Diagram implements DiagramData {
     checkNoOptions(others, 'findAll')
     const isList = points instanceof Float64Array || points instanceof Float32Array || Array.isArray(points)
     if (!isList) refuseInput(`findAll takes a Float64Array of x and y for each point, not ${shown(points)}.`)
+    checkMemory(points, 'findAll', 'points')
     if (points.length % 2 !== 0) {
       refuseInput(`findAll takes two numbers for each point, but there are ${points.length}.`)
     }
     const coordinates = points instanceof Float64Array ? points : Float64Array.from(points, numberOf)
-    this.#finder ??= new Finder(this.cells)
+    const { cells } = this
+    this.#finder ??= new Finder(cells)
     return this.#finder.findAll(coordinates)
   }
 
@@ -319,6 +334,7 @@ export class Diagram implements DiagramData {
   renderCircles(options: ContextOptions): void
   renderCircles(options: TextOptions | ContextOptions = {}): string | undefined {
     checkDrawOptions(options, 'renderCircles', PATH_OPTIONS)
+    this.#checkMemory()
     const sink = sinkOf(options, undefined)
     for (let i = 0; i < this.circles.length / 3; i++) drawCircle(sink, this, i)
     return textOf(sink)
@@ -329,6 +345,7 @@ export class Diagram implements DiagramData {
   renderDual(options: ContextOptions): void
   renderDual(options: TextOptions | ContextOptions = {}): string | undefined {
     checkDrawOptions(options, 'renderDual', PATH_OPTIONS)
+    this.#checkMemory()
     const sink = sinkOf(options, undefined)
     drawDual(sink, this)
     return textOf(sink)
@@ -378,6 +395,7 @@ export class Diagram implements DiagramData {
   cellPolygons(options: PolygonOptions & { readonly region: Region }): Generator<MultiPolygon & { index: number }, void>
   cellPolygons(options?: PolygonOptions & { readonly region?: undefined }): Generator<Polygon & { index: number }, void>
   *cellPolygons(options: PolygonOptions = {}): Generator<(Polygon | MultiPolygon) & { index: number }, void> {
+    this.#checkMemory()
     for (let index = 0; index < this.circles.length / 3; index++) {
       const polygon = this.cellPolygon(index, options as PolygonOptions & { readonly region?: undefined })
       if (polygon !== undefined) yield Object.assign(polygon, { index })
@@ -541,6 +559,7 @@ export class Diagram implements DiagramData {
 
   /** Returns the limits for the bounds and distance of the options, or the cached limits if nothing has changed. */
   #limitsOf(caller: string, { bounds, maxDistance }: BoundsOptions): Limits {
+    this.#checkMemory()
     checkMaxDistance(this, caller, maxDistance)
     const last = this.#lastLimits
     let polygon: ConvexPolygon

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkMetric, checkNumber, checkOptionNames, refuseInput, refuseOption, shown } from '../base/check.ts'
+import {
+  checkMemory,
+  checkMetric,
+  checkNumber,
+  checkOptionNames,
+  refuseInput,
+  refuseOption,
+  shown,
+} from '../base/check.ts'
 import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from '../base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
@@ -175,6 +183,7 @@ function idsFrom(given: Iterable<number> | undefined): Int32Array | undefined {
   if (typeof (given as Partial<Iterable<number>> | null)?.[Symbol.iterator] !== 'function') {
     refuseOption(`ids must be a list of whole numbers, not ${shown(given)}.`)
   }
+  checkMemory(given, 'edit', 'ids')
   return Int32Array.from(given, (id) => {
     if (isId(id)) return id
     refuseOption(`ids must be whole numbers from 0 to 2147483646 in increasing order; ${shown(id)} is not.`)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arguments and results of fits, in this thread and in a worker.
-import { checkOptionNames, refuseInput, refuseOption, shown } from '../base/check.ts'
+import { checkMemory, checkOptionNames, refuseInput, refuseOption, shown } from '../base/check.ts'
 import { type Circles, circleRadius, coordinatesOf } from '../base/coordinates.ts'
 import type { Float64s } from '../base/types.ts'
 import type { Diagram } from '../diagram/diagram.ts'
@@ -182,6 +182,7 @@ function sitesWith(
 function numbersOf(list: unknown, name: string): Float64s {
   const isList = list instanceof Float64Array || list instanceof Float32Array || Array.isArray(list)
   if (!isList) refuseInput(`fitAreas takes a list of numbers as ${name}, not ${shown(list)}.`)
+  checkMemory(list, 'fitAreas', name)
   const items = list as readonly unknown[]
   for (let k = 0; k < items.length; k++) {
     if (typeof items[k] === 'number') continue

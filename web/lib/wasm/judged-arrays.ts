@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { shown } from '../base/check.ts'
+import { checkMemory, shown } from '../base/check.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import type { DiagramData } from '../base/types.ts'
 
@@ -40,6 +40,7 @@ function checkArray(
   type: Float64ArrayConstructor | Int32ArrayConstructor,
   size: number,
 ): void {
+  checkMemory(array, 'The diagram', name)
   if (array instanceof type && array.length % size === 0) return
   refuse(`${name} is no ${type.name} of ${size} numbers each.`)
 }
