@@ -54,7 +54,7 @@ py::tuple found(const SharedPeriodicDiagram& periodic, const Doubles& points) {
     std::vector<CircleImage> images;
     for (const Point& p : points) {
       if (images.size() % 1024 == 0) cancellation.check();
-      images.push_back(finder.find(p));
+      images.push_back(valueOf(finder.find(p)));
     }
     return images;
   }));

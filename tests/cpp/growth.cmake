@@ -10,6 +10,8 @@ add_executable(circle_voronoi_growth_tests
   growth_clip_test.cpp
   growth_compute_test.cpp
   growth_region_queries_test.cpp
+  growth_edit_test.cpp
+  growth_query_test.cpp
   region_shapes.cpp
   report.cpp
   steps.cpp)

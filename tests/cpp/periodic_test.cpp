@@ -462,7 +462,7 @@ TEST(Periodic, TheFinderKnowsTheNearestImageOfAnyPoint) {
     for (int i = 0; i < 20; ++i) {
       const double reach = random.below(2) == 0 ? 2 : 1000;
       const Point p = {random.uniform(-reach, reach), random.uniform(-reach, reach)};
-      const auto [found, shift] = finder.find(p);
+      const auto [found, shift] = finder.find(p).value();
       ASSERT_NE(found, kNone);
       double best = std::numeric_limits<double>::infinity();
       for (CircleIndex j = 0; j < computed->circleCount; ++j) {
@@ -477,7 +477,27 @@ TEST(Periodic, TheFinderKnowsTheNearestImageOfAnyPoint) {
     }
   }
   const PeriodicDiagram empty = *computePeriodic({}, {});
-  EXPECT_EQ(PeriodicFinder(empty).find({0, 0}).circle, kNone);
+  EXPECT_EQ(PeriodicFinder(empty).find({0, 0}).value().circle, kNone);
+}
+
+TEST(Periodic, TheFinderRefusesPointsTooManyPeriodsAway) {
+  // Long and short given periods of a lattice whose shortest periods are 1.
+  for (const Lattice& lattice : {Lattice{{1, 0}, {0, 1}}, Lattice{{1, 0}, {1000, 1}}}) {
+    const auto periodic = computePeriodic(Circles{{0.25, 0.25, 0.1}, {0.75, 0.75, 0.1}}, lattice);
+    ASSERT_TRUE(periodic);
+    const PeriodicFinder finder(*periodic);
+    const auto far = finder.find({0x1p30 - 0.75, 0.25});
+    ASSERT_TRUE(far);
+    EXPECT_EQ(far.value(), (CircleImage{0, {(1 << 30) - 1, 0}}));
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    for (const Point p : {Point{0x1p30 + 0.25, 0.25}, Point{-0x1p30 + 0.25, 0.25}, Point{0.25, 0x1p31}, Point{1e300, 0},
+                          Point{0x1p32 + 0.25, 0.25}, Point{kInfinite, 0}, Point{0, std::nan("")}}) {
+      const auto found = finder.find(p);
+      ASSERT_FALSE(found) << p.x << ", " << p.y;
+      EXPECT_EQ(found.error().code, ErrorCode::badInput);
+      EXPECT_EQ(found.error().message, "The point is not finite, or 2^30 periods away or more.");
+    }
+  }
 }
 
 TEST(Periodic, TheContactTableOfASquareLattice) {

@@ -65,8 +65,8 @@ struct FinalCells {
 /// circle i grows by exactly that much.
 ///
 /// Final parts have the same circles in the diagram of all circles, and each vertex has the same bits, because
-/// `compute` makes both from their lowest index, and divides the faces of discs that more than three circles touch by
-/// the positions of the centers alone. This requires that the circles are in the same order in both diagrams.
+/// `compute` makes a vertex from its three circles alone, and divides the faces of discs that more than three circles
+/// touch by the positions of the centers alone. The circles may be in any order in both diagrams.
 /// A wider box keeps final parts final. The `neededHalo` is enough: with more circles f is nowhere larger, so cells
 /// only shrink. And d_i minus the distance from a side is convex along lines, so in a bounded cell it is largest at a
 /// vertex.

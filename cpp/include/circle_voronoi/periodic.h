@@ -76,8 +76,8 @@ class PeriodicFinder {
   explicit PeriodicFinder(const PeriodicDiagram&& periodic) = delete;
 
   /// Returns the circle nearest to p, and the shift of the image that is; circle kNone if there are no circles. Several
-  /// may be equally near up to rounding. Precondition: p is finite, and less than 2^30 periods away.
-  [[nodiscard]] CircleImage find(Point p) const;
+  /// may be equally near up to rounding. Errors: badInput if p is not finite, or the shift is 2^30 periods or more.
+  Result<CircleImage> find(Point p) const;
 
  private:
   const PeriodicDiagram* periodic_;

@@ -115,6 +115,11 @@ class PeriodicDiagram:
         -------
         circles : ndarray of int32, shape (m,)
         shifts : ndarray of int32, shape (m, 2)
+
+        Raises
+        ------
+        CircleVoronoiError
+            `badInput` if a shift is 2^30 periods or more.
         """
         return self._core.find(finite_points(points, "points"))
 

@@ -2,40 +2,51 @@
 #include "locate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
 
 #include "infinity.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {
 
 /// The number of layers of buckets to search around an outdated bucket. Beyond them a walk is as quick.
 constexpr int kMostLayers = 3;
-constexpr double kCirclesABucket = 2;
 
-/// Returns the half-edge, from the origin of h, in whose sector a point lies. If rounding hides the sector, returns the
-/// half-edge to the nearest neighbor, which is nearer than the origin if the point is not in the cell.
-int sectorOf(const EditState& state, int h, Point p) {
-  const Dual& dual = state.dual;
-  const Circle& from = state.circles[dual.origin[h]];
-  const Vector ray = {p.x - from.x, p.y - from.y};
-  const bool isLeft = cross(state.discs.direction(h), ray) >= 0;
-  int spoke = h;
-  do {
-    if (state.discs.spans(spoke, ray)) return spoke;
-    spoke = isLeft ? dual.around(spoke) : dual.aroundClockwise(spoke);
-  } while (spoke != h);
+/// After so many cells, a walk goes to the nearest neighbor, of kFewSpokes.
+constexpr int kFewSectors = 8;
+/// A cell with more half-edges around its circle has them in a list.
+constexpr int kFewSpokes = 32;
+
+/// Returns whether, turning counter-clockwise from `reference`, v comes no later than w.
+bool isNoLater(Vector reference, Vector v, Vector w) {
+  const auto isSecondHalf = [&](Vector u) {
+    const double side = cross(reference, u);
+    return side < 0 || (side == 0 && dot(reference, u) < 0);
+  };
+  if (isSecondHalf(v) != isSecondHalf(w)) return isSecondHalf(w);
+  return cross(v, w) >= 0;
+}
+
+/// Returns the half-edge, of h and up to `most` others around its origin, whose target is nearest to a point.
+int nearestSpoke(const EditState& state, int h, Point p, int most = std::numeric_limits<int>::max()) {
   int nearest = h;
   double least = kInfinite;
+  int spoke = h;
   do {
-    if (const int to = dual.target(spoke); to != kPointAtInfinity) {
+    if (const int to = state.dual.target(spoke); to != kPointAtInfinity) {
       if (const double distance = distanceFrom(p, state.circles[to]); distance < least) {
         least = distance;
         nearest = spoke;
       }
     }
-    spoke = dual.aroundClockwise(spoke);
-  } while (spoke != h);
+    spoke = state.dual.aroundClockwise(spoke);
+  } while (spoke != h && most-- > 0);
   return nearest;
 }
 
@@ -63,21 +74,101 @@ Location Locator::locate(const EditState& state, Point p, int hint) const {
   if (state.visibleCount < 2) return {slot, kNone};
   least = distanceFrom(p, state.circles[slot]);
   int h = state.edgeOf[slot];
-  while (true) {
-    h = sectorOf(state, h, p);
-    const int next = state.dual.target(h);
-    if (next == kPointAtInfinity) break;
-    const double distance = distanceFrom(p, state.circles[next]);
+  int steps = 0;
+  for (int sectors = 0;; ++sectors) {
+    const Location sector = sectorOf(state, h, p);
+    h = sector.halfEdge;
+    steps += sector.steps;
+    if (state.dual.target(h) == kPointAtInfinity) break;
+    double distance = distanceFrom(p, state.circles[state.dual.target(h)]);
     if (!(distance < least)) break;
+    if (sectors >= kFewSectors) {
+      // A long walk may lead along the border of a large cell, which is nearer.
+      const int nearest = nearestSpoke(state, h, p, kFewSpokes);
+      const double its = distanceFrom(p, state.circles[state.dual.target(nearest)]);
+      if (its < distance) {
+        h = nearest;
+        distance = its;
+      }
+    }
     least = distance;
     h = state.dual.twin[h];
   }
-  return {state.dual.origin[h], h};
+  return {state.dual.origin[h], h, steps};
+}
+
+/// Returns the half-edge, from the origin of h, in whose sector a point lies. If rounding hides the sector, returns the
+/// half-edge to the nearest neighbor, which is nearer than the origin if the point is not in the cell. Turns from h,
+/// and if that takes long, also from a listed half-edge.
+Location Locator::sectorOf(const EditState& state, int h, Point p) const {
+  const Dual& dual = state.dual;
+  const int slot = dual.origin[h];
+  const Circle& from = state.circles[slot];
+  const Vector ray = {p.x - from.x, p.y - from.y};
+  struct Turn {
+    int spoke;
+    bool isLeft;
+  };
+  const auto turnFrom = [&](int spoke) { return Turn{spoke, cross(state.discs.direction(spoke), ray) >= 0}; };
+  std::array<Turn, 2> turns = {turnFrom(h), {}};
+  std::size_t count = 1;
+  int steps = 0;
+  do {
+    if (steps == kFewSpokes) {
+      if (const int listed = listedToward(state, slot, ray); listed != kNone) turns[count++] = turnFrom(listed);
+    }
+    for (auto& [spoke, isLeft] : std::span(turns).first(count)) {
+      if (state.discs.spans(spoke, ray)) return {slot, spoke, std::max(0, steps - kFewSpokes)};
+      spoke = isLeft ? dual.around(spoke) : dual.aroundClockwise(spoke);
+    }
+    ++steps;
+  } while (turns.front().spoke != h);
+  return {slot, nearestSpoke(state, h, p), steps};
+}
+
+/// Returns the last listed half-edge of a circle that is still there and comes no later than a ray; kNone without a
+/// list.
+int Locator::listedToward(const EditState& state, int slot, Vector ray) const {
+  const auto found = spokes_.find(slot);
+  if (found == spokes_.end()) return kNone;
+  const std::vector<int>& spokes = found->second;
+  const auto isHere = [&](int h) {
+    return h < state.dual.halfEdgeCount() && state.isInUse(h / 3) && state.dual.origin[h] == slot;
+  };
+  auto low = std::find_if(spokes.begin(), spokes.end(), isHere);
+  if (low == spokes.end()) return kNone;
+  const Vector reference = state.discs.direction(*low);
+  for (auto high = spokes.end(); high - low > 1;) {
+    const auto middle = low + (high - low) / 2;
+    const auto next = std::find_if(middle, high, isHere);
+    if (next != high && isNoLater(reference, state.discs.direction(*next), ray)) {
+      low = next;
+    } else {
+      high = middle;
+    }
+  }
+  return *low;
+}
+
+/// Lists the half-edges around the circles that have many.
+void Locator::listSpokes(const EditState& state) {
+  spokes_.clear();
+  std::vector<int> counts(state.sites.size(), 0);
+  for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
+    const int slot = state.dual.origin[h];
+    if (slot == kPointAtInfinity || !state.isInUse(h / 3) || ++counts[slot] != kFewSpokes + 1) continue;
+    std::vector<int>& spokes = spokes_[slot];
+    int spoke = h;
+    do {
+      spokes.push_back(spoke);
+      spoke = state.dual.around(spoke);
+    } while (spoke != h);
+  }
 }
 
 void Locator::note(const EditState& state, int slot) {
   last_ = slot;
-  if (state.visibleCount > 2 * filledFor_ + 16) {
+  if (state.visibleCount > 2 * filledFor_ + 16 || steps_ > state.dual.halfEdgeCount()) {
     fill(state);
   } else if (starts_.hasBuckets()) {
     starts_.put(centerOf(state.circles[slot]), slot);
@@ -86,22 +177,13 @@ void Locator::note(const EditState& state, int slot) {
 
 void Locator::fill(const EditState& state) {
   filledFor_ = state.visibleCount;
-  starts_ = {};
-  if (filledFor_ == 0) return;
-  Point low = {kInfinite, kInfinite};
-  Point high = {-kInfinite, -kInfinite};
-  const auto forEachVisible = [&](auto visit) {
-    for (int i = 0; i < static_cast<int>(state.sites.size()); ++i) {
-      if (state.isVisible(i)) visit(i, centerOf(state.circles[i]));
-    }
-  };
-  forEachVisible([&](int, Point p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  });
-  starts_ = BucketGrid(low, high, filledFor_ / kCirclesABucket);
-  forEachVisible([&](int i, Point p) { starts_.put(p, i); });
-  starts_.spread();
+  steps_ = 0;
+  listSpokes(state);
+  std::vector<BucketGrid::Item> starts;
+  for (int i = 0; i < static_cast<int>(state.sites.size()); ++i) {
+    if (state.isVisible(i)) starts.push_back({centerOf(state.circles[i]), i});
+  }
+  starts_ = BucketGrid(starts);
 }
 
 }  // namespace circle_voronoi

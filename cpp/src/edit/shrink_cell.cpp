@@ -40,7 +40,8 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
 
   int kept = 0;
   for (; left > 2; --left) {
-    const int vanishing = nextToVanish();
+    int vanishing = nextToVanish();
+    if (vanishing == kNone) vanishing = anyToVanish(state.dual, kept);
     if (vanishing == kNone) return false;
     Spoke& spoke = spokes_[static_cast<std::size_t>(vanishing)];
     Spoke& before = spokes_[static_cast<std::size_t>(spoke.before)];
@@ -92,6 +93,19 @@ int CellShrinker::nextToVanish() {
     events_.pop_back();
     if (spokes_[static_cast<std::size_t>(event.spoke)].turn == event.turn) return event.spoke;
   }
+  return kNone;
+}
+
+int CellShrinker::anyToVanish(const Dual& dual, int from) const {
+  int index = from;
+  do {
+    const Spoke& spoke = spokes_[static_cast<std::size_t>(index)];
+    const int before = dual.target(spokes_[static_cast<std::size_t>(spoke.before)].halfEdge);
+    const int after = dual.target(spokes_[static_cast<std::size_t>(spoke.after)].halfEdge);
+    const int to = dual.target(spoke.halfEdge);
+    if (before != after && before != to && to != after) return index;
+    index = spoke.after;
+  } while (index != from);
   return kNone;
 }
 

@@ -39,6 +39,9 @@ class CellShrinker {
   void look(EditState& state, int spoke);
   /// Removes the next event and returns its spoke, or kNone if there is none.
   int nextToVanish();
+  /// Returns a spoke that may vanish without leaving a loop, or kNone. If rounding has mixed up events, no spoke may be
+  /// left that has one. Flips then repair the few faces. `from` is a spoke that is left.
+  int anyToVanish(const Dual& dual, int from) const;
 
   std::vector<Spoke> spokes_;
   std::vector<Event> events_;

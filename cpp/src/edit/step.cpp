@@ -91,6 +91,7 @@ void Stepper::reportCircle(TraceKind kind, int slot, const Circle& circle) {
 bool Stepper::put(int slot, int hint) {
   if (state_.visibleCount == 0) return false;
   const Location place = locator_.locate(state_, centerOf(state_.circles[slot]), hint);
+  locator_.countSteps(place);
   int hider = place.slot;
   auto outcome = CellInserter::Outcome::hidden;
   if (state_.visibleCount > 1) {

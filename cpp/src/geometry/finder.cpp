@@ -18,8 +18,6 @@ namespace {
 /// step.
 constexpr std::size_t kFewSides = 24;
 
-constexpr double kCirclesABucket = 2;
-
 /// The direction from the cell's center in which a side begins.
 Vector beginningOf(const Diagram& diagram, SideIndex side) {
   const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.circleOf(side))];
@@ -68,24 +66,13 @@ class Finder::Walker {
 
 Finder::Walker::Walker(const Diagram& diagram) : diagram_(diagram) {
   const auto& circles = diagram.circles;
-  Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
-  double visible = 0;
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (!diagram.hasCell(static_cast<std::int32_t>(i))) continue;
-    ++visible;
-    box.minX = std::min(box.minX, circles[i].x);
-    box.minY = std::min(box.minY, circles[i].y);
-    box.maxX = std::max(box.maxX, circles[i].x);
-    box.maxY = std::max(box.maxY, circles[i].y);
-  }
-  if (visible == 0) return;
-
-  starts_ = {{box.minX, box.minY}, {box.maxX, box.maxY}, visible / kCirclesABucket};
+  std::vector<BucketGrid::Item> starts;
   for (std::size_t i = 0; i < circles.size(); ++i) {
     const auto circle = static_cast<std::int32_t>(i);
-    if (diagram.hasCell(circle)) starts_.put({circles[i].x, circles[i].y}, circle);
+    if (diagram.hasCell(circle)) starts.push_back({{circles[i].x, circles[i].y}, circle});
   }
-  starts_.spread();
+  if (starts.empty()) return;
+  starts_ = BucketGrid(starts);
 
   std::vector<std::uint32_t> sideCount(circles.size(), 0);
   for (const Edge& edge : diagram.edges) {

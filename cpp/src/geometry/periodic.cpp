@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/curve.h"
+#include "guarded.h"
 #include "reduced_lattice.h"
 #include "scale.h"
 
@@ -27,6 +27,11 @@ ReducedLattice reduced(const Lattice& lattice, int& exponent) {
   const auto scaled = [&](Vector v) { return Vector{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)}; };
   return reduce(scaled(a), scaled(b));
 }
+
+constexpr const char* kTooFar = "The point is not finite, or 2^30 periods away or more.";
+
+/// Returns whether a shift has less than 2^30 of each period; false for NaN.
+bool isNear(const std::array<double, 2>& shift) { return std::abs(shift[0]) < 0x1p30 && std::abs(shift[1]) < 0x1p30; }
 
 }  // namespace
 
@@ -48,15 +53,16 @@ PeriodicFinder::PeriodicFinder(const PeriodicDiagram& periodic) : periodic_(&per
 
 // A point beside the given circles is nearest to some image. Moved by the shift of this image, it lies beside the given
 // circle and no farther from the nearest one, so this ends at a given circle, whose cell is right.
-CircleImage PeriodicFinder::find(Point p) const {
+Result<CircleImage> PeriodicFinder::find(Point p) const {
   const Diagram& diagram = periodic_->diagram;
-  if (periodic_->circleCount == 0) return {kNone, {}};
+  if (periodic_->circleCount == 0) return CircleImage{kNone, {}};
   const auto& [a, b] = shortest_;
   const Vector place = ReducedLattice{a, b}.placeOf({p.x - diagram.circles[0].x, p.y - diagram.circles[0].y});
   const Vector steps = {std::floor(place.x + 0.5), std::floor(place.y + 0.5)};
   p = {p.x - steps.x * a.x - steps.y * b.x, p.y - steps.x * a.y - steps.y * b.y};
   std::array<double, 2> shift = {steps.x * ofGiven_[0].x + steps.y * ofGiven_[1].x,
                                  steps.x * ofGiven_[0].y + steps.y * ofGiven_[1].y};
+  if (!isNear(shift)) return errorWith(ErrorCode::badInput, kTooFar);
   CircleIndex found = finder_.find(p);
   // Rounding may lead around in circles, among images that are equally near.
   for (int tries = 0; tries < 100 && found >= periodic_->circleCount; ++tries) {
@@ -68,12 +74,11 @@ CircleImage PeriodicFinder::find(Point p) const {
     shift = {shift[0] + k, shift[1] + l};
     found = finder_.find(p, given);
   }
-  const auto whole = [](double times) {
-    constexpr double kMost = std::numeric_limits<std::int32_t>::max();
-    return static_cast<std::int32_t>(std::clamp(times, -kMost, kMost));
-  };
   const Shift& own = periodic_->shiftOf[at(found)];
-  return {periodic_->circleOf[at(found)], {whole(shift[0] + own[0]), whole(shift[1] + own[1])}};
+  shift = {shift[0] + own[0], shift[1] + own[1]};
+  if (!isNear(shift)) return errorWith(ErrorCode::badInput, kTooFar);
+  return CircleImage{periodic_->circleOf[at(found)],
+                     {static_cast<std::int32_t>(shift[0]), static_cast<std::int32_t>(shift[1])}};
 }
 
 ContactTable contactTable(const PeriodicDiagram& periodic) {

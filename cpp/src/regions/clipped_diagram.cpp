@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "at.h"
 #include "cell_limits.h"
@@ -178,12 +179,12 @@ ClippedEdges ClippedDiagram::edges() const {
 
 std::vector<CircleIndex> ClippedDiagram::neighbors(CircleIndex circle) const {
   std::vector<CircleIndex> result;
+  std::unordered_set<CircleIndex> met;
   for (const SideIndex side : diagram().sides(circle)) {
-    const CircleIndex neighbor = diagram().neighborOf(side);
-    if (std::ranges::find(result, neighbor) != result.end()) continue;
     bool isShared = false;
     visitParts(*parts_, Diagram::edgeOf(side), [&](const EdgePart&) { isShared = true; });
-    if (isShared) result.push_back(neighbor);
+    const CircleIndex neighbor = diagram().neighborOf(side);
+    if (isShared && met.insert(neighbor).second) result.push_back(neighbor);
   }
   return result;
 }

@@ -5,6 +5,7 @@ import { at, NONE } from '../base/diagram-data.ts'
 import { facing, turn } from '../base/scale.ts'
 import type { Vector } from '../base/types.ts'
 import type { Cells } from '../regions/cells.ts'
+import { BucketGrid } from './bucket-grid.ts'
 
 /**
  * The largest number of sides for which testing every neighbor is faster than bisection. The nearest neighbor then
@@ -15,8 +16,6 @@ const FEW_SIDES = 24
 const ROUNDING = 2 ** -49
 /** Squares of smaller numbers lose digits. */
 const SMALL = 1e-140
-/** Circles for each bucket of the grid, on average. */
-const PER_BUCKET = 2
 /** Growth of the number of circles, as a factor and a constant, after which the grid is rebuilt. */
 const MOST_GROWTH = 4
 const FEW_CIRCLES = 16
@@ -34,14 +33,8 @@ const FEW_CIRCLES = 16
  */
 export class Finder {
   readonly #cells: Cells
-  /** The corner of the grid, the side of its square buckets, and their number. */
-  readonly #minX: number = 0
-  readonly #minY: number = 0
-  readonly #side: number = 1
-  readonly #columns: number = 0
-  readonly #rows: number = 0
-  /** A visible circle for each bucket, row by row. */
-  readonly #starts: Int32Array
+  /** The circles to start from; `undefined` if no circle has a cell. */
+  readonly #starts: BucketGrid | undefined
   /**
    * The sides of cells with more than `FEW_SIDES` sides. Changed cells map to `undefined` until their sides are read
    * again.
@@ -56,30 +49,14 @@ export class Finder {
   constructor(cells: Cells) {
     this.#cells = cells
     const { circles } = cells.diagram
-    let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
     this.#circleCount = circles.length / 3
-    let visible = 0
+    const visible: number[] = []
     for (let i = 0; i < circles.length / 3; i++) {
       if (!cells.exists(i)) continue
-      visible += 1
-      minX = Math.min(minX, at(circles, 3 * i))
-      minY = Math.min(minY, at(circles, 3 * i + 1))
-      maxX = Math.max(maxX, at(circles, 3 * i))
-      maxY = Math.max(maxY, at(circles, 3 * i + 1))
+      visible.push(i)
+      if (!Number.isFinite(at(circles, 3 * i) + at(circles, 3 * i + 1))) refuseInfinite(circles)
     }
-    if (visible > 0) {
-      this.#minX = minX
-      this.#minY = minY
-      const [width, height] = [maxX - minX, maxY - minY]
-      if (!Number.isFinite(width + height)) refuseInfinite(circles)
-      const wanted = Math.max(1, visible / PER_BUCKET)
-      const extent = Math.max(width, height) // the product of the smallest numbers would be 0
-      const share = Math.max(Math.sqrt(((width / extent) * (height / extent)) / wanted), 1 / wanted)
-      this.#side = extent * share || 1 // any size is right if all centers are equal
-      this.#columns = Math.floor(width / this.#side) + 1
-      this.#rows = Math.floor(height / this.#side) + 1
-    }
-    this.#starts = this.#filledGrid()
+    if (visible.length > 0) this.#starts = new BucketGrid(circles, Int32Array.from(visible))
     this.#manySides = manySidesOf(cells)
   }
 
@@ -88,8 +65,8 @@ export class Finder {
    * rounding may go to any of the nearest circles. The walk starts near the point, or at `hint` if that is nearer.
    */
   find(x: number, y: number, hint: number = NONE): number {
-    if (this.#columns === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return NONE
-    let circle = at(this.#starts, this.#bucketOf(x, y))
+    if (this.#starts === undefined || !Number.isFinite(x) || !Number.isFinite(y)) return NONE
+    let circle = this.#starts.near(x, y)
     if (!this.#cells.exists(circle)) circle = this.#someCircle()
     if (circle === NONE) return NONE
     if (this.#cells.exists(hint) && this.#lead(hint, circle, x, y) > 0) circle = hint
@@ -128,11 +105,10 @@ export class Finder {
   follow(changed: Iterable<number>): boolean {
     const cells = this.#cells
     const { circles } = cells.diagram
-    if (this.#columns === 0 || circles.length / 3 > MOST_GROWTH * this.#circleCount + FEW_CIRCLES) return false
+    if (this.#starts === undefined || circles.length / 3 > MOST_GROWTH * this.#circleCount + FEW_CIRCLES) return false
     for (const circle of changed) {
       this.#manySides.set(circle, undefined)
-      if (cells.exists(circle))
-        this.#starts[this.#bucketOf(at(circles, 3 * circle), at(circles, 3 * circle + 1))] = circle
+      if (cells.exists(circle)) this.#starts.put(at(circles, 3 * circle), at(circles, 3 * circle + 1), circle)
     }
     return true
   }
@@ -160,39 +136,6 @@ export class Finder {
     }
     this.#manySides.delete(circle)
     return undefined
-  }
-
-  #bucketOf(x: number, y: number): number {
-    const column = Math.min(Math.max(Math.floor((x - this.#minX) / this.#side), 0), this.#columns - 1)
-    const row = Math.min(Math.max(Math.floor((y - this.#minY) / this.#side), 0), this.#rows - 1)
-    return row * this.#columns + column
-  }
-
-  #filledGrid(): Int32Array {
-    const { circles } = this.#cells.diagram
-    const columns = this.#columns
-    const starts = new Int32Array(columns * this.#rows).fill(NONE)
-    for (let i = 0; i < circles.length / 3; i++) {
-      if (this.#cells.exists(i)) starts[this.#bucketOf(at(circles, 3 * i), at(circles, 3 * i + 1))] = i
-    }
-    // Empty buckets take the start of a filled bucket near them. The list grows during the loop.
-    const filled: number[] = []
-    for (let bucket = 0; bucket < starts.length; bucket++) {
-      if (at(starts, bucket) !== NONE) filled.push(bucket)
-    }
-    for (const bucket of filled) {
-      const column = bucket % columns
-      const near = []
-      if (column > 0) near.push(bucket - 1)
-      if (column + 1 < columns) near.push(bucket + 1)
-      near.push(bucket - columns, bucket + columns)
-      for (const next of near) {
-        if (starts[next] !== NONE) continue
-        starts[next] = at(starts, bucket)
-        filled.push(next)
-      }
-    }
-    return starts
   }
 
   /** Returns a neighbor that is nearer to the point than the circle itself, or `NONE`. */

@@ -122,6 +122,8 @@ export class PeriodicDiagram implements PeriodicData {
   /**
    * Returns the image nearest to any point of the plane, or `undefined` if there are no circles or a coordinate is not
    * finite.
+   *
+   * @throws CircleVoronoiError `badInput`, if the shift is 2^30 periods or more
    */
   find(x: number, y: number): CircleImage | undefined
   find(x: number, y: number, ...others: readonly unknown[]): CircleImage | undefined {
@@ -136,6 +138,7 @@ export class PeriodicDiagram implements PeriodicData {
     const { steps, shift } = this.#periods.nearest(x - at(circles, 0), y - at(circles, 1))
     let p: Point = { x: x - steps.x, y: y - steps.y }
     let [k, l] = shift
+    checkShift(k, l)
     let found = this.diagram.find(p.x, p.y)
     // Rounding may lead to an endless loop among images that are equally near.
     for (let tries = 0; tries < 100 && found >= this.circleCount; tries++) {
@@ -149,10 +152,10 @@ export class PeriodicDiagram implements PeriodicData {
       l += image.shift[1]
       found = this.diagram.find(p.x, p.y, given)
     }
-    return {
-      circle: at(this.circleOf, found),
-      shift: [k + at(this.shiftOf, 2 * found), l + at(this.shiftOf, 2 * found + 1)],
-    }
+    k += at(this.shiftOf, 2 * found)
+    l += at(this.shiftOf, 2 * found + 1)
+    checkShift(k, l)
+    return { circle: at(this.circleOf, found), shift: [k, l] }
   }
 
   /** Returns whether (x, y) lies in the cell of circle `i` of `diagram`, up to rounding. */
@@ -295,4 +298,9 @@ function wholeCells(diagram: Diagram, { a, b }: Lattice): [number, number, numbe
   const { minX, minY, maxX, maxY }: Box = exportBox(diagram.circles)
   const margin = Math.abs(a[0]) + Math.abs(a[1]) + Math.abs(b[0]) + Math.abs(b[1])
   return [minX - margin, minY - margin, maxX + margin, maxY + margin]
+}
+
+/** @throws CircleVoronoiError `badInput`, if a shift is 2^30 periods or more */
+function checkShift(k: number, l: number): void {
+  if (!(Math.abs(k) < 2 ** 30 && Math.abs(l) < 2 ** 30)) refuseInput('The point is 2^30 periods away or more.')
 }

@@ -55,7 +55,7 @@ export interface CommonFitOptions {
   readonly weights?: Float64Array | readonly number[] | undefined
   /**
    * Called before the first step, after each one, and after `relax` has moved the sites. If it throws, the fit stops
-   * and the error is passed on.
+   * and the error is passed on. The callback may call any function of the library.
    */
   readonly onStep?: ((step: FitStep) => void) | undefined
   /**
