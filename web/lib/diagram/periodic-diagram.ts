@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkIndex, checkNoOptions, checkNumber, checkThing } from '../base/check.ts'
+import { checkIndex, checkNoOptions, checkNumber, checkThing, refuseInput } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
 import { hypotenuse } from '../base/scale.ts'
 import type { Box, DiagramData, Int32s, Point } from '../base/types.ts'
