@@ -125,9 +125,8 @@ SvgLayer leftoverLayer(std::span<const Circle> circles, const PrintedResult& pri
   return layer;
 }
 
-SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& printed, const Box& box) {
+SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& printed) {
   SvgLayer layer{.name = "segments"};
-  const auto region = ConvexPolygon::from(box);
   for (const PrintedSegment& segment : printed.segments) {
     EdgeCurve curve;
     curve.bisector = bisector(at(circles, segment.b), at(circles, segment.a));
@@ -139,7 +138,7 @@ SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& pri
       std::swap(curve.from, curve.to);
       std::swap(curve.start, curve.end);
     }
-    for (const EdgeCurve& part : clip(curve, *region)) layer.arcs.push_back(part);
+    layer.arcs.push_back(curve);
   }
   return layer;
 }

@@ -27,7 +27,7 @@ SvgLayer leftoverLayer(std::span<const Circle> circles);
 SvgLayer antipodalLayer(std::span<const Circle> circles);
 SvgLayer leftoverLayer(std::span<const Circle> circles, const PrintedResult& printed);
 /// The finished Voronoi segments inside a box.
-SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& printed, const Box& box);
+SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& printed);
 
 /// The style of all figures, light and dark.
 std::string figureStyle();

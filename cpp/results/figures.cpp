@@ -105,7 +105,7 @@ Json figure12(const Path& folder) {
   figure.pixels = 480;
   figure.frame.bounds = Box{-4, -4.2, 7.4, 5};
   figure.groups = {"circles"};
-  figure.layers = {segmentsLayer(circles, printed, *figure.frame.bounds), leftoverLayer(circles, printed)};
+  figure.layers = {segmentsLayer(circles, printed), leftoverLayer(circles, printed)};
   draw(folder, "figure-12-printed", circles, diagram, figure);
   figure.groups = {"circles", "edges"};
   figure.layers = {antipodalLayer(circles), leftoverLayer(circles)};

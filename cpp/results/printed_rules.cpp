@@ -52,7 +52,7 @@ void drawCounterexample(const std::filesystem::path& folder, const Counterexampl
   figure.groups = {"circles", "edges", "vertices"};
   draw(folder, "counterexample-right", circles, diagram, figure);
   figure.groups = {"circles"};
-  figure.layers = {segmentsLayer(circles, printed, *figure.frame.bounds), leftoverLayer(circles, printed)};
+  figure.layers = {segmentsLayer(circles, printed), leftoverLayer(circles, printed)};
   draw(folder, "counterexample-printed", circles, diagram, figure);
 }
 

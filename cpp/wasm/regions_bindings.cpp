@@ -109,8 +109,8 @@ val cellsValue(const ClippedCells& cells) {
   return result;
 }
 
-/// Clips a cell of the diagram of a few circles (web/lib/regions/few-circles.ts). The result has the cell as a row, and
-/// the data that identifies the sides of that small diagram.
+/// Clips a cell of the diagram of a few circles (web/lib/regions/few-circles.ts). The result has the cell and its
+/// measures as a row, and the data that identifies the sides of that small diagram.
 val clipCell(std::uintptr_t region, const val& circles, bool weights, std::int32_t chosen, const val& maxDistance) {
   return valueOf([&] {
     Options options;
@@ -125,6 +125,9 @@ val clipCell(std::uintptr_t region, const val& circles, bool weights, std::int32
     result.set("nextSide", int32Array(diagram->links.nextSide));
     result.set("firstSide", int32Array(diagram->links.firstSide));
     result.set("cells", cellsValue(clipped->cells(cells)));
+    result.set("areas", float64Array(std::vector<double>{clipped->area(chosen)}));
+    result.set("centroids", float64Array(std::vector<Point>{clipped->centroid(chosen)}));
+    result.set("perimeters", float64Array(std::vector<double>{clipped->perimeter(chosen)}));
     return result;
   });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How densely particles are packed, each in its own cell: packing_density PARTICLES.csv
 // Prints each circle, the area of its cell inside the bounding box, and the share of the cell that the circle fills.
-#include <circle_voronoi/cells.h>
+#include <circle_voronoi/clipped_diagram.h>
 #include <circle_voronoi/compute.h>
 #include <circle_voronoi/io.h>
 
@@ -49,15 +49,20 @@ int main(int count, char** arguments) {
     return 1;
   }
 
-  const auto box = cv::ConvexPolygon::from(boundingBox(circles));
+  const auto box = cv::Region::from(boundingBox(circles));
   if (!box) {
     std::cerr << box.error().message << '\n';
     return 2;
   }
+  const auto clipped = cv::ClippedDiagram::from(*diagram, *box);
+  if (!clipped) {
+    std::cerr << clipped.error().message << '\n';
+    return 1;
+  }
   std::cout << "circle,area,density\n";
   for (cv::CircleIndex i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     if (!diagram->hasCell(i)) continue;
-    const double area = cv::area(cv::outline(*diagram, i, *box));
+    const double area = clipped->area(i);
     const double r = circles[static_cast<std::size_t>(i)].r;
     std::cout << i << ',' << area << ',' << std::numbers::pi * r * r / area << '\n';
   }

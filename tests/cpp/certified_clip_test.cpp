@@ -20,6 +20,7 @@
 #include "independent_clip.h"
 #include "judge_clip.h"
 #include "report.h"
+#include "same_cells.h"
 
 namespace circle_voronoi {
 namespace {
@@ -122,20 +123,18 @@ TEST_P(ClipFamilies, HaveTheAreasOfAnIndependentClipWithinADistance) {
               const auto clipped = ClippedDiagram::from(diagram, region, distance);
               ASSERT_TRUE(clipped) << clipped.error().message;
               expectAreas(input, *clipped);
+              for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
+                test::expectSameAlone(*clipped, i);
+              }
             });
 }
 
-TEST_P(ClipFamilies, HaveTheSameSingleCells) {
+TEST_P(ClipFamilies, HaveTheSameSingleCellsToTheBit) {
   forFamily(clipFamilies()[GetParam()], seedOr(51),
-            [](const ClipInput&, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
-              const auto areas = clipped.areas();
-              for (std::int32_t i = 0; i < static_cast<std::int32_t>(areas.size()); ++i) {
-                const auto single = ClippedDiagram::ofCells(diagram, region, std::vector<CircleIndex>{i});
-                ASSERT_TRUE(single) << single.error().message;
-                const auto at = static_cast<std::size_t>(i);
-                EXPECT_NEAR(single->areas()[at], areas[at], 1e-13 * region.area());
-                EXPECT_EQ(single->placeOf(i), clipped.placeOf(i));
-                EXPECT_EQ(single->neighbors(i), clipped.neighbors(i));
+            [](const ClipInput&, const Region&, const Diagram& diagram, const ClippedDiagram& clipped) {
+              for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
+                test::expectSameAlone(clipped, i);
+                if (diagram.metric == Metric::circles) test::expectSameAmongNeighbors(clipped, i);
               }
             });
 }
@@ -320,10 +319,7 @@ TEST(ClipFixtures, HaveTheRightAreas) {
     EXPECT_NEAR(clipped->largestEmptyDisc()->disc.r, fixture.largestEmptyDisc,
                 1e-11 * std::abs(fixture.largestEmptyDisc));
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(fixture.areas.size()); ++i) {
-      const auto single = ClippedDiagram::ofCells(diagram, region, std::vector<CircleIndex>{i});
-      ASSERT_TRUE(single) << single.error().message;
-      const auto at = static_cast<std::size_t>(i);
-      EXPECT_NEAR(single->areas()[at], clipped->areas()[at], 1e-12 * extent * extent);
+      test::expectSameAlone(*clipped, i);
     }
   }
 }
@@ -399,6 +395,7 @@ class CorruptedClip : public testing::Test {
     std::vector<Circle> circles;
     for (int i = 0; i < 30; ++i) circles.push_back({unit(random), unit(random), 0.05 * unit(random)});
     diagram_ = compute(circles).value();
+    scope_ = {diagram_, std::nullopt};
     const auto clipped = ClippedDiagram::from(diagram_, region_).value();
     crossings_ = clipped.parts().crossings;
     levels_.assign(clipped.parts().arcs.levels().begin(), clipped.parts().arcs.levels().end());
@@ -409,7 +406,7 @@ class CorruptedClip : public testing::Test {
     EXPECT_FALSE(crossings_.rings.empty());
   }
 
-  ClipRecord record() const { return {diagram_, region_, crossings_, levels_, arcs_, {}}; }
+  ClipRecord record() const { return {diagram_, region_, scope_, crossings_, levels_, arcs_}; }
   const char* fault() const { return faultOf(record()); }
   const char* areaFault() const { return faultOf(record(), moments_); }
 
@@ -418,6 +415,7 @@ class CorruptedClip : public testing::Test {
                                                                {{0.5, 0.5}, {0.5001, 0.5}, {0.5, 0.5001}}})
                        .value();
   Diagram diagram_;
+  ClipScope scope_ = {diagram_, std::nullopt};
   Crossings crossings_;
   std::vector<std::int32_t> levels_;
   std::vector<Arc> arcs_;

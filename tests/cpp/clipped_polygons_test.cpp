@@ -16,6 +16,7 @@
 #include "circle_voronoi/comparison.h"
 #include "in_circle.h"
 #include "region_shapes.h"
+#include "regions.h"
 #include "report.h"
 #include "rounded.h"
 #include "valid_polygons.h"

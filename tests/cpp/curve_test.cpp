@@ -299,7 +299,7 @@ TEST(Curve, ANeedleThinnerThanRoundingRunsFromVertexToVertex) {
             EXPECT_LE(distanceBetween(pointAt(curve.bisector, s), vertex), 1e-8 * std::abs(vertex.x));
           }
         }
-        for (const EdgeCurve& piece : clip(curve, test::regionOf(box))) {
+        for (const EdgeCurve& piece : edgePartsIn(diagram, e, test::regionOf(box))) {
           for (const Point p : polyline(piece, 1e-3 * scale)) {
             EXPECT_GE(std::min({p.x - box.minX, p.y - box.minY, box.maxX - p.x, box.maxY - p.y}), -1e-2 * scale);
           }
@@ -379,60 +379,6 @@ TEST(Curve, LengthOfNearlyStraightOrSharplyBentArcsIsBetweenChordAndControlPolyg
     ASSERT_TRUE(std::isfinite(found)) << k;
     ASSERT_GE(found, distanceBetween(arc.start, arc.end)) << k;
     ASSERT_LE(found, around + rounding) << k;
-  }
-}
-
-TEST(Curve, ClippingKeepsThePartInsideTheBox) {
-  Random random(8);
-  int severalPieces = 0;
-  for (int trial = 0; trial < 3000; ++trial) {
-    SCOPED_TRACE(trial);
-    const auto [left, right] = randomPair(kKinds[trial % 5], random);
-    EdgeCurve curve;
-    curve.bisector = bisector(left, right);
-    if (random.unit() < 0.5) curve = randomArc(curve.bisector, random);
-    const Point p = pointAt(curve.bisector, random.logUniform(-1, 1));
-    const double width = random.logUniform(-2, 1);
-    const double height = random.logUniform(-2, 1);
-    const Box box = {p.x - width * random.unit() * 1.2, p.y - height * random.unit() * 1.2, p.x + width, p.y + height};
-    const auto pieces = clip(curve, test::regionOf(box));
-    if (pieces.size() > 1) ++severalPieces;
-    const double scale = std::max({std::abs(p.x), std::abs(p.y), left.r, right.r, width, height, 1.0});
-    for (const EdgeCurve& piece : pieces) {
-      for (const Point q : {piece.start, piece.end}) {
-        ASSERT_GE(std::min({q.x - box.minX, q.y - box.minY, box.maxX - q.x, box.maxY - q.y}), -1e-12 * scale);
-      }
-    }
-    for (int i = 0; i < 200; ++i) {
-      const double s = random.logUniform(-6, 6);
-      const Point q = pointAt(curve.bisector, s);
-      const double depth = std::min({q.x - box.minX, q.y - box.minY, box.maxX - q.x, box.maxY - q.y});
-      if (std::abs(depth) < 1e-9 * scale) continue;
-      const bool isInside = depth > 0 && s > curve.from && s < curve.to;
-      ASSERT_EQ(std::ranges::any_of(pieces, [&](const EdgeCurve& c) { return c.from <= s && s <= c.to; }), isInside)
-          << "at " << s;
-    }
-  }
-  EXPECT_GT(severalPieces, 100);
-}
-
-// The line from (0, 0) down or up crosses the border of the box where it ends, and nowhere else.
-TEST(Curve, ClippedWhereItEndsIsOnePiece) {
-  EdgeCurve curve;
-  curve.bisector = bisector({-1, 0, 1}, {1, 0, 1});
-  for (const auto& [from, to] : {std::array{1.0, 4.0}, std::array{0.25, 1.0}}) {
-    curve.from = from;
-    curve.to = to;
-    curve.start = pointAt(curve.bisector, from);
-    curve.end = pointAt(curve.bisector, to);
-    const bool isAbove = curve.start.y + curve.end.y > 0;
-    const Box there = isAbove ? Box{-5, 0, 5, 5} : Box{-5, -5, 5, 0};
-    const auto pieces = clip(curve, test::regionOf(there));
-    ASSERT_EQ(pieces.size(), 1U);
-    EXPECT_EQ(pieces[0].from, from);
-    EXPECT_EQ(pieces[0].to, to);
-    EXPECT_EQ(pieces[0].start, curve.start);
-    EXPECT_EQ(pieces[0].end, curve.end);
   }
 }
 

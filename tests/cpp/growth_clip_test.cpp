@@ -2,6 +2,8 @@
 // Cells in regions take n log n steps in circles, sides and output.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -28,6 +30,57 @@ auto ofClipped(Use use) {
     const auto clipped = kept(ClippedDiagram::from(clipping->diagram, clipping->region).value());
     return [clipping, clipped, use] { use(*clipped); };
   };
+}
+
+TEST(GrowthOfClips, OfAllCells) {
+  expectGrowth({"ClippedDiagram::from", "clipped_diagram.h", [](const GrowthInput& input) {
+                  const auto clipping = std::make_shared<Clipping>(input);
+                  return [clipping] {
+                    static_cast<void>(ClippedDiagram::from(clipping->diagram, clipping->region).value());
+                  };
+                }});
+}
+
+/// The first cell is that of the hub.
+TEST(GrowthOfClips, OfOneCell) {
+  expectGrowth({"ClippedDiagram::ofCells", "clipped_diagram.h", [](const GrowthInput& input) {
+                  const auto clipping = std::make_shared<Clipping>(input);
+                  return [clipping] {
+                    const std::array<CircleIndex, 1> first = {CircleIndex(0)};
+                    const auto clipped = ClippedDiagram::ofCells(clipping->diagram, clipping->region, first).value();
+                    static_cast<void>(clipped.outline(0));
+                    static_cast<void>(clipped.area(0));
+                    static_cast<void>(clipped.neighbors(0));
+                  };
+                }});
+}
+
+TEST(GrowthOfClips, OfCellsOneByOne) {
+  Promise promise = {"ClippedDiagram::ofCells of each cell", "clipped_diagram.h", [](const GrowthInput& input) {
+                       const auto clipping = std::make_shared<Clipping>(input);
+                       return [clipping] {
+                         for (std::size_t i = 0; i < clipping->diagram.circles.size(); ++i) {
+                           const std::array<CircleIndex, 1> one = {CircleIndex(static_cast<std::int32_t>(i))};
+                           static_cast<void>(ClippedDiagram::ofCells(clipping->diagram, clipping->region, one).value());
+                         }
+                       };
+                     }};
+  const std::array<GrowthFamily, 2> families = {kUniform, kHub};
+  promise.families = families;
+  expectGrowth(promise);
+}
+
+TEST(GrowthOfClips, OfNeighbors) {
+  expectGrowth({"ClippedDiagram::neighbors", "clipped_diagram.h", ofClipped([](const ClippedDiagram& clipped) {
+                  for (std::size_t i = 0; i < clipped.diagram().circles.size(); ++i) {
+                    static_cast<void>(clipped.neighbors(static_cast<std::int32_t>(i)));
+                  }
+                })});
+}
+
+TEST(GrowthOfClips, OfPolygons) {
+  expectGrowth({"ClippedDiagram::polygons", "clipped_diagram.h",
+                ofClipped([](const ClippedDiagram& clipped) { static_cast<void>(clipped.polygons(1e-3)); })});
 }
 
 TEST(GrowthOfClips, OfEdges) {

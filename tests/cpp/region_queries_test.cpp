@@ -235,29 +235,6 @@ TEST(LargestDiscInRegion, StaysInsideWhereTheRegionIsAFewUnitsOfRoundingWide) {
   EXPECT_GT(thin, 0);
 }
 
-TEST(LargestDiscInRegion, IsThatOfAConvexPolygon) {
-  Random random(test::seedOr(3));
-  for (int trial = 0; trial < 60; ++trial) {
-    Ring ring;
-    const std::size_t count = 3 + random.below(6);
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vector v = directionAt((static_cast<double>(k) + random.uniform(0, 0.8)) / static_cast<double>(count));
-      ring.push_back({5 * v.x, 5 * v.y});
-    }
-    const auto polygon = ConvexPolygon::from(ring);
-    if (!polygon) continue;
-    Circles circles;
-    for (std::size_t k = random.below(7); k > 0; --k) {
-      circles.push_back({random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(0, 1)});
-    }
-    const Diagram diagram = compute(circles).value();
-    const auto one = largestEmptyDiscInside(diagram, *polygon);
-    const auto other = largestEmptyDiscInside(diagram, regionOf({ring})).value();
-    ASSERT_TRUE(one && other);
-    EXPECT_NEAR(one->disc.r, other->disc.r, 1e-12) << trial;
-  }
-}
-
 /// The robots of a field, after a report about a planner whose paths left the field.
 const Circles kRobots = {{-3, 0, 0.09},    {-1.5, 1.2, 0.09}, {-1.4, -1.6, 0.09},
                          {0.4, 0.3, 0.09}, {1.9, -0.7, 0.09}, {2.6, 1.9, 0.09}};

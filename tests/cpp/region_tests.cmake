@@ -7,6 +7,7 @@ add_executable(circle_voronoi_region_tests
   clipped_polygons_test.cpp
   dissolve_test.cpp
   distance_clip_test.cpp
+  exact_bounds_test.cpp
   fit_areas_test.cpp
   fit_limits_test.cpp
   fit_periodic_test.cpp

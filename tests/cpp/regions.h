@@ -2,12 +2,65 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/periodic.h"
+#include "circle_voronoi/region_queries.h"
+
+namespace circle_voronoi {
+
+// Cells and discs in convex polygons, which tests of many properties use. Precondition: the diagram is certified.
+
+inline Region regionIn(const ConvexPolygon& polygon) { return Region::from(polygon).value(); }
+
+/// The outlines of all cells in a polygon, and within a distance of their circles if it is given.
+inline Result<std::vector<Outline>> outlines(const Diagram& diagram, const ConvexPolygon& polygon,
+                                             std::optional<double> maxDistance = {}) {
+  const Region region = regionIn(polygon);
+  const auto clipped = ClippedDiagram::from(diagram, region, maxDistance);
+  if (!clipped) return clipped.error();
+  std::vector<Outline> all;
+  for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
+    all.push_back(clipped->outline(static_cast<std::int32_t>(i)));
+  }
+  return all;
+}
+
+inline Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& polygon) {
+  const Region region = regionIn(polygon);
+  return ClippedDiagram::ofCells(diagram, region, std::array{circle})->outline(circle);
+}
+
+inline Outline clippedBufferOutline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& polygon,
+                                    double maxDistance) {
+  const Region region = regionIn(polygon);
+  return ClippedDiagram::ofCells(diagram, region, std::array{circle}, maxDistance)->outline(circle);
+}
+
+/// The parts of an edge in a polygon.
+inline std::vector<EdgeCurve> edgePartsIn(const Diagram& diagram, EdgeIndex edge, const ConvexPolygon& polygon) {
+  const Region region = regionIn(polygon);
+  return ClippedDiagram::from(diagram, region)->edgeParts(edge);
+}
+
+inline std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, const ConvexPolygon& polygon) {
+  const Region region = regionIn(polygon);
+  return ClippedDiagram::from(diagram, region)->largestEmptyDisc();
+}
+
+inline std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& polygon) {
+  return largestEmptyDiscInside(diagram, regionIn(polygon)).value();
+}
+
+}  // namespace circle_voronoi
 
 namespace circle_voronoi::test {
 

@@ -54,12 +54,14 @@ struct MeasuresOfCells {
 };
 
 void measureCurves(const Diagram& diagram, const Box& box, double tolerance, MeasuresOfCells& all) {
+  const Region region = Region::from(box).value();
+  const ClippedDiagram clipped = ClippedDiagram::from(diagram, region).value();
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
     const EdgeCurve curve = edgeCurve(diagram, e);
     all.add(0, curve.from);
     all.add(0, curve.to);
     all.add(pointAt(curve.bisector, 3));
-    for (const EdgeCurve& piece : clip(curve, test::regionOf(box))) {
+    for (const EdgeCurve& piece : clipped.edgeParts(e)) {
       all.add(piece.start);
       all.add(piece.end);
       all.add(1, arcLength(piece));

@@ -4,9 +4,12 @@
 // - every call ends, under libFuzzer within a time, and its result is finite;
 // - an arc is no shorter than its chord and no longer than its control polygon;
 // - a nearest circle is found, and its cell contains the place, up to rounding;
+// - the parts of the cells fill the box, and a convex polygon with corners nearly on lines of their neighbors, and each
+//   cell alone has the same bits as among all;
 // - where the box is not too small for rounding of the circles and vertices: the parts of the cells fill the box, lie
 //   in it, and their polygons do not cross themselves; the largest empty discs are empty and inside.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -16,14 +19,17 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cell_polygons.h"
 #include "circle_voronoi/clearest_path.h"
+#include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/merged.h"
 #include "circle_voronoi/queries.h"
+#include "circle_voronoi/region_queries.h"
 #include "fuzz_input.h"
 
 namespace circle_voronoi::fuzz {
@@ -83,8 +89,8 @@ View viewOf(std::span<const std::uint8_t> bytes) {
 
 class Checker {
  public:
-  Checker(const Diagram& diagram, const Box& box)
-      : circles_(diagram.circles), diagram_(diagram), box_(box), region_(*ConvexPolygon::from(box)) {
+  Checker(const Diagram& diagram, const Box& box, Region region)
+      : circles_(diagram.circles), diagram_(diagram), box_(box), region_(std::move(region)) {
     size_ = std::max(box.maxX - box.minX, box.maxY - box.minY);
     double largest = std::max({std::abs(box.minX), std::abs(box.minY), std::abs(box.maxX), std::abs(box.maxY)});
     for (const auto& [x, y, r] : circles_) largest = std::max({largest, std::abs(x), std::abs(y), r});
@@ -102,10 +108,11 @@ class Checker {
 
  private:
   void checkCurves() const {
+    const ClippedDiagram clipped = timed("clip", [&] { return ClippedDiagram::from(diagram_, region_).value(); });
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram_.edges.size()); ++e) {
       const EdgeCurve curve = edgeCurve(diagram_, e);
       require(curve.from <= curve.to, "the ends of an edge are out of order");
-      for (const EdgeCurve& piece : timed("clip", [&] { return clip(curve, region_); })) {
+      for (const EdgeCurve& piece : timed("edgeParts", [&] { return clipped.edgeParts(e); })) {
         require(isFinite(piece.start) && isFinite(piece.end), "a piece does not end");
         const double chord = distanceBetween(piece.start, piece.end);
         const double length = timed("arcLength", [&] { return arcLength(piece); });
@@ -126,8 +133,9 @@ class Checker {
 
   void checkCells() const {
     double sum = 0;
+    const ClippedDiagram clipped = ClippedDiagram::from(diagram_, region_).value();
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
-      const Outline parts = timed("outline", [&] { return outline(diagram_, i, region_); });
+      const Outline parts = timed("outline", [&] { return clipped.outline(i); });
       const double share = timed("area", [&] { return area(parts); }) / size_ / size_;
       const double length = timed("perimeter", [&] { return perimeter(parts); });
       const Point middle = timed("centroid", [&] { return centroid(parts); });
@@ -178,9 +186,8 @@ class Checker {
     const auto pair = timed("closestPair", [&] { return closestPair(diagram_); });
     require(!pair || std::isfinite(pair->gap), "a gap is not finite");
     (void)timed("mergeVertices", [&] { return mergeVertices(diagram_); });
-    checkDisc(timed("largestEmptyDiscCenteredIn", [&] { return largestEmptyDiscCenteredIn(diagram_, region_); }),
-              false);
-    checkDisc(timed("largestEmptyDiscInside", [&] { return largestEmptyDiscInside(diagram_, region_); }), true);
+    checkDisc(ClippedDiagram::from(diagram_, region_)->largestEmptyDisc(), false);
+    if (isLarge_) checkDisc(largestEmptyDiscInside(diagram_, region_).value(), true);
     const auto inHull =
         timed("largestEmptyDiscCenteredInHull", [&] { return largestEmptyDiscCenteredInHull(diagram_); });
     require(inHull.has_value() == !circles_.empty(), "there is no disc in the hull");
@@ -207,8 +214,7 @@ class Checker {
 
   void checkPolygons() const {
     if (!isLarge_) return;
-    const Region region = Region::from(box_).value();
-    const ExportFrame frame(diagram_, {.bounds = box_}, ClippedDiagram::from(diagram_, region).value());
+    const ExportFrame frame(diagram_, {.bounds = box_}, ClippedDiagram::from(diagram_, region_).value());
     const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
       for (const auto& polygon : timed("polygons", [&] { return polygons.polygons(i); })) {
@@ -247,11 +253,44 @@ class Checker {
   const std::vector<Circle>& circles_;
   const Diagram& diagram_;
   Box box_;
-  ConvexPolygon region_;
+  Region region_;
   double size_ = 1;
   double rounding_ = 0;
   bool isLarge_ = true;
 };
+
+/// Checks that the cells in a convex region are accepted by the judge, and that each is the same alone, to the bit.
+void checkClip(const Diagram& diagram, const Region& region) {
+  const auto all = ClippedDiagram::from(diagram, region);
+  require(all.ok(), "a clip is refused");
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
+    const auto alone = ClippedDiagram::ofCells(diagram, region, std::array{CircleIndex(i)});
+    require(alone.ok(), "a cell is refused alone");
+    const Outline its = alone->outline(i);
+    const Outline theirs = all->outline(i);
+    require(alone->area(i) == all->area(i) && alone->perimeter(i) == all->perimeter(i), "a cell differs alone");
+    require(its.size() == theirs.size(), "a cell has other loops alone");
+    for (std::size_t k = 0; k < its.size(); ++k) {
+      require(its[k].size() == theirs[k].size(), "a loop has other pieces alone");
+      for (std::size_t p = 0; p < its[k].size(); ++p) {
+        require(its[k][p].curve.start == theirs[k][p].curve.start, "a piece begins elsewhere alone");
+      }
+    }
+  }
+}
+
+/// A box with points on its sides, moved outward by some of the smallest steps of a double: by 0 to 15 steps each.
+std::vector<Point> nearlyBox(const Box& box, std::span<const std::uint8_t> bytes) {
+  const auto moved = [&](double value, double to, std::size_t k) {
+    for (int step = 0; step < bytes[k % bytes.size()] % 16; ++step) value = std::nextafter(value, to);
+    return value;
+  };
+  const double x = box.minX + (box.maxX - box.minX) * 0.375;
+  const double y = box.minY + (box.maxY - box.minY) * 0.625;
+  constexpr double kFar = std::numeric_limits<double>::max();
+  return {{box.minX, box.minY}, {x, moved(box.minY, -kFar, 0)}, {box.maxX, box.minY}, {moved(box.maxX, kFar, 1), y},
+          {box.maxX, box.maxY}, {x, moved(box.maxY, kFar, 2)},  {box.minX, box.maxY}, {moved(box.minX, -kFar, 3), y}};
+}
 
 void run(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kViewBytes = 6;
@@ -271,7 +310,12 @@ void run(std::span<const std::uint8_t> bytes) {
                         whole.minY + (whole.maxY - whole.minY) * view.up};
   const double half = extent * view.size / 2;
   const Box box = {middle.x - half, middle.y - half / (1 + bytes[5] % 4), middle.x + half, middle.y + half};
-  if (ConvexPolygon::from(box)) Checker(diagram.value(), box).run();
+  auto region = Region::from(box);
+  if (!region) return;
+  checkClip(*diagram, *region);
+  const auto nearly = ConvexPolygon::from(nearlyBox(box, bytes));
+  if (const auto other = nearly ? Region::from(*nearly) : region) checkClip(*diagram, *other);
+  Checker(*diagram, box, *std::move(region)).run();
 }
 
 }  // namespace

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "circle_voronoi/abi.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
-#include "circle_voronoi/error.h"
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/point.h"
 
@@ -52,12 +49,9 @@ struct OutlinePiece {
 /// around them.
 using Outline = std::vector<std::vector<OutlinePiece>>;
 
-/// Returns the outline of a bounded cell. It is empty if the cell is unbounded, or there is none.
+/// Returns the outline of a bounded cell. It is empty if the cell is unbounded, or there is none. ClippedDiagram clips
+/// cells to a box or another region.
 [[nodiscard]] Outline outline(const Diagram& diagram, CircleIndex circle);
-
-/// Returns the outline of the part of a cell inside a region. It is empty if cell and region do not meet. It has
-/// several loops if the region cuts the cell apart.
-[[nodiscard]] Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region);
 
 /// Returns the outline of the part of a cell within `maxDistance` of its circle: the cell cut by the circle of radius r
 /// + maxDistance around its center. The parts of all cells do not overlap. Together they cover the union of all circles
@@ -69,19 +63,6 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 ///
 /// Precondition: maxDistance is finite and at most kRegionLimit in absolute value, and the metric is not the power.
 [[nodiscard]] Outline bufferOutline(const Diagram& diagram, CircleIndex circle, double maxDistance);
-/// Returns the outline of the part of a cell that lies inside a region and within `maxDistance` of its circle.
-/// Precondition: that of bufferOutline.
-[[nodiscard]] Outline clippedBufferOutline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region,
-                                           double maxDistance);
-
-/// Returns the outlines of all cells inside a region and, if that is given, within `maxDistance` of their circles, and
-/// checks them in linear time: they close, no area is negative but for rounding, and without a maximum distance the
-/// areas sum to that of the region. The functions above do not check their results.
-/// Errors: notCertified with the circle if a check fails, as where arrays of the diagram were changed; badOption if
-/// `maxDistance` is not finite or exceeds kRegionLimit; tooManyCircles if memory runs out.
-Result<std::vector<Outline>> outlines(const Diagram& diagram, const ConvexPolygon& region,
-                                      std::optional<double> maxDistance = {});
-
 /// Returns the enclosed area, exact up to rounding: a polygon, plus the segments between arcs and their chords, whose
 /// closed forms need no functions but square roots.
 [[nodiscard]] double area(const Outline& outline);

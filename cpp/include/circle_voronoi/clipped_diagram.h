@@ -85,10 +85,11 @@ class ClippedDiagram {
   static Result<ClippedDiagram> from(const Diagram& diagram, const Region&& region,
                                      std::optional<double> maxDistance = {}) = delete;
 
-  /// Clips some cells only, in time for these cells and the sides of the region near them, but for a few bytes for each
-  /// circle and edge. All other cells count as outside the region, and so do edges between them. After an edit, clip
-  /// the cells whose sides have changed anew: their outlines have the bits that `from` gives them. A cell has the same
-  /// polygon as after `from` only if its neighbors are clipped, too. Errors: see `from`.
+  /// Clips some cells only, in time for these cells, their sides, and the sides of the region near them. All other
+  /// cells count as outside the region, and so do edges between them. The cells have the outlines and measures that
+  /// `from` gives them, to the bit, and so they have in the diagram of these circles and their neighbors alone. After
+  /// an edit, clip the cells whose sides have changed anew. A cell has the same polygon as after `from` only if its
+  /// neighbors are clipped, too. Errors: see `from`; only the arrays of these cells are checked.
   static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region& region,
                                         std::span<const CircleIndex> circles, std::optional<double> maxDistance = {});
 
@@ -118,6 +119,13 @@ class ClippedDiagram {
   /// Returns the circles whose cells share a part of an edge with a cell inside the region, in the order of the sides
   /// of the cell. Each occurs once.
   [[nodiscard]] std::vector<CircleIndex> neighbors(CircleIndex circle) const;
+
+  /// Returns the area of the kept part of a cell.
+  [[nodiscard]] double area(CircleIndex circle) const;
+  /// Returns the center of mass of the kept part of a cell; NaN if there is none.
+  [[nodiscard]] Point centroid(CircleIndex circle) const;
+  /// Returns the length of the outline of a cell, holes included.
+  [[nodiscard]] double perimeter(CircleIndex circle) const;
 
   /// Returns the areas of the kept parts of all cells. They sum to the area of the region but for rounding, if there is
   /// no maximum distance.

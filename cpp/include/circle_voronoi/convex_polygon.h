@@ -21,8 +21,8 @@ struct Box {
   double maxY = 1;
 };
 
-/// A closed convex region to which curves and cells are clipped. Its coordinates are rounded to multiples of 2^-96,
-/// like all numbers (compute.h).
+/// A closed convex polygon, of which a Region can be made. Its coordinates are rounded to multiples of 2^-96, like all
+/// numbers (compute.h).
 class ConvexPolygon {
  public:
   /// Makes a polygon from a box.

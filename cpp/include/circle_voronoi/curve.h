@@ -6,7 +6,6 @@
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/metric.h"
 #include "circle_voronoi/point.h"
@@ -106,10 +105,6 @@ struct CubicBezier {
 /// Returns its points, at least two. A tolerance below 1e-9 of the arc's extent is raised to that. Precondition: the
 /// arc is bounded.
 [[nodiscard]] std::vector<Point> polyline(const EdgeCurve& curve, double tolerance);
-
-/// Returns the pieces of an arc inside a region, in order. They are bounded. There are several if the arc leaves the
-/// region and comes back.
-[[nodiscard]] std::vector<EdgeCurve> clip(const EdgeCurve& curve, const ConvexPolygon& region);
 
 /// Returns the length of an arc, up to rounding of its ends. It is an elliptic integral, computed by Carlson's
 /// duplication in a few dozen square roots. Precondition: the arc is bounded.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/diagram.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -38,23 +37,9 @@ struct EmptyDisc {
   std::array<CircleIndex, 3> circles;
 };
 
-/// Returns the largest disc that has its center in a region and overlaps no circle: the point of the region farthest
-/// from all circles. It may touch circles and may extend beyond the region. Its radius is negative if circles cover the
-/// region. Returns nothing if there are no circles.
-///
-/// The distance from the nearest circle is largest at a vertex, at a crossing of an edge and the boundary, or at a
-/// corner, because inside a cell it is convex along every line.
-[[nodiscard]] std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, const ConvexPolygon& region);
-
 /// Returns the largest disc that has its center in the convex hull of the circles (hull.h) and overlaps no circle. Its
-/// radius is not negative. Returns nothing if there are no circles.
+/// radius is not negative. Returns nothing if there are no circles. ClippedDiagram::largestEmptyDisc and
+/// region_queries.h find the largest disc in a box or another region.
 [[nodiscard]] std::optional<EmptyDisc> largestEmptyDiscCenteredInHull(const Diagram& diagram);
-
-/// Returns the largest disc that lies entirely inside a region and overlaps no circle. It may touch sides of the region
-/// in place of circles. Without circles it is the largest disc in the region. If circles cover the region, returns the
-/// disc of largestEmptyDiscCenteredIn, whose radius is not positive. region_queries.h has this for any Region.
-///
-/// Each circle is tried with each of the segments of the region's medial axis, about two for each side.
-[[nodiscard]] std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region);
 
 }  // namespace circle_voronoi

@@ -115,24 +115,83 @@ Error doNotFit(const std::string& where) {
           "The arrays of the diagram do not fit together" + where + ". They must not be changed."};
 }
 
+Result<void> checkCircle(const Diagram& diagram, std::size_t i) {
+  if (const auto error = errorOf(diagram.circles[i], diagram.weights)) {
+    return Error{error->code, static_cast<std::int64_t>(i), "Circle " + std::to_string(i) + " " + error->what};
+  }
+  // Integers of fixed size hold multiples of the step alone.
+  if (rounded(diagram.circles[i]) != diagram.circles[i]) {
+    return Error{ErrorCode::badInput, static_cast<std::int64_t>(i),
+                 "Circle " + std::to_string(i) + " has a number that is not a multiple of 2^-96."};
+  }
+  return {};
+}
+
+bool fitInLength(const Diagram& diagram) {
+  return diagram.vertexCircles.size() == diagram.vertices.size() &&
+         diagram.links.nextSide.size() == 2 * diagram.edges.size() &&
+         diagram.links.vertexSides.size() == diagram.vertices.size() &&
+         diagram.links.firstSide.size() == diagram.circles.size();
+}
+
+/// Returns the first side or vertex of a cell that does not fit.
+std::optional<Item> wronglyLinked(const Diagram& diagram, CircleIndex circle) {
+  const auto& [nextSide, vertexSides, firstSide] = diagram.links;
+  const auto isCircle = [&](CircleIndex i) { return isIndex(i, diagram.circles.size()); };
+  const auto isRightEnd = [&](VertexIndex v) {
+    if (v == kNone) return true;
+    if (!isIndex(v, diagram.vertices.size())) return false;
+    const Vertex& vertex = diagram.vertices[static_cast<std::size_t>(v)];
+    const auto& circles = diagram.vertexCircles[static_cast<std::size_t>(v)];
+    return std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.r) &&
+           std::all_of(circles.begin(), circles.end(), isCircle);
+  };
+  const auto isRight = [&](SideIndex side) {
+    if (!isIndex(side, nextSide.size())) return false;
+    const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(Diagram::edgeOf(side))];
+    return isCircle(left) && isCircle(right) && left != right && isRightEnd(start) && isRightEnd(end) &&
+           diagram.circleOf(side) == circle;
+  };
+  const SideIndex first = firstSide[static_cast<std::size_t>(circle)];
+  if (first == kNone) return std::nullopt;
+  SideIndex side = first;
+  std::size_t count = 0;
+  do {
+    const SideIndex next = isRight(side) ? nextSide[static_cast<std::size_t>(side)] : SideIndex();
+    const bool isLinked = next != kNone && isRight(next) && diagram.originOf(next) == diagram.targetOf(side);
+    if (!isLinked || ++count > nextSide.size()) return Item{"circle", static_cast<std::size_t>(circle)};
+    side = next;
+  } while (side != first);
+  return std::nullopt;
+}
+
 }  // namespace
+
+Result<void> checkArrays(const Diagram& diagram, std::span<const CircleIndex> circles) {
+  if (!fitInLength(diagram)) return doNotFit(" in their lengths");
+  for (const CircleIndex circle : circles) {
+    if (const auto item = wronglyLinked(diagram, circle)) {
+      return doNotFit(std::string(" at ") + item->thing + " " + std::to_string(item->index));
+    }
+    if (auto checked = checkCircle(diagram, static_cast<std::size_t>(circle)); !checked) return checked;
+    for (const SideIndex side : diagram.sides(circle)) {
+      const CircleIndex neighbor = diagram.neighborOf(side);
+      if (auto checked = checkCircle(diagram, static_cast<std::size_t>(neighbor)); !checked) return checked;
+      const VertexIndex origin = diagram.originOf(side);
+      if (origin == kNone) continue;
+      for (const CircleIndex corner : diagram.vertexCircles[static_cast<std::size_t>(origin)]) {
+        if (auto checked = checkCircle(diagram, static_cast<std::size_t>(corner)); !checked) return checked;
+      }
+    }
+  }
+  return {};
+}
 
 Result<void> checkArrays(const Diagram& diagram) {
   for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
-    if (const auto error = errorOf(diagram.circles[i], diagram.weights)) {
-      return Error{error->code, static_cast<std::int64_t>(i), "Circle " + std::to_string(i) + " " + error->what};
-    }
-    // Integers of fixed size hold multiples of the step alone.
-    if (rounded(diagram.circles[i]) != diagram.circles[i]) {
-      return Error{ErrorCode::badInput, static_cast<std::int64_t>(i),
-                   "Circle " + std::to_string(i) + " has a number that is not a multiple of 2^-96."};
-    }
+    if (auto checked = checkCircle(diagram, i); !checked) return checked;
   }
-  const bool fitsInLength = diagram.vertexCircles.size() == diagram.vertices.size() &&
-                            diagram.links.nextSide.size() == 2 * diagram.edges.size() &&
-                            diagram.links.vertexSides.size() == diagram.vertices.size() &&
-                            diagram.links.firstSide.size() == diagram.circles.size();
-  if (!fitsInLength) return doNotFit(" in their lengths");
+  if (!fitInLength(diagram)) return doNotFit(" in their lengths");
   auto place = outsideRange(diagram);
   if (!place) place = wronglyLinked(diagram);
   if (place) return doNotFit(std::string(" at ") + place->thing + " " + std::to_string(place->index));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 
@@ -12,5 +14,7 @@ namespace circle_voronoi {
 ///
 /// Errors: badInput; for circles see `validate`. Exported because the writers, a library of their own, call it.
 CIRCLE_VORONOI_API Result<void> checkArrays(const Diagram& diagram);
+/// Checks the arrays of some cells alone, in time for their sides. The circles are in range.
+Result<void> checkArrays(const Diagram& diagram, std::span<const CircleIndex> circles);
 
 }  // namespace circle_voronoi

@@ -7,7 +7,7 @@
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/limits.h"
-#include "clip.h"
+#include "line_crossing.h"
 #include "scale.h"
 
 namespace circle_voronoi {

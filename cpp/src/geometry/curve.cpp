@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edge_curve.h"
 #include "parameter_at_distance.h"
 #include "scale.h"
+#include "two_part.h"
 
 namespace circle_voronoi {
 namespace {
@@ -16,6 +18,9 @@ constexpr double kSmallestParameter = 1e-300;
 constexpr double kLargestParameter = 1e300;
 /// Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray.
 constexpr double kSmallestB = 0x1p-50;
+/// The largest distance of a circle from touching another one from inside, as a share, where it is computed with twice
+/// the digits.
+constexpr double kNearlyInside = 0x1p-16;
 /// Parameters with a larger quotient belong to two points.
 constexpr double kFarApart = 0x1p10;
 
@@ -61,17 +66,20 @@ Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
   const Vector toOther = between(origin, originIsLeft ? right : left);
   const double d = length(toOther);
   const double size = std::abs(difference);
+  // Where one circle is nearly inside the other, the difference of d and size has few digits, that of their squares
+  // all.
+  const bool isNearlyInside = isCurved && d - size < kNearlyInside * d;
+  const double square = isNearlyInside ? tangentSquare(left, right).square.value : (d - size) * (d + size);
 
   Bisector result;
   result.left = {left.x, left.y};
   result.right = {right.x, right.y};
   result.a = difference / 2;
-  // Not c^2 - a^2, which cancels for a circle almost inside the other.
-  result.b = std::max(std::sqrt(std::max((d - size) * (d + size), 0.0)), d * kSmallestB) / 2;
+  result.b = std::max(std::sqrt(std::max(square, 0.0)), d * kSmallestB) / 2;
   result.origin = {origin.x, origin.y};
   result.along = {toOther.x / d, toOther.y / d};
   result.across = originIsLeft ? Vector{-result.along.y, result.along.x} : Vector{result.along.y, -result.along.x};
-  result.apex = (d - size) / 2;
+  result.apex = (isNearlyInside ? std::max(square, 0.0) / (d + size) : d - size) / 2;
   if (metric == Metric::power) {
     // Below 2^290: the radii are below 2^97, and the centers 2^-96 apart.
     result.apex += (left.r - right.r) * ((left.r + right.r) / (2 * d));
@@ -108,8 +116,10 @@ double parameterAtDistance(const Bisector& bisector, double distance) {
   return exponentialOf(std::sqrt(distance - apex) * (std::sqrt(distance + apex) / bisector.b));
 }
 
-EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
-  const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(edge)];
+namespace {
+
+EdgeCurve curveBetween(const Diagram& diagram, const Edge& edge) {
+  const auto& [left, right, start, end] = edge;
   const auto& circles = diagram.circles;
   EdgeCurve curve;
   curve.bisector =
@@ -122,6 +132,17 @@ EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
   if (end != kNone) curve.end = vertexAt(end);
   setParameters(curve, start != kNone, end != kNone);
   return curve;
+}
+
+}  // namespace
+
+EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
+  return curveBetween(diagram, diagram.edges[static_cast<std::size_t>(edge)]);
+}
+
+EdgeCurve orderedCurve(const Diagram& diagram, EdgeIndex edge) {
+  const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(edge)];
+  return left < right ? edgeCurve(diagram, edge) : curveBetween(diagram, {right, left, end, start});
 }
 
 EdgeCurve sideCurve(const Diagram& diagram, SideIndex side) {

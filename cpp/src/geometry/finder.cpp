@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "beginning_of.h"
 #include "bucket_grid.h"
 #include "circle_voronoi/cells.h"
 #include "scale.h"
@@ -18,30 +19,6 @@ namespace {
 /// step.
 constexpr std::size_t kFewSides = 24;
 
-/// The direction from the cell's center in which a side begins.
-Vector beginningOf(const Diagram& diagram, SideIndex side) {
-  const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.circleOf(side))];
-  const VertexIndex origin = diagram.originOf(side);
-  if (origin != kNone) {
-    const Vertex& v = diagram.vertices[static_cast<std::size_t>(origin)];
-    return {v.x - c.x, v.y - c.y};
-  }
-  // The limit of point(s) as s goes to 0.
-  const Bisector bisector = sideCurve(diagram, side).bisector;
-  const double a = std::abs(bisector.a);
-  return {-a * bisector.along.x - bisector.b * bisector.across.x,
-          -a * bisector.along.y - bisector.b * bisector.across.y};
-}
-
-/// Whether turning counter-clockwise from `reference` one meets v no later than w.
-bool noLater(Vector reference, Vector v, Vector w) {
-  const auto isSecondHalf = [&](Vector u) {
-    const double side = turn(reference, u);
-    return side < 0 || (side == 0 && facing(reference, u) < 0);
-  };
-  if (isSecondHalf(v) != isSecondHalf(w)) return isSecondHalf(w);
-  return turn(v, w) >= 0;
-}
 
 }  // namespace
 
@@ -152,7 +129,7 @@ CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
   const Vector toPoint = {p.x - c.x, p.y - c.y};
   const Vector reference = beginningOf(diagram_, sides.front());
   const auto after = std::ranges::partition_point(
-      sides, [&](SideIndex side) { return noLater(reference, beginningOf(diagram_, side), toPoint); });
+      sides, [&](SideIndex side) { return isNoLater(reference, beginningOf(diagram_, side), toPoint); });
   // Rounding may be off by a side of next to no length.
   const auto k = static_cast<std::size_t>(after - sides.begin()) + sides.size();
   for (const std::size_t offset : {0U, 1U, 2U, 3U}) ask(sides[(k + 1 - offset) % sides.size()]);

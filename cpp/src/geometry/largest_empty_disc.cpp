@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
 
 #include "circle_voronoi/cells.h"
-#include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/queries.h"
-#include "clip.h"
+#include "line_crossing.h"
 #include "scale.h"
 #include "tangent.h"
 
@@ -23,7 +24,6 @@ class Largest {
     offer({p.x, p.y, distanceFrom(diagram, circle, p)}, {circle, other, kNone});
   }
 
-  double radius() const { return best_ ? best_->disc.r : -kInfinite; }
   const std::optional<EmptyDisc>& best() const { return best_; }
 
  private:
@@ -31,33 +31,6 @@ class Largest {
 };
 
 }  // namespace
-
-std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, const ConvexPolygon& region) {
-  Largest largest;
-  const Finder finder(diagram);
-  CircleIndex nearest;
-  for (const Point& corner : region.corners()) {
-    nearest = finder.find(corner, nearest);
-    if (nearest != kNone) largest.offer(diagram, corner, nearest);
-  }
-  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
-    const Vertex& vertex = diagram.vertices[v];
-    if (region.contains({vertex.x, vertex.y})) largest.offer(vertex, diagram.vertexCircles[v]);
-  }
-  for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
-    const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(e)];
-    const auto radiusAt = [&](VertexIndex v) {
-      return v == kNone ? kInfinite : diagram.vertices[static_cast<std::size_t>(v)].r;
-    };
-    // Along an edge the distance is largest at one of its ends.
-    if (std::max(radiusAt(start), radiusAt(end)) <= largest.radius()) continue;
-    for (const auto& [piece, cutFrom, cutTo] : partsInside(boundedPart(edgeCurve(diagram, e), region), region)) {
-      if (cutFrom != kNone) largest.offer(diagram, piece.start, left, right);
-      if (cutTo != kNone) largest.offer(diagram, piece.end, left, right);
-    }
-  }
-  return largest.best();
-}
 
 // The part of the diagram outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
 // from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So

@@ -62,12 +62,17 @@ bool isShortEdge(const Diagram& diagram, const Edge& edge, std::optional<double>
 
 }  // namespace
 
-std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram) {
-  Sets sets(diagram.vertices.size());
-  for (const Edge& edge : diagram.edges) {
-    if (isShortEdge(diagram, edge, std::nullopt)) sets.unite(edge.start, edge.end);
+std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram, const Chosen& edges, const Chosen& vertices) {
+  Sets sets(vertices.size());
+  for (std::size_t row = 0; row < edges.size(); ++row) {
+    const Edge& edge = diagram.edges[edges[row]];
+    if (isShortEdge(diagram, edge, std::nullopt)) sets.unite(vertices.rowOf(edge.start), vertices.rowOf(edge.end));
   }
   return std::move(sets).first();
+}
+
+std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram) {
+  return firstVerticesHere(diagram, Chosen(diagram.edges.size()), Chosen(diagram.vertices.size()));
 }
 
 MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZero) {

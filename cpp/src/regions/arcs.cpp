@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "at.h"
+#include "edge_curve.h"
 #include "refuse_clip.h"
 #include "shifted_signs.h"
 
@@ -15,15 +16,23 @@ namespace {
 
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 
-/// Returns how often the boundary of a region winds around a vertex.
+/// Returns how often the boundary of a region winds around the vertex where a side begins.
 std::int32_t windingAround(const Diagram& diagram, const Region& region, const ShiftedSigns& signs,
-                           VertexIndex vertex) {
+                           SideIndex beginning) {
+  const VertexIndex vertex = diagram.originOf(beginning);
   const Vertex& v = diagram.vertices[at(vertex)];
   const double error = signs.errorOf(vertex);
   const Box bounds = region.bounds();
+  const auto isBeyond = [&](double value, double min, double max) {
+    return value + error < min || value - error > max;
+  };
+  if (isBeyond(v.x, bounds.minX, bounds.maxX) || isBeyond(v.y, bounds.minY, bounds.maxY)) return 0;
+  // Away from the boundary the vertex is where its rounded place is.
+  if (region.sidesIn({v.x - error, v.y - error, v.x + error, v.y + error}).empty()) {
+    return region.contains({v.x, v.y}) ? 1 : 0;
+  }
   // Sides that may cross the ray from the vertex to the right.
   const Box ray = {v.x - error, v.y - error, std::max(bounds.maxX, v.x), v.y + error};
-  const SideIndex beginning = diagram.links.vertexSides[at(vertex)][0];
   const auto isAbove = [&](Point p) {
     // A horizontal line through the point, to the right.
     const Point right = {p.x == 0 ? 1 : p.x > 0 ? 2 * p.x : -p.x, p.y};
@@ -45,17 +54,14 @@ std::int32_t windingAround(const Diagram& diagram, const Region& region, const S
 
 }  // namespace
 
-Arcs::Arcs(const Diagram& diagram, const Crossings& crossings) : diagram_(diagram), crossings_(crossings) {
+Arcs::Arcs(const Diagram& diagram, const Region& region, const ClipScope& scope, const Crossings& crossings)
+    : diagram_(diagram), scope_(scope), crossings_(crossings), crossed_(std::vector<std::int32_t>()) {
   sortCrossings();
-  findLevels();
-  makeArcs();
-}
-
-Arcs::Arcs(const Diagram& diagram, const Crossings& crossings, const Region& region,
-           std::span<const CircleIndex> circles)
-    : diagram_(diagram), crossings_(crossings) {
-  sortCrossings();
-  findLevels(region, circles);
+  if (scope.isAll()) {
+    findLevels();
+  } else {
+    findLevels(region);
+  }
   makeArcs();
 }
 
@@ -63,25 +69,33 @@ void Arcs::sortCrossings() {
   const auto& all = crossings_.all;
   order_.resize(all.size());
   std::iota(order_.begin(), order_.end(), 0);
-  const auto key = [&](std::int32_t c) { return std::tuple(std::int32_t{all[at(c)].edge}, all[at(c)].parameter, c); };
+  const auto key = [&](std::int32_t c) {
+    const Crossing& its = all[at(c)];
+    const std::int32_t side = its.side;
+    // The same order in both directions of an edge, reversed.
+    if (!isOrdered(diagram_, its.edge)) return std::tuple(std::int32_t{its.edge}, -its.parameter, -side);
+    return std::tuple(std::int32_t{its.edge}, its.parameter, side);
+  };
   std::ranges::sort(order_, {}, key);
-  isCrossed_.assign(diagram_.edges.size(), false);
-  rows_.assign(diagram_.edges.size(), kNone);
+  std::vector<std::int32_t> crossed;
   for (std::size_t k = 0; k < order_.size(); ++k) {
     const EdgeIndex edge = all[at(order_[k])].edge;
-    if (rows_[at(edge)] != kNone) continue;
-    isCrossed_[at(edge)] = true;
-    rows_[at(edge)] = static_cast<std::int32_t>(crossed_.size());
-    crossed_.push_back(edge);
+    if (!crossed.empty() && crossed.back() == edge) continue;
+    crossed.push_back(edge);
     orderStart_.push_back(static_cast<std::int32_t>(k));
   }
   orderStart_.push_back(static_cast<std::int32_t>(order_.size()));
+  if (scope_.isAll()) {
+    isCrossed_.assign(diagram_.edges.size(), false);
+    for (const std::int32_t edge : crossed) isCrossed_[at(edge)] = true;
+  }
+  crossed_ = Chosen(std::move(crossed));
 }
 
 /// The level at the end of an edge minus the level at its start.
 std::int32_t Arcs::riseAlong(EdgeIndex edge) const {
   if (!isCrossed(edge)) return 0;
-  const std::int32_t row = rows_[at(edge)];
+  const std::int32_t row = crossed_.rowOf(edge);
   std::int32_t sum = 0;
   for (std::int32_t k = orderStart_[at(row)]; k < orderStart_[at(row) + 1]; ++k) {
     sum += crossings_.all[at(order_[at(k)])].isEntry ? 1 : -1;
@@ -117,27 +131,25 @@ void Arcs::findLevels() {
   }
 }
 
-/// Finds the levels of the vertices of some cells. Other vertices have the level 0.
-void Arcs::findLevels(const Region& region, std::span<const CircleIndex> circles) {
-  levels_.assign(diagram_.vertices.size(), kUnknown);
+/// Finds the levels of the vertices of some cells, around each cell from the level of one vertex.
+void Arcs::findLevels(const Region& region) {
+  levels_.assign(scope_.vertices.size(), kUnknown);
   const ShiftedSigns signs(diagram_);
-  for (const CircleIndex circle : circles) {
-    const auto sides = diagram_.sides(circle);
-    // The level of a vertex follows from that of the one before.
+  const auto levelOf = [&](VertexIndex vertex) -> std::int32_t& { return levels_[at(scope_.vertices.rowOf(vertex))]; };
+  for (std::size_t row = 0; row < scope_.cells.size(); ++row) {
     std::int32_t level = kUnknown;
-    for (const SideIndex side : sides) {
+    for (const SideIndex side : diagram_.sides(scope_.cells[row])) {
       const VertexIndex origin = diagram_.originOf(side);
       const VertexIndex target = diagram_.targetOf(side);
       if (origin == kNone) level = 0;
-      if (origin != kNone && levels_[at(origin)] != kUnknown) level = levels_[at(origin)];
-      if (level == kUnknown) level = windingAround(diagram_, region, signs, origin);
-      if (origin != kNone) levels_[at(origin)] = level;
+      if (origin != kNone && levelOf(origin) != kUnknown) level = levelOf(origin);
+      if (level == kUnknown) level = windingAround(diagram_, region, signs, side);
+      if (origin != kNone) levelOf(origin) = level;
       const std::int32_t change = riseAlong(Diagram::edgeOf(side));
       level += side % 2 == 0 ? change : -change;
-      if (target != kNone && levels_[at(target)] == kUnknown) levels_[at(target)] = level;
+      if (target != kNone && levelOf(target) == kUnknown) levelOf(target) = level;
     }
   }
-  std::replace(levels_.begin(), levels_.end(), kUnknown, 0);
 }
 
 void Arcs::makeArcs() {
@@ -171,7 +183,7 @@ void Arcs::makeArcs() {
 }
 
 std::span<const Arc> Arcs::of(EdgeIndex edge) const {
-  const std::size_t row = at(rows_[at(edge)]);
+  const std::size_t row = at(crossed_.rowOf(edge));
   return std::span(arcs_).subspan(at(arcStart_[row]), at(arcStart_[row + 1] - arcStart_[row]));
 }
 

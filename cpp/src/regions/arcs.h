@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/region.h"
+#include "clip_scope.h"
 #include "crossings.h"
 
 namespace circle_voronoi {
@@ -27,13 +29,19 @@ struct Arc {
 /// entry and an exit next to each other, but not that they alternate.
 class Arcs {
  public:
-  Arcs(const Diagram& diagram, const Crossings& crossings);
-  /// Finds the arcs of the edges of some cells, from the crossings of these edges.
-  Arcs(const Diagram& diagram, const Crossings& crossings, const Region& region, std::span<const CircleIndex> circles);
+  /// Finds the arcs of the edges of the scope, from the crossings of these edges.
+  Arcs(const Diagram& diagram, const Region& region, const ClipScope& scope, const Crossings& crossings);
 
-  bool isCrossed(EdgeIndex edge) const { return isCrossed_[static_cast<std::size_t>(edge)]; }
-  /// Returns whether the region contains a vertex. It does not contain infinity (kNone).
-  bool isInside(VertexIndex vertex) const { return vertex != kNone && levels_[static_cast<std::size_t>(vertex)] == 1; }
+  bool isCrossed(EdgeIndex edge) const {
+    return scope_.isAll() ? isCrossed_[static_cast<std::size_t>(edge)] : crossed_.has(edge);
+  }
+  /// Returns whether the region contains a vertex. It does not contain infinity (kNone), nor vertices out of scope.
+  bool isInside(VertexIndex vertex) const {
+    if (vertex == kNone) return false;
+    const std::int32_t row = scope_.vertices.rowOf(vertex);
+    return row != kNone && levels_[static_cast<std::size_t>(row)] == 1;
+  }
+  /// Returns the levels of the vertices in scope.
   std::span<const std::int32_t> levels() const { return levels_; }
 
   /// Returns all arcs of edges with crossings, edge by edge, in the direction of each edge.
@@ -49,14 +57,14 @@ class Arcs {
   void sortCrossings();
   std::int32_t riseAlong(EdgeIndex edge) const;
   void findLevels();
-  void findLevels(const Region& region, std::span<const CircleIndex> circles);
+  void findLevels(const Region& region);
   void makeArcs();
 
   const Diagram& diagram_;
+  const ClipScope& scope_;
   const Crossings& crossings_;
-  std::vector<bool> isCrossed_;           ///< for each edge, in bits that stay in the cache
-  std::vector<std::int32_t> rows_;        ///< for each edge its index in crossed_, or kNone
-  std::vector<EdgeIndex> crossed_;        ///< the edges with crossings
+  std::vector<bool> isCrossed_;           ///< if all cells are clipped: for each edge, in bits that stay in the cache
+  Chosen crossed_;                        ///< the edges with crossings
   std::vector<std::int32_t> order_;       ///< the crossings by edge, and along it
   std::vector<std::int32_t> orderStart_;  ///< for each edge with crossings where they begin in order_
   std::vector<std::int32_t> levels_;

@@ -5,8 +5,12 @@
 #include <cmath>
 #include <numeric>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "at.h"
+#include "cell_limits.h"
+#include "edge_curve.h"
 #include "in_outline.h"
 #include "judge_clip.h"
 #include "judge_near.h"
@@ -19,10 +23,9 @@ namespace circle_voronoi {
 
 namespace {
 
-Crossings crossingsFor(const Diagram& diagram, const Region& region,
-                       const std::optional<std::span<const CircleIndex>>& circles) {
+Crossings crossingsFor(const Diagram& diagram, const Region& region, const ClipScope& scope) {
   if (diagram.hull.empty()) return {};
-  return circles ? crossingsOf(diagram, region, *circles) : crossingsOf(diagram, region);
+  return scope.isAll() ? crossingsOf(diagram, region) : crossingsOf(diagram, region, scope.cells);
 }
 
 }  // namespace
@@ -33,37 +36,37 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
       region(itsRegion),
       maxDistance(itsMaxDistance),
       bounds(itsRegion.bounds()),
-      crossings(crossingsFor(its, itsRegion, circles)),
-      arcs(circles ? Arcs(its, crossings, itsRegion, *circles) : Arcs(its, crossings)) {
-  const ClipRecord record = {diagram, region, crossings, arcs.levels(), arcs.all(), circles};
+      scope(its, circles),
+      crossings(crossingsFor(its, itsRegion, scope)),
+      arcs(its, itsRegion, scope, crossings) {
+  const ClipRecord record = {diagram, region, scope, crossings, arcs.levels(), arcs.all()};
   if (const char* fault = faultOf(record)) refuseClip(fault);
-  const auto ringOffsets = region.ringOffsets();
-  after_.resize(region.sideCount());
-  for (std::size_t r = 0; r < region.ringCount(); ++r) {
-    for (std::int32_t k = ringOffsets[r]; k < ringOffsets[r + 1]; ++k) {
-      after_[at(k)] = k + 1 == ringOffsets[r + 1] ? ringOffsets[r] : k + 1;
-    }
-  }
-  std::vector<std::uint8_t> isChosen(diagram.circles.size(), circles ? 0 : 1);
-  if (circles) {
-    for (const CircleIndex circle : *circles) isChosen[at(circle)] = 1;
-  }
-  places_.assign(diagram.circles.size(), Place::outside);
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const SideIndex side = diagram.links.firstSide[i];
-    if (isChosen[i] != 0 && side != kNone && arcs.isInside(diagram.originOf(side))) places_[i] = Place::inside;
+  places_.assign(scope.cells.size(), Place::outside);
+  for (std::size_t row = 0; row < places_.size(); ++row) {
+    const SideIndex side = diagram.links.firstSide[at(scope.cells[row])];
+    if (side != kNone && arcs.isInside(diagram.originOf(side))) places_[row] = Place::inside;
   }
   into_.reserve(crossings.all.size());
   for (std::size_t c = 0; c < crossings.all.size(); ++c) {
     const CircleIndex cell = cellAfter(crossings.all[c]);
-    if (isChosen[at(cell)] != 0) into_.push_back({cell, static_cast<std::int32_t>(c)});
+    if (scope.cells.has(cell)) into_.push_back({cell, static_cast<std::int32_t>(c)});
   }
+  // A side of the region comes into a cell once at most from each neighbor.
+  std::ranges::sort(into_, {}, [this](const InCell& one) {
+    const Crossing& crossing = crossings.all[at(one.index)];
+    const Point start = pointOf(crossing.side);
+    const Point end = pointOf(sideAfter(crossing.side));
+    const bool isForward = start.x < end.x || (start.x == end.x && start.y < end.y);
+    const Edge& edge = diagram.edges[at(crossing.edge)];
+    return std::tuple(std::int32_t{one.cell}, std::int32_t{crossing.side}, isForward ? crossing.share : -crossing.share,
+                      edge.left + edge.right);
+  });
+  placesInto_.assign(crossings.all.size(), kNone);
+  for (std::size_t k = 0; k < into_.size(); ++k) placesInto_[at(into_[k].index)] = static_cast<std::int32_t>(k);
   for (const auto& [cell, ring] : crossings.rings) rings_.push_back({cell, ring});
-  for (auto* list : {&into_, &rings_}) {
-    std::ranges::sort(*list, [](const InCell& a, const InCell& b) {
-      return std::pair(std::int32_t{a.cell}, a.index) < std::pair(std::int32_t{b.cell}, b.index);
-    });
-    for (const InCell& one : *list) places_[at(one.cell)] = Place::cut;
+  std::ranges::sort(rings_, {}, [](const InCell& one) { return std::pair(std::int32_t{one.cell}, one.index); });
+  for (const auto* list : {&into_, &rings_}) {
+    for (const InCell& one : *list) places_[at(scope.cells.rowOf(one.cell))] = Place::cut;
   }
   moments = momentsOf(*this, visit);
   if (const char* fault = faultOf(record, moments)) refuseClip(fault);
@@ -75,14 +78,14 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
 void ClippedDiagram::Parts::judgeNearParts() const {
   const DistanceSigns signs(diagram, *maxDistance);
   Loops loops;
-  for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
-    const auto circle = static_cast<std::int32_t>(i);
+  for (std::size_t row = 0; row < scope.cells.size(); ++row) {
+    const CircleIndex circle = scope.cells[row];
     if (placeOf(circle) != Place::cut) continue;
     loopsOf(circle, loops);
     const double radius = std::max(signs.radius(circle), 0.0);
     const double size = std::max({radius, bounds.maxX - bounds.minX, bounds.maxY - bounds.minY});
-    const double most = std::min(moments.area(i), std::numbers::pi * radius * radius);
-    const Circle& c = diagram.circles[i];
+    const double most = std::min(moments.area(row), std::numbers::pi * radius * radius);
+    const Circle& c = diagram.circles[at(circle)];
     const double farthest = std::max({std::abs(c.x), std::abs(c.y), size});
     if (const char* fault = faultOf(nearLoops(*this, circle, loops), most, kRounding * size * farthest)) {
       refuseClip(fault);
@@ -95,25 +98,49 @@ std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(con
   return withKey(all, std::int32_t{cell}, [](const InCell& one) { return std::int32_t{one.cell}; });
 }
 
-EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {
-  EdgeCurve curve = curveOf(arc.edge);
-  if (arc.start != kNone) {
-    curve.from = crossings.all[at(arc.start)].parameter;
-    curve.start = crossings.all[at(arc.start)].point;
+void ClippedDiagram::Parts::sidesOf(CircleIndex circle, std::vector<SideIndex>& sides) const {
+  const auto all = diagram.sides(circle);
+  sides.assign(all.begin(), all.end());
+  // Two circles follow each other once at most around a vertex of the cell, and once at most around infinity.
+  const auto key = [&](std::size_t k) {
+    const SideIndex next = sides[k + 1 == sides.size() ? 0 : k + 1];
+    return std::tuple(std::int32_t{diagram.neighborOf(sides[k])}, std::int32_t{diagram.neighborOf(next)},
+                      diagram.targetOf(sides[k]) == kNone);
+  };
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < sides.size(); ++k) {
+    if (key(k) < key(first)) first = k;
   }
-  if (arc.end != kNone) {
-    curve.to = crossings.all[at(arc.end)].parameter;
-    curve.end = crossings.all[at(arc.end)].point;
+  std::rotate(sides.begin(), sides.begin() + static_cast<std::ptrdiff_t>(first), sides.end());
+}
+
+EdgeCurve ClippedDiagram::Parts::orderedCurveOf(const Arc& arc) const {
+  EdgeCurve curve = orderedCurve(diagram, arc.edge);
+  const auto& [first, last] =
+      isOrdered(diagram, arc.edge) ? std::pair(arc.start, arc.end) : std::pair(arc.end, arc.start);
+  if (first != kNone) {
+    curve.from = crossings.all[at(first)].parameter;
+    curve.start = crossings.all[at(first)].point;
+  }
+  if (last != kNone) {
+    curve.to = crossings.all[at(last)].parameter;
+    curve.end = crossings.all[at(last)].point;
   }
   // The parameters may be in the wrong order if the arc has length zero up to rounding.
   if (curve.from > curve.to) curve.from = curve.to = std::sqrt(curve.from) * std::sqrt(curve.to);
   return curve;
 }
 
+EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {
+  if (arc.start == kNone && arc.end == kNone) return curveOf(arc.edge);
+  const EdgeCurve curve = orderedCurveOf(arc);
+  return isOrdered(diagram, arc.edge) ? curve : reversed(curve);
+}
+
 EdgeCurve ClippedDiagram::Parts::curveOf(const LoopPiece& piece) const {
-  const EdgeCurve curve =
-      piece.arc == kNone ? curveOf(Diagram::edgeOf(piece.side)) : curveOf(arcs.all()[at(piece.arc)]);
-  return piece.side % 2 == 0 ? curve : reversed(curve);
+  const EdgeIndex edge = Diagram::edgeOf(piece.side);
+  const EdgeCurve curve = piece.arc == kNone ? orderedCurve(diagram, edge) : orderedCurveOf(arcs.all()[at(piece.arc)]);
+  return isOrdered(diagram, edge) == (piece.side % 2 == 0) ? curve : reversed(curve);
 }
 
 /// Adds the arcs that follow a crossing where the boundary leaves the cell, up to a crossing where it comes back, which
@@ -144,8 +171,7 @@ void ClippedDiagram::Parts::addChain(std::int32_t first, std::vector<std::uint8_
   const auto into = crossingsInto(cellAfter(crossings.all[at(first)]));
   std::int32_t crossing = first;
   do {
-    const auto place = std::ranges::lower_bound(into, crossing, {}, &InCell::index);
-    isDone[static_cast<std::size_t>(place - into.begin())] = 1;
+    isDone[at(placesInto_[at(crossing)]) - static_cast<std::size_t>(into.data() - into_.data())] = 1;
     const Stretch stretch = stretchFrom(crossing);
     Point p = crossings.all[at(crossing)].point;
     visitCorners(stretch, [&](RegionSideIndex side) {
@@ -187,7 +213,9 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
   }
   // The border of a whole cell, which may have holes.
   if (isBorderInside(circle)) {
-    for (const SideIndex side : diagram.sides(circle)) {
+    std::vector<SideIndex> sides;
+    sidesOf(circle, sides);
+    for (const SideIndex side : sides) {
       const Vertex& vertex = diagram.vertices[at(diagram.originOf(side))];
       loops.pieces.push_back({{vertex.x, vertex.y}, side});
     }

@@ -45,8 +45,15 @@ class ClippedDiagram::Parts {
         std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit);
 
   using Place = ClippedDiagram::Place;
-  /// How a cell lies to the region, whatever the maximum distance.
-  Place placeOf(CircleIndex circle) const { return places_[static_cast<std::size_t>(circle)]; }
+  /// How a cell lies to the region, whatever the maximum distance. A cell that is not clipped counts as outside.
+  Place placeOf(CircleIndex circle) const {
+    const std::int32_t row = scope.cells.rowOf(circle);
+    return row == kNone ? Place::outside : places_[static_cast<std::size_t>(row)];
+  }
+
+  /// Collects the sides of a cell, counter-clockwise from one that depends on its neighbors alone, not on the numbers
+  /// of edges: the one with the smallest neighbor, and of several the one with the smallest neighbor after it.
+  void sidesOf(CircleIndex circle, std::vector<SideIndex>& sides) const;
 
   /// Returns whether an edge without crossings lies in the region.
   bool isInside(EdgeIndex edge) const { return arcs.isInside(diagram.edges[static_cast<std::size_t>(edge)].start); }
@@ -57,6 +64,8 @@ class ClippedDiagram::Parts {
   /// The curve of a whole edge, and that of an arc, in the direction of the edge.
   EdgeCurve curveOf(EdgeIndex edge) const { return edgeCurve(diagram, edge); }
   EdgeCurve curveOf(const Arc& arc) const;
+  /// The curve of an arc in the direction of orderedCurve.
+  EdgeCurve orderedCurveOf(const Arc& arc) const;
   /// The curve of a piece that is a side, in the direction of its loop.
   EdgeCurve curveOf(const LoopPiece& piece) const;
 
@@ -83,25 +92,31 @@ class ClippedDiagram::Parts {
     CircleIndex cell;
     std::int32_t index;
   };
-  /// The crossings after which the boundary goes on in a cell, and the rings that lie in it.
+  /// The crossings after which the boundary goes on in a cell, along the sides of the region, and the rings that lie in
+  /// the cell. Their order depends on the cell, its neighbors and the region alone.
   std::span<const InCell> crossingsInto(CircleIndex cell) const { return within(into_, cell); }
   std::span<const InCell> ringsIn(CircleIndex cell) const { return within(rings_, cell); }
   std::span<const InCell> allCrossings() const { return into_; }
   std::span<const InCell> allRings() const { return rings_; }
 
   Point pointOf(RegionSideIndex side) const { return region.points()[static_cast<std::size_t>(side)]; }
-  RegionSideIndex sideAfter(RegionSideIndex side) const { return after_[static_cast<std::size_t>(side)]; }
+  RegionSideIndex sideAfter(RegionSideIndex side) const { return sideAfter(side, region.ringOf(side)); }
 
   const Diagram& diagram;
   const Region& region;
   const std::optional<double> maxDistance;
   const Box bounds;
+  const ClipScope scope;
   const Crossings crossings;
   const Arcs arcs;
   CellMoments moments;
 
  private:
   static std::span<const InCell> within(const std::vector<InCell>& all, CircleIndex cell);
+  RegionSideIndex sideAfter(RegionSideIndex side, RegionRingIndex ring) const {
+    const auto offsets = region.ringOffsets().subspan(static_cast<std::size_t>(ring), 2);
+    return side + 1 == offsets[1] ? offsets[0] : side + 1;
+  }
 
   void addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const;
   std::int32_t addArcs(std::int32_t crossing, Loops& loops) const;
@@ -110,27 +125,25 @@ class ClippedDiagram::Parts {
                                                  const std::vector<std::int32_t>& holes) const;
   void judgeNearParts() const;
 
-  std::vector<RegionSideIndex> after_;
   std::vector<InCell> into_;
+  std::vector<std::int32_t> placesInto_;  ///< for each crossing its place in into_, or kNone
   std::vector<InCell> rings_;
-  std::vector<Place> places_;
+  std::vector<Place> places_;  ///< by row of the cell in scope
 };
 
-/// Adds up the moments of the parts of all cells in the region, whatever the maximum distance.
+/// Adds up the moments of the parts of the cells in the region, whatever the maximum distance.
 CellMoments momentsOf(const ClippedDiagram::Parts& parts, const VisitArc& visit);
 
 template <class Visit>
 void ClippedDiagram::Parts::visitCorners(const Stretch& stretch, Visit visit) const {
+  if (crossings.isOnSideOfNext[static_cast<std::size_t>(stretch.from)] != 0) return;
   RegionSideIndex side = crossings.all[static_cast<std::size_t>(stretch.from)].side;
   const RegionSideIndex last = crossings.all[static_cast<std::size_t>(stretch.to)].side;
-  // From the last crossing of a ring the boundary goes on through the start of the ring.
-  bool isAhead = stretch.to > stretch.from;
-  while (side != last || !isAhead) {
+  const RegionRingIndex ring = region.ringOf(side);
+  do {
     visit(side);
-    const RegionSideIndex next = sideAfter(side);
-    if (next <= side) isAhead = true;
-    side = next;
-  }
+    side = sideAfter(side, ring);
+  } while (side != last);
 }
 
 }  // namespace circle_voronoi

@@ -14,6 +14,8 @@
 #include "in_circle.h"
 #include "near_vertices.h"
 #include "scale.h"
+#include "sectors.h"
+#include "shifted_signs.h"
 #include "valid_polygons.h"
 #include "with_key.h"
 
@@ -110,7 +112,9 @@ Point betweenOnBisector(const Bisector& bisector, Point from, Point to, Point co
 }  // namespace
 
 ClipFlattener::ClipFlattener(const ClippedDiagram& clipped, double tolerance)
-    : clipped_(clipped), tolerance_(tolerance), firstHere_(firstVerticesHere(clipped.diagram())) {
+    : clipped_(clipped),
+      tolerance_(tolerance),
+      firstHere_(firstVerticesHere(clipped.diagram(), clipped.parts().scope.edges, clipped.parts().scope.vertices)) {
   collectPlaces();
   collectCorners();
 }
@@ -125,10 +129,16 @@ void ClipFlattener::collectPlaces() {
   const auto& parts = clipped_.parts();
   const Diagram& diagram = clipped_.diagram();
   const auto& crossings = parts.crossings.all;
-  // Sets of places: vertices, then crossings, then corners.
-  const std::size_t vertexCount = diagram.vertices.size();
+  // Sets of places: vertices, then crossings, then corners next to these.
+  const Chosen& vertices = parts.scope.vertices;
+  std::vector<std::int32_t> cornersNearby;
+  for (const Crossing& crossing : crossings) {
+    cornersNearby.insert(cornersNearby.end(), {crossing.side, parts.sideAfter(crossing.side)});
+  }
+  const Chosen corners(std::move(cornersNearby));
+  const std::size_t vertexCount = vertices.size();
   const std::size_t firstCorner = vertexCount + crossings.size();
-  std::vector<std::size_t> parents(firstCorner + parts.region.sideCount());
+  std::vector<std::size_t> parents(firstCorner + corners.size());
   std::iota(parents.begin(), parents.end(), std::size_t{0});
   const auto rootOf = [&](std::size_t place) {
     while (parents[place] != place) place = parents[place] = parents[parents[place]];
@@ -156,25 +166,23 @@ void ClipFlattener::collectPlaces() {
   const double most = mostReach();
   const auto isNear = [&](Point p, Point q, double reach) { return sizeOf(vectorTo(p, q)) <= std::min(reach, most); };
   for (std::size_t v = 0; v < vertexCount; ++v) {
-    const Point p = vertexAt(static_cast<std::int32_t>(v));
-    if (isNear(p, vertexAt(firstHere_[v]), kInfinite)) join(v, at(firstHere_[v]));
+    if (isNear(vertexAt(vertices[v]), vertexAt(vertices[at(firstHere_[v])]), kInfinite)) join(v, at(firstHere_[v]));
   }
   for (std::size_t c = 0; c < crossings.size(); ++c) {
     const Crossing& crossing = crossings[c];
     const Edge& edge = diagram.edges[at(crossing.edge)];
     const Point p = crossing.point;
     for (const VertexIndex v : {edge.start, edge.end}) {
-      if (v != kNone && isNear(p, vertexAt(v), reachOf(v))) join(vertexCount + c, at(v));
+      if (v != kNone && isNear(p, vertexAt(v), reachOf(v))) join(vertexCount + c, at(vertices.rowOf(v)));
     }
     const double reach = kOnePlace * (sizeOf({p.x, p.y}) + sizeOf(vectorTo(centerOf(diagram, edge.left), p)));
     for (const RegionSideIndex corner : {crossing.side, parts.sideAfter(crossing.side)}) {
-      if (isNear(p, parts.pointOf(corner), reach)) join(vertexCount + c, firstCorner + at(corner));
+      if (isNear(p, parts.pointOf(corner), reach)) join(vertexCount + c, firstCorner + at(corners.rowOf(corner)));
     }
   }
   const auto pointOfPlace = [&](std::size_t place) {
-    if (place < vertexCount) return vertexAt(static_cast<std::int32_t>(place));
-    return place < firstCorner ? crossings[place - vertexCount].point
-                               : parts.pointOf(static_cast<std::int32_t>(place - firstCorner));
+    if (place < vertexCount) return vertexAt(vertices[place]);
+    return place < firstCorner ? crossings[place - vertexCount].point : parts.pointOf(corners[place - firstCorner]);
   };
   for (std::size_t place = 0; place < firstCorner; ++place) {
     const Point p = pointOfPlace(place);
@@ -195,26 +203,29 @@ void ClipFlattener::collectCorners() {
   const Diagram& diagram = clipped_.diagram();
   double clearance = 0;  // how far the last point is from the border of its cell, at least
   Point last;
+  const ShiftedSigns signs(diagram);
+  Sectors sectors(diagram, signs);
   const auto add = [&](CircleIndex cell, Point p) {
     if (parts.maxDistance) collectRimCorner(cell, p);
     clearance -= lengthOf(vectorTo(last, p));
     last = p;
     if (clearance > 2 * tolerance_) return;
     clearance = kInfinite;
-    for (const SideIndex side : diagram.sides(cell)) {
+    if (sectors.cell() != cell) sectors.setCell(cell);
+    // A corner on a straight edge becomes a point of the edge, where the outline of a cell touches itself.
+    const double rounding =
+        kOnePlace * (std::abs(p.x) + std::abs(p.y) + lengthOf(vectorTo(centerOf(diagram, cell), p)));
+    sectors.visitSidesNear(p, std::max(rounding, tolerance_), [&](SideIndex side) {
       const CircleIndex neighbor = diagram.neighborOf(side);
       const double distance = lead(diagram, cell, neighbor, p) / 2;
       clearance = std::min(clearance, distance);
       const bool isStraight =
           diagram.metric != Metric::circles || diagram.circles[at(cell)].r == diagram.circles[at(neighbor)].r;
-      // A corner on a straight edge becomes a point of the edge, where the outline of a cell touches itself.
-      const double reach =
-          isStraight ? kOnePlace * (std::abs(p.x) + std::abs(p.y) + lengthOf(vectorTo(centerOf(diagram, cell), p)))
-                     : tolerance_;
-      if (distance > reach) continue;
+      if (distance > (isStraight ? rounding : tolerance_)) return;
       const EdgeIndex edge = Diagram::edgeOf(side);
       corners_.push_back({edge, cell, heightOn(edge, p), p});
-    }
+    });
+    if (sectors.hasManySides()) clearance = 0;  // of the sides nearby
   };
   for (const auto& [cell, crossing] : parts.allCrossings()) {
     clearance = 0;
@@ -331,11 +342,11 @@ std::vector<Point> ClipFlattener::pointsOfArc(CircleIndex cell, const OutlinePie
   return RoomMaker(center, [&](Point, Point, Point corner) { return onRim(corner); }).run(points, std::move(its));
 }
 
-ClippedPolygons clipPolygons(const ClippedDiagram& clipped, double tolerance) {
+ClippedPolygons clipPolygons(const ClippedDiagram& clipped, const Chosen& circles, double tolerance) {
   const ClipFlattener flattener(clipped, tolerance);
   ClippedPolygons result;
-  for (std::size_t i = 0; i < clipped.diagram().circles.size(); ++i) {
-    const Outline outline = clipped.outline(static_cast<std::int32_t>(i));
+  for (std::size_t row = 0; row < circles.size(); ++row) {
+    const Outline outline = clipped.outline(circles[row]);
     std::vector<PointLoop> loops;
     for (const auto& pieces : outline) {
       PointLoop& loop = loops.emplace_back();

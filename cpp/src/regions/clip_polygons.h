@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "chosen.h"
 #include "circle_voronoi/clipped_diagram.h"
 
 namespace circle_voronoi {
@@ -33,7 +34,7 @@ class CIRCLE_VORONOI_API ClipFlattener {
 
   /// Returns the point that stands for a corner, a crossing or a vertex.
   Point placeOf(Point p) const;
-  /// Returns for each vertex the vertex of smallest index at the same point (firstVerticesHere).
+  /// Returns for each vertex the vertex of smallest index at the same point (firstVerticesHere). All cells are clipped.
   const std::vector<std::int32_t>& firstHere() const { return firstHere_; }
 
  private:
@@ -59,12 +60,13 @@ class CIRCLE_VORONOI_API ClipFlattener {
 
   const ClippedDiagram& clipped_;
   double tolerance_;
-  std::vector<std::int32_t> firstHere_;
+  std::vector<std::int32_t> firstHere_;          ///< by row of the vertex in scope
   std::vector<Corner> corners_;                  ///< the corners near a curved edge, sorted by key
   std::vector<RimCorner> rimCorners_;            ///< the corners near a rim, sorted by cell
   std::vector<std::pair<Point, Point>> places_;  ///< points that another one stands for, sorted
 };
 
-ClippedPolygons clipPolygons(const ClippedDiagram& clipped, double tolerance);
+/// Returns polygons of some cells, which have been clipped.
+ClippedPolygons clipPolygons(const ClippedDiagram& clipped, const Chosen& circles, double tolerance);
 
 }  // namespace circle_voronoi

@@ -72,6 +72,14 @@ std::vector<CircleIndex> allOf(const Diagram& diagram) {
   return circles;
 }
 
+/// A value of each circle.
+template <class Value, class ValueOf>
+std::vector<Value> ofEach(const ClippedDiagram& clipped, ValueOf valueOf) {
+  std::vector<Value> values(clipped.diagram().circles.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = valueOf(static_cast<std::int32_t>(i));
+  return values;
+}
+
 /// A part of an edge and the sides of the region on which it ends.
 struct EdgePart {
   EdgeCurve curve;
@@ -125,10 +133,12 @@ Result<ClippedDiagram> ClippedDiagram::make(const Diagram& diagram, const Region
     if (maxDistance && diagram.metric == Metric::power) {
       return errorWith(ErrorCode::badOption, "A power diagram has no maximum distance.");
     }
-    if (auto checked = checkArrays(diagram); !checked) return checked.error();
     const auto isMissing = [&](CircleIndex i) { return i < 0 || at(i) >= diagram.circles.size(); };
     if (circles && std::ranges::any_of(*circles, isMissing)) {
       return errorWith(ErrorCode::badInput, "A cell to clip is none of the diagram.");
+    }
+    if (auto checked = circles ? checkArrays(diagram, *circles) : checkArrays(diagram); !checked) {
+      return checked.error();
     }
     return ClippedDiagram(std::make_shared<const Parts>(diagram, region, maxDistance, circles, visit));
   });
@@ -189,32 +199,34 @@ std::vector<CircleIndex> ClippedDiagram::neighbors(CircleIndex circle) const {
   return result;
 }
 
-std::vector<double> ClippedDiagram::areas() const {
-  std::vector<double> areas(diagram().circles.size());
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    areas[i] = maxDistance() ? area(outline(static_cast<std::int32_t>(i))) : parts_->moments.area(i);
+double ClippedDiagram::area(CircleIndex circle) const {
+  if (maxDistance()) return circle_voronoi::area(outline(circle));
+  const std::int32_t row = parts_->scope.cells.rowOf(circle);
+  return row == kNone ? 0 : parts_->moments.area(at(row));
+}
+
+Point ClippedDiagram::centroid(CircleIndex circle) const {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  if (maxDistance()) {
+    const Outline its = outline(circle);
+    return its.empty() ? Point{kNaN, kNaN} : circle_voronoi::centroid(its);
   }
-  return areas;
+  const std::int32_t row = parts_->scope.cells.rowOf(circle);
+  return row == kNone ? Point{kNaN, kNaN} : parts_->moments.centroid(at(row));
+}
+
+double ClippedDiagram::perimeter(CircleIndex circle) const { return circle_voronoi::perimeter(outline(circle)); }
+
+std::vector<double> ClippedDiagram::areas() const {
+  return ofEach<double>(*this, [this](CircleIndex circle) { return area(circle); });
 }
 
 std::vector<Point> ClippedDiagram::centroids() const {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Point> centroids(diagram().circles.size());
-  for (std::size_t i = 0; i < centroids.size(); ++i) {
-    if (!maxDistance()) {
-      centroids[i] = parts_->moments.centroid(i);
-      continue;
-    }
-    const Outline its = outline(static_cast<std::int32_t>(i));
-    centroids[i] = its.empty() ? Point{kNaN, kNaN} : centroid(its);
-  }
-  return centroids;
+  return ofEach<Point>(*this, [this](CircleIndex circle) { return centroid(circle); });
 }
 
 std::vector<double> ClippedDiagram::perimeters() const {
-  std::vector<double> perimeters(diagram().circles.size());
-  for (std::size_t i = 0; i < perimeters.size(); ++i) perimeters[i] = perimeter(outline(static_cast<std::int32_t>(i)));
-  return perimeters;
+  return ofEach<double>(*this, [this](CircleIndex circle) { return perimeter(circle); });
 }
 
 std::optional<EmptyDisc> ClippedDiagram::largestEmptyDisc() const {
@@ -226,9 +238,9 @@ std::optional<EmptyDisc> ClippedDiagram::largestEmptyDisc() const {
     offer({p.x, p.y, distanceFrom(diagram(), circle, p)}, {circle, other, kNone});
   };
   const Parts& parts = *parts_;
-  for (std::size_t v = 0; v < diagram().vertices.size(); ++v) {
-    const auto vertex = static_cast<std::int32_t>(v);
-    if (parts.arcs.isInside(vertex)) offer(diagram().vertices[v], diagram().vertexCircles[v]);
+  for (std::size_t row = 0; row < parts.scope.vertices.size(); ++row) {
+    const VertexIndex vertex = parts.scope.vertices[row];
+    if (parts.arcs.isInside(vertex)) offer(diagram().vertices[at(vertex)], diagram().vertexCircles[at(vertex)]);
   }
   const auto& all = parts.crossings.all;
   for (const auto& [cell, crossing] : parts.allCrossings()) {
@@ -246,6 +258,8 @@ std::optional<EmptyDisc> ClippedDiagram::largestEmptyDisc() const {
   return best;
 }
 
-ClippedPolygons ClippedDiagram::polygons(double tolerance) const { return clipPolygons(*this, tolerance); }
+ClippedPolygons ClippedDiagram::polygons(double tolerance) const {
+  return clipPolygons(*this, Chosen(diagram().circles.size()), tolerance);
+}
 
 }  // namespace circle_voronoi

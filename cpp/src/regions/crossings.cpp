@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "at.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/finder.h"
+#include "edge_curve.h"
 #include "refuse_clip.h"
 #include "scale.h"
 #include "sectors.h"
 #include "shifted_signs.h"
+#include "sort_unique.h"
 
 namespace circle_voronoi {
 namespace {
@@ -27,6 +31,8 @@ constexpr double kHeightRounding = 0x1p-50;
 constexpr double kCertainShare = 0x1p-44;
 /// Next to the ends of their side, crossings are right to rounding.
 constexpr double kNearEnd = 0x1p-30;
+/// Rounding of directions, as a share of their length.
+constexpr double kUncertainDirection = 0x1p-30;
 
 /// A side of the region, in the direction that both cells see.
 struct Line {
@@ -88,6 +94,7 @@ class Walk {
   Walk(const Diagram& diagram, const Region& region)
       : diagram_(diagram), region_(region), signs_(diagram), sectors_(diagram, signs_) {}
 
+  /// Walks along all rings.
   Crossings run() {
     const Finder finder(diagram_);
     CircleIndex cell;
@@ -99,132 +106,239 @@ class Walk {
     return std::move(crossings_);
   }
 
-  /// Follows the boundary where it meets a box, and keeps crossings of edges of some cells that lie in the box.
-  Crossings run(const Box& box, const std::vector<std::uint8_t>& isChosen, CircleIndex near) {
-    const auto sides = region_.sidesIn(box);
-    const auto offsets = region_.ringOffsets();
-    for (std::size_t k = 0; k < sides.size();) {
-      const auto ring = at(region_.ringOf(sides[k]));
-      const std::int32_t begin = offsets[ring];
-      const std::int32_t end = offsets[ring + 1];
-      std::size_t last = k;
-      while (last < sides.size() && sides[last] < end) ++last;
-      if (last - k == at(end - begin)) {
-        walkRing(static_cast<std::int32_t>(ring), nearestTo(region_.points()[at(begin)], near));
-      } else {
-        walkParts(std::span(sides).subspan(k, last - k), begin, end, near);
-      }
-      k = last;
+  /// Finds where the boundary comes into each of some cells, and follows it from there until it leaves the cell.
+  Crossings run(const Chosen& cells) {
+    for (std::size_t row = 0; row < cells.size(); ++row) {
+      const CircleIndex cell = cells[row];
+      if (diagram_.hasCell(cell)) walkIn(cell);
     }
-    return chosen(isChosen);
+    return joined();
   }
 
  private:
-  Point startOf(std::int32_t side, std::int32_t begin, std::int32_t end) const {
-    return region_.points()[at(side == end ? begin : side)];
-  }
-
   /// `first` is the cell with the start of the ring.
   void walkRing(std::int32_t ring, CircleIndex first) {
     const std::int32_t begin = region_.ringOffsets()[at(ring)];
     const std::int32_t end = region_.ringOffsets()[at(ring) + 1];
-    const auto firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
+    const std::size_t firstCrossing = crossings_.all.size();
     enter(first);
     clearance_ = 0;
-    for (std::int32_t k = begin; k < end; ++k) walkAlong(k, startOf(k, begin, end), startOf(k + 1, begin, end));
+    for (std::int32_t k = begin; k < end; ++k) {
+      walkAlong(k, region_.points()[at(k)], region_.points()[at(k + 1 == end ? begin : k + 1)]);
+    }
     if (sectors_.cell() != first) refuseClip("A ring of the region does not end in the cell where it begins.");
-    linkFrom(firstCrossing, firstCrossing);
-    if (at(firstCrossing) == crossings_.all.size()) crossings_.rings.push_back({first, ring});
+    const std::size_t count = crossings_.all.size();
+    for (std::size_t c = firstCrossing; c < count; ++c) {
+      const bool isLast = c + 1 == count;
+      crossings_.next.push_back(static_cast<std::int32_t>(isLast ? firstCrossing : c + 1));
+      crossings_.isOnSideOfNext.push_back(!isLast && crossings_.all[c].side == crossings_.all[c + 1].side ? 1 : 0);
+    }
+    if (firstCrossing == count) crossings_.rings.push_back({first, ring});
   }
 
-  /// Walks along some sides of a ring, but not all.
-  void walkParts(std::span<const RegionSideIndex> sides, std::int32_t begin, std::int32_t end, CircleIndex near) {
-    // A part may go on through the end of the ring.
-    std::size_t first = 0;
-    if (sides.front() == begin && sides.back() == end - 1) {
-      while (sides[first] == begin + static_cast<std::int32_t>(first)) ++first;
-    }
-    std::int32_t before = kNone;
-    auto firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const std::int32_t side = sides[(first + k) % sides.size()];
-      const Point start = startOf(side, begin, end);
-      const bool goesOn = before != kNone && (before + 1 == end ? begin : before + 1) == side;
-      if (!goesOn) {
-        linkFrom(firstCrossing, kNone);
-        firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
-        enter(nearestTo(start, near));
-        clearance_ = 0;
+  /// Adds the crossings of the border of a cell, and the rings inside it.
+  void walkIn(CircleIndex cell) {
+    enter(cell);
+    Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+    bool isBounded = !sectors_.sides().empty();
+    std::vector<std::int32_t> crossedRings;
+    for (const SideIndex side : sectors_.sides()) {
+      isBounded = isBounded && diagram_.targetOf(side) != kNone;
+      const Box its = boxAround(side);
+      box = {std::min(box.minX, its.minX), std::min(box.minY, its.minY), std::max(box.maxX, its.maxX),
+             std::max(box.maxY, its.maxY)};
+      for (const RegionSideIndex index : region_.sidesIn(its)) {
+        const auto ring = at(region_.ringOf(index));
+        const auto [start, end] = endsOf(index, ring);
+        if (!sectors_.isEnteredAcross(side, {start, end})) continue;
+        crossedRings.push_back(static_cast<std::int32_t>(ring));
+        follow(side, index, ring);
       }
-      walkAlong(side, start, startOf(side + 1, begin, end));
-      before = side;
     }
-    linkFrom(firstCrossing, kNone);
+    addRingsIn(isBounded ? box : region_.bounds(), std::move(crossedRings));
   }
 
-  /// Links the crossings of a walk; `afterLast` follows the last of them.
-  void linkFrom(std::int32_t first, std::int32_t afterLast) {
-    const auto end = static_cast<std::int32_t>(crossings_.all.size());
-    for (std::int32_t c = first; c < end; ++c) crossings_.next.push_back(c + 1 == end ? afterLast : c + 1);
+  /// Follows the boundary from where a side of the region comes into the cell of the walk, until it leaves the cell.
+  void follow(SideIndex across, RegionSideIndex index, std::size_t ring) {
+    const auto [start, end] = endsOf(index, ring);
+    addCrossing(index, Line(start, end), Diagram::twin(across));
+    auto exit = exitAlong({start, end}, across);
+    crossings_.isOnSideOfNext.push_back(exit ? 1 : 0);
+    const std::int32_t size = region_.ringOffsets()[ring + 1] - region_.ringOffsets()[ring];
+    for (std::int32_t steps = 0; !exit; ++steps) {
+      if (steps > size) refuseClip("A ring of the region does not leave a cell.");
+      index = sideAfter(index, ring);
+      const auto [from, to] = endsOf(index, ring);
+      if (!isShort(from, to)) exit = exitAlong({from, to});
+    }
+    const auto [from, to] = endsOf(index, ring);
+    addCrossing(index, Line(from, to), *exit);
+    crossings_.isOnSideOfNext.push_back(0);
+  }
+
+  /// Adds the rings that lie in the cell of the walk: in a box, and not crossed.
+  void addRingsIn(const Box& box, std::vector<std::int32_t> crossedRings) {
+    sortUnique(crossedRings);
+    const auto sides = region_.sidesIn(box);
+    const auto offsets = region_.ringOffsets();
+    for (std::size_t k = 0; k < sides.size();) {
+      const std::int32_t ring = region_.ringOf(sides[k]);
+      const std::size_t first = k;
+      while (k < sides.size() && sides[k] < offsets[at(ring) + 1]) ++k;
+      const bool isWhole = k - first == at(offsets[at(ring) + 1] - offsets[at(ring)]);
+      if (!isWhole || std::ranges::binary_search(crossedRings, ring)) continue;
+      if (isInCell(region_.points()[at(offsets[at(ring)])])) crossings_.rings.push_back({sectors_.cell(), ring});
+    }
+  }
+
+  /// Joins the crossings that were found from both cells of an edge. They were added in pairs: where the boundary comes
+  /// into a cell, and where it leaves the cell.
+  Crossings joined() {
+    const auto& all = crossings_.all;
+    // A line crosses an edge once at most in each direction.
+    const auto key = [&](std::int32_t c) {
+      const Crossing& its = all[at(c)];
+      return std::tuple(std::int32_t{its.side}, std::int32_t{its.edge}, its.isEntry);
+    };
+    std::vector<std::int32_t> order(all.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, key);
+    std::vector<std::int32_t> places(all.size());
+    Crossings result;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      if (k == 0 || key(order[k]) != key(order[k - 1])) result.all.push_back(all[at(order[k])]);
+      places[at(order[k])] = static_cast<std::int32_t>(result.all.size()) - 1;
+    }
+    result.next.assign(result.all.size(), kNone);
+    result.isOnSideOfNext.assign(result.all.size(), 0);
+    for (std::size_t c = 0; c < all.size(); c += 2) {
+      result.next[at(places[c])] = places[c + 1];
+      result.isOnSideOfNext[at(places[c])] = crossings_.isOnSideOfNext[c];
+    }
+    result.rings = std::move(crossings_.rings);
+    return result;
+  }
+
+  RegionSideIndex sideAfter(RegionSideIndex side, std::size_t ring) const {
+    return side + 1 == region_.ringOffsets()[ring + 1] ? region_.ringOffsets()[ring] : side + 1;
+  }
+  std::pair<Point, Point> endsOf(RegionSideIndex side, std::size_t ring) const {
+    return {region_.points()[at(side)], region_.points()[at(sideAfter(side, ring))]};
+  }
+
+  /// A box around a side of a cell. An arc lies in the triangle of its ends and its tangents there. Towards infinity it
+  /// goes between the directions of its tangent and of its asymptote.
+  Box boxAround(SideIndex side) const {
+    const EdgeCurve curve = edgeCurve(diagram_, Diagram::edgeOf(side));
+    Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+    const auto include = [&](Point p, double margin) {
+      box = {std::min(box.minX, p.x - margin), std::min(box.minY, p.y - margin), std::max(box.maxX, p.x + margin),
+             std::max(box.maxY, p.y + margin)};
+    };
+    double margin = 0;
+    for (const VertexIndex vertex : {diagram_.originOf(side), diagram_.targetOf(side)}) {
+      // Twice the error of vertices, which moves the points between them.
+      if (vertex != kNone) margin = std::max(margin, 2 * signs_.errorOf(vertex));
+    }
+    if (!curve.startsAtInfinity()) include(curve.start, margin);
+    if (!curve.endsAtInfinity()) include(curve.end, margin);
+    if (curve.isBounded()) {
+      if (curve.isStraight()) return box;
+      const Point control = rationalBezier(curve).control;
+      include(control, margin + kHeightRounding * (std::abs(control.x) + std::abs(control.y)));
+      return box;
+    }
+    const Bisector& bisector = curve.bisector;
+    const double a = std::abs(bisector.a);
+    const auto extend = [&](double along, double across) {
+      const Vector direction = {along * bisector.along.x + across * bisector.across.x,
+                                along * bisector.along.y + across * bisector.across.y};
+      const double least = kUncertainDirection * (std::abs(along) + std::abs(across));
+      if (!(direction.x > least)) box.minX = -kInfinite;
+      if (!(direction.x < -least)) box.maxX = kInfinite;
+      if (!(direction.y > least)) box.minY = -kInfinite;
+      if (!(direction.y < -least)) box.maxY = kInfinite;
+    };
+    for (const double sign : {1.0, -1.0}) {
+      const bool isForward = sign > 0;
+      if (!(isForward ? curve.endsAtInfinity() : curve.startsAtInfinity())) continue;
+      extend(-a, sign * bisector.b);
+      // At a finite end, the derivative of point(s) times 2 s.
+      const double s = isForward ? curve.from : 1 / curve.to;
+      if (s > 0 && !curve.isStraight()) extend(-a * (s - 1 / s), sign * bisector.b * (s + 1 / s));
+    }
+    if (curve.startsAtInfinity() && curve.endsAtInfinity()) box = {-kInfinite, -kInfinite, kInfinite, kInfinite};
+    return box;
   }
 
   void enter(CircleIndex cell) {
     if (sectors_.cell() != cell) sectors_.setCell(cell);
   }
 
-  CircleIndex nearestTo(Point corner, CircleIndex from) const { return cellWith(diagram_, signs_, corner, from); }
-
-  /// The crossings of edges of chosen cells. Between one where the boundary comes into such a cell and the next one
-  /// there is no other.
-  Crossings chosen(const std::vector<std::uint8_t>& isChosen) {
-    Crossings result;
-    std::vector<std::int32_t> places(crossings_.all.size(), kNone);
-    const auto has = [&](CircleIndex circle) { return isChosen[at(circle)] != 0; };
-    for (std::size_t c = 0; c < places.size(); ++c) {
-      const Edge& edge = diagram_.edges[at(crossings_.all[c].edge)];
-      if (!has(edge.left) && !has(edge.right)) continue;
-      places[c] = static_cast<std::int32_t>(result.all.size());
-      result.all.push_back(crossings_.all[c]);
+  /// The circle whose cell has a corner, by steps to nearer neighbors.
+  CircleIndex nearestTo(Point corner, CircleIndex from) {
+    for (std::size_t steps = 0; steps <= diagram_.circles.size(); ++steps) {
+      enter(from);
+      const CircleIndex nearer = nearerNeighbor(corner);
+      if (nearer == kNone) return from;
+      from = nearer;
     }
-    for (std::size_t c = 0; c < places.size(); ++c) {
-      if (places[c] == kNone) continue;
-      const std::int32_t next = crossings_.next[c];
-      result.next.push_back(next == kNone ? kNone : places[at(next)]);
-    }
-    for (const auto& one : crossings_.rings) {
-      if (has(one.cell)) result.rings.push_back(one);
-    }
-    return result;
+    refuseClip("No cell of the diagram has a corner of the region.");
   }
 
-  void walkAlong(RegionSideIndex index, Point start, Point end) {
-    const double length = lengthOf(vectorTo(start, end));
-    if (length < clearance_) {
-      clearance_ = (clearance_ - length) * kClearance;
-      return;
+  /// A neighbor of the cell of the walk whose circle is nearer to a corner, or kNone.
+  CircleIndex nearerNeighbor(Point corner) const {
+    CircleIndex best = sectors_.cell();
+    if (isStarWithManySides()) {
+      const Sectors::Sector sector = sectors_.find(corner);
+      return sectors_.compareIn(sector, corner).sign > 0 ? CircleIndex()
+                                                         : diagram_.neighborOf(sectors_.sides()[sector.side]);
     }
-    if (staysInCell(start, end, length)) return;
+    for (const SideIndex side : sectors_.sides()) {
+      const CircleIndex neighbor = diagram_.neighborOf(side);
+      if (neighbor != best && signs_.compare(best, neighbor, corner).sign < 0) best = neighbor;
+    }
+    return best == sectors_.cell() ? CircleIndex() : best;
+  }
+
+  /// Whether the cell has so many sides that sectors are found faster.
+  bool isStarWithManySides() const { return sectors_.hasManySides() && diagram_.metric == Metric::circles; }
+
+  void walkAlong(RegionSideIndex index, Point start, Point end) {
+    if (isShort(start, end)) return;
     const Line line(start, end);
-    std::optional<Sectors::Sector> sector;
+    auto exit = exitAlong({start, end});
     // A line crosses an edge twice at most.
     for (std::size_t steps = 0; steps <= 2 * diagram_.edges.size(); ++steps) {
-      const bool endsInCell = isInCell(end);
-      const bool isEntered = sector.has_value();
-      std::optional<SideIndex> exit;
-      if (diagram_.metric == Metric::circles) {
-        if (sectors_.sides().empty()) return;
-        if (!sector) sector = sectors_.find(start);
-        exit = sectors_.exitFrom(*sector, isEntered, {start, end}, endsInCell);
-      } else if (!endsInCell) {
-        exit = straightExit({start, end});
-      }
       if (!exit) return;
       addCrossing(index, line, *exit);
       enter(diagram_.neighborOf(*exit));
-      sector.emplace();
-      if (diagram_.metric == Metric::circles) *sector = sectors_.entered(Diagram::twin(*exit), {start, end});
+      exit = exitAlong({start, end}, Diagram::twin(*exit));
     }
     refuseClip("A side of the region crosses edges again and again.");
+  }
+
+  /// Returns whether a side that begins in the cell of the walk certainly stays there. Updates `clearance_`.
+  bool isShort(Point start, Point end) {
+    const double length = lengthOf(vectorTo(start, end));
+    if (length < clearance_) {
+      clearance_ = (clearance_ - length) * kClearance;
+      return true;
+    }
+    return staysInCell(start, end, length);
+  }
+
+  /// Returns the side across which a line leaves the cell of the walk before its end: from its start, or from where it
+  /// enters the cell across a side. Updates `clearance_`.
+  std::optional<SideIndex> exitAlong(const ShiftedSigns::Line& line, SideIndex enteredAcross = {}) {
+    const bool endsInCell = isInCell(line.to);
+    if (diagram_.metric != Metric::circles) {
+      return endsInCell ? std::nullopt : std::optional(straightExit(line));
+    }
+    if (sectors_.sides().empty()) return std::nullopt;
+    const bool isEntered = enteredAcross != kNone;
+    const Sectors::Sector sector = isEntered ? sectors_.entered(enteredAcross, line) : sectors_.find(line.from);
+    return sectors_.exitFrom(sector, isEntered, line, endsInCell);
   }
 
   /// Returns whether a side certainly stays in the cell of the walk. Sets `clearance_` to a lower bound of the distance
@@ -232,6 +346,10 @@ class Walk {
   bool staysInCell(Point start, Point end, double length) {
     clearance_ = kInfinite;
     const Circle& c = diagram_.circles[at(sectors_.cell())];
+    if (isStarWithManySides()) {
+      clearance_ = clearanceInDisc(end);
+      return clearance_ > 0 && clearanceInDisc(start) > 0;
+    }
     bool stays = true;
     for (const SideIndex side : sectors_.sides()) {
       const CircleIndex neighbor = diagram_.neighborOf(side);
@@ -251,12 +369,22 @@ class Walk {
   /// border of the cell.
   bool isInCell(Point corner) {
     clearance_ = kInfinite;
+    if (isStarWithManySides()) {
+      clearance_ = clearanceInDisc(corner);
+      return clearance_ > 0 || sectors_.compareIn(sectors_.find(corner), corner).sign > 0;
+    }
     for (const SideIndex side : sectors_.sides()) {
       const auto comparison = signs_.compare(sectors_.cell(), diagram_.neighborOf(side), corner);
       if (comparison.sign < 0) return false;
       clearance_ = std::min(clearance_, comparison.least);
     }
     return true;
+  }
+
+  /// Returns a lower bound of the distance of a corner from the border of a cell with many sides.
+  double clearanceInDisc(Point corner) const {
+    const Circle& c = diagram_.circles[at(sectors_.cell())];
+    return (sectors_.innerRadius() - lengthOf(vectorTo({c.x, c.y}, corner))) * kClearance;
   }
 
   /// Returns the side across which a line leaves a convex cell.
@@ -295,8 +423,7 @@ class Walk {
       }
       parameter = parameterAt(bisector, point);
     }
-    if (left != ends.left) parameter = 1 / parameter;
-    const EdgeCurve curve = edgeCurve(diagram_, edge);
+    const EdgeCurve curve = orderedCurve(diagram_, edge);
     parameter = std::clamp(parameter, curve.from, curve.to);
     crossings_.all.push_back({edge, index, point, parameter, share, side % 2 == 0});
   }
@@ -313,39 +440,8 @@ class Walk {
 
 Crossings crossingsOf(const Diagram& diagram, const Region& region) { return Walk(diagram, region).run(); }
 
-Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles) {
-  std::vector<std::uint8_t> isChosen(diagram.circles.size(), 0);
-  Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
-  const auto include = [&](Point p, double margin) {
-    box = {std::min(box.minX, p.x - margin), std::min(box.minY, p.y - margin), std::max(box.maxX, p.x + margin),
-           std::max(box.maxY, p.y + margin)};
-  };
-  const ShiftedSigns signs(diagram);
-  CircleIndex near;
-  const Box bounds = region.bounds();
-  for (const CircleIndex circle : circles) {
-    if (!diagram.hasCell(circle)) continue;
-    isChosen[at(circle)] = 1;
-    near = circle;
-    bool isBounded = !diagram.sides(circle).empty();
-    for (const SideIndex side : diagram.sides(circle)) {
-      const VertexIndex origin = diagram.originOf(side);
-      const VertexIndex target = diagram.targetOf(side);
-      isBounded = origin != kNone && target != kNone;
-      if (!isBounded) break;
-      // Twice the error of vertices, which moves the points between them.
-      const double margin = 2 * std::max(signs.errorOf(origin), signs.errorOf(target));
-      const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
-      include(curve.start, margin);
-      include(curve.end, margin);
-      if (!curve.isStraight()) include(rationalBezier(curve).control, margin);
-    }
-    if (isBounded) continue;
-    include({bounds.minX, bounds.minY}, 0);
-    include({bounds.maxX, bounds.maxY}, 0);
-  }
-  if (near == kNone) return {};
-  return Walk(diagram, region).run(box, isChosen, near);
+Crossings crossingsOf(const Diagram& diagram, const Region& region, const Chosen& cells) {
+  return Walk(diagram, region).run(cells);
 }
 
 CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "chosen.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 #include "circle_voronoi/region.h"
@@ -17,7 +17,8 @@ struct Crossing {
   EdgeIndex edge = {};
   RegionSideIndex side = {};  ///< the side of the region
   Point point;
-  double parameter = 0;  ///< the parameter of the point on the edge
+  /// The parameter of the point on the edge, seen with the circle of smaller index on the left (Parts::curveOf).
+  double parameter = 0;
   /// The position of the point along the side, from 0 at the smaller of its two ends, by x and then y, to 1 at the
   /// other.
   double share = 0;
@@ -31,9 +32,11 @@ struct Crossing {
 /// It goes from cell to cell: each ring is a closed path in the dual. Exact signs decide which edges it crosses and in
 /// which order, for a region that is moved by a tiny shift (shifted_signs.h).
 struct Crossings {
-  std::vector<Crossing> all;  ///< along each ring in its order
+  std::vector<Crossing> all;
   /// For each crossing the next one of its ring; kNone if the boundary has not been followed up to there.
   std::vector<std::int32_t> next;
+  /// For each crossing whether the next one lies ahead on the same side of the region, with no corner between.
+  std::vector<std::uint8_t> isOnSideOfNext;
   struct RingInCell {
     CircleIndex cell;
     std::int32_t ring;
@@ -42,12 +45,13 @@ struct Crossings {
 };
 
 /// Walks along the boundary of a region. Takes linear time in sides, crossings and the edges of the cells that are
-/// crossed, and in the circles to find the first cell. The diagram has a circle.
+/// crossed, and in the circles to find the first cell. The crossings are in the order of each ring. The diagram has a
+/// circle.
 Crossings crossingsOf(const Diagram& diagram, const Region& region);
 
-/// Follows the boundary only where it is near some cells, and returns the crossings of their edges. Takes linear time
-/// in the number of sides and edges nearby.
-Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
+/// Follows the boundary only where it is in some cells, and returns the crossings of their edges, in increasing order
+/// of sides of the region. Takes time for the edges of these cells and the sides of the region near them.
+Crossings crossingsOf(const Diagram& diagram, const Region& region, const Chosen& cells);
 
 /// Returns the circle whose cell has a corner, by steps from a circle to nearer neighbors.
 CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from);

@@ -8,6 +8,7 @@
 #include "at.h"
 #include "compensated_sum.h"
 #include "shifted_signs.h"
+#include "sort_unique.h"
 
 namespace circle_voronoi {
 namespace {
@@ -22,10 +23,7 @@ constexpr double kJudgeRounding = 0x1p-40;
 
 class Judge {
  public:
-  explicit Judge(const ClipRecord& clip) : clip_(clip), isChosen_(clip.diagram.circles.size(), clip.circles ? 0 : 1) {
-    if (!clip.circles) return;
-    for (const CircleIndex circle : *clip.circles) isChosen_[at(circle)] = 1;
-  }
+  explicit Judge(const ClipRecord& clip) : clip_(clip) {}
 
   const char* fault() const {
     if (!haveLevels()) return kLevels;
@@ -36,21 +34,26 @@ class Judge {
 
  private:
   bool isCrossing(std::int32_t crossing) const { return crossing >= 0 && at(crossing) < clip_.crossings.all.size(); }
-  bool isInside(VertexIndex vertex) const { return vertex != kNone && clip_.levels[at(vertex)] == 1; }
-  bool isOfChosen(const Edge& edge) const { return isChosen_[at(edge.left)] != 0 || isChosen_[at(edge.right)] != 0; }
+  bool isInside(VertexIndex vertex) const {
+    return vertex != kNone && clip_.levels[at(clip_.scope.vertices.rowOf(vertex))] == 1;
+  }
+  bool isChosen(CircleIndex circle) const { return clip_.scope.cells.has(circle); }
 
   bool haveLevels() const {
-    if (clip_.levels.size() != clip_.diagram.vertices.size()) return false;
+    if (clip_.levels.size() != clip_.scope.vertices.size()) return false;
     if (std::ranges::any_of(clip_.levels, [](std::int32_t level) { return level != 0 && level != 1; })) return false;
-    std::vector<std::int32_t> rise(clip_.diagram.edges.size(), 0);
+    const Chosen& edges = clip_.scope.edges;
+    std::vector<std::int32_t> rise(edges.size(), 0);
     for (const Crossing& crossing : clip_.crossings.all) {
-      if (crossing.edge < 0 || at(crossing.edge) >= rise.size()) return false;
-      rise[at(crossing.edge)] += crossing.isEntry ? 1 : -1;
+      if (crossing.edge < 0 || at(crossing.edge) >= clip_.diagram.edges.size() || !edges.has(crossing.edge)) {
+        return false;
+      }
+      rise[at(edges.rowOf(crossing.edge))] += crossing.isEntry ? 1 : -1;
     }
-    for (std::size_t e = 0; e < rise.size(); ++e) {
-      const Edge& edge = clip_.diagram.edges[e];
+    for (std::size_t row = 0; row < rise.size(); ++row) {
+      const Edge& edge = clip_.diagram.edges[at(edges[row])];
       const int change = (isInside(edge.end) ? 1 : 0) - (isInside(edge.start) ? 1 : 0);
-      if (isOfChosen(edge) && rise[e] != change) return false;
+      if (rise[row] != change) return false;
     }
     return true;
   }
@@ -59,68 +62,74 @@ class Judge {
     // The number of arcs that end at each crossing, and for each edge the number of arcs that begin and end at
     // vertices.
     std::vector<std::int32_t> ends(clip_.crossings.all.size(), 0);
-    std::vector<std::int32_t> atVertices(clip_.diagram.edges.size(), 0);
-    std::vector<std::uint8_t> isCrossed(clip_.diagram.edges.size(), 0);
+    const Chosen& edges = clip_.scope.edges;
+    std::vector<std::int32_t> atVertices(edges.size(), 0);
+    std::vector<std::uint8_t> isCrossed(edges.size(), 0);
     const auto use = [&](std::int32_t crossing, EdgeIndex edge, bool isStart) {
       if (!isCrossing(crossing)) return false;
       const Crossing& its = clip_.crossings.all[at(crossing)];
       ++ends[at(crossing)];
       return its.edge == std::int32_t{edge} && its.isEntry == isStart;
     };
-    for (const Crossing& crossing : clip_.crossings.all) isCrossed[at(crossing.edge)] = 1;
+    for (const Crossing& crossing : clip_.crossings.all) isCrossed[at(edges.rowOf(crossing.edge))] = 1;
     for (const Arc& arc : clip_.arcs) {
-      if (arc.edge < 0 || at(arc.edge) >= atVertices.size()) return false;
+      if (arc.edge < 0 || at(arc.edge) >= clip_.diagram.edges.size() || !edges.has(arc.edge)) return false;
       const Edge& edge = clip_.diagram.edges[at(arc.edge)];
       if (arc.start != kNone && !use(arc.start, arc.edge, true)) return false;
       if (arc.end != kNone && !use(arc.end, arc.edge, false)) return false;
       if (arc.start == kNone && !isInside(edge.start)) return false;
       if (arc.end == kNone && !isInside(edge.end)) return false;
-      atVertices[at(arc.edge)] += (arc.start == kNone ? 1 : 0) + (arc.end == kNone ? 1 : 0);
+      atVertices[at(edges.rowOf(arc.edge))] += (arc.start == kNone ? 1 : 0) + (arc.end == kNone ? 1 : 0);
     }
     if (std::ranges::any_of(ends, [](std::int32_t count) { return count != 1; })) return false;
-    for (std::size_t e = 0; e < atVertices.size(); ++e) {
-      const Edge& edge = clip_.diagram.edges[e];
+    for (std::size_t row = 0; row < atVertices.size(); ++row) {
+      const Edge& edge = clip_.diagram.edges[at(edges[row])];
       const int inside = (isInside(edge.start) ? 1 : 0) + (isInside(edge.end) ? 1 : 0);
-      if (isCrossed[e] != 0 && isOfChosen(edge) && atVertices[e] != inside) return false;
+      if (isCrossed[row] != 0 && atVertices[row] != inside) return false;
     }
     return true;
   }
 
   bool hasBoundary() const {
-    const auto& [all, next, rings] = clip_.crossings;
-    if (next.size() != all.size()) return false;
+    const auto& [all, next, isOnSideOfNext, rings] = clip_.crossings;
+    if (next.size() != all.size() || isOnSideOfNext.size() != all.size()) return false;
     const auto cellOf = [&](const Crossing& crossing, bool isAfter) {
       const Edge& edge = clip_.diagram.edges[at(crossing.edge)];
       return crossing.isEntry == isAfter ? edge.right : edge.left;
     };
     std::vector<std::uint8_t> isEnd(all.size(), 0);
-    std::vector<std::uint8_t> isRingThere(clip_.region.ringCount(), 0);
+    std::vector<std::int32_t> crossedRings;
     for (std::size_t c = 0; c < all.size(); ++c) {
       const std::int32_t side = all[c].side;
       if (side < 0 || at(side) >= clip_.region.sideCount() || !(all[c].share >= 0 && all[c].share <= 1)) return false;
-      const auto ring = at(clip_.region.ringOf(side));
-      isRingThere[ring] = 1;
+      const std::int32_t ring = clip_.region.ringOf(side);
+      if (crossedRings.empty() || crossedRings.back() != ring) crossedRings.push_back(ring);
       const CircleIndex cell = cellOf(all[c], true);
-      if (isChosen_[at(cell)] == 0) continue;
+      if (!isChosen(cell)) continue;
       if (!isCrossing(next[c]) || isEnd[at(next[c])] != 0) return false;
       isEnd[at(next[c])] = 1;
       const Crossing& to = all[at(next[c])];
-      if (cellOf(to, false) != cell || at(clip_.region.ringOf(to.side)) != ring) return false;
+      if (cellOf(to, false) != cell || clip_.region.ringOf(to.side) != ring) return false;
+      if (isOnSideOfNext[c] != 0 && to.side != side) return false;
     }
     for (std::size_t c = 0; c < all.size(); ++c) {
-      if (isChosen_[at(cellOf(all[c], false))] != 0 && isEnd[c] == 0) return false;
+      if (isChosen(cellOf(all[c], false)) && isEnd[c] == 0) return false;
     }
+    sortUnique(crossedRings);
+    std::vector<std::int32_t> uncrossedRings;
     for (const auto& [cell, ring] : rings) {
-      if (ring < 0 || at(ring) >= isRingThere.size() || isRingThere[at(ring)] != 0) return false;
-      if (!clip_.diagram.hasCell(cell)) return false;
-      isRingThere[at(ring)] = 1;
+      if (ring < 0 || at(ring) >= clip_.region.ringCount()) return false;
+      if (!isChosen(cell) || !clip_.diagram.hasCell(cell)) return false;
+      if (std::ranges::binary_search(crossedRings, ring)) return false;
+      uncrossedRings.push_back(ring);
     }
-    return clip_.circles || clip_.diagram.hull.empty() ||
-           std::ranges::all_of(isRingThere, [](std::uint8_t isThere) { return isThere != 0; });
+    sortUnique(uncrossedRings);
+    if (uncrossedRings.size() != rings.size()) return false;
+    return !clip_.scope.isAll() || clip_.diagram.hull.empty() ||
+           crossedRings.size() + uncrossedRings.size() == clip_.region.ringCount();
   }
 
   const ClipRecord& clip_;
-  std::vector<std::uint8_t> isChosen_;
 };
 
 }  // namespace
@@ -134,9 +143,9 @@ const char* faultOf(const ClipRecord& clip, const CellMoments& moments) {
   const ShiftedSigns signs(clip.diagram);
   double mostOff = kJudgeRounding * size;
   for (std::size_t v = 0; v < clip.levels.size(); ++v) {
-    if (clip.levels[v] == 1) mostOff = std::max(mostOff, signs.errorOf(static_cast<std::int32_t>(v)));
+    if (clip.levels[v] == 1) mostOff = std::max(mostOff, signs.errorOf(clip.scope.vertices[v]));
   }
-  const double perimeter = clip.region.perimeter();
+  const double perimeter = moments.boundary;
   CompensatedSum sum;
   for (std::size_t i = 0; i < moments.moments.size(); ++i) {
     const double area = moments.area(i);
@@ -145,7 +154,7 @@ const char* faultOf(const ClipRecord& clip, const CellMoments& moments) {
   }
   // Both cells of an edge see its ends at the same places, however far these are off.
   const double rounding = kJudgeRounding * (size + mostOff) * (perimeter + size + mostOff);
-  if (!clip.circles && !(std::abs(sum.value() - clip.region.area()) <= rounding)) return kAreas;
+  if (clip.scope.isAll() && !(std::abs(sum.value() - clip.region.area()) <= rounding)) return kAreas;
   return nullptr;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "arcs.h"
@@ -16,20 +15,18 @@ namespace circle_voronoi {
 struct ClipRecord {
   const Diagram& diagram;
   const Region& region;
+  const ClipScope& scope;
   const Crossings& crossings;
-  std::span<const std::int32_t> levels;                 ///< the levels of the vertices (Arcs)
-  std::span<const Arc> arcs;                            ///< the arcs of the edges with crossings
-  std::optional<std::span<const CircleIndex>> circles;  ///< the circles whose cells are clipped, if not all are
+  std::span<const std::int32_t> levels;  ///< the levels of the vertices in scope (Arcs)
+  std::span<const Arc> arcs;             ///< the arcs of the edges with crossings
 };
 
 /// Judges a clip before its outlines and areas are derived, however it was made. Linear time. Returns a description of
 /// the first fault, or nullptr:
 /// - Each vertex has the level 0 or 1, and infinity has the level 0. Along each edge the level goes up at entries and
-/// down
-///   at exits.
+///   down at exits.
 /// - Each crossing is an end of exactly one arc, at an entry its start and at an exit its end. An arc begins or ends at
-/// a
-///   vertex only where that is inside, and then exactly one does.
+///   a vertex only where that is inside, and then exactly one does.
 /// - From each crossing the boundary goes on in the cell that it enters there, up to a crossing where it leaves this
 ///   cell. Each crossing ends one such piece. Each ring without crossings lies in one cell.
 ///

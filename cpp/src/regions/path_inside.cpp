@@ -22,7 +22,7 @@
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/region_queries.h"
-#include "clip.h"
+#include "line_crossing.h"
 #include "clip_parts.h"
 #include "guarded.h"
 #include "ray_sweep.h"

@@ -149,7 +149,10 @@ Cleaned cleaned(const Given& given, const Names& names, bool leavesOut = false) 
     offsets.push_back(static_cast<std::int32_t>(points.size()));
     result.inputRing.push_back(r);
   }
-  if (auto error = tooSmallError(largest, "The points of the region")) throw ThrownError{*std::move(error)};
+  // The coordinates of a convex polygon may be small: they were rounded when it was made.
+  if (given.limit == kCoordinateLimit) {
+    if (auto error = tooSmallError(largest, "The points of the region")) throw ThrownError{*std::move(error)};
+  }
   return result;
 }
 

@@ -2,16 +2,70 @@
 #include "sectors.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "at.h"
+#include "beginning_of.h"
 #include "refuse_clip.h"
+#include "scale.h"
 
 namespace circle_voronoi {
+namespace {
+
+/// The largest number of sides that are collected again each time.
+constexpr std::size_t kFewSides = 24;
+/// Rounding of distances between circles.
+constexpr double kInside = 1 - 0x1p-40;
+
+}  // namespace
 
 void Sectors::setCell(CircleIndex cell) {
   cell_ = cell;
-  sides_.clear();
-  for (const SideIndex side : diagram_.sides(cell)) sides_.push_back(side);
+  few_.clear();
+  many_ = nullptr;
+  for (const SideIndex side : diagram_.sides(cell)) {
+    few_.push_back(side);
+    if (few_.size() <= kFewSides) continue;
+    many_ = &manyOf(cell);
+    break;
+  }
+  sides_ = many_ != nullptr ? std::span<const SideIndex>(many_->sides) : few_;
+}
+
+const Sectors::Many& Sectors::manyOf(CircleIndex cell) {
+  const auto [place, isNew] = kept_.try_emplace(cell);
+  Many& many = place->second;
+  if (!isNew) return many;
+  const Circle& c = diagram_.circles[at(cell)];
+  many.innerRadius = kInfinite;
+  for (const SideIndex side : diagram_.sides(cell)) {
+    many.places.emplace_back(side, many.sides.size());
+    many.sides.push_back(side);
+    many.beginnings.push_back(beginningOf(diagram_, side));
+    const Circle& neighbor = diagram_.circles[at(diagram_.neighborOf(side))];
+    const double least = lengthOf(vectorTo(Point{c.x, c.y}, Point{neighbor.x, neighbor.y})) * kInside;
+    const double rounding = (std::abs(c.r) + std::abs(neighbor.r)) * (1 - kInside);
+    many.innerRadius = std::min(many.innerRadius, (least + (c.r - neighbor.r) - rounding) / 2);
+  }
+  std::ranges::sort(many.places);
+  return many;
+}
+
+std::size_t Sectors::placeOf(SideIndex side) const {
+  if (many_ == nullptr) return static_cast<std::size_t>(std::ranges::find(sides_, side) - sides_.begin());
+  return std::ranges::lower_bound(many_->places, std::pair(std::int32_t{side}, std::size_t{0}))->second;
+}
+
+/// A side a little before the sector in which a corner lies.
+std::size_t Sectors::sideNear(Point corner) const {
+  if (many_ == nullptr) return 0;
+  const Circle& c = diagram_.circles[at(cell_)];
+  const Vector toCorner = vectorTo({c.x, c.y}, corner);
+  const auto& beginnings = many_->beginnings;
+  const auto found = std::ranges::partition_point(
+      beginnings, [&](Vector beginning) { return isNoLater(beginnings.front(), beginning, toCorner); });
+  const auto place = static_cast<std::size_t>(found - beginnings.begin());
+  return (place + sides_.size() - 1 - kSidesBefore) % sides_.size();
 }
 
 /// Whether the gap after a side goes on beyond the direction away from its neighbor. It spans less than half a turn up
@@ -90,8 +144,7 @@ Sectors::Sector Sectors::find(Point corner, Sector first) const {
 }
 
 Sectors::Sector Sectors::entered(SideIndex across, const Line& line) const {
-  const auto found = std::ranges::find(sides_, across);
-  const auto side = static_cast<std::size_t>(found - sides_.begin());
+  const std::size_t side = placeOf(across);
   if (!signs_.hasApex(across)) return {side, Part::beforeApex};
   const Circle& c = diagram_.circles[at(cell_)];
   const int center = signs_.sideOf({c.x, c.y}, line);
@@ -110,6 +163,52 @@ Sectors::Sector Sectors::entered(SideIndex across, const Line& line) const {
 bool Sectors::bulges(SideIndex side, const Line& line, int center) const {
   return signs_.crossesTwice(side, line, center) &&
          signs_.approachAtEnd(side, false, line) * signs_.approachAtEnd(side, true, line) < 0;
+}
+
+/// Whether the ray to the beginning of a side is farther from a place than a distance, and so is all that lies beyond it.
+bool Sectors::isBeyond(std::size_t side, Vector toPlace, double reach) const {
+  const Vector ray = many_->beginnings[side];
+  const double size = lengthOf(ray);
+  const double away = dot(ray, toPlace) > 0 ? std::abs(cross(ray, toPlace)) / size : lengthOf(toPlace);
+  return away * kInside > reach;
+}
+
+ShiftedSigns::Comparison Sectors::compareIn(Sector sector, Point corner) const {
+  if (sector.part >= Part::gap) return {1, -1};
+  return signs_.compare(cell_, diagram_.neighborOf(sides_[sector.side]), corner);
+}
+
+/// A line crosses the bisector of two circles twice at most, once into each direction. So on the segment it comes into
+/// the cell once at most. It does so across the side if it does so on the line across the side.
+bool Sectors::isEnteredAcross(SideIndex side, const Line& segment) const {
+  const CircleIndex neighbor = diagram_.neighborOf(side);
+  const bool startsIn = signs_.compare(cell_, neighbor, segment.from).sign > 0;
+  const bool endsIn = signs_.compare(cell_, neighbor, segment.to).sign > 0;
+  if (startsIn && !endsIn) return false;
+  const double radius = diagram_.circles[at(cell_)].r;
+  const double other = diagram_.circles[at(neighbor)].r;
+  const bool isStraight = diagram_.metric != Metric::circles || radius == other;
+  if (isStraight && startsIn == endsIn) return false;
+  // The circle that the bisector does not bend around.
+  const SideIndex ofLarger = radius >= other ? side : Diagram::twin(side);
+  const auto centerOfLarger = [&] {
+    const Circle& c = diagram_.circles[at(diagram_.circleOf(ofLarger))];
+    return signs_.sideOf({c.x, c.y}, segment);
+  };
+  if (startsIn == endsIn) {
+    // The segment goes through the convex side of the bisector, or not at all.
+    if (startsIn != (radius > other)) return false;
+    if (!signs_.crossesTwice(ofLarger, segment, centerOfLarger())) return false;
+    if (!signs_.isAheadOf(ofLarger, segment, segment.from) || signs_.isAheadOf(ofLarger, segment, segment.to)) {
+      return false;
+    }
+  }
+  const int atOrigin = signs_.sideOfEnd(side, false, segment);
+  const int atTarget = signs_.sideOfEnd(side, true, segment);
+  if (atOrigin != atTarget) return atOrigin > 0;
+  if (isStraight) return false;
+  const int center = centerOfLarger();
+  return atOrigin != center && bulges(ofLarger, segment, center);
 }
 
 std::optional<SideIndex> Sectors::exitFrom(Sector sector, bool isEntered, const Line& line, bool endsInCell) const {

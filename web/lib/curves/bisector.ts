@@ -2,6 +2,7 @@
 import { checkCircles, checkIndex, checkNumber, checkThing, refuseInput, shown } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
 import { hypotenuse } from '../base/scale.ts'
+import { tangentSquare } from '../base/two-part.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { METRICS, type Metric } from '../base/types.ts'
 
@@ -54,6 +55,11 @@ const LARGEST_PARAMETER = 1e300
  * the branch is a folded ray.
  */
 const SMALLEST_B = 2 ** -50
+/**
+ * The largest distance of a circle from touching another one from inside, as a share, where it is computed with twice the
+ * digits.
+ */
+const NEARLY_INSIDE = 2 ** -16
 
 /**
  * Returns the bisector of two circles that both have cells. `circles` has x, y, r of each circle.
@@ -117,15 +123,17 @@ export function measureBisector(
   const size = Math.abs(difference)
   // Below 2^290: the radii are below 2^97, and the centers 2^-96 apart.
   const shift = metric === 'power' ? (leftRadius - rightRadius) * ((leftRadius + rightRadius) / (2 * d)) : 0
+  // Where one circle is nearly inside the other, the difference of d and size has few digits, that of their squares all.
+  const isNearlyInside = metric === 'circles' && d - size < NEARLY_INSIDE * d
+  const square = isNearlyInside ? tangentSquare(circles, left, right) : (d - size) * (d + size)
   target.a = difference / 2
-  // The product avoids c^2 - a^2, which cancels if one circle is almost inside the other.
-  target.b = Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2
+  target.b = Math.max(Math.sqrt(Math.max(square, 0)), d * SMALLEST_B) / 2
   target.origin = origin
   target.along.x = x / d
   target.along.y = y / d
   target.across.x = originIsLeft ? -target.along.y : target.along.y
   target.across.y = originIsLeft ? target.along.x : -target.along.x
-  target.apex = (d - size) / 2 + shift
+  target.apex = (isNearlyInside ? Math.max(square, 0) / (d + size) : d - size) / 2 + shift
   return target
 }
 

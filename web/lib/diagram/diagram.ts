@@ -49,7 +49,7 @@ import { exportBox } from '../regions/export-box.ts'
 import { AreaJudge, areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
 import { keptParts, outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
-import { type ClippedCells, type ClippedDiagram, Region, regionOption } from '../regions/region.ts'
+import { type ClippedCells, type ClippedDiagram, type MeasuredCells, Region, regionOption } from '../regions/region.ts'
 import { type DiagramFile, fileOf } from './diagram-file.ts'
 import { Finder } from './finder.ts'
 import { before } from './link-sides.ts'
@@ -428,10 +428,10 @@ export class Diagram implements DiagramData {
    * `notCertified` if the outline does not close or encloses more than the bounds, because arrays were changed.
    */
   cellArea(i: number, options: BoundsOptions = {}): number {
+    const measured = this.#measuredIn(i, 'cellArea', options)
+    if (measured !== undefined) return at(measured.clip.areas, measured.row)
     const area = areaOf(this.#outline(i, 'cellArea', options))
-    if (options.region === undefined) {
-      new AreaJudge(this.#limitsOf('cellArea', options).bounds, this.metric).add(area, circleOf(this.circles, i), i)
-    }
+    new AreaJudge(this.#limitsOf('cellArea', options).bounds, this.metric).add(area, circleOf(this.circles, i), i)
     return area
   }
 
@@ -440,12 +440,20 @@ export class Diagram implements DiagramData {
    * empty.
    */
   cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
+    const measured = this.#measuredIn(i, 'cellCentroid', options)
+    if (measured !== undefined) {
+      const { clip, row } = measured
+      const x = at(clip.centroids, 2 * row)
+      return Number.isNaN(x) ? undefined : { x, y: at(clip.centroids, 2 * row + 1) }
+    }
     const outline = this.#outline(i, 'cellCentroid', options)
     return outline.length === 0 ? undefined : centroidOf(outline)
   }
 
   /** Returns the perimeter of the part of cell `i` inside the bounds, exact up to rounding; 0 if the part is empty. */
   cellPerimeter(i: number, options: BoundsOptions = {}): number {
+    const measured = this.#measuredIn(i, 'cellPerimeter', options)
+    if (measured !== undefined) return at(measured.clip.perimeters, measured.row)
     return perimeterOf(this.#outline(i, 'cellPerimeter', options))
   }
 
@@ -485,6 +493,14 @@ export class Diagram implements DiagramData {
     const region = this.#regionIn(caller, options)
     if (region !== undefined) return clippedOutline(this, this.#cellIn(region, i, options))
     return outlineOf(this.cells, i, this.#limitsOf(caller, options))
+  }
+
+  /** Returns the clip with the measures of cell `i`, and its row there, if the options have a region. */
+  #measuredIn(i: number, caller: string, options: BoundsOptions): { clip: MeasuredCells; row: number } | undefined {
+    this.#checkCircle(i, caller)
+    checkDrawOptions(options, caller, BOUNDS_OPTIONS)
+    const region = this.#regionIn(caller, options)
+    return region && this.#clipWith(region, i, options)
   }
 
   #ofEach(
@@ -542,9 +558,15 @@ export class Diagram implements DiagramData {
 
   /** Returns clipped cells and the row of cell `i` among them. */
   #cellIn(region: Region, i: number, options: BoundsOptions): [cells: ClippedCells, row: number] {
+    const { clip, row } = this.#clipWith(region, i, options)
+    return [clip.cells, row]
+  }
+
+  /** Returns a clip that has cell `i`, and its row there. */
+  #clipWith(region: Region, i: number, options: BoundsOptions): { clip: MeasuredCells; row: number } {
     const { maxDistance } = options
-    const cells = this.#isClippedAlone(region, i, maxDistance) && region.module.clipCell(this, i, maxDistance)
-    return cells ? [cells, 0] : [this.#clippedTo(region, options).cells, i]
+    const alone = this.#isClippedAlone(region, i, maxDistance) && region.module.clipCell(this, i, maxDistance)
+    return alone ? { clip: alone, row: 0 } : { clip: this.#clippedTo(region, options), row: i }
   }
 
   /**

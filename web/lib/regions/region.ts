@@ -2,13 +2,17 @@
 import { checkNumber, refuseOption, shown } from '../base/check.ts'
 import type { Box, DiagramData, Float64s, Int32s, Point, Vertex } from '../base/types.ts'
 
-/** A diagram clipped to a region by the WebAssembly module for regions. Row i belongs to circle i. */
-export interface ClippedDiagram {
+/** Cells in a region, row by row, and their measures. `centroids` has x and y, NaN for a cell without a part inside. */
+export interface MeasuredCells {
   readonly cells: ClippedCells
-  readonly edges: ClippedEdges
   readonly areas: Float64Array
   readonly centroids: Float64Array
   readonly perimeters: Float64Array
+}
+
+/** A diagram clipped to a region by the WebAssembly module for regions. Row i belongs to circle i. */
+export interface ClippedDiagram extends MeasuredCells {
+  readonly edges: ClippedEdges
   polygons(tolerance: number): ClippedPolygons
   /** The largest disc with its center in the region that overlaps no circle, and the circles that it touches. */
   largestEmptyDisc(): { readonly disc: Vertex; readonly circles: readonly number[] } | undefined
@@ -71,10 +75,10 @@ export interface RegionModule {
   contains(x: number, y: number): boolean
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
   /**
-   * Clips one cell that has sides; the result has one row. Returns `undefined` if the cell cannot be clipped without
-   * all others.
+   * Clips one cell that has sides; the result has one row, with the bits that the cell has among all cells. Returns
+   * `undefined` if the cell cannot be clipped without all others.
    */
-  clipCell(diagram: DiagramData, circle: number, maxDistance: number | undefined): ClippedCells | undefined
+  clipCell(diagram: DiagramData, circle: number, maxDistance: number | undefined): MeasuredCells | undefined
   /** Clips a counter-clockwise convex polygon; row 0 has the result. Returns `undefined` if the polygon has no area. */
   clipConvex(corners: readonly Point[]): ClippedPolygons | undefined
 }

@@ -136,9 +136,11 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
         const result = module.clipCell(address, few.circles, diagram.weights, chosen, maxDistance)
         // Errors for a few circles are dropped, because the computation for all circles reports them better.
         if ('error' in result) return undefined
-        const { cells, ...small } = result
+        const { cells, areas, centroids, perimeters, ...small } = result
         const sides = sidesOfFew(diagram, few, small)
-        return sides && { ...cells, side: cells.side.map((side) => sides.get(side) ?? NONE) }
+        if (sides === undefined) return undefined
+        const side = cells.side.map((its) => sides.get(its) ?? NONE)
+        return { cells: { ...cells, side }, areas, centroids, perimeters }
       },
       clipConvex(corners) {
         const circles = circlesOfConvexCell(corners)
@@ -212,6 +214,8 @@ class Clipped implements ClippedDiagram {
   #cells: ClippedDiagram['cells'] | undefined
   #edges: ClippedDiagram['edges'] | undefined
   #areas: Float64Array | undefined
+  #centroids: Float64Array | undefined
+  #perimeters: Float64Array | undefined
   #polygons: { readonly tolerance: number; readonly polygons: ClippedPolygons } | undefined
 
   constructor(module: WasmRegionsModule, address: number, region: Region) {
@@ -236,11 +240,13 @@ class Clipped implements ClippedDiagram {
   }
 
   get centroids() {
-    return unwrap(this.#module.clippedCentroids(this.#address))
+    this.#centroids ??= unwrap(this.#module.clippedCentroids(this.#address))
+    return this.#centroids
   }
 
   get perimeters() {
-    return unwrap(this.#module.clippedPerimeters(this.#address))
+    this.#perimeters ??= unwrap(this.#module.clippedPerimeters(this.#address))
+    return this.#perimeters
   }
 
   largestEmptyDisc() {

@@ -109,7 +109,7 @@ interface WasmRegionsModule {
     maxDistance: number | undefined,
   ):
     | WasmError
-    | (import('../regions/few-circles.ts').Sides & { readonly cells: import('../regions/region.ts').ClippedCells })
+    | (import('../regions/few-circles.ts').Sides & import('../regions/region.ts').MeasuredCells)
   /**
    * Clips the cell of the first point. `points` are circles of radius 0. Row i belongs to point i, and only row 0 has
    * polygons.
