@@ -18,6 +18,7 @@
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi_families/families.h"
+#include "regions.h"
 #include "report.h"
 #include "three_touch_disc.h"
 #include "tie_inputs.h"

@@ -142,7 +142,7 @@ EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
 
 EdgeCurve orderedCurve(const Diagram& diagram, EdgeIndex edge) {
   const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(edge)];
-  return left < right ? edgeCurve(diagram, edge) : curveBetween(diagram, {right, left, end, start});
+  return isOrdered(diagram, edge) ? edgeCurve(diagram, edge) : curveBetween(diagram, {right, left, end, start});
 }
 
 EdgeCurve sideCurve(const Diagram& diagram, SideIndex side) {

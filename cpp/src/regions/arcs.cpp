@@ -73,8 +73,8 @@ void Arcs::sortCrossings() {
     const Crossing& its = all[at(c)];
     const std::int32_t side = its.side;
     // The same order in both directions of an edge, reversed.
-    if (!isOrdered(diagram_, its.edge)) return std::tuple(std::int32_t{its.edge}, -its.parameter, -side);
-    return std::tuple(std::int32_t{its.edge}, its.parameter, side);
+    if (!isOrdered(diagram_, its.edge)) return std::tuple(std::int32_t{its.edge}, -its.orderedParameter, -side);
+    return std::tuple(std::int32_t{its.edge}, its.orderedParameter, side);
   };
   std::ranges::sort(order_, {}, key);
   std::vector<std::int32_t> crossed;

@@ -139,9 +139,9 @@ class Adder {
     Vector end = seenEnd(arc.end, edge.end);
     if (side % 2 != 0) std::swap(start, end);
     addTriangle(start, end);
-    // The moments over the chord are those for the circle of smaller index, from where its side begins.
-    const bool isSmaller = cell_ < diagram_.neighborOf(side);
-    add(overChord, isSmaller ? start : end, isSmaller ? 1 : -1);
+    // The moments over the chord are those for the circle on the left of orderedCurve, from where its side begins.
+    const bool isFirst = isOrdered(diagram_, arc.edge) == (side % 2 == 0);
+    add(overChord, isFirst ? start : end, isFirst ? 1 : -1);
   }
 
   void addBoundary() {

@@ -59,7 +59,7 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
     const bool isForward = start.x < end.x || (start.x == end.x && start.y < end.y);
     const Edge& edge = diagram.edges[at(crossing.edge)];
     return std::tuple(std::int32_t{one.cell}, std::int32_t{crossing.side}, isForward ? crossing.share : -crossing.share,
-                      edge.left + edge.right);
+                      orderOf(diagram, crossing.isEntry ? edge.left : edge.right));
   });
   placesInto_.assign(crossings.all.size(), kNone);
   for (std::size_t k = 0; k < into_.size(); ++k) placesInto_[at(into_[k].index)] = static_cast<std::int32_t>(k);
@@ -104,7 +104,7 @@ void ClippedDiagram::Parts::sidesOf(CircleIndex circle, std::vector<SideIndex>& 
   // Two circles follow each other once at most around a vertex of the cell, and once at most around infinity.
   const auto key = [&](std::size_t k) {
     const SideIndex next = sides[k + 1 == sides.size() ? 0 : k + 1];
-    return std::tuple(std::int32_t{diagram.neighborOf(sides[k])}, std::int32_t{diagram.neighborOf(next)},
+    return std::tuple(orderOf(diagram, diagram.neighborOf(sides[k])), orderOf(diagram, diagram.neighborOf(next)),
                       diagram.targetOf(sides[k]) == kNone);
   };
   std::size_t first = 0;
@@ -119,11 +119,11 @@ EdgeCurve ClippedDiagram::Parts::orderedCurveOf(const Arc& arc) const {
   const auto& [first, last] =
       isOrdered(diagram, arc.edge) ? std::pair(arc.start, arc.end) : std::pair(arc.end, arc.start);
   if (first != kNone) {
-    curve.from = crossings.all[at(first)].parameter;
+    curve.from = crossings.all[at(first)].orderedParameter;
     curve.start = crossings.all[at(first)].point;
   }
   if (last != kNone) {
-    curve.to = crossings.all[at(last)].parameter;
+    curve.to = crossings.all[at(last)].orderedParameter;
     curve.end = crossings.all[at(last)].point;
   }
   // The parameters may be in the wrong order if the arc has length zero up to rounding.

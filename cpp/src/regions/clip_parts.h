@@ -52,7 +52,7 @@ class ClippedDiagram::Parts {
   }
 
   /// Collects the sides of a cell, counter-clockwise from one that depends on its neighbors alone, not on the numbers
-  /// of edges: the one with the smallest neighbor, and of several the one with the smallest neighbor after it.
+  /// of circles and edges: the one with the first neighbor (orderOf), and of several that with the first after it.
   void sidesOf(CircleIndex circle, std::vector<SideIndex>& sides) const;
 
   /// Returns whether an edge without crossings lies in the region.

@@ -400,8 +400,10 @@ class Walk {
   void addCrossing(RegionSideIndex index, const Line& line, SideIndex side) {
     const EdgeIndex edge = Diagram::edgeOf(side);
     const Edge& ends = diagram_.edges[at(edge)];
-    // All edges of two circles have one bisector, and the one of smaller index on its left.
-    const auto [left, right] = std::minmax({std::int32_t{ends.left}, std::int32_t{ends.right}});
+    // All edges of two circles have one bisector, whatever their directions.
+    const bool isInOrder = isOrdered(diagram_, edge);
+    const CircleIndex left = isInOrder ? ends.left : ends.right;
+    const CircleIndex right = isInOrder ? ends.right : ends.left;
     const Bisector bisector =
         circle_voronoi::bisector(diagram_.circles[at(left)], diagram_.circles[at(right)], diagram_.metric);
     const bool isAlong = left == diagram_.circleOf(side);
@@ -425,7 +427,8 @@ class Walk {
     }
     const EdgeCurve curve = orderedCurve(diagram_, edge);
     parameter = std::clamp(parameter, curve.from, curve.to);
-    crossings_.all.push_back({edge, index, point, parameter, share, side % 2 == 0});
+    crossings_.all.push_back(
+        {edge, index, point, isInOrder ? parameter : 1 / parameter, parameter, share, side % 2 == 0});
   }
 
   const Diagram& diagram_;

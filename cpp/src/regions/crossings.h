@@ -17,8 +17,9 @@ struct Crossing {
   EdgeIndex edge = {};
   RegionSideIndex side = {};  ///< the side of the region
   Point point;
-  /// The parameter of the point on the edge, seen with the circle of smaller index on the left (Parts::curveOf).
-  double parameter = 0;
+  double parameter = 0;  ///< the parameter of the point on the edge
+  /// The same in the direction of orderedCurve.
+  double orderedParameter = 0;
   /// The position of the point along the side, from 0 at the smaller of its two ends, by x and then y, to 1 at the
   /// other.
   double share = 0;
