@@ -65,8 +65,6 @@ Outline outline(const Diagram& diagram, CircleIndex circle) {
   return loop.empty() ? Outline{} : Outline{std::move(loop)};
 }
 
-}
-
 double area(const Outline& outline) {
   if (outline.empty()) return 0;
   const double unit = unitFor(extentOf(outline));

@@ -357,7 +357,7 @@ ClippedPolygons clipPolygons(const ClippedDiagram& clipped, const Chosen& circle
           continue;
         }
         const auto points =
-            piece.isOnCircle() ? flattener.pointsOfArc(static_cast<std::int32_t>(i), piece) : flattener.pointsOf(piece);
+            piece.isOnCircle() ? flattener.pointsOfArc(circles[row], piece) : flattener.pointsOf(piece);
         loop.points.insert(loop.points.end(), points.begin(), points.size() > 1 ? points.end() - 1 : points.end());
       }
     }
