@@ -98,7 +98,7 @@ TEST(ReadDiagram, OfAMemberThatIsGivenTwiceTheLastValueCounts) {
   EXPECT_TRUE(file->diagram.hidden.empty());
   EXPECT_EQ(file->diagram.hull.size(), 1U);
   EXPECT_TRUE(file->attributes.ids.empty());
-  EXPECT_EQ(file->attributes.collection, "\"crs\": 7");
+  EXPECT_EQ(file->attributes.collection, "\"crs\":7");
 }
 
 TEST(ReadDiagram, TimesOfMinusZeroComeBack) {

@@ -136,7 +136,7 @@ bool fitInLength(const Diagram& diagram) {
 
 /// Returns the first side or vertex of a cell that does not fit.
 std::optional<Item> wronglyLinked(const Diagram& diagram, CircleIndex circle) {
-  const auto& [nextSide, vertexSides, firstSide] = diagram.links;
+  const std::vector<SideIndex>& nextSide = diagram.links.nextSide;
   const auto isCircle = [&](CircleIndex i) { return isIndex(i, diagram.circles.size()); };
   const auto isRightEnd = [&](VertexIndex v) {
     if (v == kNone) return true;
@@ -152,7 +152,7 @@ std::optional<Item> wronglyLinked(const Diagram& diagram, CircleIndex circle) {
     return isCircle(left) && isCircle(right) && left != right && isRightEnd(start) && isRightEnd(end) &&
            diagram.circleOf(side) == circle;
   };
-  const SideIndex first = firstSide[static_cast<std::size_t>(circle)];
+  const SideIndex first = diagram.links.firstSide[static_cast<std::size_t>(circle)];
   if (first == kNone) return std::nullopt;
   SideIndex side = first;
   std::size_t count = 0;

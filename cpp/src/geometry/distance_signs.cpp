@@ -403,7 +403,9 @@ bool DistanceSigns::isUpper(CircleIndex cell, const RimPoint& p) const {
   const Circle second = p.line.isOfEdge() ? first : placeSeen(p.line.to, own);
   const auto formula = [&](auto view, const auto& seen) {
     const auto radius = view.number(-seen[2].v.s);
-    const auto [u, h] = lineForm(view, p.line, seen[0], seen[1], radius);
+    const auto form = lineForm(view, p.line, seen[0], seen[1], radius);
+    const auto& u = form.u;
+    const auto& h = form.h;
     const auto isOnAxis = [&](const auto& beside, const auto& ahead) {
       // The sign of h beside + t ahead sqrt(4 R^2 u . u - h^2).
       const auto doubled = twice(radius * ahead);

@@ -158,8 +158,8 @@ class Adder {
         visit(last, seen(all[at(stretch.to)]));
       });
     }
-    for (const auto& [cell, ring] : parts_.ringsIn(cell_)) {
-      addChain([&](auto visit) {
+    for (const auto& one : parts_.ringsIn(cell_)) {
+      addChain([&, ring = one.index](auto visit) {
         const std::int32_t begin = parts_.region.ringOffsets()[at(ring)];
         const std::int32_t end = parts_.region.ringOffsets()[at(ring) + 1];
         for (std::int32_t k = begin; k < end; ++k) {
