@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a cell inside a polygon and a maximum distance, by brute force with numbers of 800 bits. The polygon is
+// The part of a cell inside a polygon and a maximum distance, by brute force with numbers of 544 bits. The polygon is
 // really moved by (e, f), so nothing is a tie. All curves are cut at all others, and the piece between two cuts is kept
 // if the point in its middle lies inside everything else. Nothing is shared with the library.
 
-const BITS = 800n
+const BITS = 544n
 const ONE = 1n << BITS
 /** The shift of the polygon: f is far smaller than e and its square. */
-const [E, F] = [ONE >> 130n, ONE >> 330n]
+const [E, F] = [ONE >> 100n, ONE >> 230n]
 /** Numbers closer than this are equal. */
-const CLOSE = ONE >> 370n
+const CLOSE = ONE >> 260n
 /** Values above this are decided in doubles, as a share of the sizes. */
 const CLEAR = 1e-9
 
@@ -83,11 +83,14 @@ export function cellByBruteForce(circles, i, corners, maxDistance, metric, unit)
     others.push({ j, way, d, s, k, along: unitWay, across: { x: -unitWay.y, y: unitWay.x } })
   }
   // Two bisectors that are one leave a cell of no width between them.
-  const isOne = (one, other) =>
-    abs(cross(one.way, other.way)) < CLOSE &&
-    abs(mul(one.k, other.d) - mul(other.k, one.d)) < CLOSE &&
-    abs(mul(one.s, other.d) - mul(other.s, one.d)) < CLOSE &&
-    dot(one.way, other.way) > 0n
+  const isOne = (one, other) => {
+    const turned = dot(one.way, other.way) > 0n ? one.d : -one.d
+    return (
+      abs(cross(one.way, other.way)) < CLOSE &&
+      abs(mul(one.k, other.d) - mul(other.k, turned)) < CLOSE &&
+      abs(mul(one.s, other.d) - mul(other.s, turned)) < CLOSE
+    )
+  }
   if (others.some((one, k) => others.slice(k + 1).some((other) => isOne(one, other)))) return undefined
   for (const other of others) {
     other.near = { way: inDoubles(other.way), s: toNumber(other.s), k: toNumber(other.k) }

@@ -226,6 +226,31 @@ describe(`cells in bounds, seed ${SEED}`, () => {
   }
 })
 
+it(`areas far from the origin are right, seed ${SEED}`, () => {
+  let count = 0
+  for (let k = 0; count < CELLS / 10; k++) {
+    const made = preparedCase(families[k % families.length], SEED * 1_000_003 + k)
+    if (made === undefined || made.scale !== 1 || made.metric === 'power') continue
+    const offset = 2 ** (10 * (1 + (k % 3)))
+    const moved = ([x, y, ...radius]) => [x + offset, y - offset, ...radius]
+    // Two circles have no vertices, whose coordinates are rounded.
+    const circles = made.circles.slice(0, 2).map(moved)
+    const corners = made.corners.map(moved)
+    let far
+    try {
+      far = prepared({ ...made, circles, corners })
+    } catch {
+      continue // Rounding has made corners equal, or not convex.
+    }
+    circles.forEach((_, i) => {
+      const right = cellByBruteForce(circles, i, corners, far.options.maxDistance, far.metric, 1)
+      const error = Math.abs(far.diagram.cellArea(i, far.options) - right.area) / far.polygon.area()
+      assert.ok(error <= ACCURACY, `case ${k}: the area of cell ${i} is off by ${error} of the bounds`)
+      count += 1
+    })
+  }
+})
+
 describe('a maximum distance', () => {
   it('below an ulp of a center makes an empty or a tiny part', () => {
     for (const center of [1, 1e6, 7e28]) {

@@ -11,6 +11,7 @@ import { BisectorBorder, type BorderCurve, RimBorder, type WholeNeighbor, wholeN
 import { BorderEnd, type ExactPoint } from './border-end.ts'
 import { type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
+import { CutPoint } from './cut-point.ts'
 import { errorOfVertex } from './measure.ts'
 import { ROUNDING_OF_SIGNS, signBeyond } from './sign-filter.ts'
 
@@ -47,6 +48,8 @@ const AXES: readonly Vector[] = [
   { x: -1, y: 0 },
   { x: 0, y: -1 },
 ]
+
+const ORIGIN: Point = { x: 0, y: 0 }
 
 /**
  * The border of a cell within the maximum distance. Exact signs decide which ends of its sides are within: a vertex at
@@ -130,15 +133,16 @@ export class CellBorder {
     const reach = Math.min(reachOf(this.#circle), reachOf(this.#cells.neighborOf(side)))
     const most = parameterAtDistance(bisector, Math.max(reach, Math.abs(bisector.apex)))
     const clamped = (s: number) => Math.min(Math.max(s, whole.from), whole.to)
+    const cutAt = (s: number) => CutPoint.after(bisector.origin, pointOf({ ...bisector, origin: ORIGIN }, s))
     let { from, to, start, end } = whole
     const isForward = side % 2 === 0
     if (isForward ? isCutFrom : isCutTo) {
       from = clamped(1 / most)
-      start = pointOf(bisector, from)
+      start = cutAt(from)
     }
     if (isForward ? isCutTo : isCutFrom) {
       to = clamped(most)
-      end = pointOf(bisector, to)
+      end = cutAt(to)
     }
     if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
     return { bisector, from, to, start, end }
@@ -238,8 +242,7 @@ export class CellBorder {
   #axisEnd(k: number): BorderEnd {
     const { x, y } = AXES[k % AXES.length] as Vector
     const seen = { x: this.#radius * x, y: this.#radius * y }
-    const point = { x: this.center.x + seen.x, y: this.center.y + seen.y }
-    return new BorderEnd(point, seen, ROUNDING_OF_SIGNS * this.#radius, () => ({
+    return new BorderEnd(CutPoint.after(this.center, seen), seen, ROUNDING_OF_SIGNS * this.#radius, () => ({
       x: this.#wholeRadius * BigInt(x),
       x1: 0n,
       y: this.#wholeRadius * BigInt(y),

@@ -10,8 +10,8 @@ export interface Moments {
 }
 
 import { between, length } from '../base/point.ts'
-import { lengthOf, measuredIn } from '../base/scale.ts'
-import type { PathSink, Point } from '../base/types.ts'
+import { lengthOf } from '../base/scale.ts'
+import type { PathSink, Point, Vector } from '../base/types.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 
@@ -34,18 +34,17 @@ export function arcLength({ curve: { start, end }, r }: OutlinePiece): number {
  * Returns the moments of the region between an arc and its chord. From the circle's center, the centroid is 2 / 3 sin^3
  * h / (h - sin h cos h) radii away, and the chord cos h radii.
  */
-export function momentsOverChord({ curve, r }: OutlinePiece, reference: Point, unit: number): Moments {
-  const chord = measuredIn(unit, between(curve.start, curve.end))
+export function momentsOverChord(start: Vector, end: Vector, r: number): Moments {
+  const chord = between(start, end)
   const size = length(chord)
   if (size === 0) return { area: 0, x: 0, y: 0 }
-  const { sine, cosine, second } = halfAngleOf(curve.start, curve.end, r)
+  const { sine, cosine, second } = halfAngleOf(start, end, r)
   const area = sine * (size / 2) * (size / 2) * (2 / 3) * second
-  const beyond = (r / unit) * (1 / second - cosine)
-  const toStart = measuredIn(unit, between(reference, curve.start))
+  const beyond = r * (1 / second - cosine)
   return {
     area,
-    x: area * (toStart.x + chord.x / 2 + (beyond * chord.y) / size),
-    y: area * (toStart.y + chord.y / 2 - (beyond * chord.x) / size),
+    x: area * (start.x + chord.x / 2 + (beyond * chord.y) / size),
+    y: area * (start.y + chord.y / 2 - (beyond * chord.x) / size),
   }
 }
 

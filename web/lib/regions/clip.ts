@@ -64,20 +64,10 @@ export function clipCurve(curve: EdgeCurve, options: ConvexBoundsOptions): Bound
 }
 
 /** Returns the point of a segment that is nearest to a point, up to rounding. */
-export function nearestOn(from: Point, to: Point, p: Point): Point {
-  const share = shareOn(from, to, p)
-  return share <= 0 ? from : share >= 1 ? to : pointAtShare(from, to, share)
-}
-
-/** Returns how far ahead a point is on the way between two points: 0 at the first, 1 at the second. */
-export function shareOn(from: Point, to: Point, p: Point): number {
+function nearestOn(from: Point, to: Point, p: Point): Point {
   const along = between(from, to)
-  return dot(between(from, p), along) / dot(along, along)
-}
-
-/** Returns the point at a share of the way between two points. */
-export function pointAtShare(from: Point, to: Point, share: number): Point {
-  return { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) }
+  const share = dot(between(from, p), along) / dot(along, along)
+  return share <= 0 ? from : share >= 1 ? to : { x: from.x + share * along.x, y: from.y + share * along.y }
 }
 
 /**

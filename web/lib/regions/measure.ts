@@ -5,7 +5,7 @@ import { at } from '../base/diagram-data.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import { between, cross } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
-import type { DiagramData, Metric, Point } from '../base/types.ts'
+import type { DiagramData, Metric, Point, Vector } from '../base/types.ts'
 import { type Bisector, pointOf } from '../curves/bisector.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { BoundedCurve } from '../curves/curve.ts'
@@ -16,6 +16,7 @@ import {
   type Moments,
 } from './circle-arc.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
+import { CutPoint } from './cut-point.ts'
 import type { Outline, OutlinePiece } from './outline-piece.ts'
 
 /** A smaller area, as a share of the square around it, is only rounding. */
@@ -215,18 +216,30 @@ function extentOf(outline: Outline): number {
   return most
 }
 
+const NO_MOMENTS: Moments = { area: 0, x: 0, y: 0 }
+
 function momentsOf(outline: Outline, unit: number): Moments {
   const reference = referenceOf(outline)
+  const seen = (p: Point) => measuredIn(unit, CutPoint.seenFrom(reference, p))
   let [area, x, y] = [0, 0, 0]
-  for (const piece of outline.length === 1 ? (outline[0] as Outline[number]) : outline.flat()) {
-    const { curve } = piece
-    const u = measuredIn(unit, between(reference, curve.start))
-    const v = measuredIn(unit, between(reference, curve.end))
+  const add = (u: Vector, v: Vector, beyond: Moments) => {
     const triangle = cross(u, v) / 2
-    const beyond = isCircleArc(piece) ? circleMoments(piece, reference, unit) : momentsOverChord(curve, reference, unit)
     area += triangle + beyond.area
     x += (triangle * (u.x + v.x)) / 3 + beyond.x
     y += (triangle * (u.y + v.y)) / 3 + beyond.y
+  }
+  for (const loop of outline) {
+    const end = loop.at(-1)?.curve.end
+    let last = end && seen(end)
+    for (const piece of loop) {
+      const { curve } = piece
+      const u = seen(curve.start)
+      const v = seen(curve.end)
+      // Points whose coordinates are equal may be apart by less than rounding.
+      if (last !== undefined && (last.x !== u.x || last.y !== u.y)) add(last, u, NO_MOMENTS)
+      add(u, v, isCircleArc(piece) ? circleMoments(u, v, piece.r / unit) : momentsOverChord(curve, reference, unit))
+      last = v
+    }
   }
   return { area, x, y }
 }

@@ -3,6 +3,7 @@
 // web/lib/README.md explains the steps.
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { compareSurds, coordinateOf, type Surd, surd, wholeOf } from '../base/exact.ts'
+import { between, dot } from '../base/point.ts'
 import type { DiagramData, Point } from '../base/types.ts'
 import { parameterOf, pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, curveOf, reversed, segment } from '../curves/curve.ts'
@@ -11,8 +12,9 @@ import type { BorderEnd } from './border-end.ts'
 import { type BorderPiece, CellBorder, refuseOutline, type SidePiece } from './cell-border.ts'
 import { isKeptWhole, isOutside, type Limits, reachFrom } from './cell-limits.ts'
 import { Cells } from './cells.ts'
-import { CIRCLE_CUT, isSame, LineCrossing, type Part, pointAtShare, shareOn } from './clip.ts'
+import { CIRCLE_CUT, isSame, LineCrossing, type Part } from './clip.ts'
 import { ClipLine } from './clip-line.ts'
+import { CutPoint } from './cut-point.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 import { TIE } from './sign-filter.ts'
 
@@ -379,8 +381,9 @@ class CellClip {
     const found = new LineCrossing(bisector, from, direction)
     const s = found.crossing(leaves === (side % 2 === 0))
     if (s !== undefined && found.isCertainAt(s)) {
-      const share = shareOn(from, to, pointOf(bisector, clamped(s)))
-      if (isBetweenEnds(share)) return { point: pointAtShare(from, to, share), s: clamped(s) }
+      const seen = pointOf({ ...bisector, origin: between(from, bisector.origin) }, clamped(s))
+      const share = dot(seen, direction) / dot(direction, direction)
+      if (isBetweenEnds(share)) return { point: pointOnSide(line, share), s: clamped(s) }
     }
     // Seen from the left cell of the edge.
     const { diagram } = this.#cells
@@ -389,7 +392,8 @@ class CellClip {
     const curve = new BisectorBorder(diagram, left, this.#cells.circleOf(side | 1))
     const center = circleOf(diagram.circles, left)
     const point = exactPoint(from, to, curve.shareOf(new ClipLine(line.side, from, to, center), leaves !== isLeft))
-    return { point, s: clamped(parameterOf(bisector, point.x, point.y)) }
+    const seen = CutPoint.seenFrom(bisector.origin, point)
+    return { point, s: clamped(parameterOf({ ...bisector, origin: ORIGIN }, seen.x, seen.y)) }
   }
 
   #placeOnRim({ line, leaves, piece }: Crossing): Place {
@@ -404,15 +408,21 @@ class CellClip {
     const isCertain = scale * this.#radius < 2 ** 6 * size * half
     const point =
       isCertain && isBetweenEnds(share)
-        ? pointAtShare(from, to, share)
+        ? pointOnSide(line, share)
         : exactPoint(from, to, piece.line.shareOf(line, !leaves))
     return { point, s: 1 }
   }
 }
 
+const ORIGIN: Point = { x: 0, y: 0 }
+
 /** Next to its ends, the points of a side are exact. */
 function isBetweenEnds(share: number): boolean {
   return share > 2 ** -30 && share < 1 - 2 ** -30
+}
+
+function pointOnSide({ from, dx, dy }: ClipLine, share: number): Point {
+  return CutPoint.after(from, { x: share * dx, y: share * dy })
 }
 
 /** Returns the point at a share of the way between two corners, rounded. */
@@ -420,9 +430,13 @@ function exactPoint(from: Point, to: Point, { p, q, d, w }: Surd): Point {
   const coordinate = (first: number, last: number) => {
     const start = wholeOf(first)
     const step = wholeOf(last) - start
-    return coordinateOf(surd(start * w + step * p, step * q, d, w))
+    const exact = surd(start * w + step * p, step * q, d, w)
+    const rounded = coordinateOf(exact)
+    return [rounded, coordinateOf({ ...exact, p: exact.p - wholeOf(rounded) * exact.w })] as const
   }
-  return { x: coordinate(from.x, to.x), y: coordinate(from.y, to.y) }
+  const [x, restX] = coordinate(from.x, to.x)
+  const [y, restY] = coordinate(from.y, to.y)
+  return new CutPoint(x, y, { x: restX, y: restY })
 }
 
 function straightPiece(start: Point, end: Point, r: number): SharedPiece {
