@@ -172,19 +172,7 @@ class Walk {
     if (sectors_.cell() != cell) sectors_.setCell(cell);
   }
 
-  /// The circle whose cell has a corner, by steps to nearer neighbors.
-  CircleIndex nearestTo(Point corner, CircleIndex from) const {
-    for (std::size_t steps = 0; steps <= diagram_.circles.size(); ++steps) {
-      CircleIndex best = from;
-      for (const SideIndex side : diagram_.sides(from)) {
-        const CircleIndex neighbor = diagram_.neighborOf(side);
-        if (neighbor != best && signs_.compare(best, neighbor, corner).sign < 0) best = neighbor;
-      }
-      if (best == from) return from;
-      from = best;
-    }
-    refuseClip("No cell of the diagram has a corner of the region.");
-  }
+  CircleIndex nearestTo(Point corner, CircleIndex from) const { return cellWith(diagram_, signs_, corner, from); }
 
   /// The crossings of edges of chosen cells. Between one where the boundary comes into such a cell and the next one
   /// there is no other.
@@ -358,6 +346,19 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<co
   }
   if (near == kNone) return {};
   return Walk(diagram, region).run(box, isChosen, near);
+}
+
+CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from) {
+  for (std::size_t steps = 0; steps <= diagram.circles.size(); ++steps) {
+    CircleIndex best = from;
+    for (const SideIndex side : diagram.sides(from)) {
+      const CircleIndex neighbor = diagram.neighborOf(side);
+      if (neighbor != best && signs.compare(best, neighbor, corner).sign < 0) best = neighbor;
+    }
+    if (best == from) return from;
+    from = best;
+  }
+  refuseClip("No cell of the diagram has a corner of the region.");
 }
 
 }  // namespace circle_voronoi

@@ -8,6 +8,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 #include "circle_voronoi/region.h"
+#include "shifted_signs.h"
 
 namespace circle_voronoi {
 
@@ -47,5 +48,8 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region);
 /// Follows the boundary only where it is near some cells, and returns the crossings of their edges. Takes linear time
 /// in the number of sides and edges nearby.
 Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
+
+/// Returns the circle whose cell has a corner, by steps from a circle to nearer neighbors.
+CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from);
 
 }  // namespace circle_voronoi

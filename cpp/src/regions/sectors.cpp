@@ -77,15 +77,15 @@ int Sectors::sideOf(const Ray& ray, const Line& line) const {
   return signs_.sideOfEnd(side, ray.to == Ray::To::target, line);
 }
 
-Sectors::Sector Sectors::find(Point corner) const {
-  Sector sector;
+Sectors::Sector Sectors::find(Point corner, Sector first) const {
+  Sector sector = first;
   bool isAhead = turn(rayAfter(sector, false), corner) > 0;
   do {
     const bool isBefore = turn(rayAfter(sector, true), corner) < 0;
     if (isAhead && isBefore) return sector;
     isAhead = !isBefore;
     sector = next(sector, true);
-  } while (sector.side != 0 || sector.part != Part::beforeApex);
+  } while (sector.side != first.side || sector.part != first.part);
   refuseClip("A corner of the region lies in no sector of its cell.");
 }
 

@@ -32,8 +32,9 @@ class Sectors {
   CircleIndex cell() const { return cell_; }
   const std::vector<SideIndex>& sides() const { return sides_; }
 
-  /// Returns the sector in which a corner lies.
-  Sector find(Point corner) const;
+  /// Returns the sector in which a corner lies. The search goes counter-clockwise from a sector.
+  Sector find(Point corner, Sector first) const;
+  Sector find(Point corner) const { return find(corner, {}); }
   /// Returns the sector in which a line comes across a side into the cell.
   Sector entered(SideIndex side, const ShiftedSigns::Line& line) const;
 

@@ -459,4 +459,68 @@ double ShiftedSigns::shareOfCrossing(CircleIndex from, CircleIndex to, const Lin
   });
 }
 
+int ShiftedSigns::turnFromRay(CircleIndex own, Point through, Point corner) const {
+  const Point center = centerPointOf(circle(own));
+  if (center != through) {
+    if (const int sign = orientation(center, through, corner); sign != 0) return sign;
+  }
+  return corner.y != through.y ? signOfNumber(corner.y - through.y) : signOfNumber(through.x - corner.x);
+}
+
+// The ray from o in the direction P crosses the line at the share N / D, with N = P x (o - a), D = P x (b - a). The
+// share of the other crossing is as in shareOfCrossing. Their difference is compared with 0.
+int ShiftedSigns::turnFromRay(CircleIndex own, Point through, CircleIndex from, CircleIndex to,
+                              const Line& line) const {
+  const int first = turnFromRay(own, through, line.from);
+  const int second = turnFromRay(own, through, line.to);
+  if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
+  const Circle& c = circle(from);
+  const Circle& d = circle(to);
+  const Circle start = circleAt(line.from, c);
+  const Circle end = circleAt(line.to, c);
+  const Circle place = circleAt(through, c);
+  // How far the crossing is ahead of the ray along the line.
+  const int ahead = seenFrom(start, std::array<const Circle*, 4>{&c, &d, &end, &place}, [&](const auto& seen, int) {
+    const auto& center = own == from ? seen[0].v : seen[1].v;
+    const auto& direction = seen[2].v;
+    auto ray = seen[3].v - center;
+    if (ray.x.sign() == 0 && ray.y.sign() == 0) ray.x = decltype(ray.x)(1);
+    const auto n = planeCross(ray, center);
+    const auto whole = planeCross(ray, direction);
+    const auto across = seen[1].v - seen[0].v;
+    const auto twice = [](const auto& value) { return value + value; };
+    if (!isCurved_ || across.s.sign() == 0) {
+      const auto way = twice(planeDot(direction, across));
+      const auto height = planeDot(across, across) + twice(planeDot(seen[0].v, across));
+      return (height * whole - n * way).sign() * way.sign() * whole.sign();
+    }
+    const auto toMiddle = seen[0].v + seen[1].v;
+    const auto ss = across.s * across.s;
+    const auto along = planeDot(direction, across);
+    const auto height = planeDot(toMiddle, across);
+    const auto a = twice(twice(along * along - ss * planeDot(direction, direction)));
+    const auto b = twice(ss * planeDot(toMiddle, direction) - height * along);
+    const auto constant = height * height - ss * (planeDot(toMiddle, toMiddle) + planeDot(across, across) - ss);
+    if (a.sign() == 0) return -(constant * whole + twice(b) * n).sign() * b.sign() * whole.sign();
+    const auto square = b * b - a * constant;
+    const auto p = -(b * whole + a * n);
+    const auto q = d.r < c.r ? whole : -whole;
+    const int sign = signOf((p * p - q * q * square).sign(), [&] { return p.sign(); }, [&] { return q.sign(); });
+    return sign * a.sign() * whole.sign();
+  });
+  return ahead == 0 ? 0 : ahead > 0 ? second : first;
+}
+
+double ShiftedSigns::shareOnRay(CircleIndex own, Point through, const Line& line) const {
+  const Circle& c = circle(own);
+  const Circle start = circleAt(line.from, c);
+  const Circle end = circleAt(line.to, c);
+  const Circle place = circleAt(through, c);
+  return seenFrom(start, std::array<const Circle*, 3>{&c, &end, &place}, [](const auto& seen, int) {
+    auto ray = seen[2].v - seen[0].v;
+    if (ray.x.sign() == 0 && ray.y.sign() == 0) ray.x = decltype(ray.x)(1);
+    return (exact::floating(planeCross(ray, seen[0].v)) / exact::floating(planeCross(ray, seen[1].v))).times(0);
+  });
+}
+
 }  // namespace circle_voronoi

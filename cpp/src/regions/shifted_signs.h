@@ -69,6 +69,19 @@ class ShiftedSigns {
   /// corner to its second. Right to rounding of itself, for the region that is not moved.
   double shareOfCrossing(CircleIndex from, CircleIndex to, const Line& line) const;
 
+  // Rays from the center of a circle through a place that moves with the region: a corner, or a point in it.
+
+  /// Returns 1 if a corner lies counter-clockwise from a ray, by less than half a turn, -1 if it lies clockwise from
+  /// it. Returns 0 only if the corner is the place through which the ray goes.
+  int turnFromRay(CircleIndex circle, Point through, Point corner) const;
+  /// Returns turnFromRay for the crossing where a line comes out of one cell into another, of which one is that of the
+  /// circle. The crossing is between the two corners of the line. Returns 0 if the ray goes through the crossing of the
+  /// region that is not moved.
+  int turnFromRay(CircleIndex circle, Point through, CircleIndex from, CircleIndex to, const Line& line) const;
+  /// Returns where a ray crosses a line: the share of the way from its first corner to its second. Right to rounding of
+  /// itself, for the region that is not moved.
+  double shareOnRay(CircleIndex circle, Point through, const Line& line) const;
+
   /// Returns a bound on how far a vertex may be off.
   double errorOf(VertexIndex vertex) const;
 
