@@ -85,9 +85,7 @@ class PartsOfRegion {
     }
   }
 
-  bool areTogether(Point p, Point q) {
-    return partOf(p) == partOf(q);
-  }
+  bool areTogether(Point p, Point q) { return partOf(p) == partOf(q); }
 
  private:
   std::size_t partOf(Point p) {
@@ -181,9 +179,7 @@ std::optional<Region> madeOf(const std::vector<Ring>& rings, bool dissolve) {
   return std::move(region).value();
 }
 
-Ring squareAt(double x, double y, double size) {
-  return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
-}
+Ring squareAt(double x, double y, double size) { return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}; }
 
 Shape squares(Random& random) {
   std::vector<std::vector<Ring>> polygons;
@@ -218,9 +214,9 @@ Shape polygons(Random& random) {
 Shape holes(Random& random) {
   std::vector<Ring> rings = {squareAt(0, 0, kSize)};
   for (std::size_t k = 0; k < 6; ++k) {
-    Ring ring = random.below(2) == 0 ? squareAt(static_cast<double>(random.below(kSize)),
-                                                static_cast<double>(random.below(kSize)), 1)
-                                     : Ring{gridPoint(random), gridPoint(random), gridPoint(random)};
+    Ring ring = random.below(2) == 0
+                    ? squareAt(static_cast<double>(random.below(kSize)), static_cast<double>(random.below(kSize)), 1)
+                    : Ring{gridPoint(random), gridPoint(random), gridPoint(random)};
     rings.push_back(std::move(ring));
     if (!madeOf(rings, false)) rings.pop_back();
   }

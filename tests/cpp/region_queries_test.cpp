@@ -190,6 +190,51 @@ TEST(LargestDiscInRegion, IsWhatASearchFinds) {
   }
 }
 
+/// The distance of a point from a side, in more digits than doubles have.
+long double distanceToSide(Point p, Point a, Point b) {
+  const long double x = static_cast<long double>(b.x) - a.x;
+  const long double y = static_cast<long double>(b.y) - a.y;
+  const long double px = static_cast<long double>(p.x) - a.x;
+  const long double py = static_cast<long double>(p.y) - a.y;
+  const long double ahead = (px * x + py * y) / (x * x + y * y);
+  if (ahead <= 0) return std::sqrt(px * px + py * py);
+  if (ahead >= 1) return std::hypot(static_cast<long double>(p.x) - b.x, static_cast<long double>(p.y) - b.y);
+  return std::abs(x * py - y * px) / std::sqrt(x * x + y * y);
+}
+
+TEST(LargestDiscInRegion, StaysInsideWhereTheRegionIsAFewUnitsOfRoundingWide) {
+  Random random(test::seedOr(5));
+  int found = 0;
+  int thin = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const auto movedBy = [](double value, std::size_t ulps) {
+      for (; ulps > 0; --ulps) value = std::nextafter(value, 1e300);
+      return value;
+    };
+    const Point a = {random.uniform(1, 2), random.uniform(1, 2)};
+    const Point b = {random.uniform(2, 3), random.uniform(-3, 3)};
+    const Ring ring = {a, b, {b.x, movedBy(b.y, random.below(40))}, {a.x, movedBy(a.y, 1 + random.below(40))}};
+    const auto region = Region::fromRings(std::vector<Ring>{ring});
+    if (!region) continue;
+    const auto disc = largestEmptyDiscInside(compute(Circles{{5, 5, 1}}).value(), *region);
+    if (!disc) {
+      ++thin;
+      EXPECT_EQ(disc.error().message, "The region is so thin that rounding leaves no disc inside it.");
+      continue;
+    }
+    ++found;
+    const Vertex& its = (*disc)->disc;
+    EXPECT_GT(its.r, 0);
+    EXPECT_TRUE(region->contains({its.x, its.y}));
+    for (std::size_t k = 0; k < region->sideCount(); ++k) {
+      const Point end = region->points()[(k + 1) % region->sideCount()];
+      EXPECT_LE(its.r, distanceToSide({its.x, its.y}, region->points()[k], end) * (1 + 0x1p-8L)) << trial;
+    }
+  }
+  EXPECT_GT(found, 50);
+  EXPECT_GT(thin, 0);
+}
+
 TEST(LargestDiscInRegion, IsThatOfAConvexPolygon) {
   Random random(test::seedOr(3));
   for (int trial = 0; trial < 60; ++trial) {
@@ -282,6 +327,47 @@ TEST(PathInRegion, IsNoneBetweenPartsAndAnErrorFromOutside) {
   EXPECT_EQ(outside.error().message, "The start of the path lies outside the region.");
   EXPECT_EQ(clearestPath(diagram, {2.6, 0.4}, {1.5, 0.5}, islands).error().message,
             "The end of the path lies outside the region.");
+}
+
+TEST(PathInRegion, StartsAtACornerOnABisectorAndAtACenterOnTheBorder) {
+  // The corner (0, 1) is equally far from both circles.
+  const Circles two = {{0, 0, 0}, {0, 2, 0}};
+  const Ring square = {{0, 1}, {1, 1}, {1, 2}, {0, 2}};
+  const auto path = clearestPath(compute(two).value(), {0, 1}, {1, 2}, regionOf({square})).value();
+  ASSERT_TRUE(path);
+  expectPath(two, {square}, {0, 1}, {1, 2}, *path);
+  EXPECT_EQ(path->clearance, 1);
+
+  const Circles corner = {{1, 1, 0}};
+  const Ring unit = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const auto out = clearestPath(compute(corner).value(), {1, 1}, {0, 0}, regionOf({unit})).value();
+  ASSERT_TRUE(out);
+  expectPath(corner, {unit}, {1, 1}, {0, 0}, *out);
+  EXPECT_EQ(out->clearance, 0);
+
+  // The center lies on the border of one arm of a U.
+  const Circles center = {{1, 2, 0}};
+  const Ring u = {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const auto around = clearestPath(compute(center).value(), {1, 2}, {2.5, 2.5}, regionOf({u})).value();
+  ASSERT_TRUE(around);
+  expectPath(center, {u}, {1, 2}, {2.5, 2.5}, *around);
+}
+
+TEST(PathInRegion, BeginsWhereTheRayFromTheCenterEnds) {
+  const Circles circles = {{0, 0, 1}, {10, 0, 1}};
+  const Ring hall = {{-3, -6}, {13, -6}, {13, 6}, {-3, 6}};
+  const auto path = clearestPath(compute(circles).value(), {2, 2}, {11, 1}, regionOf({hall})).value();
+  ASSERT_TRUE(path);
+  ASSERT_TRUE(path->entry && path->exit);
+  EXPECT_NEAR(path->entry->x, 5, 1e-12);
+  EXPECT_NEAR(path->entry->y, 5, 1e-12);
+  EXPECT_NEAR(path->exit->x, 13, 1e-12);
+  EXPECT_NEAR(path->exit->y, 3, 1e-12);
+  // A path that needs no ray begins at its start.
+  const auto along = clearestPath(compute(circles).value(), {5, 0}, {5, 1}, regionOf({hall})).value();
+  ASSERT_TRUE(along);
+  EXPECT_EQ(along->edges, std::vector<EdgeIndex>{0});
+  EXPECT_EQ(along->clearance, 4);
 }
 
 TEST(PathInRegion, TakesCirclesOfTheirOwnMetric) {

@@ -24,7 +24,7 @@ struct ClearestPath {
   /// The point where the path leaves the last edge for q. Empty if q is reached straight from infinity.
   std::optional<Point> exit;
   /// With a region (region_queries.h), the curves of the whole path from p to q. Each ends where the next one starts.
-  /// Parts of edges are arcs, and the others are straight. Otherwise empty.
+  /// Parts of edges are arcs, and the others are straight. Empty without a region, and if p and q are the same.
   std::vector<EdgeCurve> curves = {};
 };
 

@@ -11,7 +11,9 @@
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/region_queries.h"
 #include "guarded.h"
+#include "rounded.h"
 #include "scale.h"
+#include "seen.h"
 
 namespace circle_voronoi {
 namespace {
@@ -23,6 +25,10 @@ constexpr double kFinestSquare = 0x1p-50;
 /// A disc touches circles and sides at a distance of its radius, up to this share of the region.
 constexpr double kRoundingOfTouch = 0x1p-44;
 constexpr int kRefinements = 2;
+/// Bounds of distances may be off by this share of the region, by rounding.
+constexpr double kRoundingOfBound = 0x1p-46;
+/// The directions of things are sorted into this number of sectors.
+constexpr std::size_t kSectors = 8;
 
 /// A vector of the place of a disc: its center and its radius.
 struct DiscPlace {
@@ -158,13 +164,14 @@ class DiscSearch {
     for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring) {
       for (std::int32_t k = rings[ring]; k < rings[ring + 1]; ++k) {
         const Point from = here(points[at(k)]);
-        const Point to = here(points[at(k + 1 == rings[ring + 1] ? rings[ring] : k + 1)]);
+        const std::int32_t next = k + 1 == rings[ring + 1] ? rings[ring] : k + 1;
+        const Point to = here(points[at(next)]);
         const Vector along = vectorTo(from, to);
         const double size = length(along);
         const std::int32_t before = k == rings[ring] ? rings[ring + 1] - 1 : k - 1;
         // No disc inside touches a corner where the region is convex.
         const bool isReflex = turn(vectorTo(here(points[at(before)]), from), along) < 0;
-        sides_.push_back({from, to, isReflex});
+        sides_.push_back({from, to, points[at(k)], points[at(next)], isReflex});
         things_.push_back({from, {-along.y / size, along.x / size}, 0, true});
       }
     }
@@ -197,6 +204,8 @@ class DiscSearch {
   struct Side {
     Point from;
     Point to;
+    Point start;  ///< `from` and `to` where the region is
+    Point end;
     bool startsAtReflexCorner = false;
   };
 
@@ -210,39 +219,75 @@ class DiscSearch {
   Point here(Point p) const { return {(p.x - origin_.x) / unit_, (p.y - origin_.y) / unit_}; }
   Point there(Point p) const { return {origin_.x + unit_ * p.x, origin_.y + unit_ * p.y}; }
 
-  double distanceTo(std::int32_t thing, Point p) const {
-    if (at(thing) < circles_.size()) return things_[at(thing)].distance(p).first;
-    const Side& side = sides_[at(thing) - circles_.size()];
-    const Vector along = vectorTo(side.from, side.to);
-    const double size = length(along);
-    const Vector unit = {along.x / size, along.y / size};
-    const double share = std::clamp(dot(vectorTo(side.from, p), unit) / size, 0.0, 1.0);
-    if (share == 0 || share == 1) return lengthOf(vectorTo(share == 0 ? side.from : side.to, p));
-    return std::abs(cross(unit, vectorTo(side.from, p)));
+  /// The distance of a place from a thing, and its bounds nearby: at p + v it is at least value + along . v, because
+  /// things are convex, and it is larger by at most bend |v|^2 as long as |v| is at most the given reach.
+  struct Distance {
+    double value = 0;
+    Vector along;
+    double bend = kInfinite;
+  };
+
+  Distance distanceTo(std::int32_t thing, Point p, double reach) const {
+    Vector v;
+    double radius = 0;
+    if (at(thing) < circles_.size()) {
+      v = vectorTo(things_[at(thing)].point, p);
+      radius = things_[at(thing)].r;
+    } else {
+      const Side& side = sides_[at(thing) - circles_.size()];
+      const Vector along = vectorTo(side.from, side.to);
+      const double size = length(along);
+      const Vector unit = {along.x / size, along.y / size};
+      const double ahead = dot(vectorTo(side.from, p), unit);
+      if (ahead > 0 && ahead < size) {
+        const double height = cross(unit, vectorTo(side.from, p));
+        const double sign = height < 0 ? -1 : 1;
+        const double distance = std::abs(height);
+        const bool isStraight = ahead > reach && size - ahead > reach;
+        return {distance, {-sign * unit.y, sign * unit.x}, isStraight ? 0 : bendOf(distance, reach)};
+      }
+      v = vectorTo(ahead > 0 ? side.to : side.from, p);
+    }
+    const double distance = lengthOf(v);
+    const Vector along = distance > 0 ? measuredIn(distance, v) : Vector{1, 0};
+    return {distance - radius, along, bendOf(distance, reach)};
+  }
+
+  double distanceTo(std::int32_t thing, Point p) const { return distanceTo(thing, p, 0).value; }
+
+  static double bendOf(double distance, double reach) {
+    return distance > 2 * reach ? 0.5 / (distance - reach) : kInfinite;
   }
 
   void offerSquare(Square square) {
-    std::vector<double> distances;
+    std::vector<Distance> distances;
     distances.reserve(square.near.size());
-    double least = kInfinite;
+    const double reach = square.half * std::sqrt(2.0);
+    std::size_t nearest = 0;
     double toSide = kInfinite;
     for (const std::int32_t thing : square.near) {
-      const double distance = distanceTo(thing, square.center);
-      distances.push_back(distance);
-      least = std::min(least, distance);
+      distances.push_back(distanceTo(thing, square.center, reach));
+      const double distance = distances.back().value;
+      if (distance < distances[nearest].value) nearest = distances.size() - 1;
       if (at(thing) >= circles_.size()) toSide = std::min(toSide, distance);
     }
-    const double reach = square.half * std::sqrt(2.0);
+    const double least = distances[nearest].value;
     const bool isInside = region_.contains(there(square.center));
     // Outside, the distance from the boundary counts as negative.
     square.most = (isInside ? least : std::min(least, -toSide)) + reach;
     if (!(square.most > radius_)) return;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < square.near.size(); ++i) {
-      if (distances[i] <= least + 2 * reach) square.near[count++] = square.near[i];
+    // The smaller of two distances is at most their mean, which is nearly the same all over the square if the two
+    // things are opposite each other.
+    for (const Distance& other : distances) {
+      const Distance& first = distances[nearest];
+      const Vector sum = {first.along.x + other.along.x, first.along.y + other.along.y};
+      const double mean = (first.value + other.value + reach * length(sum)) / 2 +
+                          reach * reach * (first.bend + other.bend) / 2 + kRoundingOfBound;
+      square.most = std::min(square.most, mean);
     }
-    square.near.resize(count);
-    if (count <= kFew) {
+    if (!(square.most > radius_)) return;
+    keepNearest(square, distances, least, reach);
+    if (square.near.size() <= kFew) {
       tryAll(square);
       return;
     }
@@ -251,6 +296,42 @@ class DiscSearch {
       square.near.shrink_to_fit();
       pending_.push(std::make_shared<Square>(std::move(square)));
     }
+  }
+
+  /// Keeps the things that may be nearest to a point of a square.
+  static void keepNearest(Square& square, const std::vector<Distance>& distances, double least, double reach) {
+    // Of each sector of directions, the thing with the least bound.
+    std::array<const Distance*, kSectors> nearest = {};
+    const auto bound = [&](const Distance& distance) { return distance.value + reach * reach * distance.bend; };
+    for (const Distance& distance : distances) {
+      const Distance*& its = nearest[sectorOf(distance.along)];
+      if (its == nullptr || bound(distance) < bound(*its)) its = &distance;
+    }
+    const auto isBeyond = [&](const Distance& distance, const Distance* other) {
+      if (other == nullptr) return false;
+      const Vector difference = {distance.along.x - other->along.x, distance.along.y - other->along.y};
+      return distance.value > bound(*other) + reach * length(difference) + kRoundingOfBound;
+    };
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+      if (distances[i].value > least + 2 * reach) continue;
+      const std::size_t sector = sectorOf(distances[i].along);
+      bool isKept = true;
+      for (const std::size_t step : {std::size_t{0}, std::size_t{1}, kSectors - 1}) {
+        isKept = isKept && !isBeyond(distances[i], nearest[(sector + step) % kSectors]);
+      }
+      if (isKept) square.near[count++] = square.near[i];
+    }
+    square.near.resize(count);
+  }
+
+  /// Counted counter-clockwise.
+  static std::size_t sectorOf(Vector v) {
+    const bool isLower = v.y < 0;
+    if (isLower) v = {-v.x, -v.y};
+    const bool isLeft = v.x < 0;
+    if (isLeft) v = {v.y, -v.x};
+    return (isLower ? 4U : 0U) + (isLeft ? 2U : 0U) + (v.y > v.x ? 1U : 0U);
   }
 
   /// Tries all discs around points of a square that touch three things.
@@ -276,11 +357,20 @@ class DiscSearch {
   }
 
   void offer(Point p, const Square& square) {
-    double least = kInfinite;
-    for (const std::int32_t thing : square.near) least = std::min(least, distanceTo(thing, p));
-    if (!(least > radius_)) return;
-    const Point center = there(p);
+    const auto leastFrom = [&](Point place) {
+      double least = kInfinite;
+      for (const std::int32_t thing : square.near) least = std::min(least, distanceTo(thing, place));
+      return least;
+    };
+    if (!(leastFrom(p) > radius_)) return;
+    const Point center = rounded(there(p));
     if (!region_.contains(center)) return;
+    // In thin regions, rounding of the center counts.
+    double least = leastFrom(p);
+    for (const std::int32_t thing : square.near) {
+      if (at(thing) >= circles_.size()) least = std::min(least, exactDistance(thing, center) / unit_);
+    }
+    if (!(least > radius_)) return;
     radius_ = least;
     EmptyDisc found = {{center.x, center.y, least * unit_}, {kNone, kNone, kNone}};
     std::size_t count = 0;
@@ -289,6 +379,24 @@ class DiscSearch {
       if (distanceTo(thing, p) <= least + kRoundingOfTouch) found.circles[count++] = circles_[at(thing)];
     }
     best_ = found;
+  }
+
+  /// Returns the distance of a point in the region from a side, right to rounding of itself.
+  double exactDistance(std::int32_t thing, Point p) const {
+    const Side& side = sides_[at(thing) - circles_.size()];
+    const Vector along = vectorTo(side.start, side.end);
+    const double size = lengthOf(along);
+    const Vector unit = measuredIn(size, along);
+    const Vector fromStart = vectorTo(side.start, p);
+    if (!(dot(unit, fromStart) > 0)) return lengthOf(fromStart);
+    const Vector fromEnd = vectorTo(side.end, p);
+    if (!(dot(unit, fromEnd) < 0)) return lengthOf(fromEnd);
+    const Circle start = {side.start.x, side.start.y, 0};
+    const Circle end = {side.end.x, side.end.y, 0};
+    const Circle place = {p.x, p.y, 0};
+    return exact::seenFrom(start, std::array<const Circle*, 2>{&end, &place}, [&](const auto& seen, int exponent) {
+      return std::abs(exact::floating(exact::planeCross(seen[0].v, seen[1].v)).times(2 * exponent)) / size;
+    });
   }
 
   struct IsLess {
@@ -319,9 +427,11 @@ Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, 
       return Error{ErrorCode::badOption, kNone, "The largest empty disc takes a diagram of the metric circles."};
     }
     if (auto disc = DiscSearch(diagram, region).run()) return disc;
-    auto clipped = ClippedDiagram::from(diagram, region);
+    const auto clipped = ClippedDiagram::from(diagram, region);
     if (!clipped) return clipped.error();
-    return clipped->largestEmptyDisc();
+    const auto centered = clipped->largestEmptyDisc();
+    if (centered && centered->disc.r <= 0) return centered;
+    return Error{ErrorCode::badOption, kNone, "The region is so thin that rounding leaves no disc inside it."};
   });
 }
 

@@ -12,7 +12,8 @@
 
 namespace circle_voronoi {
 
-/// A place in a cell that is a corner of a region or a given point, with the ray from the center of the cell through it.
+/// A place in a cell that is a corner of a region or a given point, with the ray from the center of the cell through
+/// it.
 struct RayPlace {
   Point point;
   std::span<const RegionSideIndex> corners;   ///< the sides of the region that begin here
@@ -32,8 +33,9 @@ class RaySweep {
 
   /// Visits the corners of a region in a cell, and given points in it, counter-clockwise. `sides` has all sides with a
   /// part in the cell. Takes O(m log m) steps for m sides and points.
-  void run(CircleIndex cell, Point center, std::span<const RegionSideIndex> sides, std::span<const RegionSideIndex> corners,
-           std::span<const Point> given, const std::function<void(const RayPlace&)>& visit);
+  void run(CircleIndex cell, Point center, std::span<const RegionSideIndex> sides,
+           std::span<const RegionSideIndex> corners, std::span<const Point> given,
+           const std::function<void(const RayPlace&)>& visit);
 
  private:
   /// A side as seen from the center: it begins at the end that a ray meets first, counter-clockwise.
