@@ -239,6 +239,7 @@ py::object pathBetween(const SharedDiagram& diagram, std::array<double, 2> start
     const std::vector<Point> more = polyline(curve, near);
     points.insert(points.end(), more.begin() + (points.empty() ? 0 : 1), more.end());
   }
+  if (points.empty()) points.push_back({start[0], start[1]});
   return py::make_tuple(found->clearance, arrayOf<std::int32_t>(std::move(found->edges)),
                         arrayOf<double>(std::move(points)));
 }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "circle_voronoi/clearest_path.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
@@ -201,6 +202,41 @@ val clippedLargestEmptyDiscInside(std::uintptr_t address) {
   });
 }
 
+/// `found`: whether there is a path. Then the clearance, the edges, x and y of the entry and the exit, and for each curve
+/// its edge or kNone, whether it runs in the direction of the edge, both parameters, and x and y of both ends.
+val clippedClearestPath(std::uintptr_t address, double x, double y, double toX, double toY) {
+  return valueOf([&] {
+    const ClippedDiagram& clipped = clippedOf(address);
+    const Diagram& diagram = clipped.diagram();
+    const auto path = clearestPath(diagram, {x, y}, {toX, toY}, clipped.region());
+    if (!path) return errorValue(path.error());
+    val result = val::object();
+    result.set("found", path->has_value());
+    if (!*path) return result;
+    const ClearestPath& found = **path;
+    std::vector<std::uint8_t> isForward;
+    std::vector<std::array<double, 6>> numbers;
+    for (std::size_t k = 0; k < found.curves.size(); ++k) {
+      const EdgeCurve& curve = found.curves[k];
+      const EdgeIndex edge = found.curveEdges[k];
+      bool isAlong = true;
+      if (edge != kNone) {
+        const Circle& left = diagram.circles[static_cast<std::size_t>(diagram.edges[static_cast<std::size_t>(edge)].left)];
+        isAlong = curve.bisector.left == Point{left.x, left.y};
+      }
+      isForward.push_back(isAlong ? 1 : 0);
+      numbers.push_back({curve.from, curve.to, curve.start.x, curve.start.y, curve.end.x, curve.end.y});
+    }
+    result.set("clearance", found.clearance);
+    result.set("edges", int32Array(found.edges));
+    result.set("ends", float64Array(std::vector<Point>{found.entry.value_or(Point{}), found.exit.value_or(Point{})}));
+    result.set("curveEdges", int32Array(found.curveEdges));
+    result.set("isForward", typedArray<std::uint8_t>("Uint8Array", isForward));
+    result.set("numbers", float64Array(numbers));
+    return result;
+  });
+}
+
 val clippedPolygons(std::uintptr_t address, double tolerance) {
   return valueOf([&] { return polygonsValue(clippedOf(address).polygons(tolerance)); });
 }
@@ -273,6 +309,7 @@ EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
   emscripten::function("clippedPerimeters", &clippedPerimeters);
   emscripten::function("clippedLargestEmptyDisc", &clippedLargestEmptyDisc);
   emscripten::function("clippedLargestEmptyDiscInside", &clippedLargestEmptyDiscInside);
+  emscripten::function("clippedClearestPath", &clippedClearestPath);
   emscripten::function("clippedPolygons", &clippedPolygons);
   emscripten::function("fitAreas", &fitAreasValue);
 }

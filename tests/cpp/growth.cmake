@@ -9,6 +9,7 @@ add_executable(circle_voronoi_growth_tests
   growth.cpp
   growth_clip_test.cpp
   growth_compute_test.cpp
+  growth_region_queries_test.cpp
   region_shapes.cpp
   report.cpp
   steps.cpp)

@@ -2,7 +2,7 @@
 // Clearest paths inside bounds and regions, against flooding on a grid.
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { type Circles, clearestPath, type Diagram, type Point, pointAt } from '../../web/lib/index.ts'
+import { type Circles, ConvexPolygon, clearestPath, type Diagram, type Point, pointAt } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 import { box, ring } from './shapes.ts'
@@ -254,3 +254,99 @@ describe('a clearest path in a region', () => {
     }
   })
 })
+
+describe('a clearest path among ties', () => {
+  it('starts at a corner on a bisector, at a center on the border and beside a notch', () => {
+    const cases: [Circles, [number, number][], Point, Point, number][] = [
+      [
+        [
+          [0, 0, 0],
+          [0, 2, 0],
+        ],
+        ring(0, 1, 1, 1, 1, 2, 0, 2),
+        { x: 0, y: 1 },
+        { x: 1, y: 2 },
+        1,
+      ],
+      [[[1, 1, 0]], ring(0, 0, 1, 0, 1, 1, 0, 1), { x: 1, y: 1 }, { x: 0, y: 0 }, 0],
+      [[[1, 2, 0]], ring(0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3), { x: 1, y: 2 }, { x: 2.5, y: 2.5 }, 0],
+    ]
+    for (const [circles, corners, p, q, clearance] of cases) {
+      const diagram = library.compute(circles)
+      const room = region([corners])
+      const path = clearestPath(diagram, p, q, { region: room })
+      expectPath(diagram, p, q, path, ({ x, y }) => room.contains(x, y))
+      expect(path?.clearance).toBe(clearance)
+    }
+    const two = library.compute([
+      [0, 0, 0],
+      [0, 2, 0],
+    ])
+    const path = clearestPath(two, { x: 0, y: 1 }, { x: 1, y: 2 }, { bounds: [0, 1, 1, 2] })
+    expectPath(two, { x: 0, y: 1 }, { x: 1, y: 2 }, path, ({ x, y }) => 0 <= x && x <= 1 && 1 <= y && y <= 2)
+    expect(path?.clearance).toBe(1)
+  })
+
+  it('leads from anywhere to anywhere in bounds, as clear as in the region of the same corners', () => {
+    const random = seededRandom(Number(process.env['CIRCLE_VORONOI_SEED'] ?? 3))
+    const trials = Number(process.env['CIRCLE_VORONOI_PATH_TRIALS'] ?? 150)
+    const below = (count: number) => Math.floor(count * random())
+    for (let trial = 0; trial < trials; trial++) {
+      const offset = random() < 0.2 ? 2 ** 20 : 0
+      const place = () => ({ x: offset + below(7), y: below(7) })
+      const corners = randomBounds(place)
+      if (corners === undefined) continue
+      const isGrid = random() < 0.7
+      const circles = Array.from({ length: 1 + below(6) }, (): [number, number, number] => {
+        const { x, y } = place()
+        return isGrid ? [x, y, below(2) * 0.5 * below(3)] : [x + random(), y + random(), random()]
+      })
+      const diagram = library.compute(circles)
+      const bounds = ConvexPolygon.from(corners)
+      const same = region([corners])
+      const contains = ({ x, y }: Point) => same.contains(x, y)
+      const inside = [
+        ...corners,
+        ...Array.from({ length: 12 }, () => ({ x: offset + below(13) / 2, y: below(13) / 2 })),
+      ]
+        .concat(circles.map(([x, y]) => ({ x, y })))
+        .filter(contains)
+      for (let k = 0; k < 5; k++) {
+        const [p, q] = [inside[below(inside.length)] as Point, inside[below(inside.length)] as Point]
+        const path = clearestPath(diagram, p, q, { bounds })
+        const other = clearestPath(diagram, p, q, { region: same })
+        const about = JSON.stringify({ trial, circles, corners, p, q })
+        if (p.x !== q.x || p.y !== q.y) {
+          expectPath(diagram, p, q, path, contains)
+          expectPath(diagram, p, q, other, contains)
+        }
+        expect(Math.abs((path?.clearance as number) - (other?.clearance as number)), about).toBeLessThan(1e-8)
+      }
+    }
+  })
+})
+
+/** The convex hull of some points, with points on its sides; `undefined` if it has no area. */
+function randomBounds(place: () => Point): Point[] | undefined {
+  const points = Array.from({ length: 5 }, place).sort((p, q) => p.x - q.x || p.y - q.y)
+  const chain = (list: readonly Point[]) => {
+    const kept: Point[] = []
+    for (const p of list) {
+      for (;;) {
+        const [a, b] = kept.slice(-2)
+        if (a === undefined || b === undefined) break
+        if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= 0) break
+        kept.pop()
+      }
+      const last = kept.at(-1)
+      if (last === undefined || last.x !== p.x || last.y !== p.y) kept.push(p)
+    }
+    return kept.slice(0, -1)
+  }
+  const corners = [...chain(points), ...chain([...points].reverse())]
+  try {
+    return [...ConvexPolygon.from(corners).corners]
+  } catch {
+    return undefined
+  }
+}

@@ -26,6 +26,8 @@ struct ClearestPath {
   /// With a region (region_queries.h), the curves of the whole path from p to q. Each ends where the next one starts.
   /// Parts of edges are arcs, and the others are straight. Empty without a region, and if p and q are the same.
   std::vector<EdgeCurve> curves = {};
+  /// For each of these curves the edge that it is a part of; kNone if it is on no edge.
+  std::vector<EdgeIndex> curveEdges = {};
 };
 
 /// Returns a path of greatest clearance from p to q. O(n log n).

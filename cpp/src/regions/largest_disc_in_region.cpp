@@ -27,6 +27,8 @@ constexpr double kRoundingOfTouch = 0x1p-44;
 constexpr int kRefinements = 2;
 /// Bounds of distances may be off by this share of the region, by rounding.
 constexpr double kRoundingOfBound = 0x1p-46;
+/// Discs that are larger by less than this share are not looked for.
+constexpr double kRoundingOfRadius = 0x1p-46;
 /// The directions of things are sorted into this number of sectors.
 constexpr std::size_t kSectors = 8;
 
@@ -183,7 +185,7 @@ class DiscSearch {
     root.near.resize(things_.size());
     for (std::size_t i = 0; i < things_.size(); ++i) root.near[i] = static_cast<std::int32_t>(i);
     offerSquare(std::move(root));
-    while (!pending_.empty() && pending_.top()->most > radius_) {
+    while (!pending_.empty() && mayBeLarger(pending_.top()->most)) {
       const std::shared_ptr<Square> square = pending_.top();
       pending_.pop();
       for (const double x : {-1.0, 1.0}) {
@@ -275,17 +277,27 @@ class DiscSearch {
     const bool isInside = region_.contains(there(square.center));
     // Outside, the distance from the boundary counts as negative.
     square.most = (isInside ? least : std::min(least, -toSide)) + reach;
-    if (!(square.most > radius_)) return;
+    if (!mayBeLarger(square.most)) return;
     // The smaller of two distances is at most their mean, which is nearly the same all over the square if the two
     // things are opposite each other.
+    const Distance& first = distances[nearest];
+    const Distance* opposite = &first;
     for (const Distance& other : distances) {
-      const Distance& first = distances[nearest];
       const Vector sum = {first.along.x + other.along.x, first.along.y + other.along.y};
       const double mean = (first.value + other.value + reach * length(sum)) / 2 +
                           reach * reach * (first.bend + other.bend) / 2 + kRoundingOfBound;
-      square.most = std::min(square.most, mean);
+      if (mean < square.most) {
+        square.most = mean;
+        opposite = &other;
+      }
     }
-    if (!(square.most > radius_)) return;
+    if (!mayBeLarger(square.most)) return;
+    // The disc between the two.
+    const double half = (opposite->value - first.value) / 2;
+    if (half > 0 && half * largestOf(first.along) <= square.half) {
+      offer({square.center.x + half * first.along.x, square.center.y + half * first.along.y}, square);
+    }
+    if (!mayBeLarger(square.most)) return;
     keepNearest(square, distances, least, reach);
     if (square.near.size() <= kFew) {
       tryAll(square);
@@ -297,6 +309,9 @@ class DiscSearch {
       pending_.push(std::make_shared<Square>(std::move(square)));
     }
   }
+
+  /// Returns whether a bound leaves room for a larger disc than the best one.
+  bool mayBeLarger(double most) const { return most > radius_ * (1 + kRoundingOfRadius); }
 
   /// Keeps the things that may be nearest to a point of a square.
   static void keepNearest(Square& square, const std::vector<Distance>& distances, double least, double reach) {

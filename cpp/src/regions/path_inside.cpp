@@ -503,7 +503,9 @@ Result<std::optional<ClearestPath>> clearestPath(const Diagram& diagram, Point p
       path.clearance = std::min(path.clearance, link.clearance);
       if (link.edge != kNone && link.edge != last) path.edges.emplace_back(link.edge);
       last = link.edge;
-      if (link.curve.start != link.curve.end) path.curves.push_back(link.curve);
+      if (link.curve.start == link.curve.end) continue;
+      path.curves.push_back(link.curve);
+      path.curveEdges.emplace_back(link.edge);
     }
     if (!route->empty() && route->front().isRay) path.entry = route->front().curve.end;
     if (!route->empty() && route->back().isRay) path.exit = route->back().curve.start;

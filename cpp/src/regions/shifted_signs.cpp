@@ -479,7 +479,7 @@ int ShiftedSigns::turnFromRay(CircleIndex own, Point through, CircleIndex from, 
   const Circle start = circleAt(line.from, c);
   const Circle end = circleAt(line.to, c);
   const Circle place = circleAt(through, c);
-  // How far the crossing is ahead of the ray along the line.
+  // Positive if the crossing comes after the ray, along the line.
   const int ahead = seenFrom(start, std::array<const Circle*, 4>{&c, &d, &end, &place}, [&](const auto& seen, int) {
     const auto& center = own == from ? seen[0].v : seen[1].v;
     const auto& direction = seen[2].v;

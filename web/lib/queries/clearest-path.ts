@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric, checkOptionNames, checkPoint, refuseInput } from '../base/check.ts'
-import { COORDINATE_STEP } from '../base/coordinate-limits.ts'
-import { at, circleOf, NONE } from '../base/diagram-data.ts'
+import { at, NONE } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
-import { between } from '../base/point.ts'
-import { facing, largestOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { type BoundedCurve, curveOf, type EdgeCurve } from '../curves/curve.ts'
+import { type BoundedCurve, curveOf, type EdgeCurve, reversed, segment } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
-import { clippedOutline } from '../drawing/draw-clipped.ts'
-import { LineCrossing } from '../regions/clip.ts'
 import { type Bounds, type ConvexBoundsOptions, ConvexPolygon } from '../regions/convex-polygon.ts'
-import type { Outline } from '../regions/outline-piece.ts'
 import { Region, regionOption } from '../regions/region.ts'
+import { type Exit, exitOf } from './cell-exit.ts'
 import { Heap } from './heap.ts'
-import { pathInside } from './path-inside.ts'
+import { pathInBounds } from './path-in-bounds.ts'
 
 /**
  * A path whose smallest distance from any circle is as large as possible.
@@ -32,15 +27,18 @@ export interface ClearestPath {
    */
   readonly edges: Int32Array
   /**
-   * The point where the path from p meets the first edge, after going straight away from the center of the nearest
-   * circle; `undefined` if the path leads straight to infinity.
+   * The point where the path from p meets the first edge or the boundary, after going straight away from the center of
+   * the nearest circle; `undefined` if the path leads straight to infinity.
    */
   readonly entry: Point | undefined
-  /** The point where the path leaves the last edge for q; `undefined` if the path comes straight from infinity. */
+  /**
+   * The point where the path leaves the last edge or the boundary for q; `undefined` if the path comes straight from
+   * infinity.
+   */
   readonly exit: Point | undefined
   /**
    * With bounds or a region, the curves of the whole path from p to q. Each ends where the next one starts. Parts of
-   * edges are arcs, and the others are straight.
+   * edges are arcs, and the others are straight. There are none if p and q are the same.
    */
   readonly curves?: readonly BoundedCurve[]
 }
@@ -51,8 +49,8 @@ export interface ClearestPath {
  *
  * With `bounds` or a `region`, the path stays inside. The clearance counts circles only: the boundary is a limit and no
  * obstacle, so the path may run along it. To keep away from the boundary, pass a smaller region. The result is the
- * shortest of the clearest paths along edges and boundary. It is `undefined` if p and q lie in different parts of the
- * region.
+ * shortest of the clearest paths along edges and boundary. It is `undefined` only if p and q lie in different parts of
+ * the region. Polygons that touch in a point are one part.
  *
  * @throws CircleVoronoiError `badInput`, also if p or q lies outside the bounds or the region; `badOption`
  *
@@ -87,7 +85,7 @@ export function clearestPath(
       if (!isInside)
         refuseInput(`clearestPath: (${point.x}, ${point.y}) lies outside the ${region ? 'region' : 'bounds'}.`)
     }
-    return pathInside(diagram, p, q, outlinesIn(diagram, given))
+    return given instanceof Region ? pathInRegion(diagram, p, q, given) : pathInBounds(diagram, p, q, given)
   }
   // Moving straight away from the nearest center until an edge never loses clearance. So every path, also through
   // infinity, can be moved onto the edges. The clearest path is therefore the widest path along edges (Dijkstra).
@@ -108,42 +106,20 @@ export function clearestPath(
   }
 }
 
-function outlinesIn(diagram: Diagram, region: Region | ConvexPolygon): Outline[] {
-  const indices = Array.from({ length: diagram.circles.length / 3 }, (_, i) => i)
-  if (!(region instanceof Region)) return indices.map((i) => diagram.cellOutline(i, { bounds: region }))
-  const { cells } = region.module.clip(diagram, undefined)
-  return indices.map((i) => clippedOutline(diagram, [cells, i]))
-}
-
-/** The point where a ray from a cell's center leaves the cell. */
-interface Exit {
-  readonly edge: number
-  /** The parameter on the curve of the edge. */
-  readonly parameter: number
-  readonly point: Point
-}
-
-/** Returns the exit of the ray through p, or `undefined` if the ray never leaves the cell. */
-function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
-  const c = circleOf(diagram.circles, circle)
-  // The point may lie anywhere. If it is nearer to the center than the step of all numbers, every direction is right.
-  const toPoint = between(c, p)
-  const size = largestOf(toPoint)
-  const direction = size < COORDINATE_STEP ? { x: 1, y: 0 } : measuredIn(unitFor(size), toPoint)
-  // The ray crosses one side. Near a vertex, rounding may hide which side.
-  let leastMiss = 1 + 1e-9
-  let exit: Exit | undefined
-  for (const side of diagram.cells.sides(circle)) {
-    const { bisector, from, to } = curveOf(diagram, side >> 1)
-    for (const s of new LineCrossing(bisector, c, direction).parameters) {
-      const point = pointOf(bisector, s)
-      const miss = s < from ? from / s : s > to ? s / to : 1
-      if (!(facing(direction, between(c, point)) > 0) || miss >= leastMiss) continue
-      leastMiss = miss
-      exit = { edge: side >> 1, parameter: Math.min(Math.max(s, from), to), point }
-    }
-  }
-  return exit
+function pathInRegion(diagram: Diagram, p: Point, q: Point, region: Region): ClearestPath | undefined {
+  const path = region.module.clip(diagram, undefined).clearestPath(p, q)
+  if (path === undefined) return undefined
+  const { clearance, edges, ends, curveEdges, isForward, numbers } = path
+  const pointAt = (numbers: Float64Array, k: number) => ({ x: at(numbers, k), y: at(numbers, k + 1) })
+  const curves = Array.from(curveEdges, (edge, k): BoundedCurve => {
+    const start = pointAt(numbers, 6 * k + 2)
+    const end = pointAt(numbers, 6 * k + 4)
+    if (edge === NONE) return segment(start, end)
+    const curve = curveOf(diagram, edge)
+    const { bisector } = isForward[k] === 1 ? curve : reversed(curve)
+    return { bisector, from: at(numbers, 6 * k), to: at(numbers, 6 * k + 1), start, end }
+  })
+  return { clearance, edges, entry: pointAt(ends, 0), exit: pointAt(ends, 2), curves }
 }
 
 /** The clearance of the best path to each node (a vertex or infinity), and its last step. */

@@ -14,6 +14,22 @@ export interface ClippedDiagram {
   largestEmptyDisc(): { readonly disc: Vertex; readonly circles: readonly number[] } | undefined
   /** The largest disc in the region that overlaps no circle. */
   largestEmptyDiscInside(): { readonly disc: Vertex; readonly circles: readonly number[] } | undefined
+  /** The clearest path between two points of the region; `undefined` between different parts. */
+  clearestPath(p: Point, q: Point): ClippedPath | undefined
+}
+
+/** A path, with its curves in flat arrays. */
+export interface ClippedPath {
+  readonly clearance: number
+  readonly edges: Int32Array
+  /** x and y of the entry and of the exit. */
+  readonly ends: Float64Array
+  /** The edge of each curve, or `NONE` for a straight one on no edge. */
+  readonly curveEdges: Int32Array
+  /** For each curve whether it runs in the direction of its edge. */
+  readonly isForward: Uint8Array
+  /** For each curve both parameters, and x and y of the start and the end. */
+  readonly numbers: Float64Array
 }
 
 /**

@@ -2,7 +2,7 @@
 import { checkOptionNames, refuseOption } from '../base/check.ts'
 import type { Circles } from '../base/coordinates.ts'
 import { at, NONE } from '../base/diagram-data.ts'
-import type { DiagramData } from '../base/types.ts'
+import type { DiagramData, Point } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import { circlesOfConvexCell } from '../regions/convex-cell.ts'
 import { fewCircles, sidesOfFew } from '../regions/few-circles.ts'
@@ -249,6 +249,11 @@ class Clipped implements ClippedDiagram {
 
   largestEmptyDiscInside() {
     return discOf(unwrap(this.#module.clippedLargestEmptyDiscInside(this.#address)))
+  }
+
+  clearestPath(p: Point, q: Point) {
+    const path = unwrap(this.#module.clippedClearestPath(this.#address, p.x, p.y, q.x, q.y))
+    return path.found ? path : undefined
   }
 
   polygons(tolerance: number) {

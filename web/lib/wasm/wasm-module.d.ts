@@ -123,6 +123,14 @@ interface WasmRegionsModule {
   /** x, y and r of the disc, and three circles or -1; both are empty if there is none. */
   clippedLargestEmptyDisc(clip: number): WasmError | { readonly disc: Float64Array; readonly circles: Int32Array }
   clippedLargestEmptyDiscInside(clip: number): WasmError | { readonly disc: Float64Array; readonly circles: Int32Array }
+  /** The path from one point to another; `found` is false between different parts of the region. */
+  clippedClearestPath(
+    clip: number,
+    x: number,
+    y: number,
+    toX: number,
+    toY: number,
+  ): WasmError | { readonly found: false } | ({ readonly found: true } & import('../regions/region.ts').ClippedPath)
   clippedPolygons(clip: number, tolerance: number): WasmError | import('../regions/region.ts').ClippedPolygons
   /** `domain`: a region, or a lattice as ax, ay, bx, by. `sites`: x, y and the weight of each. */
   fitAreas(

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clearest paths and largest discs in regions take n log n steps in circles and sides.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/region_queries.h"
+#include "growth.h"
+
+namespace circle_voronoi::test {
+namespace {
+
+Region::Ring around(double radius, std::size_t corners, double turn) {
+  Region::Ring ring;
+  for (std::size_t k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + turn) / static_cast<double>(corners);
+    ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return ring;
+}
+
+/// A corridor between two circles of sides, and one circle outside.
+GrowthInput ringCorridor(std::size_t size) {
+  return {{{500, 0, 1}}, {{around(100, size / 2, 0), around(90, size / 2, 0.3)}}};
+}
+
+/// A ring corridor full of small circles.
+GrowthInput busyCorridor(std::size_t size) {
+  GrowthInput input = ringCorridor(size / 2);
+  input.circles.clear();
+  for (std::size_t k = 0; k < size / 2; ++k) {
+    const auto turn = static_cast<double>(k);
+    const double angle = 2 * std::numbers::pi * turn / static_cast<double>(size / 2);
+    const double radius = 95 + 3 * std::sin(1.7 * turn);
+    input.circles.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.01});
+  }
+  return input;
+}
+
+constexpr std::array kCorridors = {GrowthFamily{"ring corridor", ringCorridor},
+                                   GrowthFamily{"busy ring corridor", busyCorridor}};
+
+/// A diagram and a region with the two ends of a path: corners far from each other.
+struct Question {
+  Diagram diagram;
+  Region region;
+  Point from;
+  Point to;
+
+  explicit Question(const GrowthInput& input) : diagram(compute(input.circles).value()), region(input.region()) {
+    from = region.points()[0];
+    to = region.points()[static_cast<std::size_t>(region.ringOffsets()[1]) / 2];
+  }
+};
+
+auto pathIn(const GrowthInput& input) {
+  const auto question = std::make_shared<Question>(input);
+  return [question] { EXPECT_TRUE(clearestPath(question->diagram, question->from, question->to, question->region)); };
+}
+
+auto discIn(const GrowthInput& input) {
+  const auto question = std::make_shared<Question>(input);
+  return [question] { EXPECT_TRUE(largestEmptyDiscInside(question->diagram, question->region)); };
+}
+
+TEST(GrowthInRegions, OfClearestPaths) {
+  expectGrowth({"clearestPath", "region_queries.h", pathIn});
+  expectGrowth({"clearestPath", "region_queries.h", pathIn, kCorridors});
+}
+
+TEST(GrowthInRegions, OfLargestDiscs) {
+  expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn});
+  expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kCorridors});
+}
+
+}  // namespace
+}  // namespace circle_voronoi::test
