@@ -202,8 +202,8 @@ val clippedLargestEmptyDiscInside(std::uintptr_t address) {
   });
 }
 
-/// `found`: whether there is a path. Then the clearance, the edges, x and y of the entry and the exit, and for each curve
-/// its edge or kNone, whether it runs in the direction of the edge, both parameters, and x and y of both ends.
+/// `found`: whether there is a path. Then the clearance, the edges, x and y of the entry and the exit, and for each
+/// curve its edge or kNone, whether it runs in the direction of the edge, both parameters, and x and y of both ends.
 val clippedClearestPath(std::uintptr_t address, double x, double y, double toX, double toY) {
   return valueOf([&] {
     const ClippedDiagram& clipped = clippedOf(address);
@@ -221,7 +221,8 @@ val clippedClearestPath(std::uintptr_t address, double x, double y, double toX, 
       const EdgeIndex edge = found.curveEdges[k];
       bool isAlong = true;
       if (edge != kNone) {
-        const Circle& left = diagram.circles[static_cast<std::size_t>(diagram.edges[static_cast<std::size_t>(edge)].left)];
+        const Circle& left =
+            diagram.circles[static_cast<std::size_t>(diagram.edges[static_cast<std::size_t>(edge)].left)];
         isAlong = curve.bisector.left == Point{left.x, left.y};
       }
       isForward.push_back(isAlong ? 1 : 0);

@@ -6,16 +6,15 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <optional>
 #include <queue>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/region_queries.h"
 #include "in_circle.h"
+#include "path_checks.h"
 #include "random.h"
 #include "report.h"
 
@@ -35,79 +34,11 @@ constexpr double kTolerance = 1e-9;
 constexpr double kThinWall = 1e-7;
 constexpr double kThinTolerance = 1e-3;
 
-double distanceToSegment(Point p, Point a, Point b) {
-  const double x = b.x - a.x;
-  const double y = b.y - a.y;
-  const double square = x * x + y * y;
-  const double t = square == 0 ? 0 : std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0);
-  return std::hypot(a.x + t * x - p.x, a.y + t * y - p.y);
-}
-
-double clearanceAlong(const Circles& circles, Point a, Point b) {
-  double least = 1e300;
-  for (const Circle& c : circles) least = std::min(least, distanceToSegment({c.x, c.y}, a, b) - c.r);
-  return least;
-}
-
-std::vector<std::array<Point, 2>> sidesOf(const Region& region) {
-  std::vector<std::array<Point, 2>> sides;
-  const auto points = region.points();
-  const auto rings = region.ringOffsets();
-  for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
-    for (std::int32_t k = rings[r]; k < rings[r + 1]; ++k) {
-      const std::int32_t next = k + 1 == rings[r + 1] ? rings[r] : k + 1;
-      sides.push_back({points[static_cast<std::size_t>(k)], points[static_cast<std::size_t>(next)]});
-    }
-  }
-  return sides;
-}
-
-/// The part of a region of each of some points: polygons that touch are one part.
-class PartsOfRegion {
- public:
-  explicit PartsOfRegion(const Region& region) : parents_(region.polygonCount()) {
-    std::iota(parents_.begin(), parents_.end(), 0);
-    const auto rings = region.ringOffsets();
-    for (std::size_t k = 0; k < region.polygonCount(); ++k) {
-      std::vector<Ring> its;
-      for (std::int32_t r = region.polygonOffsets()[k]; r < region.polygonOffsets()[k + 1]; ++r) {
-        const auto at = static_cast<std::size_t>(r);
-        its.emplace_back(region.points().begin() + rings[at], region.points().begin() + rings[at + 1]);
-      }
-      polygons_.push_back(Region::fromPolygons(std::vector<std::vector<Ring>>{its}).value());
-    }
-    for (std::size_t k = 0; k < polygons_.size(); ++k) {
-      for (const Point& p : polygons_[k].points()) {
-        for (std::size_t other = 0; other < polygons_.size(); ++other) {
-          if (polygons_[other].contains(p)) parents_[find(other)] = find(k);
-        }
-      }
-    }
-  }
-
-  bool areTogether(Point p, Point q) { return partOf(p) == partOf(q); }
-
- private:
-  std::size_t partOf(Point p) {
-    for (std::size_t k = 0; k < polygons_.size(); ++k) {
-      if (polygons_[k].contains(p)) return find(k);
-    }
-    return polygons_.size();
-  }
-  std::size_t find(std::size_t k) {
-    while (parents_[k] != k) k = parents_[k];
-    return k;
-  }
-
-  std::vector<std::size_t> parents_;
-  std::vector<Region> polygons_;
-};
-
 /// A grid whose points are linked where no side of the region separates them. Its clearest paths are a lower bound.
 class Grid {
  public:
   Grid(const Region& region, const Circles& circles) : links_(kCount * kCount) {
-    const auto sides = sidesOf(region);
+    const auto sides = test::sidesOf(region);
     std::vector<bool> isInside;
     for (std::size_t k = 0; k < links_.size(); ++k) isInside.push_back(region.contains(pointAt(k)));
     for (std::size_t k = 0; k < links_.size(); ++k) {
@@ -122,7 +53,7 @@ class Grid {
         const Point b = pointAt(other);
         if (!region.contains({(a.x + b.x) / 2, (a.y + b.y) / 2})) continue;
         if (std::ranges::any_of(sides, [&](const auto& side) { return separates(side, a, b); })) continue;
-        const double clearance = clearanceAlong(circles, a, b);
+        const double clearance = test::clearanceAlong(circles, a, b);
         links_[k].emplace_back(other, clearance);
         links_[other].emplace_back(k, clearance);
       }
@@ -289,45 +220,6 @@ Circles circlesOf(Random& random) {
   return circles;
 }
 
-/// Expects that the curves of a path lead from p to q inside a region, with its clearance.
-void checkCurves(const Region& region, const std::vector<std::array<Point, 2>>& sides, const Circles& circles, Point p,
-                 Point q, const ClearestPath& path) {
-  const auto isNear = [&](Point point) {
-    if (region.contains(point)) return true;
-    return std::ranges::any_of(
-        sides, [&](const auto& side) { return distanceToSegment(point, side[0], side[1]) < kTolerance; });
-  };
-  double least = 1e300;
-  for (const Circle& c : circles) least = std::min(least, std::hypot(c.x - p.x, c.y - p.y) - c.r);
-  Point last = p;
-  for (const EdgeCurve& curve : path.curves) {
-    ASSERT_EQ(curve.start, last);
-    last = curve.end;
-    Point before = curve.start;
-    constexpr int kSamples = 16;
-    for (int k = 1; k <= kSamples; ++k) {
-      const double share = static_cast<double>(k) / kSamples;
-      Point point = {curve.start.x + share * (curve.end.x - curve.start.x),
-                     curve.start.y + share * (curve.end.y - curve.start.y)};
-      if (!curve.isStraight() && k < kSamples) {
-        point = pointAt(curve.bisector, curve.from * std::pow(curve.to / curve.from, share));
-      }
-      ASSERT_TRUE(isNear(point)) << "(" << point.x << ", " << point.y << ") lies outside";
-      if (curve.isStraight()) {
-        least = std::min(least, clearanceAlong(circles, before, point));
-      } else {
-        const double apex = curve.from <= 1 && 1 <= curve.to ? 1 : curve.from;
-        for (const Point sample : {point, pointAt(curve.bisector, apex)}) {
-          least = std::min(least, clearanceAlong(circles, sample, sample));
-        }
-      }
-      before = point;
-    }
-  }
-  ASSERT_EQ(last, q);
-  ASSERT_NEAR(least, path.clearance, kTolerance);
-}
-
 struct Counts {
   int queries = 0;
   int none = 0;
@@ -339,8 +231,7 @@ void tryShape(const Shape& shape, Random& random, int queries, Counts& counts) {
   const Circles circles = circlesOf(random);
   const Diagram diagram = compute(circles).value();
   const Grid grid(*shape.region, circles);
-  const auto sides = sidesOf(*shape.region);
-  PartsOfRegion parts(*shape.region);
+  test::PartsOfRegion parts(*shape.region);
   std::vector<std::size_t> inside;
   for (std::size_t k = 0; k < kCount * kCount; ++k) {
     if (shape.region->contains(Grid::pointAt(k))) inside.push_back(k);
@@ -371,7 +262,7 @@ void tryShape(const Shape& shape, Random& random, int queries, Counts& counts) {
       ++counts.none;
       continue;
     }
-    checkCurves(*shape.region, sides, circles, p, q, **path);
+    ASSERT_EQ(test::faultOf(*shape.region, circles, p, q, **path, kTolerance), "");
     const auto least = grid.best(from, to);
     if (least && from != to) {
       ASSERT_GE((*path)->clearance, *least - kTolerance);

@@ -288,8 +288,8 @@ describe('a clearest path among ties', () => {
   })
 
   it('leads from anywhere to anywhere in bounds, as clear as in the region of the same corners', () => {
-    const random = seededRandom(Number(process.env['CIRCLE_VORONOI_SEED'] ?? 3))
-    const trials = Number(process.env['CIRCLE_VORONOI_PATH_TRIALS'] ?? 150)
+    const random = seededRandom(Number(process.env.CIRCLE_VORONOI_SEED ?? 3))
+    const trials = Number(process.env.CIRCLE_VORONOI_PATH_TRIALS ?? 150)
     const below = (count: number) => Math.floor(count * random())
     for (let trial = 0; trial < trials; trial++) {
       const offset = random() < 0.2 ? 2 ** 20 : 0
