@@ -30,6 +30,7 @@
 #include "rounded.h"
 #include "scale.h"
 #include "sectors.h"
+#include "sort_unique.h"
 #include "with_key.h"
 
 namespace circle_voronoi {
@@ -202,9 +203,7 @@ class PathGraph {
     for (const Corner& corner : corners_) {
       if (cells.back() != corner.cell) cells.push_back(corner.cell);
     }
-    std::ranges::sort(cells);
-    const auto repeated = std::ranges::unique(cells);
-    cells.erase(repeated.begin(), repeated.end());
+    sortUnique(cells);
     std::vector<RegionSideIndex> sides;
     std::vector<RegionSideIndex> corners;
     for (const CircleIndex cell : cells) {
