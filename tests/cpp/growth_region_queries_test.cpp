@@ -68,12 +68,14 @@ auto discIn(const GrowthInput& input) {
 }
 
 TEST(GrowthInRegions, OfClearestPaths) {
-  expectGrowth({"clearestPath", "region_queries.h", pathIn});
+  static const std::array kFamilies = {kUniform, kStrips, kComb, kSpiral, kHoles};
+  expectGrowth({"clearestPath", "region_queries.h", pathIn, kFamilies});
   expectGrowth({"clearestPath", "region_queries.h", pathIn, kCorridors});
 }
 
 TEST(GrowthInRegions, OfLargestDiscs) {
-  expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn});
+  static const std::array kFamilies = {kUniform, kHub, kSpiral, kHoles};
+  expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kFamilies});
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kCorridors});
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace circle_voronoi::test {
 namespace {
@@ -73,7 +74,11 @@ std::size_t PartsOfRegion::find(std::size_t k) {
 
 std::string faultOf(const Region& region, std::span<const Circle> circles, Point p, Point q, const ClearestPath& path,
                     double tolerance) {
-  const auto textOf = [](Point point) { return "(" + std::to_string(point.x) + ", " + std::to_string(point.y) + ")"; };
+  const auto textOf = [](Point point) {
+    std::ostringstream text;
+    text << '(' << point.x << ", " << point.y << ')';
+    return text.str();
+  };
   const auto sides = sidesOf(region);
   const auto isNear = [&](Point point) {
     if (region.contains(point)) return true;

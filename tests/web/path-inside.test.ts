@@ -111,7 +111,7 @@ function expectPath(
     expect(isInside, `(${x}, ${y})`).toBe(true)
   }
   const least = Math.min(...points.map((point) => leastDistance(diagram, point)))
-  expect(least).toBeGreaterThanOrEqual(path.clearance - 1e-9)
+  expect(least, JSON.stringify({ circles: [...diagram.circles], p, q })).toBeGreaterThanOrEqual(path.clearance - 1e-9)
 }
 
 describe('a clearest path in bounds', () => {
@@ -289,7 +289,7 @@ describe('a clearest path among ties', () => {
 
   it('leads from anywhere to anywhere in bounds, as clear as in the region of the same corners', () => {
     const random = seededRandom(Number(process.env.CIRCLE_VORONOI_SEED ?? 3))
-    const trials = Number(process.env.CIRCLE_VORONOI_PATH_TRIALS ?? 150)
+    const trials = Number(process.env.CIRCLE_VORONOI_PATH_TRIALS ?? 40)
     const below = (count: number) => Math.floor(count * random())
     for (let trial = 0; trial < trials; trial++) {
       const offset = random() < 0.2 ? 2 ** 20 : 0

@@ -1,42 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { circleOf, edgeOf, NONE } from '../base/diagram-data.ts'
+import { circleOf, NONE } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
-import { between, dot } from '../base/point.ts'
+import { between, cross, dot } from '../base/point.ts'
 import { facing, largestOf, lengthOf, measuredIn, powerOfTwoIn } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { type BoundedCurve, curveOf, reversed, segment } from '../curves/curve.ts'
+import { type BoundedCurve, reversed, segment } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
-import { boundedPart, HalfPlane, isSame, partsInside } from '../regions/clip.ts'
+import { isSame, nearestOn, shareOn } from '../regions/clip.ts'
 import type { ConvexPolygon } from '../regions/convex-polygon.ts'
 import { curveLength } from '../regions/measure.ts'
 import { exitOf } from './cell-exit.ts'
 import type { ClearestPath } from './clearest-path.ts'
 import { Heap } from './heap.ts'
 
-/** Points this close to a side, as a share of the size of the bounds and of their coordinates, are linked to it. */
+/** Points this close to the boundary, as a share of the bounds and of their coordinates, are linked to it. */
 const NEAR_SIDE = 1e-12
 const NEAR_SIDE_OF_COORDINATES = 2 ** -50
 /** A ray that leaves its cell this close to a side, as a share of its length, ends on the side. */
 const NEAR_EXIT = 1e-9
 
-/** A place on a piece of the graph, and its node. */
+/** A point on a piece, at a parameter of an edge or a share of a segment. */
 interface Stop {
   readonly place: number
-  readonly node: number
+  readonly point: Point
 }
 
-/** A part of an edge in the bounds, in the direction of the edge. */
-interface EdgePart {
+/** A piece of the outline of a cell: a part of an edge, in the direction of the edge, or a part of the boundary. */
+interface Piece {
   readonly curve: BoundedCurve
+  /** The edge, or `NONE` on the boundary. */
   readonly edge: number
+  readonly circle: number
   readonly stops: Stop[]
 }
 
 /** A step from one node to another. */
 interface Link {
   readonly nodes: readonly [number, number]
-  readonly curve: BoundedCurve | undefined
+  readonly curve: BoundedCurve
   readonly edge: number
   readonly clearance: number
   readonly length: number
@@ -48,16 +50,16 @@ interface Link {
  * edges and boundary.
  *
  * Moving straight away from the nearest center never loses clearance and leads to an edge or the boundary. So some
- * clearest path follows edges and boundary. The boundary is one closed line, and all edges inside are connected with it,
- * so there is a path. Bounds are convex, so the segment between any two of their points lies inside: where rounding
- * hides whether a vertex or an end lies on the boundary, both are linked.
+ * clearest path follows the outlines of cells, which share their points to the bit. They are connected, so there is a
+ * path. Bounds are convex, so the segment between any two of their points lies inside: where rounding hides on which
+ * piece a ray ends, either is right.
  */
 export function pathInBounds(diagram: Diagram, p: Point, q: Point, bounds: ConvexPolygon): ClearestPath {
   const graph = new Graph(diagram, bounds)
   const ends = [p, q].map((point) => graph.addEnd(point))
   const [from, to] = ends as [number, number]
   graph.link()
-  const links = graph.route(isSame(p, q) ? to : from, to)
+  const links = graph.route(from, to)
   const clearances = [p, q].map(({ x, y }) => distanceFrom(diagram, diagram.find(x, y), x, y))
   const first = links[0]
   const last = links.at(-1)
@@ -66,182 +68,144 @@ export function pathInBounds(diagram: Diagram, p: Point, q: Point, bounds: Conve
     edges: Int32Array.from(
       links.flatMap(({ edge }, k) => (edge === NONE || edge === links[k - 1]?.edge ? [] : [edge])),
     ),
-    entry: first?.isRay === true && first.curve !== undefined ? first.curve.end : p,
-    exit: last?.isRay === true && last.curve !== undefined ? last.curve.start : q,
-    curves: links.flatMap(({ curve }) => (curve === undefined ? [] : [curve])),
+    entry: first?.isRay === true ? first.curve.end : p,
+    exit: last?.isRay === true ? last.curve.start : q,
+    curves: links.map(({ curve }) => curve),
   }
 }
 
 class Graph {
   readonly #diagram: Diagram
-  readonly #halves: readonly HalfPlane[]
-  readonly #nearSide: number
-  /** The points of the nodes. */
-  readonly #points: Point[] = []
+  readonly #bounds: ConvexPolygon
+  readonly #nodes = new Map<string, number>()
   readonly #links: Link[][] = []
-  /** The nodes on each side. */
-  readonly #onSide: Stop[][]
-  readonly #parts = new Map<number, EdgePart[]>()
+  readonly #pieces: Piece[] = []
+  readonly #ofCell: Piece[][]
 
   constructor(diagram: Diagram, bounds: ConvexPolygon) {
     this.#diagram = diagram
-    this.#halves = HalfPlane.of(bounds)
-    const { minX, minY, maxX, maxY } = bounds.box
-    const coordinates = Math.max(-minX, -minY, maxX, maxY)
-    this.#nearSide = NEAR_SIDE * bounds.reachFrom(bounds.corner(0)) + NEAR_SIDE_OF_COORDINATES * coordinates
-    this.#onSide = this.#halves.map(({ from }) => [{ place: 0, node: this.#addNode(from) }])
-    const nodeOfVertex = new Map<number, number>()
-    for (let edge = 0; edge < diagram.edges.length / 4; edge++) {
-      const { start, end } = edgeOf(diagram, edge)
-      const parts = partsInside(boundedPart(curveOf(diagram, edge), bounds), bounds)
-      for (const { curve, cutFrom, cutTo } of parts) {
-        const nodeOf = (point: Point, cut: number, vertex: number) => {
-          if (cut !== NONE)
-            return this.#addOnSide(
-              this.#halves.findIndex(({ side }) => side === cut),
-              point,
-            )
-          const node = nodeOfVertex.get(vertex) ?? this.#addNode(point)
-          if (!nodeOfVertex.has(vertex)) this.#linkToSides(node)
-          nodeOfVertex.set(vertex, node)
-          return node
-        }
-        const stops = [
-          { place: curve.from, node: nodeOf(curve.start, cutFrom, start) },
-          { place: curve.to, node: nodeOf(curve.end, cutTo, end) },
-        ]
-        this.#parts.set(edge, [...(this.#parts.get(edge) ?? []), { curve, edge, stops }])
-      }
+    this.#bounds = bounds
+    const ofEdges = new Map<string, Piece>()
+    this.#ofCell = Array.from({ length: diagram.circles.length / 3 }, (_, circle) =>
+      diagram
+        .cellOutline(circle, { bounds })
+        .flat()
+        .map(({ curve, side }) => {
+          const forward = side !== NONE && side % 2 === 1 ? reversed(curve) : curve
+          // Both cells of an edge have the same piece.
+          const key = `${side >> 1} ${forward.start.x} ${forward.start.y}`
+          const known = side === NONE ? undefined : ofEdges.get(key)
+          if (known !== undefined) return known
+          const piece = { curve: forward, edge: side === NONE ? NONE : side >> 1, circle, stops: [] }
+          this.#pieces.push(piece)
+          if (side !== NONE) ofEdges.set(key, piece)
+          return piece
+        }),
+    )
+  }
+
+  #nodeOf({ x, y }: Point): number {
+    const key = `${x} ${y}`
+    let node = this.#nodes.get(key)
+    if (node === undefined) {
+      node = this.#nodes.size
+      this.#nodes.set(key, node)
+      this.#links.push([])
     }
-  }
-
-  #addNode(point: Point): number {
-    this.#links.push([])
-    return this.#points.push(point) - 1
-  }
-
-  #pointOf(node: number): Point {
-    return this.#points[node] as Point
-  }
-
-  #addOnSide(k: number, point: Point): number {
-    const node = this.#addNode(point)
-    this.#onSide[k]?.push({ place: (this.#halves[k] as HalfPlane).place(point), node })
     return node
-  }
-
-  /** Links a node to the sides on which it may lie. */
-  #linkToSides(node: number): void {
-    const point = this.#pointOf(node)
-    this.#halves.forEach((half, k) => {
-      if (half.height(point) > this.#nearSide * lengthOf(half.along)) return
-      this.#addStraight(node, this.#addOnSide(k, half.onSide(half.nearest(point))))
-    })
   }
 
   /** Adds an end of the path, with the ray from the nearest center through it. */
   addEnd(point: Point): number {
-    const node = this.#addNode(point)
-    this.#linkToSides(node)
     const circle = this.#diagram.find(point.x, point.y)
+    const { box } = this.#bounds
+    const coordinates = Math.max(-box.minX, -box.minY, box.maxX, box.maxY)
+    const nearSide = NEAR_SIDE * this.#bounds.reachFrom(point) + NEAR_SIDE_OF_COORDINATES * coordinates
+    const onBoundary = this.#stopOnBoundary(circle, point)
+    if (lengthOf(between(point, onBoundary)) <= nearSide) this.#addStraight(circle, point, onBoundary)
+
     const center = circleOf(this.#diagram.circles, circle)
     const toPoint = between(center, point)
     const size = largestOf(toPoint)
     const direction = size === 0 ? { x: 1, y: 0 } : measuredIn(powerOfTwoIn(size), toPoint)
-    let side = NONE
-    let ahead = Infinity
-    this.#halves.forEach((half, k) => {
-      const fall = -(half.along.x * direction.y - half.along.y * direction.x)
-      const distance = Math.max(half.height(point), 0) / fall
-      if (!(fall > 0 && distance < ahead)) return
-      ahead = distance
-      side = k
-    })
+    const ahead = Math.min(
+      ...this.#bounds.corners.map((corner, k) => {
+        const along = between(corner, this.#bounds.cornerAfter(k))
+        const fall = -cross(along, direction)
+        return fall > 0 ? Math.max(cross(along, between(corner, point)), 0) / fall : Infinity
+      }),
+    )
     const exit = exitOf(this.#diagram, circle, point)
-    const parts = exit && this.#parts.get(exit.edge)
-    if (exit !== undefined && parts !== undefined) {
-      const leaves = lengthOf(between(point, exit.point)) / lengthOf(direction)
-      const isAhead = facing(direction, between(point, exit.point)) > 0
-      if (!isAhead || leaves < ahead * (1 - NEAR_EXIT)) {
-        this.#addRay(node, this.#addOnPart(parts, exit.parameter))
-        return node
+    const isAhead = exit !== undefined && facing(direction, between(point, exit.point)) > 0
+    const leaves = isAhead
+      ? lengthOf(between(point, exit.point)) / lengthOf(direction)
+      : exit === undefined
+        ? Infinity
+        : 0
+    const part = this.#ofCell[circle]?.find(
+      ({ edge, curve: { from, to } }) =>
+        exit?.edge === edge && exit.parameter >= from * (1 - NEAR_EXIT) && exit.parameter <= to * (1 + NEAR_EXIT),
+    )
+    const reach = Math.min(leaves, ahead)
+    const end =
+      part !== undefined && leaves < ahead * (1 - NEAR_EXIT)
+        ? stopOnEdge(part, exit?.parameter as number)
+        : this.#stopOnBoundary(circle, { x: point.x + reach * direction.x, y: point.y + reach * direction.y })
+    this.#addStraight(circle, point, end, true)
+    return this.#nodeOf(point)
+  }
+
+  /** Returns the point of the boundary nearest to a point, as a stop: in a cell, if it has a point as near. */
+  #stopOnBoundary(circle: number, point: Point): Point {
+    const missOf = ({ curve: { start, end } }: Piece) => lengthOf(between(point, nearestOn(start, end, point)))
+    const isOwn = (piece: Piece) => piece.circle === circle
+    const piece = this.#pieces
+      .filter(({ edge }) => edge === NONE)
+      .reduce((one, other) => {
+        const [miss, otherMiss] = [missOf(one), missOf(other)]
+        return otherMiss < miss || (otherMiss === miss && isOwn(other) && !isOwn(one)) ? other : one
+      })
+    const { start, end } = piece.curve
+    const stop = nearestOn(start, end, point)
+    piece.stops.push({ place: shareOn(start, end, stop), point: stop })
+    return stop
+  }
+
+  /** Links the ends of pieces, and the stops between them. */
+  link(): void {
+    for (const { curve, edge, circle, stops } of this.#pieces) {
+      const ends = stops.sort((one, other) => one.place - other.place)
+      let last = { place: edge === NONE ? 0 : curve.from, point: curve.start }
+      for (const next of [...ends, { place: edge === NONE ? 1 : curve.to, point: curve.end }]) {
+        if (edge === NONE) this.#addStraight(circle, last.point, next.point)
+        else
+          this.#addArc(circle, edge, { ...curve, from: last.place, to: next.place, start: last.point, end: next.point })
+        last = next
       }
     }
-    const half = this.#halves[side] as HalfPlane
-    const hit = { x: point.x + ahead * direction.x, y: point.y + ahead * direction.y }
-    this.#addRay(node, this.#addOnSide(side, half.onSide(half.nearest(hit))))
-    return node
   }
 
-  /** Returns a node at a parameter of an edge, in the nearest part of the edge. */
-  #addOnPart(parts: readonly EdgePart[], parameter: number): number {
-    const missOf = ({ curve: { from, to } }: EdgePart) =>
-      parameter < from ? from / parameter : parameter > to ? parameter / to : 1
-    const part = parts.reduce((one, other) => (missOf(other) < missOf(one) ? other : one))
-    const { bisector, from, to } = part.curve
-    if (parameter <= from) return part.stops[0]?.node as number
-    if (parameter >= to) return part.stops[1]?.node as number
-    const node = this.#addNode(pointOf(bisector, parameter))
-    part.stops.push({ place: parameter, node })
-    return node
+  #addArc(circle: number, edge: number, curve: BoundedCurve): void {
+    if (isSame(curve.start, curve.end)) return
+    const { x, y } = pointOf(curve.bisector, Math.min(Math.max(1, curve.from), curve.to))
+    const clearance = distanceFrom(this.#diagram, circle, x, y)
+    this.#add({ curve, edge, clearance, length: curveLength(curve), isRay: false })
   }
 
-  /** Links the nodes along edges and sides. */
-  link(): void {
-    for (const part of [...this.#parts.values()].flat()) {
-      const [first, second, ...between] = part.stops
-      const stops = [first as Stop, ...between.sort((one, other) => one.place - other.place), second as Stop]
-      stops.slice(1).forEach((to, k) => {
-        this.#addArc(part, stops[k] as Stop, to)
-      })
-    }
-    const ring = this.#onSide.flatMap((stops) => stops.sort((one, other) => one.place - other.place))
-    ring.forEach(({ node }, k) => {
-      this.#addStraight((ring.at(k - 1) as Stop).node, node)
-    })
-  }
-
-  #addArc({ curve, edge }: EdgePart, from: Stop, to: Stop): void {
-    const [start, end] = [this.#pointOf(from.node), this.#pointOf(to.node)]
-    const part = { bisector: curve.bisector, from: from.place, to: to.place, start, end }
-    const { x, y } = pointOf(curve.bisector, Math.min(Math.max(1, part.from), part.to))
-    const clearance = distanceFrom(this.#diagram, edgeOf(this.#diagram, edge).left, x, y)
-    const isWithoutLength = isSame(start, end)
-    this.#add({
-      nodes: [from.node, to.node],
-      curve: isWithoutLength ? undefined : part,
-      edge,
-      clearance,
-      length: isWithoutLength ? 0 : curveLength(part),
-      isRay: false,
-    })
-  }
-
-  /** Adds a segment in one cell. */
-  #addStraight(from: number, to: number, isRay = false): void {
-    const [start, end] = [this.#pointOf(from), this.#pointOf(to)]
+  /** Adds a segment in a cell. */
+  #addStraight(circle: number, start: Point, end: Point, isRay = false): void {
+    if (isSame(start, end)) return
     const along = between(start, end)
     const size = lengthOf(along)
-    // Rounding may hide in which cell an end lies.
-    const circles = new Set(
-      [0, 0.5, 1].map((share) => this.#diagram.find(start.x + share * along.x, start.y + share * along.y)),
-    )
-    const clearances = [...circles].map((circle) => {
-      const share =
-        size === 0 ? 0 : dot(measuredIn(size, along), between(start, circleOf(this.#diagram.circles, circle))) / size
-      const within = Math.min(Math.max(share, 0), 1)
-      return distanceFrom(this.#diagram, circle, start.x + within * along.x, start.y + within * along.y)
-    })
-    const curve = size === 0 ? undefined : segment(start, end)
-    this.#add({ nodes: [from, to], curve, edge: NONE, clearance: Math.min(...clearances), length: size, isRay })
+    const share = dot(measuredIn(size, along), between(start, circleOf(this.#diagram.circles, circle))) / size
+    const within = Math.min(Math.max(share, 0), 1)
+    const clearance = distanceFrom(this.#diagram, circle, start.x + within * along.x, start.y + within * along.y)
+    this.#add({ curve: segment(start, end), edge: NONE, clearance, length: size, isRay })
   }
 
-  #addRay(from: number, to: number): void {
-    this.#addStraight(from, to, true)
-  }
-
-  #add(link: Link): void {
-    for (const node of link.nodes) this.#links[node]?.push(link)
+  #add(step: Omit<Link, 'nodes'>): void {
+    const nodes = [this.#nodeOf(step.curve.start), this.#nodeOf(step.curve.end)] as const
+    for (const node of nodes) this.#links[node]?.push({ ...step, nodes })
   }
 
   /** Returns the shortest of the clearest routes between two nodes. */
@@ -255,7 +219,7 @@ class Graph {
     for (let node = goal; node !== start; ) {
       const link = by[node] as Link
       const isForward = link.nodes[1] === node
-      links.push(isForward || link.curve === undefined ? link : { ...link, curve: reversed(link.curve) })
+      links.push(isForward ? link : { ...link, curve: reversed(link.curve) })
       node = link.nodes[isForward ? 0 : 1]
     }
     return links.reverse()
@@ -282,4 +246,13 @@ class Graph {
     }
     return { keys, by }
   }
+}
+
+/** Returns a new stop at a parameter of a part of an edge. */
+function stopOnEdge({ curve, stops }: Piece, parameter: number): Point {
+  if (parameter <= curve.from) return curve.start
+  if (parameter >= curve.to) return curve.end
+  const point = pointOf(curve.bisector, parameter)
+  stops.push({ place: parameter, point })
+  return point
 }
