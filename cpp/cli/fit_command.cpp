@@ -45,9 +45,12 @@ double partDone(double first, double error, double tolerance) {
 /// Tells of areas whose error exceeds the tolerance, because last bits allow no less.
 void noteError(double error, ProgressLine& progress) {
   std::array<char, 32> digits{};
-  const auto [end, failure] =
-      std::to_chars(digits.data(), digits.data() + digits.size(), error, std::chars_format::scientific, 1);
-  note("The largest relative error of an area is " + std::string(digits.data(), end) +
+  const char* const end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), error, std::chars_format::scientific).ptr;
+  std::string text(digits.data(), end);
+  // Two digits are enough.
+  if (text[1] == '.') text.erase(3, text.find('e') - 3);
+  note("The largest relative error of an area is " + text +
            ", as the last bits of coordinates and weights allow no better areas.",
        progress);
 }

@@ -265,10 +265,10 @@ std::vector<std::vector<std::int32_t>> ClippedDiagram::Parts::holesIn(const Loop
   std::iota(order.begin(), order.end(), 0);
   const auto polygonOf = [&](std::int32_t loop) { return polygons[at(loop)]; };
   std::ranges::stable_sort(order, {}, polygonOf);
-  const auto borders = std::ranges::equal_range(order, -1, {}, polygonOf);
+  const auto borders = withKey(order, std::int32_t{-1}, polygonOf);
   std::vector<std::vector<OutlinePiece>> pieces(polygons.size());
   for (const std::int32_t hole : holes) {
-    const auto others = std::ranges::equal_range(order, region.polygonOf(hole), {}, polygonOf);
+    const auto others = withKey(order, region.polygonOf(hole), polygonOf);
     const std::size_t count = borders.size() + others.size();
     // Where the region is thinner than rounding, nothing may be left around a hole.
     if (count == 0) continue;

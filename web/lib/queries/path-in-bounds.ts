@@ -7,7 +7,7 @@ import type { Point } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, reversed, segment } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
-import { isSame, nearestOn, shareOn } from '../regions/clip.ts'
+import { isSame, nearestOn } from '../regions/clip.ts'
 import type { ConvexPolygon } from '../regions/convex-polygon.ts'
 import { curveLength } from '../regions/measure.ts'
 import { exitOf } from './cell-exit.ts'
@@ -20,7 +20,7 @@ const NEAR_SIDE_OF_COORDINATES = 2 ** -50
 /** A ray that leaves its cell this close to a side, as a share of its length, ends on the side. */
 const NEAR_EXIT = 1e-9
 
-/** A point on a piece, at a parameter of an edge or a share of a segment. */
+/** A point on a piece, at a parameter of an edge. On the boundary, `place` only orders the stops. */
 interface Stop {
   readonly place: number
   readonly point: Point
@@ -167,7 +167,7 @@ class Graph {
       })
     const { start, end } = piece.curve
     const stop = nearestOn(start, end, point)
-    piece.stops.push({ place: shareOn(start, end, stop), point: stop })
+    piece.stops.push({ place: dot(between(start, end), between(start, stop)), point: stop })
     return stop
   }
 
@@ -175,8 +175,8 @@ class Graph {
   link(): void {
     for (const { curve, edge, circle, stops } of this.#pieces) {
       const ends = stops.sort((one, other) => one.place - other.place)
-      let last = { place: edge === NONE ? 0 : curve.from, point: curve.start }
-      for (const next of [...ends, { place: edge === NONE ? 1 : curve.to, point: curve.end }]) {
+      let last = { place: curve.from, point: curve.start }
+      for (const next of [...ends, { place: curve.to, point: curve.end }]) {
         if (edge === NONE) this.#addStraight(circle, last.point, next.point)
         else
           this.#addArc(circle, edge, { ...curve, from: last.place, to: next.place, start: last.point, end: next.point })

@@ -64,7 +64,7 @@ export function clipCurve(curve: EdgeCurve, options: ConvexBoundsOptions): Bound
 }
 
 /** Returns the point of a segment that is nearest to a point, up to rounding. */
-function nearestOn(from: Point, to: Point, p: Point): Point {
+export function nearestOn(from: Point, to: Point, p: Point): Point {
   const along = between(from, to)
   const share = dot(between(from, p), along) / dot(along, along)
   return share <= 0 ? from : share >= 1 ? to : { x: from.x + share * along.x, y: from.y + share * along.y }
