@@ -45,7 +45,7 @@ double partDone(double first, double error, double tolerance) {
 /// Tells of areas whose error exceeds the tolerance, because last bits allow no less.
 void noteError(double error, ProgressLine& progress) {
   std::array<char, 32> digits{};
-  const char* const end =
+  char* const end =
       std::to_chars(digits.data(), digits.data() + digits.size(), error, std::chars_format::scientific).ptr;
   std::string text(digits.data(), end);
   // Two digits are enough.

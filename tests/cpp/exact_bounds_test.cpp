@@ -73,7 +73,8 @@ class Oracle {
  public:
   Oracle(const std::vector<Circle>& circles, const Ring& corners) : circles_(circles) {
     double extent = 0;
-    for (const Point& p : corners) extent = std::max({extent, std::abs(p.x - corners[0].x), std::abs(p.y - corners[0].y)});
+    for (const Point& p : corners)
+      extent = std::max({extent, std::abs(p.x - corners[0].x), std::abs(p.y - corners[0].y)});
     extent_ = extent;
     const Place shift = {Real(extent) * Real("1e-50"), Real(extent) * Real("1e-125")};
     for (const Point& p : corners) corners_.push_back(Place{Real(p.x), Real(p.y)} + shift);
@@ -153,10 +154,10 @@ class Oracle {
         const Place v = corner(k + 1) - corner(k);
         const Real rest = whole - 2 * dot(u, p);
         const Real slope = dot(u, v);
-        const auto crossings = s == 0 ? roots(0, slope, -rest)
-                                      : roots(4 * (slope * slope - s * s * dot(v, v)),
-                                              -2 * (rest * slope + 2 * s * s * dot(p, v)),
-                                              rest * rest - 4 * s * s * dot(p, p));
+        const auto crossings =
+            s == 0 ? roots(0, slope, -rest)
+                   : roots(4 * (slope * slope - s * s * dot(v, v)), -2 * (rest * slope + 2 * s * s * dot(p, v)),
+                           rest * rest - 4 * s * s * dot(p, p));
         for (const Real& t : crossings) {
           const Place x = p + t * v;
           const Real left = whole - 2 * dot(u, x);
@@ -180,8 +181,9 @@ class Oracle {
       std::vector<Stop> stops = onSide_[k];
       stops.push_back({0, cornerPlaces_[k]});
       stops.push_back({1, cornerPlaces_[(k + 1) % count()]});
-      addPieces(stops, [&](const Real& t) { return corner(k) + t * (corner(k + 1) - corner(k)); },
-                [&](const Place& p) { return isNearest(p, -1); }, -1, static_cast<std::int32_t>(k));
+      addPieces(
+          stops, [&](const Real& t) { return corner(k) + t * (corner(k + 1) - corner(k)); },
+          [&](const Place& p) { return isNearest(p, -1); }, -1, static_cast<std::int32_t>(k));
     }
   }
 
@@ -206,7 +208,8 @@ class Oracle {
       return c + x * along + h * Place{-along.y, along.x};
     };
     const std::size_t first = pieces_.size();
-    addPieces(stops, pointAt, [&](const Place& p) { return isInside(p) && isNearest(p, j); }, j, -1);
+    addPieces(
+        stops, pointAt, [&](const Place& p) { return isInside(p) && isNearest(p, j); }, j, -1);
     // Seen with the cell on the left the arc goes upwards. Between it and its chord lies the integral of x over h.
     const auto integral = [&](const Real& h) {
       const Real b = sqrt(bb);
@@ -236,8 +239,7 @@ class Oracle {
       return Vector3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     };
     const Vector3 direction = product(m, n);
-    const Real square =
-        direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
+    const Real square = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
     if (square == 0) return {};
     const Vector3 a = product(n, direction);
     const Vector3 b = product(direction, m);
@@ -450,7 +452,8 @@ int expectRight(const Input& input) {
   }
   Oracle oracle(visible, corners);
   double extent = 0;
-  for (const Point& p : corners) extent = std::max({extent, std::abs(p.x - corners[0].x), std::abs(p.y - corners[0].y)});
+  for (const Point& p : corners)
+    extent = std::max({extent, std::abs(p.x - corners[0].x), std::abs(p.y - corners[0].y)});
   for (std::size_t k = 0; k < indices.size(); ++k) {
     const std::int32_t i = indices[k];
     Cell right = oracle.cell(static_cast<std::int32_t>(k));
@@ -487,16 +490,21 @@ INSTANTIATE_TEST_SUITE_P(Families, ExactBounds, testing::Range(std::size_t{0}, k
 
 // Inputs for which the cells in bounds were wrong or refused.
 TEST(ExactBoundsFixture, CellsWithCornersNearlyOnALineOfTheirNeighborsAreRight) {
-  const Input straight = {
-      {{0, 0, 20}, {0, -300, 0}},
-      {{200, 0}, {105.61405064662918, 322.19297467668548}, {-95.385949353370833, -79.807025323314576},
-       {-296.38594935337079, -481.80702532331458}}};
+  const Input straight = {{{0, 0, 20}, {0, -300, 0}},
+                          {{200, 0},
+                           {105.61405064662918, 322.19297467668548},
+                           {-95.385949353370833, -79.807025323314576},
+                           {-296.38594935337079, -481.80702532331458}}};
   EXPECT_EQ(expectRight(straight), 2);
   const Input triangle = {{{0, -16380, 1}, {51, -16381, 2}, {50, -16380, 0.99999999999999989}},
                           {{50, -16000}, {0, -20000}, {50, -16400}}};
   EXPECT_GT(expectRight(triangle), 1);
-  const Input box = {{{48, -16380, 1}, {52, -16381, 1}, {51, -16381, 2}, {50, -16383, 2},
-                      {50, -16380, 0.99999999999999989}, {49, -16384, 0}},
+  const Input box = {{{48, -16380, 1},
+                      {52, -16381, 1},
+                      {51, -16381, 2},
+                      {50, -16383, 2},
+                      {50, -16380, 0.99999999999999989},
+                      {49, -16384, 0}},
                      {{49, -16381}, {50, -16381}, {50, -16380}, {49, -16380}}};
   EXPECT_GT(expectRight(box), 1);
 }

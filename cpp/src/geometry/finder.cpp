@@ -19,7 +19,6 @@ namespace {
 /// step.
 constexpr std::size_t kFewSides = 24;
 
-
 }  // namespace
 
 class Finder::Walker {

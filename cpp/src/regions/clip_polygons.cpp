@@ -356,8 +356,7 @@ ClippedPolygons clipPolygons(const ClippedDiagram& clipped, const Chosen& circle
           loop.points.push_back(flattener.placeOf(piece.curve.start));
           continue;
         }
-        const auto points =
-            piece.isOnCircle() ? flattener.pointsOfArc(circles[row], piece) : flattener.pointsOf(piece);
+        const auto points = piece.isOnCircle() ? flattener.pointsOfArc(circles[row], piece) : flattener.pointsOf(piece);
         loop.points.insert(loop.points.end(), points.begin(), points.size() > 1 ? points.end() - 1 : points.end());
       }
     }

@@ -165,7 +165,8 @@ bool Sectors::bulges(SideIndex side, const Line& line, int center) const {
          signs_.approachAtEnd(side, false, line) * signs_.approachAtEnd(side, true, line) < 0;
 }
 
-/// Whether the ray to the beginning of a side is farther from a place than a distance, and so is all that lies beyond it.
+/// Whether the ray to the beginning of a side is farther from a place than a distance, and so is all that lies beyond
+/// it.
 bool Sectors::isBeyond(std::size_t side, Vector toPlace, double reach) const {
   const Vector ray = many_->beginnings[side];
   const double size = lengthOf(ray);
