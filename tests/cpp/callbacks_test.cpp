@@ -127,7 +127,7 @@ TEST(Callbacks, AnObserverMaySetAnotherOne) {
     EXPECT_TRUE(editor
                     .observe([&, last, caller = Caller()](const TraceEvent&) {
                       if (++calls != last) return;
-                      // Of several the last counts.
+                      // The last of several counts.
                       EXPECT_TRUE(editor.observe({}).ok());
                       EXPECT_TRUE(editor.observe(next).ok());
                       EXPECT_EQ(callsOfNext, 0);

@@ -58,7 +58,7 @@ std::vector<Real> roots(const Real& a, const Real& b, const Real& c) {
   return {sum / a, c / sum};
 }
 
-/// What is compared of a cell.
+/// The parts of a cell that are compared.
 struct Cell {
   Real area = 0;
   /// The number of arcs beside each neighbor, and of pieces on each side of the region, if they are long enough.
@@ -306,7 +306,7 @@ class Oracle {
   std::vector<std::vector<Stop>> onBisector_;
 };
 
-/// What the library has of a cell.
+/// The cell as the library finds it.
 Cell cellOf(const ClippedDiagram& clipped, std::int32_t i, double extent) {
   Cell cell;
   cell.area = clipped.area(i);

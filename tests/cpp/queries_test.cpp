@@ -245,7 +245,7 @@ TEST(Queries, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
     const auto largest = largestEmptyDiscInside(diagram, test::regionOf(box));
     ASSERT_TRUE(largest);
     EXPECT_NEAR(largest->disc.r, radius, 1e-14);
-    // Of several equal discs any may be found. The circles that it names touch it.
+    // Any of several equal discs may be found. The circles that it names touch it.
     for (const CircleIndex circle : largest->circles) {
       if (circle == kNone) continue;
       EXPECT_NEAR(distanceFrom(diagram, circle, {largest->disc.x, largest->disc.y}), radius, 1e-14);

@@ -18,7 +18,7 @@ struct Crossing {
   RegionSideIndex side = {};  ///< the side of the region
   Point point;
   double parameter = 0;  ///< the parameter of the point on the edge
-  /// The same in the direction of orderedCurve.
+  /// The parameter in the direction of orderedCurve.
   double orderedParameter = 0;
   /// The position of the point along the side, from 0 at the smaller of its two ends, by x and then y, to 1 at the
   /// other.

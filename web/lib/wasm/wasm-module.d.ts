@@ -107,9 +107,7 @@ interface WasmRegionsModule {
     weights: boolean,
     chosen: number,
     maxDistance: number | undefined,
-  ):
-    | WasmError
-    | (import('../regions/few-circles.ts').Sides & import('../regions/region.ts').MeasuredCells)
+  ): WasmError | (import('../regions/few-circles.ts').Sides & import('../regions/region.ts').MeasuredCells)
   /**
    * Clips the cell of the first point. `points` are circles of radius 0. Row i belongs to point i, and only row 0 has
    * polygons.
