@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 #include <queue>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -226,10 +227,34 @@ struct Counts {
   int refused = 0;
 };
 
+/// Expects that the largest disc in a region lies in it, overlaps no circle, and is as large as any around the grid.
+void checkDisc(const Diagram& diagram, const Region& region) {
+  const auto sides = test::sidesOf(region);
+  const auto clearanceAt = [&](Point p) {
+    const Circle point = {p.x, p.y, 0};
+    double least = test::clearanceAlong(diagram.circles, p, p);
+    for (const auto& [from, to] : sides) least = std::min(least, test::clearanceAlong(std::span(&point, 1), from, to));
+    return least;
+  };
+  double best = 0;
+  for (std::size_t k = 0; k < kCount * kCount; ++k) {
+    if (region.contains(Grid::pointAt(k))) best = std::max(best, clearanceAt(Grid::pointAt(k)));
+  }
+  const auto disc = largestEmptyDiscInside(diagram, region);
+  if (best < kTolerance && !disc) return;
+  ASSERT_TRUE(disc && *disc);
+  const Vertex& found = (*disc)->disc;
+  ASSERT_GE(found.r, best - kTolerance);
+  if (found.r <= 0) return;
+  ASSERT_TRUE(region.contains({found.x, found.y}));
+  ASSERT_NEAR(clearanceAt({found.x, found.y}), found.r, kTolerance);
+}
+
 /// Tries paths between points of the grid in one region.
 void tryShape(const Shape& shape, Random& random, int queries, Counts& counts) {
   const Circles circles = circlesOf(random);
   const Diagram diagram = compute(circles).value();
+  checkDisc(diagram, *shape.region);
   const Grid grid(*shape.region, circles);
   test::PartsOfRegion parts(*shape.region);
   std::vector<std::size_t> inside;

@@ -245,7 +245,8 @@ class DiscSearch {
         const double height = cross(unit, vectorTo(side.from, p));
         const double sign = height < 0 ? -1 : 1;
         const double distance = std::abs(height);
-        const bool isStraight = ahead > reach && size - ahead > reach;
+        // Beyond the line, the distance grows again.
+        const bool isStraight = distance > reach && ahead > reach && size - ahead > reach;
         return {distance, {-sign * unit.y, sign * unit.x}, isStraight ? 0 : bendOf(distance, reach)};
       }
       v = vectorTo(ahead > 0 ? side.to : side.from, p);
