@@ -300,7 +300,9 @@ class DiscSearch {
     }
     if (!mayBeLarger(square.most)) return;
     keepNearest(square, distances, least, reach);
-    if (square.near.size() <= kFew) {
+    // Parts of a square next to a side that are too small for a larger disc are left out before all discs are tried.
+    const bool mayBeDivided = least <= reach && reach < 4 * radius_;
+    if (square.near.size() <= kFew && !mayBeDivided) {
       tryAll(square);
       return;
     }
