@@ -60,7 +60,8 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
           const area = diagram.cellArea(i, { bounds })
           const around = diagram.cellPerimeter(i, { bounds })
           if (polygon === undefined) {
-            expect(diagram.cellOutline(i, { bounds })).toEqual([])
+            // The tolerance hides the cell.
+            expect(area).toBeLessThanOrEqual(tolerance * around + 1e-12 * size * size)
             continue
           }
           expect(polygon.at(-1)).toEqual(polygon[0])
