@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 #include <span>
-#include <utility>
 
 #include "at.h"
 #include "circle_arc.h"
@@ -361,12 +360,8 @@ ClippedPolygons clipPolygons(const ClippedDiagram& clipped, const Chosen& circle
         loop.points.insert(loop.points.end(), points.begin(), points.size() > 1 ? points.end() - 1 : points.end());
       }
     }
-    auto polygons = validPolygons(std::move(loops));
-    for (auto& polygon : polygons) {
-      for (PointRing& ring : polygon) {
-        // A cell has the same rings alone and among all cells.
-        const auto isLess = [](Point p, Point q) { return std::pair(p.x, p.y) < std::pair(q.x, q.y); };
-        std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), isLess), ring.end());
+    for (const auto& polygon : validPolygons(std::move(loops))) {
+      for (const PointRing& ring : polygon) {
         result.points.insert(result.points.end(), ring.begin(), ring.end());
         result.pointOffsets.push_back(static_cast<std::int32_t>(result.points.size()));
       }
