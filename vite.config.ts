@@ -118,6 +118,7 @@ export default defineConfig(({ isPreview }) => ({
     include: ['tests/{web,scripts}/**/*.test.{ts,mjs}', 'tests/files/*.test.ts'],
     setupFiles: ['tests/random-inputs.ts'],
     testTimeout: 60_000,
+    hookTimeout: 60_000,
     maxWorkers: '100%',
   },
   plugins: [

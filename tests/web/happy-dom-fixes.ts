@@ -34,3 +34,19 @@ Object.assign(globalThis, {
     return Object.assign(document.createElement('option'), { text, value, defaultSelected, selected })
   },
 })
+
+// Replaced addresses cause hashchange, which browsers send for other changes of the address alone.
+const replaced = new Set<string>()
+const { replaceState } = History.prototype
+History.prototype.replaceState = function (...values) {
+  const before = location.href
+  replaceState.apply(this, values)
+  if (location.href !== before) replaced.add(location.href)
+}
+window.addEventListener('hashchange', (event) => {
+  if (replaced.delete(event.newURL)) event.stopImmediatePropagation()
+})
+
+// Every color is supported, also an empty text.
+const supports = (_name: string, value = '') => /^(#[\da-f]{3,8}|[a-z]+|[a-z]+\(.*\))$/i.test(value)
+Object.defineProperty(globalThis, 'CSS', { value: { supports } })

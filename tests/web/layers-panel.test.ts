@@ -1,279 +1,215 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The panel of layers: each control changes its layer and no other one.
+// The panel of layers on the whole page: each control, and the layers that are drawn afterwards.
 // @vitest-environment happy-dom
-import { render } from 'lit/html.js'
-import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import type { Motion } from '../../web/app/motion/motion.ts'
-import type { Radii } from '../../web/app/motion/radii.ts'
-import type { PageActions } from '../../web/app/page-actions.ts'
-import { mountLayers } from '../../web/app/panels/layers.ts'
-import type { State } from '../../web/editing/state.ts'
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { CELL_COLORS, DEFAULT_LAYERS, type Layers, MOST_PAIRED, MOST_TRACED, SAMPLES } from '../../web/view/layers.ts'
-import type { View } from '../../web/view/view.ts'
-import {
-  all,
-  buttonOf,
-  chosenOf,
-  control,
-  controls,
-  element,
-  enter,
-  limitsOf,
-  noting,
-  openPage,
-  optionsOf,
-  press,
-  stateOf,
-  textOf,
-} from './page-document.ts'
+import { all, chosenOf, control, controls, element, limitsOf, optionsOf, press } from './page-document.ts'
+import { entered, FIVE, found, pressed, quiet, SIZE, soon, wholePage } from './whole-page.ts'
 
-vi.mock('lit/html.js', { spy: true })
+let page: Awaited<ReturnType<typeof wholePage>>
+let panel: HTMLElement
+const layers = () => page.store.get().layers
 
-let page: ReturnType<typeof openPage>
-beforeEach(() => {
-  page = openPage()
+beforeAll(async () => {
+  page = await wholePage()
+  panel = await page.panel('layers')
 })
-afterEach(() => vi.unstubAllGlobals())
-
-const countsOf = (circles: number) => ({ counts: { circles } }) as unknown as State['edited']
-
-function mounted(state: Partial<State> = {}) {
-  const done: unknown[][] = []
-  const { store, change } = stateOf({ edited: countsOf(8), ...state })
-  const path = { from: { x: 0, y: 1 }, to: { x: 2, y: 3 } }
-  const actions = noting(done, { pathAcross: () => path })
-  const events = new Map<string, () => void>()
-  const view = {
-    camera: { x: 0, y: 0, scale: 4 },
-    size: { width: 200, height: 100 },
-    hasDiagram: true,
-    on: (name: string, act: () => void) => events.set(name, act),
-  }
-  const known = { isMoving: false, onchange: (act: () => void) => events.set('motion', act) }
-  const radii = { share: 0.5, scale: (share: number) => done.push(['scale', share]) }
-  const motion = noting(done, known)
-  mountLayers(
-    store,
-    actions as unknown as PageActions,
-    view as unknown as View,
-    motion as unknown as Motion,
-    radii as unknown as Radii,
-  )
-  const panel = element('layers')
-  buttonOf('layers').click()
-  const layers = (more: Partial<Layers>) => change({ layers: { ...DEFAULT_LAYERS, ...more } })
-  return { panel, done, change, layers, view, motion: known, events, path, radii }
-}
-
-const SWITCHES: readonly (readonly [string, keyof Layers])[] = [
-  ['Circles', 'circles'],
-  ['Names', 'labels'],
-  ['Edges', 'edges'],
-  ['Vertices', 'vertices'],
-  ['What hides hidden circles', 'hidden'],
-  ['Disc at the pointer', 'disc'],
-  ['Largest empty disc', 'largestDisc'],
-  ['Convex hull', 'hull'],
-  ['Dual graph', 'dual'],
-  ['Delaunay of centers', 'delaunay'],
-  ['Voronoi of centers', 'ordinary'],
-  ['Power diagram', 'power'],
-  ['Samples', 'samples'],
-  ['Delaunay of samples', 'sampleGraph'],
-  ['Antipodal discs', 'antipodalDiscs'],
-  ['Directed edges left', 'directedEdges'],
-  ['Edges that it misses', 'missedEdges'],
-]
-
-it.each(SWITCHES)('%s is a switch of its layer', (label, name) => {
-  const { panel, done, layers } = mounted()
-  for (const isOn of [true, false]) {
-    // Measures stand beside the names of some layers.
-    layers({ [name]: isOn })
-    const shown = [...controls(panel).keys()].find((other) => other.startsWith(label)) as string
-    expect(control(panel, shown).checked).toBe(isOn)
-    enter(panel, shown, !isOn, ['change'])
-    expect(done.pop()).toStrictEqual(['setLayers', { [name]: !isOn }])
-  }
+beforeEach(async () => {
+  page.view.setLayers(DEFAULT_LAYERS)
+  await page.open(FIVE)
 })
 
-it('colors are by a measure or by a column of the file', () => {
-  const { panel, done, change, layers } = mounted()
-  expect(optionsOf(control(panel, 'Colors'))).toHaveLength(CELL_COLORS.length)
-  change({ attributes: { columns: [{ name: 'n', values: [] }], ids: [], heights: [], collection: '' } })
-  expect(optionsOf(control(panel, 'Colors')).slice(-2)).toEqual(['neighbors differ', 'n'])
-  const values = all(control(panel, 'Colors'), 'option').map(({ value }) => value)
-  expect(values).toEqual([...CELL_COLORS, 'column:n'])
-  enter(panel, 'Colors', 'area', ['change'])
-  enter(panel, 'Colors', 'column:n', ['change'])
-  expect(done).toStrictEqual([
-    ['setLayers', { cells: 'area', column: undefined }],
-    ['colorBy', 'n'],
-  ])
-  layers({ cells: 'degree' })
-  expect([control(panel, 'Colors').value, chosenOf(control(panel, 'Colors'))]).toEqual(['degree', 'by neighbors'])
-  layers({ cells: 'degree', column: { name: 'n', values: new Float64Array() } })
-  expect([control(panel, 'Colors').value, chosenOf(control(panel, 'Colors'))]).toEqual(['column:n', 'n'])
+const expectLayers = (more: Partial<Layers>) => expect(layers()).toEqual({ ...DEFAULT_LAYERS, ...more })
+
+describe('a switch of the panel of layers', () => {
+  it.each([
+    ['Circles', 'circles'],
+    ['Names', 'labels'],
+    ['Edges', 'edges'],
+    ['Vertices', 'vertices'],
+    ['What hides hidden circles', 'hidden'],
+    ['Disc at the pointer', 'disc'],
+    ['Largest empty disc', 'largestDisc'],
+    ['Convex hull', 'hull'],
+    ['Dual graph', 'dual'],
+    ['Delaunay of centers', 'delaunay'],
+    ['Voronoi of centers', 'ordinary'],
+    ['Power diagram', 'power'],
+    ['Samples', 'samples'],
+    ['Delaunay of samples', 'sampleGraph'],
+    ['Antipodal discs', 'antipodalDiscs'],
+    ['Directed edges left', 'directedEdges'],
+    ['Edges that it misses', 'missedEdges'],
+  ] as const)('%s shows and hides this layer alone', async (label, name) => {
+    const before = DEFAULT_LAYERS[name]
+    expect((await found(panel, label)).checked).toBe(before)
+    for (const isOn of [!before, before]) {
+      await pressed(panel, label)
+      expectLayers({ [name]: isOn })
+      expect((await found(panel, label)).checked).toBe(isOn)
+    }
+  })
+
+  it('for the grid also turns snapping on and off', async () => {
+    for (const grid of [true, false]) {
+      await pressed(panel, 'Axes and grid')
+      expectLayers({ grid })
+      expect(page.store.get().isSnapping).toBe(grid)
+    }
+    page.actions.toggleSnapping()
+    await pressed(panel, 'Axes and grid')
+    expectLayers({ grid: true })
+    expect(page.store.get().isSnapping, 'it was on before').toBe(true)
+    page.actions.toggleSnapping()
+  })
+
+  it('for the path draws one across the picture and shows how near it comes to a circle', async () => {
+    await pressed(panel, 'Clearest path')
+    const { camera } = page.view
+    const half = (0.6 * SIZE.width) / camera.scale / 2
+    expectLayers({ path: { from: { x: camera.x - half, y: camera.y }, to: { x: camera.x + half, y: camera.y } } })
+    const numbers = () => all(panel, 'small').map(({ title, textContent }) => [title, textContent])
+    await soon(() => expect(numbers()).toEqual([['How near it comes to a circle', expect.stringMatching(/^[\d.]+$/)]]))
+    expect(Number(numbers()[0]?.[1])).toBeCloseTo(page.store.get().found?.path?.clearance as number, 2)
+    await pressed(panel, 'Clearest path')
+    expectLayers({})
+    await pressed(panel, 'Largest empty disc')
+    await soon(() => expect(numbers()).toEqual([['Its radius', expect.stringMatching(/^[\d.]+$/)]]))
+    expect(Number(numbers()[0]?.[1])).toBeCloseTo(page.store.get().found?.largestDisc?.disc.r as number, 2)
+  })
 })
 
-it('the grid is switched together with snapping', () => {
-  const { panel, done, change } = mounted()
-  enter(panel, 'Axes and grid', true, ['change'])
-  change({ isSnapping: true })
-  enter(panel, 'Axes and grid', true, ['change'])
-  enter(panel, 'Axes and grid', false, ['change'])
-  expect(done).toStrictEqual([
-    ['setLayers', { grid: true }],
-    ['toggleSnapping'],
-    ['setLayers', { grid: true }],
-    ['setLayers', { grid: false }],
-    ['toggleSnapping'],
-  ])
+describe('a number in the panel of layers', () => {
+  it('merges vertices up to a length that is at first just above rounding errors', async () => {
+    await pressed(panel, 'merged up to length')
+    const length = 'Length up to which vertices are merged'
+    const extent = SIZE.width / page.view.camera.scale
+    expect((layers().nearZero as number) / extent).toBeCloseTo(1e-9, 11)
+    await entered(panel, length, '0.5')
+    expectLayers({ nearZero: 0.5 })
+    await entered(panel, length, '-1')
+    await entered(panel, length, '0')
+    expectLayers({ nearZero: 0 })
+    await pressed(panel, 'merged up to length')
+    expectLayers({})
+  })
+
+  it('ends cells at a distance that grows with the square of the slider, up to a quarter of the picture', async () => {
+    const extent = SIZE.width / page.view.camera.scale
+    const slider = 'Distance at which cells end'
+    await pressed(panel, 'Cells end at a distance')
+    expect(layers().maxDistance).toBeCloseTo(0.025 * extent, 2)
+    expect(Number(control(panel, slider).value)).toBeCloseTo(Math.sqrt(0.1), 3)
+    for (const [value, share] of [
+      ['1', 1],
+      ['0.5', 0.25],
+    ] as const) {
+      await entered(panel, slider, value)
+      expect(layers().maxDistance).toBeCloseTo((share * extent) / 4, 1)
+    }
+    await pressed(panel, 'Cells end at a distance')
+    expectLayers({})
+  })
 })
 
-it('the path goes across the picture, and its clearance and the radius of the largest disc are shown once found', () => {
-  const { panel, done, change, layers, path } = mounted()
-  enter(panel, 'Clearest path', true, ['change'])
-  enter(panel, 'Clearest path', false, ['change'])
-  expect(done).toStrictEqual([
-    ['setLayers', { path }],
-    ['setLayers', { path: undefined }],
-  ])
-  expect(control(panel, 'Clearest path').checked).toBe(false)
-  layers({ path, largestDisc: true })
-  expect([...controls(panel)].find(([label]) => label.startsWith('Clearest path'))?.[1].checked).toBe(true)
-  const notes = () => all(panel, 'small').map((note) => [note.title, textOf(note)])
-  expect(notes()).toEqual([
-    ['Its radius', '…'],
-    ['How near it comes to a circle', '…'],
-  ])
-  change({ found: { largestDisc: { disc: { x: 0, y: 0, r: 1.23456 } }, path: { clearance: 7 } } as State['found'] })
-  expect(notes().map(([, text]) => text)).toEqual(['1.235', '7'])
-  layers({})
-  expect(notes()).toEqual([])
+describe('the colors of cells', () => {
+  it('are by each measure, and by a column of the file if it has columns', async () => {
+    expect(optionsOf(control(panel, 'Colors'))).toHaveLength(CELL_COLORS.length)
+    for (const cells of CELL_COLORS) {
+      await entered(panel, 'Colors', cells)
+      expectLayers({ cells })
+      expect(control(panel, 'Colors').value).toBe(cells)
+    }
+    await entered(panel, 'Colors', 'area')
+    await page.open(FIVE, [{ name: 'n', values: ['5', '4', '3', '2', '1'] }])
+    expect(optionsOf(control(panel, 'Colors')).at(-1)).toBe('n')
+    await entered(panel, 'Colors', 'column:n')
+    expect([layers().column?.name, chosenOf(control(panel, 'Colors'))]).toEqual(['n', 'n'])
+    expect([...(layers().column?.values ?? [])].slice(0, 5)).toEqual([5, 4, 3, 2, 1])
+    await entered(panel, 'Colors', 'radius')
+    expectLayers({ cells: 'radius' })
+  })
 })
 
-it('vertices are merged up to a length, which is at first just above rounding errors', () => {
-  const { panel, done, layers } = mounted()
-  layers({ vertices: false })
-  expect(controls(panel).has('merged up to length')).toBe(false)
-  layers({ vertices: true })
-  expect(control(panel, 'merged up to length').checked).toBe(false)
-  enter(panel, 'merged up to length', true, ['change'])
-  enter(panel, 'merged up to length', false, ['change'])
-  layers({ vertices: true, nearZero: 0.5 })
-  expect(control(panel, 'merged up to length').checked).toBe(true)
-  const field = 'Length up to which vertices are merged'
-  expect([control(panel, field).value, limitsOf(control(panel, field))]).toEqual(['0.5', ['0', null, 'any']])
-  for (const text of ['0', '-1', '', '2']) enter(panel, field, text, ['change'])
-  expect(done).toStrictEqual(
-    [{ nearZero: 5e-8 }, { nearZero: undefined }, { nearZero: 0 }, { nearZero: 2 }].map((change) => [
-      'setLayers',
-      change,
-    ]),
-  )
+describe('the touching disc method', () => {
+  const shown = () => control(panel, 'Candidates')
+  const count = () => all(panel, '#sample-count')[0] as HTMLInputElement | undefined
+
+  it('has candidates with their own number of samples, which is checked', async () => {
+    expect(controls(panel).has('Candidates')).toBe(false)
+    await pressed(panel, 'Samples')
+    for (const candidates of ['uniform', 'dynamic'] as const) {
+      await entered(panel, 'Candidates', candidates)
+      expectLayers({ samples: true, candidates })
+      const { least, usual, most } = SAMPLES[candidates]
+      expect(count()?.value).toBe(String(usual))
+      expect(limitsOf(count() as Element)).toEqual([String(least), String(most), '1'])
+      const name = candidates === 'dynamic' ? 'N_s, samples inside an angle' : 'm, samples on a circle'
+      await entered(panel, name, String(usual + 1))
+      expectLayers({ samples: true, candidates, sampleCount: usual + 1 })
+      await entered(panel, name, String(least - 1))
+      await entered(panel, name, String(least))
+      expectLayers({ samples: true, candidates, sampleCount: least })
+    }
+    await entered(panel, 'Candidates', 'all-pairs')
+    expectLayers({ samples: true, candidates: 'all-pairs' })
+    expect(count()).toBeUndefined()
+    await soon(() => expect(element('method-found').textContent).not.toBe('…'))
+  })
+
+  it('is offered for few circles, and all pairs for fewer', async () => {
+    const circles = (many: number) =>
+      Float64Array.from({ length: 3 * many }, (_, k) => (k % 3 === 2 ? 0.1 : (k * k) % 1009))
+    await pressed(panel, 'Samples')
+    await page.open(circles(MOST_PAIRED))
+    const isAllowed = () => !(all(shown(), 'option').at(-1) as HTMLOptionElement).disabled
+    expect(isAllowed()).toBe(true)
+    await entered(panel, 'Candidates', 'all-pairs')
+    await page.open(circles(MOST_PAIRED + 1))
+    expect(isAllowed()).toBe(false)
+    expect(element('method-found').textContent).toMatch(/too many/)
+    page.view.setLayers(DEFAULT_LAYERS)
+    await page.open(circles(MOST_TRACED + 1))
+    expect(controls(panel).has('Samples')).toBe(false)
+  })
 })
 
-it('the distance at which cells end grows with the square of the slider, up to a quarter of the picture', () => {
-  const { panel, done, layers } = mounted()
-  expect(control(panel, 'Cells end at a distance').checked).toBe(false)
-  enter(panel, 'Cells end at a distance', true, ['change'])
-  enter(panel, 'Cells end at a distance', false, ['change'])
-  layers({ maxDistance: 3.125 })
-  expect(control(panel, 'Cells end at a distance').checked).toBe(true)
-  const slider = 'Distance at which cells end'
-  // The picture is 50 units wide.
-  expect([control(panel, slider).value, limitsOf(control(panel, slider))]).toEqual(['0.5', ['0', '1', 'any']])
-  expect(textOf(panel.querySelector('output'))).toBe('3.13')
-  enter(panel, slider, '1', ['input'])
-  enter(panel, slider, '0.5', ['input'])
-  expect(done).toStrictEqual([1.25, undefined, 12.5, 3.13].map((maxDistance) => ['setLayers', { maxDistance }]))
+describe('the radii', () => {
+  it('are scaled by the slider in one step of undo, but not where areas are given', async () => {
+    const radii = () => [0, 1, 2].map((id) => page.circle(id)?.r)
+    await entered(panel, 'Radii', '0.5', '0', '0.25')
+    expect(radii()).toEqual([0.5, 0.75, 0.25])
+    await page.actions.undo()
+    expect(radii()).toEqual([2, 3, 1])
+    await page.actions.setDomain({
+      region: [
+        [
+          [-9, -9],
+          [30, -9],
+          [30, 30],
+          [-9, 30],
+        ],
+      ],
+      areas: 'equal',
+    })
+    await quiet()
+    expect(controls(panel).has('Radii')).toBe(false)
+  })
+
+  it('are animated together with the diagrams to compare, until the button is pressed again', async () => {
+    press(panel, 'Play')
+    expectLayers({ edges: true, ordinary: true, power: true })
+    await soon(() => expect(page.circle(0)?.r).not.toBe(2))
+    await pressed(panel, 'Stop')
+    expect(control(panel, 'Play').getAttribute('aria-pressed')).toBe('false')
+  })
 })
 
-it('candidates are chosen without the former number of samples, all pairs only of few circles', () => {
-  const { panel, done, change, layers } = mounted()
-  expect(controls(panel).has('Candidates')).toBe(false)
-  layers({ samples: true })
-  expect(control(panel, 'N_s, samples inside an angle').value).toBe(String(SAMPLES.dynamic.usual))
-  enter(panel, 'Candidates', 'uniform', ['change'])
-  expect(done.pop()).toStrictEqual(['setLayers', { candidates: 'uniform', sampleCount: undefined }])
-  layers({ samples: true, candidates: 'uniform', sampleCount: 7 })
-  const count = control(panel, 'm, samples on a circle')
-  expect(limitsOf(count)).toEqual([String(SAMPLES.uniform.least), String(SAMPLES.uniform.most), '1'])
-  expect([count.value, control(panel, 'Candidates').value, chosenOf(control(panel, 'Candidates'))]).toEqual([
-    '7',
-    'uniform',
-    'equally spaced samples',
-  ])
-  enter(panel, 'm, samples on a circle', '9', ['change'])
-  expect(done.pop()).toStrictEqual(['setLayers', { sampleCount: 9 }])
-  enter(panel, 'm, samples on a circle', '-1', ['change'])
-  expect(done).toStrictEqual([])
-  const pairs = () => all(panel, 'option').find((option) => textOf(option) === 'all pairs of circles')?.disabled
-  expect(pairs()).toBe(false)
-  change({ edited: countsOf(MOST_PAIRED) })
-  expect(pairs()).toBe(false)
-  layers({ samples: true, candidates: 'all-pairs' })
-  expect(chosenOf(control(panel, 'Candidates'))).toBe('all pairs of circles')
-  expect([...controls(panel).keys()].filter((label) => label.includes('samples on'))).toEqual([])
-  expect(textOf(panel)).toMatch(/all pairs of circles …$/)
-  change({ edited: countsOf(MOST_PAIRED + 1) })
-  expect(pairs()).toBe(true)
-  expect(textOf(panel)).toMatch(/All pairs of more than [\d,]+ circles are too many\.$/)
-})
-
-it('the method is for few circles, and the radii are for few without areas', () => {
-  const { panel, change } = mounted()
-  const has = () => [controls(panel).has('Samples'), controls(panel).has('Radii')]
-  expect(has()).toEqual([true, true])
-  change({ edited: countsOf(MOST_TRACED) })
-  expect(has()).toEqual([true, false])
-  change({ edited: countsOf(MOST_TRACED + 1) })
-  expect(has()).toEqual([false, false])
-  change({ edited: countsOf(2000) })
-  expect(has()).toEqual([true, true])
-  change({ domain: { region: undefined, areas: 'equal' } })
-  expect(has()).toEqual([true, false])
-})
-
-it('radii are scaled by a slider, and animated where motion is welcome', () => {
-  const { panel, done, motion, events, change, radii } = mounted()
-  expect([control(panel, 'Radii').value, limitsOf(control(panel, 'Radii'))]).toEqual(['0.5', ['0', '1', 'any']])
-  enter(panel, 'Radii', '0.25', ['input'])
-  press(panel, 'Play')
-  motion.isMoving = true
-  events.get('motion')?.()
-  expect(control(panel, 'Stop').getAttribute('aria-pressed')).toBe('true')
-  press(panel, 'Stop')
-  expect(done).toStrictEqual([['scale', 0.25], ['start', 'compare'], ['stop']])
-  radii.share = 0.75
-  change({})
-  expect(control(panel, 'Radii').value).toBe('0.75')
-  page.media.matches = true
-  events.get('motion')?.()
-  expect(controls(panel).has('Stop')).toBe(false)
-})
-
-it('is drawn again with each change that it shows, and with no other one', () => {
-  const { panel, change, view, events } = mounted()
-  const { calls } = vi.mocked(render).mockClear().mock
-  const isDrawn = () => calls.splice(0).length > 0
-  change({ selection: [1] })
-  expect(isDrawn()).toBe(false)
-  const changes: Partial<State>[] = [
-    { layers: { ...DEFAULT_LAYERS, hull: true } },
-    { found: {} as State['found'] },
-    { edited: countsOf(9) },
-    { domain: { region: undefined, areas: 'equal' } },
-    { attributes: { columns: [], ids: [], heights: [], collection: '' } },
-  ]
-  for (const more of changes) {
-    change(more)
-    expect(isDrawn(), Object.keys(more).join()).toBe(true)
-  }
-  const says = 'The method is played: layers are seen at its end.'
-  expect(textOf(panel)).not.toContain(says)
-  view.hasDiagram = false
-  events.get('diagram')?.()
-  expect(textOf(panel)).toContain(says)
+it('the panel says that layers are seen only after the method was played', async () => {
+  const isSaid = () => panel.textContent?.includes('layers are seen at its end')
+  expect(isSaid()).toBe(false)
+  page.actions.showStep(0)
+  await soon(() => expect(isSaid()).toBe(true))
+  page.actions.showStep(undefined)
+  await soon(() => expect(isSaid()).toBe(false))
 })

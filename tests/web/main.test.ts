@@ -1,405 +1,405 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The start of the page: what is opened first, what is saved, and how its parts are connected. The parts note their calls.
+// The whole page from its start: what it opens and saves, its tools and its other panels.
 // @vitest-environment happy-dom
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { NOT_LOADED } from '../../web/app/not-loaded.ts'
-import type { Outcome } from '../../web/editing/editing.ts'
-import { element, openPage, stateOf } from './page-document.ts'
-import { settled } from './turns.ts'
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { MOVEMENTS } from '../../web/app/motion/movements.ts'
+import { ENGLISH_KEYS } from '../../web/editing/key-help.ts'
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { all, buttonOf, control, controls, element, press, send, textOf } from './page-document.ts'
+import { dataSet } from './library.ts'
+import { FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
-const world = vi.hoisted(() => {
-  const done: unknown[][] = []
-  /** The results of noted functions, by their names. */
-  const results: Record<string, unknown> = {}
-  /** The arguments of the last call of each noted function. */
-  const last: Record<string, unknown[]> = {}
-  const note =
-    (name: string) =>
-    (...values: unknown[]) => {
-      done.push([name, ...values])
-      last[name] = values
-      const result = results[name]
-      return typeof result === 'function' ? result(...values) : result
-    }
-  const noted = (...names: string[]) => Object.fromEntries(names.map((name) => [name, note(name)]))
-  return { done, results, last, note, noted, parts: {} as Record<string, unknown>, isAddressNew: false }
-})
-vi.mock('../../web/player/figure.ts', () => ({
-  Figure: class {
-    readonly view = world.parts.view
-    readonly store = world.parts.store
-    readonly editing = 'editing'
-    readonly actions = world.parts.actions
-    constructor(...given: unknown[]) {
-      world.last.Figure = given
-    }
-    whenPainted() {
-      return world.results.whenPainted
-    }
-  },
-}))
-vi.mock('../../web/app/state-persistence.ts', () => ({
-  StatePersistence: class {
-    begin = world.note('begin')
-    changed = world.note('changed')
-    wasOpened = world.note('wasOpened')
-    constructor(...given: unknown[]) {
-      world.last.StatePersistence = given
-    }
-    get isAddressNew() {
-      return world.isAddressNew
-    }
-  },
-}))
-vi.mock('../../web/app/region-pen.ts', () => ({
-  RegionPen: class {
-    key = world.note('penKey')
-  },
-}))
-vi.mock('../../web/app/files/files-client.ts', () => ({ FilesClient: class {} }))
-vi.mock('../../web/app/files/file-actions.ts', () => ({
-  FileActions: class {
-    openFile = world.note('openFile')
-  },
-}))
-vi.mock('../../web/app/motion/motion.ts', () => ({ Motion: class {} }))
-vi.mock('../../web/app/motion/radii.ts', () => ({ Radii: class {} }))
-vi.mock('../../web/app/data-sets.ts', async (load) => ({ ...(await load<object>()), ...world.noted('askAhead') }))
-vi.mock('../../web/app/style-sheets.ts', () => world.noted('styleSheetsLoaded'))
-vi.mock('../../web/app/padding.ts', () => world.noted('paddingOfPage'))
-vi.mock('../../web/app/arrange.ts', () => world.noted('arrangeAround'))
-vi.mock('../../web/app/offline.ts', () => world.noted('workOffline'))
-vi.mock('../../web/app/printing.ts', () => world.noted('printDrawing'))
-vi.mock('../../web/app/motion/drift.ts', () => world.noted('driftAtStart'))
-vi.mock('../../web/app/input/clipboard.ts', () => world.noted('listenToClipboard'))
-vi.mock('../../web/app/input/dropping.ts', () => world.noted('listenToFiles'))
-vi.mock('../../web/app/input/invalid-numbers.ts', () => world.noted('restoreInvalidNumbers'))
-vi.mock('../../web/app/input/menu-key.ts', () => world.noted('listenToMenu'))
-vi.mock('../../web/app/input/tabbing.ts', () => world.noted('markTabbing'))
-vi.mock('../../web/app/panels/generate.ts', () => world.noted('mountGenerate'))
-vi.mock('../../web/app/panels/group.ts', () => world.noted('mountGroup'))
-vi.mock('../../web/app/panels/identity.ts', () => world.noted('mountIdentity'))
-vi.mock('../../web/app/panels/inspector.ts', () => world.noted('mountInspector'))
-vi.mock('../../web/app/panels/inspector-facts.ts', () => world.noted('mountInspectorFacts'))
-vi.mock('../../web/app/panels/inspector-share.ts', () => world.noted('mountInspectorShare'))
-vi.mock('../../web/app/panels/legend.ts', () => world.noted('mountLegend'))
-vi.mock('../../web/app/panels/method.ts', () => world.noted('mountMethod'))
-vi.mock('../../web/app/panels/names.ts', () => world.noted('mountNames'))
-vi.mock('../../web/app/panels/one-line.ts', () => world.noted('mountOneLine'))
-vi.mock('../../web/app/panels/panel.ts', () => world.noted('panelLater'))
-vi.mock('../../web/app/panels/progress.ts', () => world.noted('mountProgress'))
-vi.mock('../../web/app/panels/say.ts', () => world.noted('mountSay'))
-vi.mock('../../web/app/panels/scale.ts', () => world.noted('mountScale'))
-vi.mock('../../web/app/panels/status.ts', () => world.noted('mountStatus'))
-vi.mock('../../web/app/panels/table.ts', () => world.noted('mountTable'))
-vi.mock('../../web/app/panels/toolbar.ts', () => world.noted('mountToolbar'))
-vi.mock('../../web/app/panels/trial.ts', () => world.noted('mountTrial'))
-vi.mock('../../web/app/panels/view-controls.ts', () => world.noted('mountViewControls'))
-vi.mock('../../web/app/panels/help.ts', () => world.noted('showHelp'))
-vi.mock('../../web/app/panels/context-menu.ts', () => world.noted('contextMenu'))
-vi.mock('../../web/app/panels/files.ts', () => world.noted('mountFiles'))
-vi.mock('../../web/app/panels/share.ts', () => world.noted('mountShare'))
-vi.mock('../../web/app/panels/layers.ts', () => world.noted('mountLayers'))
-vi.mock('../../web/app/panels/numbers.ts', () => world.noted('mountNumbers'))
-vi.mock('../../web/app/panels/motion.ts', () => world.noted('mountMotion'))
-vi.mock('../../web/app/panels/region.ts', () => world.noted('mountRegion'))
-
-beforeEach(() => {
-  openPage()
-  element('figure').innerHTML = '<div id="first-picture"></div>'
-  world.done.length = 0
-  for (const known of [world.results, world.last]) for (const name of Object.keys(known)) delete known[name]
-  world.isAddressNew = false
-})
-afterEach(() => vi.unstubAllGlobals())
-
-/** Starts the page at an address. `kept` is its saved link. */
-async function started(
-  hash = '',
-  {
-    kept,
-    openLink = 'opened',
-    load = 'opened',
-    problem = '',
-    hasOpened = false,
-  }: {
-    readonly kept?: string
-    readonly openLink?: string
-    readonly load?: string
-    readonly problem?: string
-    readonly hasOpened?: boolean
-  } = {},
-) {
-  const { store, change } = stateOf()
-  const removed: string[] = []
-  const events = new Map<string, () => void>()
-  const address = { hash }
-  const window = new EventTarget()
-  vi.stubGlobal('location', address)
-  vi.stubGlobal('window', window)
-  Object.assign(element('first-picture'), {
-    remove() {
-      removed.push('first picture')
-      world.done.push(['remove'])
-    },
-  })
-  let paint = () => {}
-  Object.assign(world.results, {
-    begin: Promise.resolve(kept),
-    mountGenerate: { show: world.note('show'), open: 'open' },
-    mountInspector: () => world.note('editNumbers'),
-    mountMethod: () => world.note('played'),
-    whenPainted: new Promise<void>((resolve) => {
-      paint = resolve
-    }),
-    openLink: async () => {
-      if (problem !== '') change({ problem })
-      return openLink
-    },
-    load: async () => {
-      change({ problem: '' })
-      return load
-    },
-  })
-  const actions = {
-    hasOpened,
-    pen: undefined,
-    ...world.noted('openLink', 'load', 'complain', 'useTool', 'linkState', 'followColumn'),
-  }
-  world.parts = {
-    store,
-    actions,
-    view: { circles: { get: () => undefined }, on: (name: string, act: () => void) => events.set(name, act) },
-  }
-  vi.resetModules()
-  await import('../../web/app/main.ts')
-  await settled()
-  const [, options] = world.last.Figure as [
-    unknown,
-    Record<string, (...given: unknown[]) => unknown> & { keys: Record<string, (...given: unknown[]) => unknown> },
-  ]
-  const names = () => world.done.map(([name]) => name)
-  const count = (name: string) => names().filter((other) => other === name).length
-  const goTo = async (to: string) => {
-    address.hash = to
-    window.dispatchEvent(new Event('hashchange'))
-    await settled()
-  }
-  return { store, change, removed, events, paint, options, names, count, goTo, actions }
-}
+let page: Awaited<ReturnType<typeof wholePage>>
+const figure = () => element('figure')
+const status = () => textOf(element('status'))
+const said = () => (element('say').hidden ? '' : textOf(element('say')))
+const saved = () => decodeLink(location.hash.slice(1))
+const EIGHT = /^8 circles · \d+ vertices · \d+ edges · ✓ proven/
 
 describe('the first scene', () => {
-  it('is the first data set, which is asked for early and is not saved; its picture stays until it is painted', async () => {
-    const { removed, paint, options, count } = await started()
-    expect(world.done.slice(0, 2)).toEqual([['askAhead', 'start'], ['styleSheetsLoaded']])
-    expect(world.last.load).toEqual(['start'])
-    expect([count('driftAtStart'), count('openLink'), removed]).toEqual([1, 0, []])
-    expect(world.last.complain, 'no problem').toEqual([''])
-    paint()
-    await settled()
-    expect(removed).toEqual(['first picture'])
-    const outcome = {} as Outcome
-    options.onoutcome?.(outcome)
-    expect([count('changed'), world.last.followColumn]).toEqual([0, [outcome]])
-    options.onoutcome?.(outcome)
-    expect(count('changed')).toBe(1)
+  beforeEach(() => {
+    sessionStorage.clear()
+    localStorage.clear()
   })
 
-  it('selects the moving circle at its place once it is home', async () => {
-    const { change, store } = await started()
-    change({ selection: [7], selected: 7, circle: { x: 1, y: 2, r: 3 } })
-    const [, figure, onend] = world.last.driftAtStart as [unknown, unknown, () => void]
-    expect(figure).toBe(element('figure'))
-    onend()
-    expect(store.get()).toMatchObject({ selection: [7], circle: undefined })
+  it('is the first data set, which is not saved before it is changed', async () => {
+    page = await wholePage('')
+    await soon(() => expect([page.store.get().dataSet, status()]).toEqual(['start', expect.stringMatching(EIGHT)]))
+    expect(said()).toMatch(/^Every point is colored by its nearest circle\. Drag one\..*Or open a photo\.$/)
+    expect(location.hash).toBe('')
+    // The circle that moves at first returns when something is pressed.
+    const [x, y, r] = dataSet('start').slice(21, 24)
+    send(document, 'pointerdown')
+    await soon(() => expect(page.circle(7)).toEqual({ x, y, r }))
+    await page.editing.edit([{ kind: 'remove', id: 0 }])
+    await soon(async () =>
+      expect(await saved()).toMatchObject({ dataSet: 'start', edits: [{ kind: 'remove', id: 0 }] }),
+    )
+    expect(said(), 'it says what else can be done').toBe('Drag a rim to resize. Double-click to add a circle.')
   })
 
-  it('is the saved link', async () => {
-    const { count } = await started('#v1.a', { kept: 'v1.b' })
-    expect([world.last.openLink, count('load'), count('askAhead'), count('driftAtStart')]).toEqual([['v1.b'], 0, 0, 0])
-    // The picture of another scene is removed at once.
-    expect(world.done[0]).toEqual(['remove'])
-    expect(count('changed')).toBe(0)
-  })
-
-  it('is the first data set with the problem of the link that was refused', async () => {
-    const { count } = await started('#v1.a', { kept: 'v1.a', openLink: 'refused', problem: 'wrong link' })
-    expect([world.last.load, world.last.complain, count('driftAtStart')]).toEqual([['start'], ['wrong link'], 1])
-  })
-
-  it('is what the user has opened meanwhile, which is saved', async () => {
-    const { count, options, removed } = await started('', { kept: 'v1.b', hasOpened: true })
-    expect([count('openLink'), count('load'), count('changed'), removed]).toEqual([0, 0, 1, ['first picture']])
-    options.onoutcome?.({})
-    expect(count('changed')).toBe(2)
-    for (const [openLink, load, changes] of [
-      ['superseded', 'opened', 1],
-      ['refused', 'superseded', 0],
-    ] as const) {
-      world.done.length = 0
-      const other = await started('', { kept: 'v1.b', openLink, load })
-      expect([other.count('changed'), other.count('driftAtStart'), other.count('complain')]).toEqual([changes, 0, 0])
-    }
+  it('is that of a link, and the first data set with the problem of a link that is refused', async () => {
+    page = await wholePage({ circles: FIVE, layers: { hull: true }, step: 1 })
+    expect([...page.editing.circles.circles()]).toEqual([...FIVE])
+    expect([page.view.layers.hull, page.store.get().step]).toEqual([true, 1])
+    page = await wholePage('v1.wrong')
+    await soon(() => expect([page.store.get().dataSet, element('problem').hidden]).toEqual(['start', false]))
   })
 })
 
-describe('an address', () => {
-  it('is opened when it changes, and it is told whether it is shown', async () => {
-    const { goTo } = await started('#v1.a', { kept: 'v1.a' })
-    await goTo('#v1.b')
-    expect([world.last.openLink, world.last.wasOpened]).toEqual([['#v1.b'], ['#v1.b', true]])
-    world.results.openLink = async () => 'refused'
-    await goTo('#v1.c')
-    expect(world.last.wasOpened).toEqual(['#v1.c', false])
-    await goTo('')
-    expect([world.last.openLink, world.last.wasOpened]).toEqual([['#v1.c'], ['', true]])
+describe('the address', () => {
+  beforeAll(async () => {
+    page = await wholePage()
   })
 
-  it('that changes twice is told of once', async () => {
-    const { goTo, count } = await started('#v1.a', { kept: 'v1.a' })
-    const ends: ((how: string) => void)[] = []
-    world.results.openLink = () => new Promise((resolve) => ends.push(resolve))
-    await goTo('#v1.b')
-    await goTo('#v1.c')
-    ends[1]?.('opened')
-    await settled()
-    ends[0]?.('superseded')
-    await settled()
-    expect([count('wasOpened'), world.last.wasOpened]).toEqual([1, ['#v1.c', true]])
+  it('is opened when it changes, and keeps the circles if it cannot be', async () => {
+    location.hash = await encodeLink({ circles: [[7, 8, 9]] })
+    await soon(() => expect([...page.editing.circles.circles()]).toEqual([7, 8, 9]))
+    location.hash = 'v1.wrong'
+    await soon(() => expect(element('problem').hidden).toBe(false))
+    expect([...page.editing.circles.circles()]).toEqual([7, 8, 9])
+    await soon(async () => expect([...((await saved()).circles as Float64Array)]).toEqual([7, 8, 9]))
   })
 
-  it('that has changed while the page was loading is opened', async () => {
-    world.isAddressNew = true
-    const { count, names } = await started('#v1.a', { kept: 'v1.b' })
-    expect([count('openLink'), world.last.openLink, world.last.wasOpened]).toEqual([2, ['#v1.a'], ['#v1.a', true]])
-    expect(names().indexOf('workOffline')).toBeGreaterThan(names().indexOf('wasOpened'))
+  it('has the circles, the layers, the viewport and the step that are shown', async () => {
+    await page.open(FIVE)
+    page.view.setLayers({ dual: true })
+    page.actions.look({ x: 1, y: 2, span: 30 })
+    await soon(async () =>
+      expect(await saved()).toMatchObject({ layers: { dual: true }, view: { x: 1, y: 2, span: 30 } }),
+    )
+    page.actions.showStep(3)
+    await soon(async () => expect(await saved()).toMatchObject({ step: 3 }))
+    page.actions.showStep(undefined)
+    await soon(async () => expect((await saved()).step).toBeUndefined())
   })
 })
 
-it('layers, the camera and the step are saved, and nothing else that is shown', async () => {
-  const { events, change, count } = await started('#v1.a', { kept: 'v1.a' })
-  for (const name of ['layers', 'camera']) events.get(name)?.()
-  expect(count('changed')).toBe(2)
-  change({ selection: [1] })
-  expect(count('changed')).toBe(2)
-  change({ step: 3 })
-  change({ selection: [] })
-  change({ step: 4 })
-  expect(count('changed')).toBe(4)
-  const [, state] = world.last.StatePersistence as [unknown, () => unknown]
-  world.results.linkState = 'state'
-  expect(state()).toBe('state')
-  change({ dataSet: 'spruces' })
-  expect(world.last.show).toEqual(['spruces'])
-})
+describe('the tools', () => {
+  beforeAll(async () => {
+    page = await wholePage()
+  })
+  beforeEach(() => page.open(FIVE))
+  const tool = () => page.store.get().tool
 
-describe('the parts', () => {
-  it('are there before the first circles, copied circles before files', async () => {
-    const { names } = await started()
-    const before = names().slice(0, names().indexOf('begin'))
-    for (const name of [
-      ...[
-        'Generate',
-        'Toolbar',
-        'Trial',
-        'ViewControls',
-        'Status',
-        'Progress',
-        'Legend',
-        'Say',
-        'Inspector',
-        'Identity',
-      ],
-      ...['InspectorFacts', 'InspectorShare', 'Group', 'OneLine', 'Table', 'Method', 'Scale', 'Names'],
-    ]) {
-      expect(before).toContain(`mount${name}`)
-    }
-    for (const name of ['restoreInvalidNumbers', 'markTabbing', 'listenToMenu']) expect(before).toContain(name)
-    expect(before.indexOf('listenToClipboard')).toBeLessThan(before.indexOf('listenToFiles'))
-    expect([names().includes('arrangeAround'), world.last.mountToolbar?.[2]]).toEqual([true, 'open'])
+  it.each([
+    ['add', 'add'],
+    ['pan', 'pan'],
+    ['select', 'select'],
+  ])('%s is used by its button, which is pressed then', async (id, name) => {
+    element(id).click()
+    await quiet()
+    const isPressed = ['select', 'add', 'pan'].filter((other) => element(other).getAttribute('aria-pressed') === 'true')
+    expect([tool(), isPressed]).toEqual([name, [id]])
   })
 
-  it('that are loaded later are mounted with what they need', async () => {
-    const { store, options, actions } = await started()
-    const later = world.done.filter(([name]) => name === 'panelLater') as [
-      string,
-      string,
-      (problem: string) => void,
-      () => Promise<void>,
-    ][]
-    expect(later.map(([, id]) => id)).toEqual(['files', 'share', 'layers', 'numbers', 'motion', 'region'])
-    for (const [, id, complain, mount] of later) {
-      await mount()
-      complain(`no ${id}`)
-      expect(world.last.complain).toEqual([`no ${id}`])
-    }
-    const files = world.last.mountFiles?.[0]
-    expect(files).toHaveProperty('openFile')
-    expect(world.last.mountShare?.slice(0, 5)).toEqual([files, store, 'editing', world.parts.view, actions])
-    options.onstep?.(3, 8)
-    const [, , , , , motion, steps] = world.last.mountShare ?? []
-    expect((steps as () => number)()).toBe(8)
-    expect(motion).toBe(world.last.mountLayers?.[3])
-    expect(world.last.mountLayers?.slice(0, 3)).toEqual([store, actions, world.parts.view])
-    expect(world.last.mountNumbers).toEqual([store, world.parts.view])
-    expect(world.last.mountMotion).toEqual([world.last.mountLayers?.[3], world.parts.view, actions])
-    expect(world.last.mountRegion).toEqual([store, actions, files, actions.pen])
+  it('undo and redo take back and repeat, where there is something', async () => {
+    const enabled = () => ['undo', 'redo'].map((id) => element<HTMLButtonElement>(id).disabled).map((off) => !off)
+    await page.editing.edit([{ kind: 'remove', id: 0 }])
+    await quiet()
+    expect(enabled()).toEqual([true, false])
+    element('undo').click()
+    await soon(() => expect(page.editing.circles.count).toBe(5))
+    await quiet()
+    expect(enabled()[1]).toBe(true)
+    element('redo').click()
+    await soon(() => expect(page.editing.circles.count).toBe(4))
   })
 
-  it('have keys: numbers, help, the pen and the region', async () => {
-    const { options } = await started()
-    const { editNumbers, showHelp, drawKey, drawRegion } = options.keys
-    world.results.penKey = true
-    editNumbers?.()
-    expect(world.last.editNumbers).toEqual([])
-    expect([drawKey?.('Enter', 3), world.last.penKey]).toEqual([true, ['Enter', 3]])
-    drawRegion?.()
-    expect(world.last.useTool).toEqual(['draw'])
-    await showHelp?.()
-    expect(world.last.showHelp).toEqual([])
+  it('zoom in and out about the middle, and show everything', async () => {
+    const { camera } = page.view
+    element('zoom-in').click()
+    expect(page.view.camera.scale).toBeGreaterThan(camera.scale)
+    element('zoom-out').click()
+    expect(page.view.camera.scale).toBeCloseTo(camera.scale, 9)
+    page.actions.look({ x: 900, y: 0, span: 1 })
+    element('fit').click()
+    expect(page.view.camera.x).toBeCloseTo(10, 0)
+    expect(page.view.camera.scale).toBeLessThan(30)
+  })
+
+  it('have a second row on phones', () => {
+    for (const isOpen of [true, false]) {
+      element('more').click()
+      expect([element('rail').classList.contains('open'), element('more').getAttribute('aria-expanded')]).toEqual([
+        isOpen,
+        String(isOpen),
+      ])
+    }
+  })
+
+  it.each([
+    ['Enter', () => expect(document.activeElement).toBe(element('field-x'))],
+    ['p', () => expect(tool()).toBe('draw')],
+    ['?', () => soon(() => expect(element<HTMLDialogElement>('help').open).toBe(true))],
+  ])('have the key %s', async (key, check) => {
+    page.actions.select([1])
+    await quiet()
+    figure().focus()
+    send(figure(), 'keydown', { key })
+    send(figure(), 'keyup', { key })
+    await quiet()
+    await check()
+    page.actions.useTool('select')
+  })
+
+  it('are explained by the help, which a click beside it closes', async () => {
     element('show-help').click()
-    await vi.dynamicImportSettled()
-    expect(world.done.filter(([name]) => name === 'showHelp')).toHaveLength(2)
-    expect([options.played?.('flip'), world.last.played]).toEqual([undefined, ['flip']])
+    const dialog = element<HTMLDialogElement>('help')
+    await soon(() => expect(dialog.open).toBe(true))
+    const rows = all(dialog, 'dd').map((text, k) => [textOf(all(dialog, 'dt')[k]), textOf(text)])
+    const { select, edit, look } = ENGLISH_KEYS
+    for (const row of [select.next, select.neighbor, look.fit, ...Object.values(edit)]) expect(rows).toContainEqual(row)
+    dialog.querySelector('h3')?.click()
+    expect(dialog.open).toBe(true)
+    dialog.click()
+    expect(dialog.open).toBe(false)
   })
 
-  it('open the menu at a place, whose first item moves the focus to the name', async () => {
-    const { change } = await started()
-    const [figure, , selected, open] = world.last.listenToMenu as [
-      unknown,
-      unknown,
-      () => unknown,
-      (at: unknown) => Promise<void>,
-    ]
-    change({ circle: { x: 1, y: 2, r: 3 } })
-    expect([figure, selected()]).toEqual([element('figure'), { x: 1, y: 2, r: 3 }])
-    world.results.contextMenu = () => world.note('menu')
-    for (const at of [
-      { x: 1, y: 2 },
-      { x: 3, y: 4 },
-    ]) {
-      await open(at)
-      expect(world.last.menu).toEqual([at])
+  it('play the chosen method from its first step, and close the player', async () => {
+    const isOpen = () => [!element('player').hidden, element('method').getAttribute('aria-expanded')]
+    element('method').click()
+    await quiet()
+    expect([page.store.get().step, isOpen()]).toEqual([0, [true, 'true']])
+    await soon(() => expect(controls(element('played')).size).toBeGreaterThan(3))
+    const choice = element<HTMLSelectElement>('player-method')
+    expect(choice.value).toBe('touching-disc')
+    choice.value = 'auto'
+    send(choice, 'change')
+    await quiet()
+    expect(page.store.get()).toMatchObject({ step: 0, method: 'auto' })
+    for (const id of ['close-player', 'method', 'method']) {
+      element(id).click()
+      await quiet()
     }
-    expect(
-      world.done.filter(([name]) => name === 'contextMenu'),
-      'made once',
-    ).toHaveLength(1)
-    const [, , , name] = world.last.contextMenu ?? []
-    ;(name as () => void)()
-    expect(document.activeElement).toBe(element('field-name'))
+    expect([page.store.get().step, isOpen(), document.activeElement]).toEqual([
+      undefined,
+      [false, 'false'],
+      element('method'),
+    ])
+  })
+})
+
+describe('the panels', () => {
+  beforeAll(async () => {
+    page = await wholePage()
+  })
+  beforeEach(async () => {
+    page.view.setLayers(DEFAULT_LAYERS)
+    await page.open(FIVE)
   })
 
-  it('open a photo of the caption, and say that a part was not loaded', async () => {
-    await started()
-    const [, open] = world.last.mountSay as [unknown, (file: string) => Promise<void>]
-    await open('a.png')
-    expect(world.last.openFile).toEqual(['a.png'])
-    world.results.contextMenu = () => {
-      throw new Error('no network')
+  it('are opened by their buttons, one at a time, and closed by Escape', async () => {
+    for (const id of ['generate', 'files', 'layers', 'region', 'numbers', 'table', 'motion', 'share']) {
+      await page.panel(id)
+      const open = all(document.body, '.panel').filter((panel) => !panel.hidden && controls(panel).has('Close'))
+      expect([open.map((panel) => panel.id), buttonOf(id).getAttribute('aria-expanded')]).toEqual([[id], 'true'])
     }
-    const [, , , menu] = world.last.listenToMenu as [unknown, unknown, unknown, (at: unknown) => Promise<void>]
-    await menu({ x: 1, y: 2 })
-    expect(world.last.complain).toEqual([NOT_LOADED])
+    control(element('share'), 'Copy link').focus()
+    send(control(element('share'), 'Copy link'), 'keydown', { key: 'Escape' })
+    expect([element('share').hidden, document.activeElement]).toEqual([true, buttonOf('share')])
+  })
+
+  it('Motion moves circles until it is stopped, in one step of undo', async () => {
+    const panel = await page.panel('motion')
+    const checked = () => Object.values(MOVEMENTS).filter((label) => control(panel, label).checked)
+    expect(checked()).toEqual(['Bounce'])
+    const steps = page.store.get().history.done.length
+    press(panel, 'Play')
+    await soon(() => expect(page.circle(0)).not.toEqual({ x: 0, y: 0, r: 2 }))
+    expect(control(panel, 'Stop').getAttribute('aria-pressed')).toBe('true')
+    const label = MOVEMENTS.breathe
+    control(panel, label).checked = true
+    send(control(panel, label), 'change')
+    await soon(() => expect(page.circle(1)?.r).not.toBe(3))
+    press(panel, 'Stop')
+    await quiet()
+    expect([page.store.get().history.done.length - steps, checked()]).toEqual([2, [label]])
+    await page.actions.undo()
+    await page.actions.undo()
+    expect([...page.editing.circles.circles()]).toEqual([...FIVE])
+    press(panel, 'Record 6 s')
+    await soon(() => expect(page.store.get().problem).not.toBe(''))
+    if (controls(panel).has('Stop')) press(panel, 'Stop')
+  })
+
+  it('Numbers has the counts, the distributions and the proof, anew after an edit', async () => {
+    const panel = await page.panel('numbers')
+    const entries = () =>
+      Object.fromEntries(all(panel, 'dt').map((name, k) => [textOf(name), textOf(all(panel, 'dd')[k])]))
+    const captions = () => all(panel, 'figcaption').map(textOf)
+    await soon(() =>
+      expect(captions()).toEqual([
+        expect.stringMatching(/^Area of the bounded cell: [\d.]+$/),
+        'Neighbors: 3.20 on average',
+      ]),
+    )
+    expect(entries()).toEqual({ Circles: '5', Hidden: '0', Vertices: '4', Edges: '8' })
+    expect(textOf(panel.querySelector('.certificate'))).toMatch(/^Proven by a judge/)
+    await page.editing.edit([{ kind: 'remove', id: 3 }])
+    await soon(() =>
+      expect([entries().Circles, captions()[1]]).toEqual(['4', expect.stringMatching(/^Neighbors: 2\.50/)]),
+    )
+  })
+
+  it('Numbers computes once more by each way, and says how', async () => {
+    const panel = await page.panel('numbers')
+    const menu = control(panel, 'Compute once more by') as unknown as HTMLSelectElement
+    const parts = () => all(panel, 'dt').map(textOf)
+    for (const [k, part] of [
+      'Made by',
+      'Antipodal discs',
+      'Antipodal discs',
+      'Samples',
+      'Antipodal discs',
+      'Made by',
+    ].entries()) {
+      menu.selectedIndex = k
+      send(menu, 'change')
+      press(panel, 'Compute')
+      expect([textOf(panel)?.endsWith('Computing …'), control(panel, 'Compute').disabled]).toEqual([true, true])
+      await soon(() => expect(textOf(panel)).toMatch(/This one is certified, too\.$/))
+      expect(parts()).toEqual(expect.arrayContaining([part, 'Signs by doubles', 'Time in all']))
+    }
+    await page.editing.edit([{ kind: 'remove', id: 0 }])
+    await quiet()
+    expect(parts(), 'it was about former circles').not.toContain('Made by')
+  })
+
+  it('Table has a row for each circle, which is added and deleted', async () => {
+    const panel = await page.panel('table')
+    await pressed(panel, 'Add')
+    await soon(() => expect(page.editing.circles.count).toBe(6))
+    page.actions.select([0, 1])
+    await pressed(panel, 'Delete')
+    await soon(() => expect([...page.editing.circles.ids()]).toEqual([2, 3, 4, 5]))
+  })
+})
+
+describe('what is said', () => {
+  beforeAll(async () => {
+    page = await wholePage()
+  })
+
+  it('is how many circles there are, each in one or in many', async () => {
+    await page.open(Float64Array.of(0, 0, 1))
+    expect(status()).toMatch(/^1 circle · 0 vertices · 0 edges · ✓ proven/)
+    await page.open(Float64Array.of(0, 0, 9, 1, 0, 1, 30, 0, 1, 60, 0, 1))
+    expect(status()).toMatch(/^4 circles · 2 vertices · 4 edges · 1 hidden · ✓ proven/)
+    await page.open(FIVE)
+    await page.actions.setDomain({
+      region: [
+        [
+          [-9, -9],
+          [30, -9],
+          [30, 30],
+          [-9, 30],
+        ],
+      ],
+      areas: 'equal',
+    })
+    await quiet()
+    expect(status()).toMatch(/ · areas within \de-\d+ · /)
+  })
+
+  it('is the source of a data set, for a while, and how to begin without circles', async () => {
+    await page.actions.load('spruces')
+    await soon(() => expect(said()).toMatch(/^Trunks of Norway spruces.*spatstat\.data$/))
+    page.actions.select([0])
+    await soon(() => expect(said()).toBe(''))
+    await page.open(new Float64Array())
+    expect(said()).toBe('No circles.Double-click to add one, or choose a data set above.')
+    Object.assign(page.media, { matches: true })
+    page.media.dispatchEvent(new Event('change'))
+    expect(said()).toMatch(/Double-tap/)
+    Object.assign(page.media, { matches: false })
+  })
+
+  it('is a problem with its remedy, until something is opened', async () => {
+    await page.open(FIVE)
+    const problem = element('problem')
+    page.actions.complain('It broke.')
+    let isDone = false
+    page.actions.offer({ problem: 'It broke.', label: 'Mend', act: () => (isDone = true) })
+    await quiet()
+    expect([problem.hidden, textOf(problem)]).toEqual([false, 'It broke. Mend'])
+    press(problem, 'Mend')
+    expect(isDone).toBe(true)
+    page.actions.complain('It broke otherwise.')
+    await quiet()
+    expect(textOf(problem)).toBe('It broke otherwise.')
+    await page.open(FIVE)
+    expect(problem.hidden).toBe(true)
+  })
+
+  it('is the measure that colors cells, with its range or its categories', async () => {
+    const legend = () => (element('legend').hidden ? '' : textOf(element('legend')))
+    await page.open(FIVE, [{ name: 'kind', values: ['"u"', '"v"', '"u"', '"v"', '"u"'] }])
+    for (const [cells, text] of [
+      ['radius', /^Radius of the circle ?1.*4$/],
+      ['area', /^Area of the cell/],
+      ['filled', /^Share of the cell that the circle fills/],
+      ['degree', /^Number of neighbors ?3 ?3 ?3 ?4|^Number of neighbors/],
+      ['gap', /^Distance to the nearest circle/],
+      ['index', /^Number of the circle ?0.*4$/],
+      ['none', /^$/],
+    ] as const) {
+      page.view.setLayers({ cells, column: undefined })
+      await soon(() => expect(legend()).toMatch(text))
+    }
+    page.actions.colorBy('kind')
+    await soon(() => expect(legend()).toMatch(/^kind ?u ?v$/))
+    page.view.setLayers({ cells: 'radius', column: undefined })
+    await page.open(Float64Array.of(0, 0, 2, 9, 0, 2, 0, 9, 2))
+    await soon(() => expect(legend()).toBe('Radius of the circle: 2 for all'))
+    page.view.setLayers(DEFAULT_LAYERS)
+  })
+
+  it('is a length of the picture, and where the pointer is', async () => {
+    const part = (name: string) => textOf(element('scale').querySelector(`.${name}`))
+    page.view.setCamera({ x: 0, y: 0, scale: 1 })
+    await quiet()
+    expect([part('length'), element('scale').querySelector('path')?.getAttribute('d')]).toEqual([
+      '100',
+      'M1 0v6h100v-6',
+    ])
+    for (const [scale, text] of [
+      [1, '-350, 275'],
+      [20, '-17.50, 13.75'],
+      [1e-20, '-3.500000e+22, 2.750000e+22'],
+    ] as const) {
+      page.view.setCamera({ x: 0, y: 0, scale })
+      send(figure(), 'pointermove', { pointerType: 'mouse', offsetX: 50, offsetY: 25 })
+      await quiet()
+      expect(part('pointer')).toBe(text)
+    }
+    send(figure(), 'pointerleave')
+    await quiet()
+    expect(part('pointer')).toBe('')
+  })
+
+  it('is the name of the circle under the pointer', async () => {
+    await page.open(FIVE, [{ name: 'name', values: ['"Bonn"', '', '', '', ''] }])
+    const tag = element('name-tag')
+    const move = async (x: number, y: number) => {
+      const { x: offsetX, y: offsetY } = page.view.toScreen({ x, y })
+      send(figure(), 'pointermove', { pointerType: 'mouse', offsetX, offsetY })
+      await quiet()
+      return [tag.hidden, textOf(tag)]
+    }
+    expect(await move(0, 0)).toEqual([false, 'Bonn'])
+    expect(tag.style.translate).toMatch(/^[\d.]+px [\d.]+px$/)
+    expect(await move(20, 0)).toEqual([true, ''])
+  })
+
+  it('is the stage of a long opening, which can be canceled', async () => {
+    await page.open(FIVE)
+    const progress = element('progress')
+    page.actions.open(() => new Promise(() => {}))
+    await soon(() => expect([progress.hidden, textOf(progress)]).toEqual([false, 'Loading …Cancel']))
+    await pressed(progress, 'Cancel')
+    expect([progress.hidden, textOf(element('toast'))]).toEqual([true, 'Canceled. Nothing has changed.'])
+    expect([...page.editing.circles.circles()]).toEqual([...FIVE])
   })
 })

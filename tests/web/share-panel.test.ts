@@ -1,438 +1,293 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The panel for links, and its form for questions.
+// The panel Share on the whole page: what is copied, sent, saved and asked.
 // @vitest-environment happy-dom
-import { nothing, render } from 'lit/html.js'
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import type { FileActions } from '../../web/app/files/file-actions.ts'
-import { recordClip } from '../../web/app/motion/clip.ts'
-import type { Motion } from '../../web/app/motion/motion.ts'
-import type { PageActions } from '../../web/app/page-actions.ts'
-import { mountShare } from '../../web/app/panels/share.ts'
+import { unzipSync } from 'fflate'
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { KINDS } from '../../web/app/question/conditions.ts'
-import type { Editing } from '../../web/editing/editing.ts'
-import type { State } from '../../web/editing/state.ts'
-import type { LinkFrame } from '../../web/lib/link.ts'
-import { CircleTable } from '../../web/view/circle-table.ts'
-import type { CellFacts, Facts } from '../../web/view/protocol.ts'
-import type { View } from '../../web/view/view.ts'
-import {
-  buttonOf,
-  chosenOf,
-  control,
-  controls,
-  element,
-  enter,
-  limitsOf,
-  noting,
-  openPage,
-  optionsOf,
-  press,
-  stateOf,
-  textOf,
-} from './page-document.ts'
-import { settled } from './turns.ts'
+import { decodeLink, encodeLink, type LinkFrame } from '../../web/lib/link.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { all, chosenOf, control, controls, element, limitsOf, optionsOf, textOf } from './page-document.ts'
+import { outputs } from './page-outputs.ts'
+import { entered, FIVE, fetchHere, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
-vi.mock('../../web/app/motion/clip.ts', () => ({ recordClip: vi.fn() }))
-const saved = vi.hoisted(() => [] as unknown[])
-vi.mock('../../web/app/files/saving.ts', () => ({ save: (...what: unknown[]) => saved.push(what) }))
+let page: Awaited<ReturnType<typeof wholePage>>
+let out: ReturnType<typeof outputs>
+let panel: HTMLElement
+const toast = () => (element('toast').hidden ? '' : textOf(element('toast')))
 
-beforeEach(() => {
-  openPage()
-  vi.stubGlobal('navigator', {})
-  saved.length = 0
-  vi.useFakeTimers()
+beforeAll(async () => {
+  out = outputs()
+  page = await wholePage()
+  panel = await page.panel('share')
 })
-afterEach(() => {
-  vi.unstubAllGlobals()
-  vi.useRealTimers()
+beforeEach(async () => {
+  page.view.setLayers(DEFAULT_LAYERS)
+  await page.open(FIVE)
+  element('toast').hidden = true
 })
 
-const FACTS: CellFacts = {
-  x: 1.25,
-  y: -2,
-  r: 0.5,
-  hidden: false,
-  bounded: true,
-  edges: 4,
-  neighbors: [5, 2],
-  area: Number.POSITIVE_INFINITY,
-  perimeter: 9,
-}
-const factsOf = (cell: Partial<CellFacts> = {}): Facts => ({
-  circles: 3,
-  hidden: 1,
-  vertices: 7,
-  edges: 9,
-  cells: new Map([[1, { ...FACTS, ...cell }]]),
-})
-
-function mounted(frame?: LinkFrame, state: Partial<State> = {}) {
-  const done: unknown[][] = []
-  const { store, change } = stateOf(state)
-  /** The lengths that copying resolves to. */
-  const known: { length: number | undefined } = { length: 12 }
-  const copy =
-    (name: string) =>
-    async (...values: unknown[]) => {
-      done.push([name, ...values])
-      return known.length
-    }
-  const files = noting(done, {
-    copyLink: copy('copyLink'),
-    copyEmbedCode: copy('copyEmbedCode'),
-    copyElementCode: copy('copyElementCode'),
-    copyQuestion: copy('copyQuestion'),
-  })
-  const answers: ((facts: Facts) => void)[] = []
-  const asked: unknown[] = []
-  const view = {
-    ask: (_: string, ids: unknown) => {
-      asked.push(ids)
-      return new Promise((resolve) => answers.push(resolve))
-    },
-  }
-  const editing = { circles: new CircleTable(Float64Array.of(0, 0, 1, 4, 0, 1, 0, 4, 1)) }
-  const actions = noting(done, { frame })
-  mountShare(
-    files as unknown as FileActions,
-    store,
-    editing as unknown as Editing,
-    view as unknown as View,
-    actions as unknown as PageActions,
-    'motion' as unknown as Motion,
-    () => 8,
-  )
-  buttonOf('share').click()
-  const panel = element('share')
-  const answer = async (facts: Facts) => {
-    for (const act of answers.splice(0)) act(facts)
-    await settled()
-  }
-  const makeQuestion = () => press(panel, 'Make a question')
-  /** The frame that is copied now. */
-  const frameNow = async () => {
-    press(panel, 'Copy question code')
-    await settled()
-    return done.pop()?.[2]
-  }
-  return { panel, done, change, known, answers, asked, answer, actions, makeQuestion, frameNow }
+/** The address in a text, and the state that its link opens. */
+async function stateIn(text: string) {
+  const [, address = '', link = ''] = /(?:"|^)([^"#\s]*)#(v1\.[\w-]+)/.exec(text) ?? []
+  return { address, state: await decodeLink(link) }
 }
 
 describe('the panel Share', () => {
-  it.each([
-    ['Copy link', 'copyLink', 'The link'],
-    ['Copy embed code', 'copyEmbedCode', 'The code'],
-    ['Copy element', 'copyElementCode', 'The code'],
-  ])('has a button that copies: %s', async (label, name, what) => {
-    const { panel, done, known } = mounted()
-    const toast = element('toast')
-    press(panel, label)
-    await settled()
-    expect([done, textOf(toast)]).toEqual([[[name]], `${what} is in the clipboard.`])
-    known.length = 8001
-    press(panel, label)
-    await settled()
-    expect(textOf(toast)).toMatch(/It has 8,001 letters, and some programs cut long ones/)
-    known.length = undefined
-    render(nothing, toast)
-    press(panel, label)
-    await settled()
-    expect(textOf(toast), 'nothing was copied').toBe('')
+  it('copies a link that opens what is seen', async () => {
+    page.view.setLayers({ hull: true })
+    await page.editing.edit([{ kind: 'remove', id: 4 }])
+    page.actions.look({ x: 3, y: 4, span: 50 })
+    await pressed(panel, 'Copy link')
+    const { address, state } = await stateIn(await out.text())
+    expect([address, [...(state.circles as Float64Array)]]).toEqual([`${location.origin}/`, [...FIVE.slice(0, 12)]])
+    expect(state).toMatchObject({ layers: { hull: true }, view: { x: 3, y: 4, span: 50 } })
+    await soon(() => expect(toast()).toBe('The link is in the clipboard.'))
   })
 
-  it('sends a link where the browser can, and saves a card', () => {
-    expect(controls(mounted().panel).has('Send')).toBe(false)
-    vi.stubGlobal('navigator', { share() {} })
-    const { panel, done } = mounted()
-    press(panel, 'Send')
-    press(panel, 'Save a card')
-    expect(done).toEqual([['shareLink'], ['saveCard']])
+  it('copies the code of a frame, which is higher where the method is played', async () => {
+    await pressed(panel, 'Copy embed code')
+    const code = await out.text()
+    expect(code).toMatch(
+      /^<iframe src="[^"]*\/embed\.html#v1.*title="Voronoi diagram of circles".*aspect-ratio: 3 \/ 2/,
+    )
+    expect([...((await stateIn(code)).state.circles as Float64Array)]).toEqual([...FIVE])
+    page.actions.showStep(2)
+    await quiet()
+    await pressed(panel, 'Copy embed code')
+    const played = await out.text()
+    expect(played).toMatch(/aspect-ratio: 1;/)
+    expect((await stateIn(played)).state).toMatchObject({ step: 2 })
+    page.actions.showStep(undefined)
   })
 
-  it('records one clip at a time, and says what went wrong', async () => {
-    const { panel, done } = mounted()
-    const clip = () => control(panel, 'Record a clip')
-    const film = { film: 'film', ending: '.webm' } as never
-    for (const [result, expected] of [
-      [() => film, [['film', 'circles-clip.webm']]],
-      [() => undefined, []],
-      [() => Promise.reject(new Error('no video')), []],
-    ] as const) {
-      saved.length = 0
-      let end = () => {}
-      const waiting = new Promise<void>((resolve) => {
-        end = resolve
-      })
-      vi.mocked(recordClip).mockImplementation(() => waiting.then(result))
-      expect([clip().disabled, textOf(clip())]).toEqual([false, 'Clip'])
-      clip().click()
-      expect([clip().disabled, textOf(clip())]).toEqual([true, 'Recording …'])
-      end()
-      await settled()
-      expect([clip().disabled, textOf(clip())]).toEqual([false, 'Clip'])
-      expect(saved).toEqual(expected)
-    }
-    expect(done).toEqual([['complain', 'no video']])
-    expect(vi.mocked(recordClip).mock.lastCall?.slice(3)).toEqual(['motion', 8])
+  it('copies the element with the circles themselves, also of a data set', async () => {
+    await page.actions.load('start')
+    await pressed(panel, 'Copy element')
+    const code = await out.text()
+    expect(code).toMatch(
+      /^<script type="module" src="[^"]*\/element\.js"><\/script>\n<circle-voronoi src="#v1[^"]*" controls>/,
+    )
+    const { state } = await stateIn(code)
+    expect([state.dataSet, (state.circles as Float64Array).length]).toEqual([undefined, 24])
+    page.actions.showStep(0)
+    await pressed(panel, 'Copy element')
+    expect(await out.text()).toContain(' controls="player"')
+    page.actions.showStep(undefined)
+  })
+
+  it('warns of long texts, and refuses too many circles', async () => {
+    const many = (count: number) =>
+      Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.01 : (k * k) % 1009) + k / 7)
+    await page.open(many(900))
+    await pressed(panel, 'Copy link')
+    expect((await out.text()).length).toBeGreaterThan(8000)
+    await soon(() => expect(toast()).toMatch(/It has \d+,\d+ letters, and some programs cut long ones/))
+  })
+
+  it('sends the link, and the user may change their mind', async () => {
+    await pressed(panel, 'Send')
+    await soon(() => expect(out.shared).toHaveLength(1))
+    expect([...((await stateIn(out.shared[0]?.url ?? '')).state.circles as Float64Array)]).toEqual([...FIVE])
+    out.failing.share = Object.assign(new Error('closed'), { name: 'AbortError' })
+    await pressed(panel, 'Send')
+    expect(page.store.get().problem).toBe('')
+    out.failing.share = new Error('not allowed')
+    await pressed(panel, 'Send')
+    await soon(() => expect(page.store.get().problem).toBe('not allowed'))
+    out.failing.share = undefined
+  })
+
+  it('says why there is no clip in a browser that records none', async () => {
+    await pressed(panel, 'Record a clip')
+    await soon(() => expect(page.store.get().problem).toBe('This browser cannot record a video.'))
+    expect(control(panel, 'Record a clip').disabled).toBe(false)
+    expect(page.editing.circles.circles()).toEqual(FIVE)
   })
 })
 
 describe('the form for a question', () => {
-  it('begins with a condition about the selected circle, or else about the first', async () => {
-    for (const [selected, circle] of [
-      [2, '2'],
-      [undefined, '0'],
-    ] as const) {
-      const { panel, makeQuestion, asked } = mounted(undefined, { selected })
-      expect([...controls(panel).keys()].some((label) => label.startsWith('Circle of'))).toBe(false)
-      makeQuestion()
-      expect(control(panel, 'Circle of condition 1').value).toBe(circle)
-      expect(asked.at(-1)).toEqual([Number(circle)])
-      expect(control(panel, 'Make a question').getAttribute('aria-expanded')).toBe('true')
-      makeQuestion()
-      expect(control(panel, 'Make a question').getAttribute('aria-expanded')).toBe('false')
-      expect(element('make-question').hidden).toBe(true)
-      makeQuestion()
-      expect(controls(panel).has('Circle of condition 2'), 'it has one already').toBe(false)
-    }
-  })
-
-  it('sets what a link says of the frame, without what is empty', async () => {
-    const { panel, makeQuestion, frameNow } = mounted(undefined, { selected: 1 })
-    makeQuestion()
-    const longest = ['Question', 'Title', 'Description for screen readers'].map((label) =>
-      control(panel, label).getAttribute('maxlength'),
+  const toggle = () => pressed(panel, 'Make a question')
+  /** The frame that is copied now. */
+  const frameNow = async () => {
+    await pressed(panel, 'Copy question link')
+    const { title, question, check, readonly, alt, lang } = (await stateIn(await out.text())).state
+    return Object.fromEntries(
+      Object.entries({ title, question, check, readonly, alt, lang }).filter(([, value]) => value !== undefined),
     )
-    expect(longest).toEqual(['2000', '200', '200'])
-    const check = { cell: 1, edges: 3 }
-    expect(await frameNow()).toEqual({ question: 'Move the circles until the cell of circle 1 has 3 edges.', check })
-    enter(panel, 'Question', ' Which? ', ['input'])
-    enter(panel, 'Title', ' A title ', ['input'])
-    enter(panel, 'Description for screen readers', ' alt ', ['input'])
-    enter(panel, 'Readers may', 'look', ['change'])
-    enter(panel, 'Language', 'de', ['change'])
-    expect(await frameNow()).toEqual({
-      title: 'A title',
-      question: 'Which?',
-      check,
-      readonly: true,
-      alt: 'alt',
-      lang: 'de',
-    })
-    expect(chosenOf(control(panel, 'Readers may'))).toBe('only look')
-    expect(chosenOf(control(panel, 'Language'))).toBe('German')
-    expect(control(panel, 'Question').placeholder).toBe('Bewege die Kreise, bis die Zelle von Kreis 1 3 Kanten hat.')
-    for (const label of ['Question', 'Title', 'Description for screen readers']) enter(panel, label, ' ', ['input'])
-    enter(panel, 'Readers may', 'edit', ['change'])
-    enter(panel, 'Language', 'en', ['change'])
-    expect(Object.keys((await frameNow()) as object)).toEqual(['question', 'check'])
-    expect(chosenOf(control(panel, 'Language'))).toBe('English')
-    expect(chosenOf(control(panel, 'Readers may'))).toBe('edit circles')
-    press(panel, 'Remove condition 1')
+  }
+  const conditions = () => all(panel, '.condition')
+  const now = () => [textOf(element('question-now')), element('question-now').className]
+
+  beforeEach(async () => {
+    if (controls(panel).has('Question')) await toggle()
+    page.actions.select([3])
+    await quiet()
+    await toggle()
+    for (const label of ['Question', 'Title', 'Description for screen readers']) await entered(panel, label, '')
+    await entered(panel, 'Readers may', 'edit')
+    await entered(panel, 'Language', 'en')
+    while (conditions().length > 0) await pressed(panel, 'Remove condition 1')
+    await pressed(panel, 'Add a condition')
+  })
+
+  it('begins with a condition about the selected circle, or else about the first', async () => {
+    expect([conditions().length, control(panel, 'Circle of condition 1').value]).toEqual([1, '3'])
+    await pressed(panel, 'Remove condition 1')
+    expect(now()).toEqual(['Without a condition, the frame shows the text alone.', 'quiet'])
     expect(await frameNow()).toEqual({})
+    page.actions.select([])
+    await quiet()
+    await toggle()
+    expect(element('make-question').hidden).toBe(true)
+    await toggle()
+    expect(control(panel, 'Circle of condition 1').value).toBe('0')
   })
 
-  it('does with the question what its buttons say', async () => {
-    const { panel, done, makeQuestion, known } = mounted()
-    makeQuestion()
-    const frame = { check: { cell: 0, edges: 3 }, question: expect.any(String) }
-    const toast = element('toast')
-    for (const [label, said, ...call] of [
-      ['Copy question code', 'The code of the question is in the clipboard.', 'copyQuestion', 'code'],
-      ['Copy question link', 'The link of the question is in the clipboard.', 'copyQuestion', 'link'],
-      ['SCORM file', '', 'saveCourse'],
-      ['Worksheet', '', 'printWorksheet'],
-      ['Try it', '', 'openQuestion'],
-    ] as const) {
-      render(nothing, toast)
-      press(panel, label)
-      await settled()
-      expect([done.pop(), textOf(toast)]).toEqual([[...call, frame], said])
-    }
-    known.length = undefined
-    press(panel, 'Copy question link')
-    await settled()
-    expect(textOf(toast)).toBe('')
+  it('sets what a frame asks and allows, without what is empty', async () => {
+    const check = { cell: 3, edges: 3 }
+    expect(await frameNow()).toEqual({ question: 'Move the circles until the cell of circle 3 has 3 edges.', check })
+    await entered(panel, 'Question', ' Which? ')
+    await entered(panel, 'Title', ' A title ')
+    await entered(panel, 'Description for screen readers', ' alt ')
+    await entered(panel, 'Readers may', 'look')
+    await entered(panel, 'Language', 'de')
+    const frame = { title: 'A title', question: 'Which?', check, readonly: true, alt: 'alt', lang: 'de' }
+    expect(await frameNow()).toEqual(frame)
+    expect(control(panel, 'Question').placeholder).toMatch(/^Bewege die Kreise/)
+    expect(now()).toEqual(['Readers who may only look cannot solve this.', 'wrong'])
+    const longest = ['Question', 'Title', 'Description for screen readers'].map(
+      (label) => control(panel, label).maxLength,
+    )
+    expect(longest).toEqual([2000, 200, 200])
   })
 
-  it('adds conditions, of which all or one must be met, and changes and removes each alone', async () => {
-    const { panel, makeQuestion, frameNow } = mounted(undefined, { selected: 1 })
-    makeQuestion()
-    expect(controls(panel).has('How many conditions are needed')).toBe(false)
-    press(panel, 'Add a condition')
-    enter(panel, 'Circle of condition 2', '2', ['change'])
+  it('names circles by their places in the link where some are missing', async () => {
+    await page.editing.edit([{ kind: 'remove', id: 1 }])
+    await quiet()
+    expect(await frameNow()).toMatchObject({ check: { cell: 2, edges: 3 } })
+  })
+
+  it('combines conditions, and removes each alone', async () => {
+    await pressed(panel, 'Add a condition')
+    await entered(panel, 'Circle of condition 2', '2')
     const parts = [
-      { cell: 1, edges: 3 },
+      { cell: 3, edges: 3 },
       { cell: 2, edges: 3 },
     ]
     expect(await frameNow()).toMatchObject({ check: { all: parts } })
-    enter(panel, 'How many conditions are needed', 'any', ['change'])
-    expect(await frameNow()).toMatchObject({ check: { any: parts } })
-    expect(chosenOf(control(panel, 'How many conditions are needed'))).toBe('one of these is met')
-    enter(panel, 'How many conditions are needed', 'all', ['change'])
-    expect(chosenOf(control(panel, 'How many conditions are needed'))).toBe('all of these are met')
-    press(panel, 'Remove condition 1')
+    await entered(panel, 'How many conditions are needed', 'any')
+    expect(await frameNow()).toMatchObject({ check: { any: parts }, question: expect.stringMatching(/ or /) })
+    await pressed(panel, 'Remove condition 1')
     expect(await frameNow()).toMatchObject({ check: parts[1] })
   })
 
   it('has the fields of each kind of condition, and says its value now', async () => {
-    const { panel, makeQuestion, frameNow, answer } = mounted(undefined, { selected: 1 })
-    makeQuestion()
-    const now: Record<string, string> = {
+    const values: Record<string, string> = {
       'cell.edges': 'now 4',
-      'cell.neighbors': 'now 2',
-      'cell.neighbor': 'now 2, 5',
-      'cell.area': 'now infinite',
+      'cell.neighbors': 'now 4',
+      'cell.neighbor': 'now 0, 1, 2, 4',
       'cell.bounded': 'now yes',
       'cell.hidden': 'now no',
-      'cell.x': 'now 1.25',
-      'cell.y': 'now -2',
-      'cell.r': 'now 0.5',
-      circles: 'now 3',
-      hidden: 'now 1',
-      vertices: 'now 7',
-      edges: 'now 9',
+      'cell.x': 'now 10',
+      'cell.y': 'now 9',
+      'cell.r': 'now 2',
+      circles: 'now 5',
+      hidden: 'now 0',
     }
-    for (const { key, label, type, of, name } of KINDS) {
-      enter(panel, 'What condition 1 is about', key, ['change'])
-      await answer(factsOf())
-      const kinds = control(panel, 'What condition 1 is about')
-      expect([chosenOf(kinds), optionsOf(kinds)]).toEqual([label, KINDS.map(({ label }) => label)])
-      expect(panel.querySelector('.condition')?.getAttribute('aria-label')).toBe('Condition 1')
-      expect([key, textOf(panel.querySelector('.condition small'))]).toEqual([key, now[key]])
+    for (const { key, type, of, name } of KINDS) {
+      await entered(panel, 'What condition 1 is about', key)
+      const value = textOf(conditions()[0]?.querySelector('small'))
+      expect([key, value]).toEqual([key, values[key] ?? expect.stringMatching(/^now [\d.]+$/)])
       expect(controls(panel).has('Circle of condition 1')).toBe(of === 'cell')
-      const at = of === 'cell' ? { cell: 1 } : {}
+      const at = of === 'cell' ? { cell: 3 } : {}
+      const expectCheck = async (expected: unknown) =>
+        expect(await frameNow()).toMatchObject({ check: { ...at, [name]: expected } })
       if (type === 'flag') {
-        enter(panel, 'Value of condition 1', 'no', ['change'])
-        expect(await frameNow()).toMatchObject({ check: { ...at, [name]: false } })
-        expect(chosenOf(control(panel, 'Value of condition 1'))).toBe('no')
-        enter(panel, 'Value of condition 1', 'yes', ['change'])
-        expect(await frameNow()).toMatchObject({ check: { ...at, [name]: true } })
-        expect(chosenOf(control(panel, 'Value of condition 1'))).toBe('yes')
+        await entered(panel, 'Value of condition 1', 'no')
+        await expectCheck(false)
       } else if (type === 'circle') {
-        enter(panel, 'Neighbor of condition 1', '2', ['change'])
-        expect(await frameNow()).toMatchObject({ check: { ...at, [name]: 2 } })
+        await entered(panel, 'Neighbor of condition 1', '2')
+        await expectCheck(2)
       } else {
-        const comparisons = type === 'measure' ? [] : ['exactly']
-        expect(optionsOf(control(panel, 'Comparison of condition 1'))).toEqual([
-          ...comparisons,
-          'at least',
-          'at most',
-          'between',
-        ])
+        const comparisons = [...(type === 'measure' ? [] : ['exactly']), 'at least', 'at most', 'between']
+        expect(optionsOf(control(panel, 'Comparison of condition 1'))).toEqual(comparisons)
         expect(limitsOf(control(panel, 'Value of condition 1'))[2]).toBe(type === 'count' ? '1' : 'any')
-        enter(panel, 'Comparison of condition 1', 'between', ['change'])
-        enter(panel, 'Value of condition 1', '6', ['change'])
-        enter(panel, 'Upper value of condition 1', '8', ['change'])
-        expect(await frameNow()).toMatchObject({ check: { ...at, [name]: { min: 6, max: 8 } } })
-        expect(chosenOf(control(panel, 'Comparison of condition 1'))).toBe('between')
-        enter(panel, 'Comparison of condition 1', 'max', ['change'])
-        expect(await frameNow()).toMatchObject({ check: { ...at, [name]: { max: 6 } } })
-        enter(panel, 'Comparison of condition 1', type === 'measure' ? 'min' : 'is', ['change'])
+        await entered(panel, 'Comparison of condition 1', 'between')
+        await entered(panel, 'Value of condition 1', '6')
+        await entered(panel, 'Upper value of condition 1', '8', '')
+        await expectCheck({ min: 6, max: 8 })
+        await entered(panel, 'Comparison of condition 1', 'max')
+        await expectCheck({ max: 6 })
+        if (type !== 'measure') await entered(panel, 'Comparison of condition 1', 'is')
       }
     }
-    // A measure cannot be compared exactly.
-    enter(panel, 'What condition 1 is about', 'cell.area', ['change'])
-    expect(chosenOf(control(panel, 'Comparison of condition 1'))).toBe('at least')
+    await entered(panel, 'What condition 1 is about', 'cell.area')
+    expect(chosenOf(control(panel, 'Comparison of condition 1')), 'areas are not compared exactly').toBe('at least')
+    await entered(panel, 'Circle of condition 1', '0')
+    expect(textOf(conditions()[0]?.querySelector('small'))).toBe('now infinite')
   })
 
-  it('says the value of a cell without neighbors or of a circle that is hidden, and that there is no such circle', async () => {
-    const { panel, makeQuestion, answer } = mounted(undefined, { selected: 1 })
-    makeQuestion()
-    const nowOf = async (kind: string, facts: Facts) => {
-      enter(panel, 'What condition 1 is about', kind, ['change'])
-      await answer(facts)
-      return textOf(panel.querySelector('.condition small'))
-    }
-    expect(await nowOf('cell.neighbor', factsOf({ neighbors: [] }))).toBe('now none')
-    expect(await nowOf('cell.bounded', factsOf({ bounded: false }))).toBe('now no')
-    expect(await nowOf('cell.hidden', factsOf({ hidden: true }))).toBe('now yes')
-    expect(await nowOf('cell.edges', { ...factsOf(), cells: new Map() })).toBe('no such circle')
-  })
-
-  it('gives a field its number again where an invalid one was entered', async () => {
-    const { panel, makeQuestion, frameNow } = mounted(undefined, { selected: 1 })
-    makeQuestion()
-    enter(panel, 'Comparison of condition 1', 'between', ['change'])
-    const before = await frameNow()
-    for (const label of ['Circle of condition 1', 'Value of condition 1', 'Upper value of condition 1']) {
-      const field = control(panel, label)
-      const { value } = field
-      enter(panel, label, '', ['change'])
-      expect([label, field.value]).toEqual([label, value])
-    }
-    expect(await frameNow()).toEqual(before)
-    expect(limitsOf(control(panel, 'Circle of condition 1'))).toEqual(['0', null, '1'])
-  })
-
-  it('says whether there is something to do', async () => {
-    const { panel, makeQuestion, answer, frameNow } = mounted(undefined, { selected: 1 })
-    makeQuestion()
-    const now = () => [textOf(element('question-now')), [...element('question-now').classList].join()]
-    expect(now()).toEqual(['', 'quiet'])
-    await answer(factsOf())
+  it('says whether there is something to do, also after an edit', async () => {
     expect(now()).toEqual(['The circles do not meet this yet, so there is something to do.', 'quiet'])
-    enter(panel, 'Value of condition 1', '4', ['change'])
-    await answer(factsOf())
-    expect(now()).toEqual(['The circles meet this already. Move them, so that there is something to do.', 'wrong'])
-    enter(panel, 'Value of condition 1', '5', ['change'])
-    await answer(factsOf())
-    enter(panel, 'Readers may', 'look', ['change'])
-    expect(now()).toEqual(['Readers who may only look cannot solve this.', 'wrong'])
-    enter(panel, 'Circle of condition 1', '9', ['change'])
+    await entered(panel, 'Value of condition 1', '4')
+    expect(now()).toEqual([expect.stringMatching(/^The circles meet this already\./), 'wrong'])
+    await page.editing.edit([{ kind: 'remove', id: 2 }])
+    await quiet()
+    await soon(() => expect(now()[1]).toBe('quiet'))
+    await entered(panel, 'Circle of condition 1', '9')
     expect(now()).toEqual(['There is no circle 9.', 'wrong'])
-    press(panel, 'Remove condition 1')
-    expect(now()).toEqual(['Without a condition, the frame shows the text alone.', 'quiet'])
-    expect(await frameNow()).toEqual({ readonly: true })
+    expect(textOf(conditions()[0]?.querySelector('small'))).toBe('no such circle')
   })
 
-  it('drops an answer about former conditions', async () => {
-    const { panel, makeQuestion, answers } = mounted(undefined, { selected: 1 })
-    makeQuestion()
-    const [late, ...others] = answers.splice(0)
-    expect(others).toHaveLength(1)
-    enter(panel, 'Value of condition 1', '4', ['change'])
-    late?.(factsOf())
-    await settled()
-    expect(textOf(panel.querySelector('.condition small'))).toBe('')
+  it('copies, prints, packs and opens the question', async () => {
+    await entered(panel, 'Title', 'A <title>')
+    await pressed(panel, 'Copy question code')
+    const code = await out.text()
+    expect(code).toMatch(/^<iframe src="[^"]*\/embed\.html#v1.*title="A &lt;title>".*aspect-ratio: 4 \/ 3/)
+    await soon(() => expect(toast()).toBe('The code of the question is in the clipboard.'))
+    globalThis.fetch = async (address) =>
+      /\.wasm$/.test(String(address)) ? fetchHere(address as URL) : new Response('a script')
+    await pressed(panel, 'SCORM file')
+    await soon(() => expect([page.store.get().problem, out.files.length]).toEqual(['', 1]))
+    const { name, content } = await out.file()
+    expect([name, Object.keys(unzipSync(new Uint8Array(await content.arrayBuffer())))]).toEqual([
+      'question-scorm.zip',
+      expect.arrayContaining(['imsmanifest.xml']),
+    ])
+    await pressed(panel, 'Try it')
+    await soon(() => expect(out.tabs.at(-1)?.location.href).toMatch(/embed\.html#v1/))
+    const worksheet = element('worksheet')
+    let printed = ''
+    const observer = new MutationObserver(() => {
+      if (!worksheet.hidden) printed = textOf(worksheet) ?? ''
+    })
+    observer.observe(worksheet, { childList: true, attributes: true })
+    await pressed(panel, 'Worksheet')
+    await soon(() => expect(printed).toMatch(/^Name:Date:A <title>Move the circles.*Try it:/))
+    await soon(() => expect([worksheet.hidden, worksheet.childElementCount]).toEqual([true, 0]))
+    observer.disconnect()
   })
 
-  it('measures again after an edit while it is open', () => {
-    const { makeQuestion, asked, change } = mounted(undefined, { selected: 1 })
-    const edited = () => ({}) as State['edited']
-    change({ edited: edited() })
-    expect(asked).toEqual([])
-    makeQuestion()
-    const { length } = asked
-    change({ selection: [1] })
-    change({ edited: edited() })
-    change({ selection: [] })
-    expect(asked).toHaveLength(length + 2)
-  })
-
-  it('has the question of the opened link, also a check that it has no fields for, until another link is opened', async () => {
-    const check = { not: { cell: 1, edges: 3 } }
-    const frame: LinkFrame = { title: 'T', question: 'Q?', check, readonly: true, alt: 'A', lang: 'de-AT' }
-    const { panel, actions, frameNow, asked, answer } = mounted(frame)
-    await answer(factsOf())
-    expect(textOf(panel.querySelector('code'))).toBe(JSON.stringify(check))
-    expect(asked.at(-1)).toEqual([1])
-    const chosen = (...labels: string[]) => labels.map((label) => chosenOf(control(panel, label)))
-    expect(chosen('Readers may', 'Language')).toEqual(['only look', 'German'])
-    const fields = ['Question', 'Title', 'Description for screen readers']
-    expect(fields.map((label) => control(panel, label).value)).toEqual(['Q?', 'T', 'A'])
-    expect(await frameNow()).toEqual({ ...frame, lang: 'de' })
-    press(panel, 'Add a condition')
-    expect(await frameNow()).toMatchObject({ check: { all: [check, { cell: 0, edges: 3 }] } })
-    press(panel, 'Remove this condition')
-    expect(await frameNow()).toMatchObject({ check: { cell: 0, edges: 3 } })
-    const again = () => {
-      buttonOf('share').click()
-      buttonOf('share').click()
+  it('has the question of an opened link, with a condition of its own, until another one is opened', async () => {
+    const check = { cell: 1, edges: { min: 3 }, bounded: false }
+    const open = async (frame: LinkFrame) => {
+      expect(await page.actions.openLink(await encodeLink({ circles: FIVE, ...frame }))).toBe('opened')
+      await pressed(panel, 'Close')
+      panel = await page.panel('share')
     }
-    again()
-    expect(await frameNow(), 'kept').toMatchObject({ check: { cell: 0, edges: 3 }, title: 'T' })
-    actions.frame = {
+    await open({ title: 'T', question: 'Q?', check: { not: check } as never, lang: 'de-AT' }).catch(() => {})
+    await open({
+      title: 'T',
+      question: 'Q?',
+      check: { all: [check] } as never,
+      alt: 'A',
+      readonly: true,
+      lang: 'de-AT',
+    })
+    const texts = ['Question', 'Title', 'Description for screen readers'].map((label) => control(panel, label).value)
+    expect(texts).toEqual(['Q?', 'T', 'A'])
+    expect(['Readers may', 'Language'].map((label) => chosenOf(control(panel, label)))).toEqual(['only look', 'German'])
+    await open({
       title: 'Other',
       check: {
         any: [
@@ -440,30 +295,21 @@ describe('the form for a question', () => {
           { cell: 1, bounded: false },
         ],
       },
-    }
-    again()
-    expect(await frameNow()).toEqual({ ...actions.frame, question: expect.stringMatching(/ or /) })
-    await answer(factsOf())
-    const kinds = [1, 2].map((k) => `What condition ${k} is about`)
-    expect(chosen('Readers may', 'Language', 'How many conditions are needed', ...kinds)).toEqual([
-      'edit circles',
-      'English',
-      'one of these is met',
-      ...['x', 'bounded'].map((kind) => KINDS.find(({ name }) => name === kind)?.label),
-    ])
-    expect(chosen('Comparison of condition 1', 'Value of condition 2')).toEqual(['at most', 'no'])
-    actions.frame = undefined
-    again()
-    expect(await frameNow(), 'kept').toMatchObject({ title: 'Other' })
-  })
-
-  it.each([
-    [{ title: 'T' }, true],
-    [{ question: 'Q?' }, false],
-    [{ check: { circles: 3 } }, false],
-  ])('of %j is closed: %s', async (frame, isClosed) => {
-    const { answer } = mounted(frame)
-    await answer(factsOf())
-    expect(element('make-question').hidden).toBe(isClosed)
+    })
+    expect(conditions()).toHaveLength(2)
+    expect([
+      chosenOf(control(panel, 'Comparison of condition 1')),
+      chosenOf(control(panel, 'Value of condition 2')),
+      chosenOf(control(panel, 'How many conditions are needed')),
+    ]).toEqual(['at most', 'no', 'one of these is met'])
+    expect(await frameNow()).toMatchObject({
+      title: 'Other',
+      check: {
+        any: [
+          { cell: 1, x: { max: 2 } },
+          { cell: 1, bounded: false },
+        ],
+      },
+    })
   })
 })

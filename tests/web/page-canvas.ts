@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Canvases without pixels. Other tests compare pictures; these only let the page and its threads draw.
+
+/** Accepts any drawing, and keeps the properties that are set. A color in hexadecimal digits stays what it is. */
+function contextOf(canvas: object) {
+  const state: Record<PropertyKey, unknown> = { canvas }
+  return new Proxy(state, {
+    get: (_, name) =>
+      name in state ? state[name] : (...args: unknown[]) => (name === 'measureText' ? { width: 0 } : args && undefined),
+  })
+}
+
+/** The pixels of a canvas. */
+export class Bitmap {
+  constructor(
+    readonly width: number,
+    readonly height: number,
+  ) {}
+  close() {}
+}
+
+export class Canvas {
+  readonly #context = contextOf(this)
+  constructor(
+    public width: number,
+    public height: number,
+  ) {}
+  getContext() {
+    return this.#context
+  }
+  transferToImageBitmap() {
+    return new Bitmap(this.width, this.height)
+  }
+  async convertToBlob({ type }: { readonly type: string }) {
+    return new Blob([`${this.width} x ${this.height}`], { type })
+  }
+}
+
+export class Path {
+  moveTo() {}
+  lineTo() {}
+  bezierCurveTo() {}
+  arc() {}
+  closePath() {}
+  addPath() {}
+}
+
+const contexts = new WeakMap<object, object>()
+
+/** The context of an element of the page. */
+export function contextOfElement(this: HTMLCanvasElement): object {
+  const context = contexts.get(this) ?? contextOf(this)
+  contexts.set(this, context)
+  return context
+}

@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cards of the selection, the menu and the clipboard on the whole page: what is done there, and the circles afterwards.
+// @vitest-environment happy-dom
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { areasOf } from './areas-of.ts'
+import { all, control, controls, element, press, send, textOf } from './page-document.ts'
+import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
+
+let page: Awaited<ReturnType<typeof wholePage>>
+const card = () => element('inspector')
+const ids = () => [...page.editing.circles.ids()]
+const selection = () => page.store.get().selection
+const COLUMNS = [
+  { name: 'name', values: ['"Aa"', '"Bb"', '', '"Dd"', ''] },
+  { name: 'n', values: ['7', '"x"', '', '4', '5'] },
+]
+
+beforeAll(async () => {
+  page = await wholePage()
+})
+beforeEach(async () => {
+  await page.open(FIVE, COLUMNS)
+})
+
+async function select(...chosen: number[]) {
+  page.actions.select(chosen)
+  await quiet()
+}
+
+/** Does something, and expects that one step of undo takes it back. */
+async function expectOneStep(act: () => Promise<unknown>) {
+  const before = page.editing.circles.circles()
+  const steps = page.store.get().history.done.length
+  await act()
+  await quiet()
+  expect(page.store.get().history.done).toHaveLength(steps + 1)
+  await page.actions.undo()
+  await quiet()
+  expect(page.editing.circles.circles()).toEqual(before)
+}
+
+describe('the card of the selected circle', () => {
+  beforeEach(() => select(3))
+
+  it.each([
+    ['x', '12', { x: 12, y: 9, r: 2 }],
+    ['y', '-3.5', { x: 10, y: -3.5, r: 2 }],
+    ['r', '0', { x: 10, y: 9, r: 0 }],
+  ])('sets %s by its field in one step', async (label, value, expected) => {
+    await expectOneStep(async () => {
+      await entered(card(), label, value)
+      expect(page.circle(3)).toEqual(expected)
+      expect(control(card(), label).title).toBe(String(Number(value)))
+      send(control(card(), label), 'blur')
+    })
+    expect(control(card(), label).value).toBe(String({ x: 10, y: 9, r: 2 }[label as 'x']))
+  })
+
+  it('keeps a refused number with its problem until the field is left', async () => {
+    const field = control(card(), 'r')
+    field.focus()
+    await entered(card(), 'r', '-1')
+    await soon(() => expect(page.store.get().problem).toMatch(/radius|negative/))
+    await quiet()
+    expect([field.value, field.getAttribute('aria-invalid'), element('problem').hidden]).toEqual(['-1', 'true', false])
+    expect(page.circle(3)).toEqual({ x: 10, y: 9, r: 2 })
+    field.blur()
+    await quiet()
+    expect([field.value, field.getAttribute('aria-invalid'), element('problem').hidden]).toEqual(['2', 'false', true])
+  })
+
+  it('gives a field its last number again if it is left with an invalid one', async () => {
+    const field = control(card(), 'x')
+    field.focus()
+    send(field, 'focusin')
+    await entered(card(), 'x', '')
+    send(field, 'focusout')
+    field.blur()
+    await quiet()
+    expect([field.value, page.circle(3)]).toEqual(['10', { x: 10, y: 9, r: 2 }])
+  })
+
+  it('gives the focus to the figure at Escape, when it is deselected, and when its circle is deleted', async () => {
+    for (const leave of [
+      async () => send(control(card(), 'x'), 'keydown', { key: 'Escape' }),
+      async () => pressed(card(), 'Deselect'),
+      async () => page.actions.removeSelected(),
+    ]) {
+      await select(3)
+      control(card(), 'x').focus()
+      await leave()
+      await quiet()
+      expect(document.activeElement).toBe(element('figure'))
+    }
+    expect([card().hidden, ids()]).toEqual([true, [0, 1, 2, 4]])
+  })
+
+  it('has the measures of the cell, or of its part inside the region', async () => {
+    const facts = () => all(card(), '#inspector-facts dd').map((one) => Number(textOf(one)))
+    const [area] = (await areasOf(page.view, 4)).slice(3)
+    await soon(() => expect(facts()[0]).toBeCloseTo(area as number, 1))
+    expect(textOf(element('inspector-cell'))).toBe('Bounded cell, 4 neighbors')
+    await select(0)
+    await soon(() => expect(textOf(element('inspector-facts'))).toBe('Area of the cell∞ Perimeter of the cell∞'))
+    await page.actions.setDomain({
+      region: [
+        [
+          [-1, -1],
+          [1, -1],
+          [1, 1],
+          [-1, 1],
+        ],
+      ],
+    })
+    await soon(() => expect(facts()).toEqual([4, 8]))
+    expect(textOf(element('inspector-facts'))).toMatch(/^Area inside the region4 Perimeter inside the region8$/)
+  })
+
+  it('has the number of a circle with a name, and its place where numbers are missing', async () => {
+    const about = () => [element('inspector-place').hidden, textOf(element('inspector-place'))]
+    expect([textOf(element('inspector-title')), about()]).toEqual(['Dd', [false, 'Circle 3']])
+    await select(4)
+    expect([textOf(element('inspector-title')), about()]).toEqual(['Circle 4', [true, '']])
+    await page.editing.edit([{ kind: 'remove', id: 1 }])
+    await quiet()
+    expect(about()).toEqual([false, '4 of 4; numbers are not used again'])
+  })
+
+  it('has the columns of the file beside the name', async () => {
+    const data = element('inspector-data')
+    for (const [id, text] of [
+      [0, '7'],
+      [1, 'x'],
+      [2, '–'],
+    ] as const) {
+      await select(id)
+      expect([data.hidden, all(data, 'dt').map(textOf), textOf(data.querySelector('dd'))]).toEqual([false, ['n'], text])
+    }
+    await page.open(FIVE)
+    await select(0)
+    expect(data.hidden).toBe(true)
+  })
+
+  it('goes to a neighbor, which is highlighted while the pointer is on its button', async () => {
+    const chips = () => [...controls(element('inspector-neighbors')).keys()]
+    expect(chips().sort()).toEqual(['Aa', 'Bb', 'Circle 2', 'Circle 4'])
+    const chip = control(element('inspector-neighbors'), 'Bb')
+    for (const [type, hovered] of [
+      ['pointerenter', 1],
+      ['pointerleave', undefined],
+    ] as const) {
+      send(chip, type)
+      expect(page.store.get().hovered).toBe(hovered)
+    }
+    chip.focus()
+    chip.click()
+    await quiet()
+    expect(selection()).toEqual([1])
+    expect(element('inspector-neighbors').contains(document.activeElement), 'the focus stays').toBe(true)
+  })
+
+  it('has at most 500 neighbors', async () => {
+    const around = (count: number) => {
+      const angles = Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count)
+      return Float64Array.from([
+        0,
+        0,
+        90,
+        ...angles.flatMap((angle) => [100 * Math.cos(angle), 100 * Math.sin(angle), 0.1]),
+      ])
+    }
+    await page.open(around(502))
+    await select(0)
+    const chips = element('inspector-neighbors')
+    await soon(() => expect(controls(chips).size).toBe(500))
+    expect(textOf(chips.lastElementChild)).toBe('and 2 more')
+  })
+
+  it('acts on its circle by its buttons', async () => {
+    const { camera } = page.view
+    await pressed(card(), 'Zoom to')
+    expect(page.view.camera.scale).toBeGreaterThan(camera.scale)
+    await expectOneStep(async () => {
+      await pressed(card(), 'Duplicate')
+      expect([ids(), selection(), document.activeElement]).toEqual([[0, 1, 2, 3, 4, 5], [5], element('figure')])
+      expect(page.circle(5)?.r).toBe(2)
+    })
+    await select(3)
+    await expectOneStep(async () => {
+      await pressed(card(), 'Delete')
+      expect(ids()).toEqual([0, 1, 2, 4])
+    })
+  })
+})
+
+describe('the name of the selected circle', () => {
+  const name = () => control(card(), 'Name')
+  const type = (text: string) => {
+    name().value = text
+    send(name(), 'input')
+  }
+  const named = () => [0, 1, 2, 3, 4].map((id) => page.editing.nameOf(id))
+
+  it('is written when its field is left or at Enter, and taken back by Escape and undo', async () => {
+    await select(2)
+    await expectOneStep(async () => {
+      await entered(card(), 'Name', ' Cc ')
+      expect([named(), textOf(element('inspector-title'))]).toEqual([['Aa', 'Bb', 'Cc', 'Dd', ''], 'Cc'])
+    })
+    expect(named()[2]).toBe('')
+    type('Other')
+    send(name(), 'keydown', { key: 'Escape' })
+    send(name(), 'change')
+    await quiet()
+    expect([named()[2], name().value, document.activeElement]).toEqual(['', '', element('figure')])
+    type('Third')
+    send(name(), 'keydown', { key: 'Enter' })
+    send(name(), 'change')
+    await quiet()
+    expect(named()[2]).toBe('Third')
+    expect(page.store.get().history.done.at(-1)).toMatchObject({ kind: 'edits' })
+  })
+
+  it('is given to the circle for which it was begun, also if another one is selected meanwhile', async () => {
+    await select(2)
+    type('Second')
+    await page.editing.edit([{ kind: 'replace', id: 2, circle: { x: 21, y: 20, r: 1 } }])
+    await quiet()
+    expect(name().value, 'it stays while the circle moves').toBe('Second')
+    page.actions.select([4])
+    send(name(), 'change')
+    await quiet()
+    expect([named()[2], named()[4], name().value]).toEqual(['Second', '', ''])
+  })
+})
+
+describe('the color of the selection', () => {
+  it('is one step, however many are tried, and ends by the button', async () => {
+    await select(2)
+    expect(controls(card()).has('Automatic color')).toBe(false)
+    await expectOneStep(async () => {
+      for (const color of ['#111111', '#222222', '#123456']) {
+        control(card(), 'Color').value = color
+        send(control(card(), 'Color'), 'input')
+        await quiet()
+      }
+      send(control(card(), 'Color'), 'change')
+      expect([page.actions.ownColorOf(2), page.actions.ownColorOf(3)]).toEqual(['#123456', undefined])
+    })
+    await entered(card(), 'Color', '#abcdef')
+    await pressed(card(), 'Automatic color')
+    expect([page.actions.ownColorOf(2), document.activeElement]).toEqual([undefined, element('figure')])
+  })
+
+  it('of several circles is set on their card', async () => {
+    const group = element('group')
+    await select(1, 4)
+    expect([group.hidden, card().hidden, textOf(group.querySelector('h2'))]).toEqual([false, true, '2 circles'])
+    await expectOneStep(() => entered(group, 'Color', '#abcdef'))
+    await page.actions.redo()
+    expect([0, 1, 4].map((id) => page.actions.ownColorOf(id))).toEqual([undefined, '#abcdef', '#abcdef'])
+    await expectOneStep(() => pressed(group, 'Automatic color'))
+    await expectOneStep(() => pressed(group, 'Duplicate'))
+    await select(1, 4)
+    await expectOneStep(() => pressed(group, 'Delete'))
+    await select(1, 4)
+    await pressed(group, 'Deselect')
+    expect([selection(), group.hidden]).toEqual([[], true])
+    await select(1)
+    expect(group.hidden).toBe(true)
+  })
+})
+
+it('the card of a previewed circle says what it would take, or which circle hides it', async () => {
+  const trial = element('trial')
+  await page.view.tryCircle({ x: 5, y: 9, r: 0.5 })
+  await quiet()
+  expect([trial.hidden, textOf(trial)]).toEqual([
+    false,
+    expect.stringMatching(/would have the area [\d.]+, taken from .*Dd/),
+  ])
+  await page.view.tryCircle({ x: 0, y: 0, r: 0.5 })
+  await quiet()
+  expect(textOf(trial)).toContain('hidden inside Aa')
+  await page.view.tryCircle({ x: -50, y: 0, r: 0.5 })
+  await quiet()
+  expect(textOf(trial)).toMatch(/no end; taken from/)
+  await page.view.tryCircle(undefined)
+  await quiet()
+  expect(trial.hidden).toBe(true)
+})
+
+describe('the menu', () => {
+  const menu = () => element('menu')
+  const labels = () => all(menu(), 'span').map(textOf)
+  const figure = () => element('figure')
+  const pick = async (label: string) => {
+    all(menu(), 'button')[labels().indexOf(label)]?.click()
+    await quiet()
+  }
+  async function openAt(point: { readonly x: number; readonly y: number }, pressedBy = 'mouse') {
+    menu().style.left = ''
+    Object.assign(menu(), { showPopover() {}, hidePopover() {} })
+    const { x: offsetX, y: offsetY } = page.view.toScreen(point)
+    send(figure(), 'pointerdown', { pointerType: pressedBy, button: 2, pointerId: 1, offsetX, offsetY })
+    const event = send(figure(), 'contextmenu', { offsetX, offsetY })
+    if (event.defaultPrevented) await soon(() => expect(menu().style.left).not.toBe(''))
+    await quiet()
+    return event.defaultPrevented
+  }
+
+  it('of a circle selects it, unless it is selected with others, and acts on it', async () => {
+    await openAt({ x: 10, y: 9 })
+    expect([selection(), labels()]).toEqual([[3], ['Name …', 'Zoom to', 'Duplicate', 'Delete']])
+    await pick('Name …')
+    expect(document.activeElement).toBe(element('field-name'))
+    await openAt({ x: 20, y: 0 })
+    expect(selection()).toEqual([1])
+    await expectOneStep(() => pick('Delete'))
+    await select(1, 3)
+    await openAt({ x: 20, y: 0 })
+    expect([selection(), labels()]).toEqual([
+      [1, 3],
+      ['Zoom to', 'Duplicate', 'Delete'],
+    ])
+    await expectOneStep(() => pick('Duplicate'))
+  })
+
+  it('of an empty place adds a circle there, selects all, and shows everything', async () => {
+    await openAt({ x: 5, y: 12 })
+    const { camera } = page.view
+    await expectOneStep(async () => {
+      await pick('Add a circle here')
+      expect(page.circle(5)).toMatchObject({ x: expect.closeTo(5, 6), y: expect.closeTo(12, 6) })
+    })
+    await openAt({ x: 5, y: 12 })
+    await pick('Select all')
+    expect(selection()).toEqual([0, 1, 2, 3, 4])
+    page.actions.zoomAtMiddle(1)
+    expect(page.view.camera).not.toEqual(camera)
+    await openAt({ x: 5, y: 12 })
+    await pick('Show everything')
+    expect(page.view.camera).toEqual(camera)
+    expect(document.activeElement).toBe(figure())
+  })
+
+  it('is used with arrows, around its ends', async () => {
+    await openAt({ x: 10, y: 9 })
+    const buttons = all(menu(), 'button')
+    const key = (name: string) => {
+      send(menu(), 'keydown', { key: name })
+      return buttons.indexOf(document.activeElement as HTMLElement)
+    }
+    expect(['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'Delete'].map(key)).toEqual([
+      1, 2, 3, 0, 3, 3,
+    ])
+    expect(ids()).toHaveLength(5)
+  })
+
+  it('opens at the selected circle by its key, and not after a long press', async () => {
+    await select(1)
+    expect(await openAt({ x: 5, y: 12 }, 'touch')).toBe(false)
+    send(figure(), 'keydown', { key: 'ContextMenu' })
+    send(figure(), 'contextmenu', { offsetX: 0, offsetY: 0 })
+    const { x, y } = page.view.toScreen({ x: 20, y: 0 })
+    await soon(() => expect(Number.parseFloat(menu().style.left)).toBeCloseTo(x, 3))
+    expect(Number.parseFloat(menu().style.top)).toBeCloseTo(y, 3)
+  })
+})
+
+describe('the clipboard', () => {
+  /** Data that is copied or pasted. */
+  const dataOf = (known: Record<string, string> = {}) => ({
+    known,
+    files: [] as File[],
+    setData: (type: string, text: string) => {
+      known[type] = text
+    },
+    getData: (type: string) => known[type] ?? '',
+  })
+  const clipboard = (type: string, clipboardData = dataOf(), target: Element = element('figure')) => {
+    const event = send(target, type, { clipboardData })
+    return { isTaken: event.defaultPrevented, known: clipboardData.known }
+  }
+
+  it('has the selected circles as lines of numbers, and gives them back each time farther aside', async () => {
+    await select(1, 3)
+    const { known } = clipboard('copy')
+    expect(known['text/plain']).toBe('20\t0\t3\n10\t9\t2\n')
+    const places: number[] = []
+    for (let k = 0; k < 2; k++) {
+      await expectOneStep(async () => {
+        expect(clipboard('paste', dataOf(known)).isTaken).toBe(true)
+        await soon(() => expect(ids()).toHaveLength(7))
+        places.push(page.circle(ids()[5] as number)?.x as number)
+      })
+    }
+    expect((places[1] as number) - 20).toBeCloseTo(2 * ((places[0] as number) - 20), 6)
+    await select(1, 3)
+    await expectOneStep(async () => {
+      clipboard('cut')
+      await soon(() => expect(ids()).toEqual([0, 2, 4]))
+    })
+  })
+
+  it('is left to the browser in a field, and where no circle is selected', async () => {
+    expect(clipboard('copy').isTaken).toBe(false)
+    await select(1)
+    expect(clipboard('copy', dataOf(), element('field-name')).isTaken).toBe(false)
+    expect(clipboard('paste', dataOf({ 'text/plain': '1 2 3' }), element('field-name')).isTaken).toBe(false)
+    expect(clipboard('paste').isTaken).toBe(false)
+  })
+
+  it.each(['', '[]', '{}', '[[1,2]]', '[[1,2,"3"]]', '[[1,2,null]]', '[1,2,3]', 'circles'])(
+    'with %j in the format of the page pastes nothing',
+    async (text) => {
+      expect(clipboard('paste', dataOf({ 'application/x-circle-voronoi': text })).isTaken).toBe(false)
+      await quiet()
+      expect(ids()).toHaveLength(5)
+    },
+  )
+
+  it('adds the circles of a text, or replaces all by them', async () => {
+    await expectOneStep(async () => {
+      expect(clipboard('paste', dataOf({ 'text/plain': 'x,y,r,name\n50,50,1,New\n60,60,2,Newer\n' })).isTaken).toBe(
+        true,
+      )
+      await soon(() => expect(textOf(element('toast'))).toMatch(/^2 circles were added, without the columns name\./))
+      expect(page.circle(6)).toEqual({ x: 60, y: 60, r: 2 })
+    })
+    await page.actions.redo()
+    press(element('toast'), 'Replace all circles instead')
+    await soon(() => expect(ids()).toEqual([0, 1]))
+    expect(page.editing.nameOf(1)).toBe('Newer')
+  })
+})
+
+it('on a phone, a card is one line from the press of a finger until a tap', async () => {
+  document.body.classList.remove('one-line')
+  await select(3)
+  const touch = (type: string, clientX: number, pointerType = 'touch') => {
+    send(element('figure'), type, {
+      pointerType,
+      pointerId: 1,
+      button: 0,
+      clientX,
+      clientY: 0,
+      offsetX: 790,
+      offsetY: 5,
+    })
+    return document.body.classList.contains('one-line')
+  }
+  expect([touch('pointerdown', 0, 'mouse'), touch('pointerup', 0, 'mouse')]).toEqual([false, false])
+  expect([touch('pointerdown', 0), touch('pointerup', 4)]).toEqual([true, true])
+  expect([touch('pointerdown', 0), touch('pointerup', 3.9)]).toEqual([true, false])
+  for (const id of ['inspector', 'group']) {
+    touch('pointerdown', 0)
+    element(id).click()
+    expect(document.body.classList.contains('one-line')).toBe(false)
+    touch('pointerup', 0)
+  }
+})
+
+it('the focus is marked while Tab moves it, until a pointer is pressed', () => {
+  const marked = (type: string, more = {}) => {
+    send(window, type, more)
+    return document.body.classList.contains('tabbing')
+  }
+  expect([marked('keydown', { key: 'a' }), marked('keydown', { key: 'Tab' }), marked('pointerdown')]).toEqual([
+    false,
+    true,
+    false,
+  ])
+})

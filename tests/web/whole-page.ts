@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole page with its threads, without a browser. Nothing of the project is replaced, and canvases have no pixels.
+import { readFile } from 'node:fs/promises'
+import { expect, vi } from 'vitest'
+import type { PageActions } from '../../web/app/page-actions.ts'
+import type { Editing } from '../../web/editing/editing.ts'
+import type { State } from '../../web/editing/state.ts'
+import type { Store } from '../../web/editing/store.ts'
+import { encodeLink, type LinkAttributes, type LinkInput } from '../../web/lib/link.ts'
+import type { View } from '../../web/view/view.ts'
+import { Canvas, contextOfElement, Path } from './page-canvas.ts'
+import { buttonOf, control, controls, element, measure, openPage, send } from './page-document.ts'
+import { ThreadHere } from './page-threads.ts'
+
+/** The size of the figure in pixels. */
+export const SIZE = { width: 800, height: 600 }
+/** Five circles apart from one another. Circle 3 has a bounded cell. */
+export const FIVE = Float64Array.of(0, 0, 2, 20, 0, 3, 20, 20, 1, 10, 9, 2, 0, 20, 4)
+
+/** Waits until a check passes, with short intervals. */
+export const soon = <Value>(check: () => Value | Promise<Value>) => vi.waitFor(check, { timeout: Number(process.env.SOON ?? 40_000), interval: 4 })
+
+/** Waits until no message is under way between the page and its threads, and everything is drawn. */
+export async function quiet(): Promise<void> {
+  for (let frames = 0; frames < 3; frames++) {
+    await new Promise((resolve) => requestAnimationFrame(resolve))
+    if (ThreadHere.isBusy) frames = 0
+  }
+}
+
+/** Waits for a control by the beginning of its accessible name. */
+export const found = (within: Element, name: string) =>
+  soon(() => {
+    const names = [...controls(within).keys()]
+    return control(within, names.includes(name) ? name : (names.find((other) => other.startsWith(name)) ?? name))
+  })
+
+/** Presses a control, and waits for what follows. */
+export async function pressed(within: Element, ...names: readonly string[]): Promise<void> {
+  for (const name of names) {
+    const button = await found(within, name)
+    button.click()
+    await quiet()
+  }
+}
+
+/** Enters a value as a user does who leaves the field, and waits for what follows. */
+export async function entered(within: Element, name: string, ...values: readonly string[]): Promise<void> {
+  const field = await found(within, name)
+  for (const value of values) {
+    field.value = value
+    for (const type of ['input', 'change']) send(field, type)
+    await quiet()
+  }
+}
+
+/** Answers a request for a data set or WebAssembly by the file. */
+export async function fetchHere(address: URL | string): Promise<Response> {
+  const { pathname } = new URL(address)
+  const name = pathname.split('/').at(-1) as string
+  const folder = { 'families.wasm': 'web/app/generated', 'printed.wasm': 'web/tutorial/generated' }[name]
+  const file = `${name.endsWith('.wasm') ? (folder ?? 'web/lib/generated') : 'public/data'}/${name}`
+  try {
+    return new Response(await readFile(file))
+  } catch {
+    return new Response(null, { status: 404 })
+  }
+}
+
+let listening = new AbortController()
+const listen = window.addEventListener.bind(window)
+
+/** Provides an empty page with what happy-dom lacks. */
+export function surround() {
+  const { media } = openPage()
+  ThreadHere.endAll()
+  const surroundings = { Worker: ThreadHere, OffscreenCanvas: Canvas, Path2D: Path, fetch: fetchHere }
+  Object.assign(globalThis, surroundings)
+  HTMLCanvasElement.prototype.getContext = contextOfElement as never
+  listening.abort()
+  listening = new AbortController()
+  const { signal } = listening
+  window.addEventListener = (type: string, listener: EventListener, options?: object) =>
+    listen(type, listener, { signal, ...options })
+  measure(element('figure'), { clientWidth: SIZE.width, clientHeight: SIZE.height })
+  return { media }
+}
+
+/** Starts the page, at a link, and returns what its controls act on once `main.ts` has run. */
+export async function wholePage(link: LinkInput | string = { circles: FIVE }) {
+  vi.resetModules()
+  const { media } = surround()
+  const hash = typeof link === 'string' ? link : await encodeLink(link)
+  history.replaceState(null, '', hash === '' ? location.pathname : `#${hash}`)
+  const { PageActions } = await import('../../web/app/page-actions.ts')
+  const opened = vi.spyOn(PageActions.prototype, 'open')
+  await import('../../web/app/main.ts')
+  const actions = opened.mock.contexts[0] as unknown as PageActions & Parts
+  opened.mockRestore()
+  const { store, editing, view } = actions
+  /** Opens circles with columns of a file. */
+  const open = async (circles: Float64Array<ArrayBuffer>, columns: LinkAttributes['columns'] = []) => {
+    const attributes = { columns, ids: [], heights: [], collection: '' }
+    const how = await actions.open(async () => ({ circles, dataSet: '', isEdited: false, attributes }))
+    expect([how, store.get().problem]).toEqual(['opened', ''])
+    await quiet()
+  }
+  /** Opens a panel by its button. */
+  const panel = async (id: string) => {
+    if (element(id).hidden) buttonOf(id).click()
+    await soon(() => expect(controls(element(id)).has('Close')).toBe(true))
+    await quiet()
+    return element(id)
+  }
+  const circle = (id: number) => editing.circles.get(id)
+  return { media, actions, store, editing, view, open, panel, circle }
+}
+
+/** The parts of the page, which its actions keep for themselves. */
+interface Parts {
+  readonly store: Store<State>
+  readonly editing: Editing
+  readonly view: View
+}
