@@ -344,8 +344,8 @@ describe('the menu of circles', () => {
 
   it('offers another random sample of a family alone', async () => {
     const again = element('again')
-    await page.actions.load('uniform:7:20')
-    await soon(() => expect(again.hidden).toBe(false))
+    expect(await page.actions.load('uniform:7:20')).toBe('opened')
+    await soon(() => expect([page.store.get().dataSet, again.hidden]).toEqual(['uniform:7:20', false]))
     again.click()
     await soon(() => expect(page.store.get().dataSet).toMatch(/^uniform:(?!7:)\d+:20$/))
     await page.actions.load('spruces')

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A figure with its thread in the hands of a random user: afterwards it equals a new figure of the same circles, and its
+// history leads back to the start.
+// @vitest-environment happy-dom
+import fc from 'fast-check'
+import { beforeAll, expect, it } from 'vitest'
+import { EditorActions } from '../../web/editing/editor-actions.ts'
+import type { Circle } from '../../web/lib/index.ts'
+import { Figure } from '../../web/player/figure.ts'
+import { NO_PADDING } from '../../web/view/camera.ts'
+import { type Domain, NO_DOMAIN } from '../../web/view/domain.ts'
+import { make, measure, send } from './page-document.ts'
+import { FIVE, quiet, surround } from './whole-page.ts'
+
+const SIZE = { width: 400, height: 300 }
+const SCENES = [
+  FIVE,
+  new Float64Array(),
+  Float64Array.of(3, 4, 0),
+  // Two equal circles, and a hidden one.
+  Float64Array.of(0, 0, 2, 0, 0, 2, 0, 1, 0.5, 9, 0, 1),
+  // A grid has ties.
+  Float64Array.from({ length: 48 }, (_, k) => [((k / 3) % 4) | 0, (k / 12) | 0, 0.3][k % 3] as number),
+]
+const DOMAINS: readonly Domain[] = [
+  NO_DOMAIN,
+  {
+    region: [
+      [
+        [-5, -5],
+        [15, -5],
+        [15, 15],
+        [-5, 15],
+      ],
+    ],
+    areas: undefined,
+  },
+  {
+    region: [
+      [
+        [-30, -30],
+        [30, -30],
+        [0, 40],
+      ],
+    ],
+    areas: undefined,
+  },
+  { region: undefined, lattice: { a: [40, 0], b: [3, 45] }, areas: undefined },
+]
+const KEYS = ['Delete', 'ArrowLeft', 'ArrowUp', '+', '-', 'Tab', 'Enter', 'Escape', 'v', 'a', 'h', '0', 'f', 'x']
+const COMMANDS = ['a', 'd', 'z', 'y', 'Z']
+
+const x = fc.integer({ min: 0, max: SIZE.width })
+const y = fc.integer({ min: 0, max: SIZE.height })
+/** Small numbers with ties, and invalid radii. */
+const circle = fc.record({
+  x: fc.integer({ min: -5, max: 25 }),
+  y: fc.integer({ min: -5, max: 25 }),
+  r: fc.constantFrom(0, 0.5, 2, 2, 7, -1, Number.NaN),
+})
+/** Whether the next action waits for this one. */
+const waits = fc.boolean()
+const keyAction = (keys: readonly string[], ctrlKey: boolean) =>
+  fc.record({
+    kind: fc.constant('key'),
+    key: fc.constantFrom(...keys),
+    shiftKey: fc.boolean(),
+    ctrlKey: fc.constant(ctrlKey),
+    waits,
+  })
+const action = fc.oneof(
+  {
+    weight: 4,
+    arbitrary: fc.record({
+      kind: fc.constant('drag'),
+      from: fc.tuple(x, y),
+      through: fc.array(fc.tuple(x, y), { minLength: 1, maxLength: 3 }),
+      end: fc.constantFrom('pointerup', 'pointerup', 'pointercancel', 'Escape'),
+      pointerType: fc.constantFrom('mouse', 'touch'),
+      shiftKey: fc.boolean(),
+      waits,
+    }),
+  },
+  fc.record({ kind: fc.constant('click'), at: fc.tuple(x, y), shiftKey: fc.boolean(), waits }),
+  fc.record({ kind: fc.constant('dblclick'), at: fc.tuple(x, y), waits }),
+  { weight: 3, arbitrary: keyAction(KEYS, false) },
+  { weight: 3, arbitrary: keyAction(COMMANDS, true) },
+  fc.record({ kind: fc.constant('type'), which: fc.nat(9), circle, waits }),
+  fc.record({ kind: fc.constant('open'), scene: fc.nat(SCENES.length - 1), waits }),
+  fc.record({ kind: fc.constant('domain'), domain: fc.nat(DOMAINS.length - 1), waits }),
+  fc.record({ kind: fc.constant('play'), step: fc.option(fc.nat(30), { nil: undefined }), waits }),
+)
+type Action = typeof action extends fc.Arbitrary<infer Value> ? Value : never
+
+function newFigure(): Figure & { readonly element: HTMLElement } {
+  const element = document.body.appendChild(make('div', { tabIndex: 0 }))
+  measure(element, { clientWidth: SIZE.width, clientHeight: SIZE.height })
+  const [player, said] = [make('div'), make('p')]
+  document.body.append(player, said)
+  const figure = new Figure(
+    { figure: element, around: element, player, said },
+    {
+      actions: (store, editing, view) => new EditorActions(store, editing, view, () => NO_PADDING),
+      onoutcome() {},
+      played: (method) => ({ method: method === 'auto' ? 'auto' : 'touching-disc' }),
+    },
+  )
+  return Object.assign(figure, { element })
+}
+
+const pointer = (pointerType: string, [offsetX, offsetY]: readonly [number, number], shiftKey: boolean) => ({
+  pointerId: 1,
+  button: 0,
+  pointerType,
+  offsetX,
+  offsetY,
+  shiftKey,
+})
+
+async function act(figure: ReturnType<typeof newFigure>, action: Action): Promise<void> {
+  const { element, actions, editing } = figure
+  let done: Promise<unknown> | undefined
+  switch (action.kind) {
+    case 'drag': {
+      const { from, through, end, pointerType, shiftKey } = action as Extract<Action, { from: unknown }>
+      send(element, 'pointerdown', pointer(pointerType, from, shiftKey))
+      for (const point of through) {
+        send(element, 'pointermove', pointer(pointerType, point, shiftKey))
+        if (action.waits) await quiet()
+      }
+      if (end === 'Escape') send(element, 'keydown', { key: 'Escape' })
+      send(element, end === 'pointercancel' ? end : 'pointerup', pointer(pointerType, through.at(-1) ?? from, shiftKey))
+      break
+    }
+    case 'click': {
+      const { at, shiftKey } = action as Extract<Action, { at: unknown; shiftKey: unknown }>
+      for (const type of ['pointerdown', 'pointerup']) send(element, type, pointer('mouse', at, shiftKey))
+      break
+    }
+    case 'dblclick':
+      send(element, 'dblclick', pointer('mouse', (action as Extract<Action, { at: unknown }>).at, false))
+      break
+    case 'key':
+      for (const type of ['keydown', 'keyup']) send(element, type, action)
+      break
+    case 'type': {
+      const { which, circle } = action as Extract<Action, { which: unknown }>
+      const ids = [...editing.circles.ids()]
+      const id = ids[which % ids.length]
+      if (id !== undefined) actions.set([{ id, circle: circle as Circle }])
+      break
+    }
+    case 'open': {
+      const circles = SCENES[(action as Extract<Action, { scene: unknown }>).scene] as (typeof SCENES)[number]
+      done = actions.open(async () => ({ circles: circles.slice(), dataSet: '', isEdited: false }))
+      break
+    }
+    case 'domain':
+      done = actions.setDomain(DOMAINS[(action as Extract<Action, { domain: unknown }>).domain] as Domain)
+      break
+    case 'play':
+      actions.showStep((action as Extract<Action, { step: unknown }>).step as number | undefined)
+  }
+  if (action.waits) {
+    await done
+    await quiet()
+  }
+}
+
+/** A sum, whose last digits depend on the order of its parts. */
+const rounded = (value: number) => Number(value.toPrecision(9))
+
+/** The circles and everything that is known of their diagram, in the order of the circles. */
+async function contentOf({ editing, view, store }: Figure) {
+  const ids = [...editing.circles.ids()]
+  const placeOf = (id: number) => ids.indexOf(id)
+  const told = await view.ask('tell', ids)
+  const cells = ids.map((id) => {
+    const cell = told?.cells.get(id)
+    if (cell === undefined) return undefined
+    const neighbors = [...cell.neighbors].map(placeOf).sort((a, b) => a - b)
+    return { ...cell, neighbors, area: rounded(cell.area), perimeter: rounded(cell.perimeter) }
+  })
+  const { region, lattice } = editing.domain
+  const { counts } = store.get().edited ?? {}
+  return { circles: [...editing.circles.circles()], counts, region, lattice, facts: { ...told, cells } }
+}
+
+const stateOf = ({ editing }: Figure) => [[...editing.circles.circles()], editing.domain.region, editing.domain.lattice]
+
+beforeAll(() => {
+  surround()
+  document.body.innerHTML = ''
+})
+
+async function play(script: readonly Action[]): Promise<void> {
+  const figure = newFigure()
+  const other = newFigure()
+  try {
+    await figure.open({ circles: FIVE.slice(), dataSet: '', isEdited: false })
+    const start = stateOf(figure)
+    for (const action of script) await act(figure, action)
+    // Edits that wait are made first.
+    await figure.editing.edit([])
+    figure.actions.showStep(undefined)
+    await quiet()
+    const end = stateOf(figure)
+    const { domain } = figure.editing
+    await other.open({ circles: figure.editing.circles.circles(), dataSet: '', isEdited: false, domain })
+    await quiet()
+    expect(await contentOf(figure)).toEqual(await contentOf(other))
+    const { store, actions } = figure
+    const steps = store.get().history.done.length
+    while (store.get().history.done.length > 0) await actions.undo()
+    expect(stateOf(figure)).toEqual(start)
+    for (let k = 0; k < steps; k++) await actions.redo()
+    expect(stateOf(figure)).toEqual(end)
+  } finally {
+    figure.dispose()
+    other.dispose()
+  }
+}
+
+it('a figure after any gestures, keys, openings, regions and steps equals a new one, and undo leads back to its start', async () => {
+  await fc.assert(
+    fc.asyncProperty(fc.array(action, { minLength: 1, maxLength: 12 }), (script) => play(script)),
+    { numRuns: 30 },
+  )
+}, 300_000)
