@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What leaves the page: saved files, the clipboard, other tabs, shared links and printed pages.
+import { Bitmap } from './page-canvas.ts'
 import { soon } from './whole-page.ts'
 
 /** Collects what leaves the page. */
@@ -26,6 +27,7 @@ export function outputs() {
         this.parts = parts
       }
     },
+    createImageBitmap: async () => new Bitmap(1, 1),
     print: () => setTimeout(() => window.dispatchEvent(new Event('afterprint'))),
   }
   Object.assign(globalThis, surroundings)

@@ -97,6 +97,13 @@ describe('the panel Share', () => {
     out.failing.share = undefined
   })
 
+  it('saves a card of all circles in the size that other sites show', async () => {
+    page.view.setCamera({ x: 900, y: 900, scale: 100 })
+    await pressed(panel, 'Save a card')
+    const { name, type, text } = await out.file()
+    expect([name, type, text]).toEqual(['circles-card.png', 'image/png', '1200 x 630'])
+  })
+
   it('says why there is no clip in a browser that records none', async () => {
     await pressed(panel, 'Record a clip')
     await soon(() => expect(page.store.get().problem).toBe('This browser cannot record a video.'))
