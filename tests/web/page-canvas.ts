@@ -12,19 +12,23 @@ function contextOf(canvas: object) {
 
 /** The pixels of a canvas. */
 export class Bitmap {
-  constructor(
-    readonly width: number,
-    readonly height: number,
-  ) {}
+  readonly width: number
+  readonly height: number
+  constructor(width: number, height: number) {
+    this.width = width
+    this.height = height
+  }
   close() {}
 }
 
 export class Canvas {
   readonly #context = contextOf(this)
-  constructor(
-    public width: number,
-    public height: number,
-  ) {}
+  width: number
+  height: number
+  constructor(width: number, height: number) {
+    this.width = width
+    this.height = height
+  }
   getContext() {
     return this.#context
   }

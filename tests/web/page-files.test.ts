@@ -344,7 +344,7 @@ describe('the menu of circles', () => {
 
   it('offers another random sample of a family alone', async () => {
     const again = element('again')
-    expect(await page.actions.load('uniform:7:20')).toBe('opened')
+    await page.actions.generate({ kind: 'family', family: 'uniform', seed: 7, count: 20 })
     await soon(() => expect([page.store.get().dataSet, again.hidden]).toEqual(['uniform:7:20', false]))
     again.click()
     await soon(() => expect(page.store.get().dataSet).toMatch(/^uniform:(?!7:)\d+:20$/))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What leaves the page: saved files, the clipboard, other tabs, shared links and printed pages.
+// Collects saved files, copied texts, other tabs, shared links and printed pages.
 import { Bitmap } from './page-canvas.ts'
 import { soon } from './whole-page.ts'
 

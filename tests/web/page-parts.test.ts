@@ -37,12 +37,10 @@ it('a number field that is left with an invalid number gets its own last valid o
   const [first, second] = fields as [HTMLInputElement, HTMLInputElement]
   first.value = '4'
   send(first, 'change')
-  for (const value of ['-1', '']) {
-    first.value = value
-    second.value = '-1'
-    for (const field of fields) send(field, 'focusout')
-    expect([first.value, second.value]).toEqual(['4', '2'])
-  }
+  for (const field of fields) field.value = '-1'
+  send(first, 'change')
+  for (const field of fields) send(field, 'focusout')
+  expect([first.value, second.value]).toEqual(['4', '2'])
 })
 
 it('a thumbnail has the circles in its middle, small ones large enough to be seen, and none that is huge or outside', () => {

@@ -349,7 +349,7 @@ describe('the menu', () => {
     const buttons = all(menu(), 'button')
     const key = (name: string) => {
       send(menu(), 'keydown', { key: name })
-      return buttons.indexOf(document.activeElement as HTMLElement)
+      return buttons.findIndex((button) => button === document.activeElement)
     }
     expect(['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'Delete'].map(key)).toEqual([
       1, 2, 3, 0, 3, 3,

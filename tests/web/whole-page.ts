@@ -3,10 +3,11 @@
 import { readFile } from 'node:fs/promises'
 import { expect, vi } from 'vitest'
 import type { PageActions } from '../../web/app/page-actions.ts'
+import type { Attributes } from '../../web/editing/attributes.ts'
 import type { Editing } from '../../web/editing/editing.ts'
 import type { State } from '../../web/editing/state.ts'
 import type { Store } from '../../web/editing/store.ts'
-import { encodeLink, type LinkAttributes, type LinkInput } from '../../web/lib/link.ts'
+import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import type { View } from '../../web/view/view.ts'
 import { Canvas, contextOfElement, Path } from './page-canvas.ts'
 import { buttonOf, control, controls, element, measure, openPage, send } from './page-document.ts'
@@ -18,8 +19,7 @@ export const SIZE = { width: 800, height: 600 }
 export const FIVE = Float64Array.of(0, 0, 2, 20, 0, 3, 20, 20, 1, 10, 9, 2, 0, 20, 4)
 
 /** Waits until a check passes, with short intervals. */
-export const soon = <Value>(check: () => Value | Promise<Value>) =>
-  vi.waitFor(check, { timeout: 40_000, interval: 4 })
+export const soon = <Value>(check: () => Value | Promise<Value>) => vi.waitFor(check, { timeout: 40_000, interval: 4 })
 
 /** Waits until no message is under way between the page and its threads, and everything is drawn. */
 export async function quiet(): Promise<void> {
@@ -81,8 +81,11 @@ export function surround() {
   listening.abort()
   listening = new AbortController()
   const { signal } = listening
-  window.addEventListener = (type: string, listener: EventListener, options?: object) =>
-    listen(type, listener, { signal, ...options })
+  window.addEventListener = (
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ) => listen(type, listener, { signal, ...(typeof options === 'object' ? options : { capture: options === true }) })
   measure(element('figure'), { clientWidth: SIZE.width, clientHeight: SIZE.height })
   return { media }
 }
@@ -100,7 +103,7 @@ export async function wholePage(link: LinkInput | string = { circles: FIVE }) {
   opened.mockRestore()
   const { store, editing, view } = actions
   /** Opens circles with columns of a file. */
-  const open = async (circles: Float64Array<ArrayBuffer>, columns: LinkAttributes['columns'] = []) => {
+  const open = async (circles: Float64Array<ArrayBuffer>, columns: Attributes['columns'] = []) => {
     const attributes = { columns, ids: [], heights: [], collection: '' }
     const how = await actions.open(async () => ({ circles, dataSet: '', isEdited: false, attributes }))
     expect([how, store.get().problem]).toEqual(['opened', ''])
