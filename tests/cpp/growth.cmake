@@ -9,7 +9,9 @@ add_executable(circle_voronoi_growth_tests
   growth.cpp
   growth_clip_test.cpp
   growth_compute_test.cpp
+  growth_files_test.cpp
   growth_region_queries_test.cpp
+  growth_regions_test.cpp
   growth_edit_test.cpp
   growth_query_test.cpp
   region_shapes.cpp

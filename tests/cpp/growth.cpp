@@ -19,7 +19,6 @@ namespace circle_voronoi::test {
 namespace {
 
 constexpr std::size_t kFactor = 4;
-constexpr double kMostGrowth = 5;
 
 std::mt19937_64 randomFor(std::size_t size) { return std::mt19937_64(size); }
 
@@ -133,20 +132,25 @@ std::ostream& operator<<(std::ostream& out, const Promise& promise) {
 }
 
 void expectGrowth(const Promise& promise) {
-  const auto stepsAt = [&](const GrowthFamily& family, std::size_t size) {
-    return static_cast<double>(stepsOf(promise.prepare(family.make(size))));
-  };
   for (const GrowthFamily& family : promise.families) {
-    SCOPED_TRACE(family.name);
-    const double few = stepsAt(family, promise.size);
-    const double many = stepsAt(family, kFactor * promise.size);
-    // Where there is next to nothing to do, a few steps more are no growth.
-    const auto size = static_cast<double>(promise.size);
-    const double growth = many / std::max(few, size);
-    std::cout << std::fixed << std::setprecision(1) << std::setw(10) << family.name << std::setw(12) << few / size
-              << std::setw(8) << growth << std::endl;
-    EXPECT_LE(growth, kMostGrowth);
+    expectGrowth(
+        family.name, promise.size,
+        [&](std::size_t size) { return static_cast<double>(stepsOf(promise.prepare(family.make(size)))); },
+        promise.mostGrowth);
   }
+}
+
+void expectGrowth(std::string_view input, std::size_t size, const std::function<double(std::size_t size)>& stepsAt,
+                  double mostGrowth) {
+  SCOPED_TRACE(input);
+  const double few = stepsAt(size);
+  const double many = stepsAt(kFactor * size);
+  // Where there is next to nothing to do, a few steps more are no growth.
+  const auto unit = static_cast<double>(size);
+  const double growth = many / std::max(few, unit);
+  std::cout << std::fixed << std::setprecision(1) << std::setw(24) << input << std::setw(12) << few / unit
+            << std::setw(8) << growth << std::endl;
+  EXPECT_LE(growth, mostGrowth);
 }
 
 }  // namespace circle_voronoi::test
