@@ -1,666 +1,668 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each function names itself, the argument and the allowed options in the error about a wrong argument.
-import { describe, expect, it, vi } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
-import { loadFiles } from '../../web/lib/files.ts'
-import {
-  bisector,
-  circleAt,
-  clearestPath,
-  clipCurve,
-  closestPair,
-  convexHull,
-  cubicBeziers,
-  type Diagram,
-  DiagramSnapshot,
-  edgeAt,
-  edgeCurve,
-  largestEmptyDiscCenteredIn,
-  largestEmptyDiscCenteredInHull,
-  largestEmptyDiscInside,
-  loadCircleVoronoi,
-  mergeVertices,
-  outlineArea,
-  outlineCentroid,
-  outlinePerimeter,
-  PeriodicDiagram,
-  parameterAt,
-  pointAt,
-  polyline,
-  rationalBezier,
-  SvgPath,
-  traceArc,
-  vertexAt,
-} from '../../web/lib/index.ts'
-import { encodeLink } from '../../web/lib/link.ts'
-import { loadRegions } from '../../web/lib/regions.ts'
+// Every public function refuses wrong arguments by a code, and by the index of a circle where there is one. The calls are
+// generated from one table: right arguments, and the kind of each, which has the wrong values.
+import { afterAll, describe, expect, it, vi } from 'vitest'
+import * as comparisons from '../../web/lib/comparison.ts'
+import * as fileFunctions from '../../web/lib/files.ts'
+import * as index from '../../web/lib/index.ts'
+import { CircleVoronoiError, ConvexPolygon, type ErrorCode, type Lattice, SvgPath } from '../../web/lib/index.ts'
+import * as links from '../../web/lib/link.ts'
+import * as regionFunctions from '../../web/lib/regions.ts'
 import { EditorClient } from '../../web/lib/threads/editor-client.ts'
-import { createWorker } from '../../web/lib/worker.ts'
-import { useThreads } from './fake-threads.ts'
+import * as workers from '../../web/lib/worker.ts'
 import { library } from './library.ts'
 
-vi.mock('../../web/lib/threads/thread.ts', () => import('./fake-threads.ts'))
-
-type Act = (...args: unknown[]) => unknown
-type Methods = Readonly<Record<string, Act>>
-
-/** Removes the types of methods, as in a program without them. */
-const untyped = (value: object) => value as unknown as Methods
-const bound = (value: object, name: string): Act => (untyped(value)[name] as Act).bind(value)
-/** The methods of a value by their names. */
-const methods = (value: object, names: readonly string[]) => names.map((name) => [name, bound(value, name)] as const)
+vi.stubGlobal(
+  'Worker',
+  class {
+    postMessage() {}
+    terminate() {}
+  },
+)
+afterAll(() => vi.unstubAllGlobals())
 
 const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 const BOX = [-5, -5, 10, 10] as const
+const NESTED = Float64Array.of(1, 2, 3, 1, 2, 4)
+const LATTICE = { a: [9, 0], b: [0, 9] } as const
+const SINK = new SvgPath()
+const P = { x: 3, y: 0 }
+const POLYGON = [P, { x: 9, y: 0 }, { x: 9, y: 9 }]
 const diagram = library.compute(CIRCLES)
-const { computeComparison } = await loadComparison({ library })
-const power = computeComparison(CIRCLES, 'power')
-const periodic = library.computePeriodic(CIRCLES, { a: [9, 0], b: [0, 9] })
-const IMAGES = periodic.circleOf.length
+const comparison = await comparisons.loadComparison({ library })
+const power = comparison.computeComparison(CIRCLES, 'power')
+const periodic = library.computePeriodic(CIRCLES, LATTICE)
 const editor = library.edit(CIRCLES)
+const snapshot = editor.snapshot()
 const trace = library.trace(CIRCLES)
-const regions = await loadRegions()
-const region = regions.region([
-  [
-    [0, 0],
-    [9, 0],
-    [0, 9],
-  ],
-])
-const files = await loadFiles()
-useThreads(() => ({ post() {}, keepAlive() {}, terminate() {} }))
-const client = new EditorClient({} as never, false, () => {})
-const worker = createWorker()
-const curve = edgeCurve(diagram, 0)
-const [arc] = clipCurve(curve, { bounds: BOX })
+const regions = await regionFunctions.loadRegions()
+const region = regions.region([POLYGON.map(({ x, y }) => [x, y])])
+const files = await fileFunctions.loadFiles()
+const worker = workers.createWorker()
+const client = new EditorClient({} as WebAssembly.Module, false, () => {})
+const curve = index.edgeCurve(diagram, 0)
+const [arc] = index.clipCurve(curve, { bounds: BOX })
 
-/** The message of the error that a call throws or rejects with. */
-async function messageOf(act: () => unknown): Promise<string> {
-  try {
-    await act()
-  } catch (error) {
-    expect(error).toMatchObject({ name: 'CircleVoronoiError', code: expect.stringMatching(/^bad(Input|Option)$/) })
-    return (error as Error).message
-  }
-  return 'There was no error.'
+/** A wrong value, the code of its error, and the index of the circle that the error names. */
+type Wrong = readonly [value: unknown, code: ErrorCode, circle?: number | undefined]
+
+const bad = (code: ErrorCode, ...values: readonly unknown[]): Wrong[] => values.map((value) => [value, code])
+const input = (...values: readonly unknown[]) => bad('badInput', ...values)
+const option = (...values: readonly unknown[]) => bad('badOption', ...values)
+
+const NO_NUMBERS = ['0', null, {}, [1], true]
+const indexOf = (count: number) => input(...NO_NUMBERS, undefined, count, -1, 0.5, Number.NaN, Infinity)
+const id = [...input(...NO_NUMBERS, undefined), ...bad('unknownCircle', 0.5, -2, 2 ** 31, Number.NaN)]
+/** Changes one number of three circles. */
+const changed = (place: number, value: unknown) => Array.from(CIRCLES, (old, k) => (k === place ? value : old))
+const rows = (numbers: readonly unknown[]) => [0, 3, 6].map((k) => numbers.slice(k, k + 3))
+/** Circles of which one is wrong, in all forms that lists have. */
+const wrongCircles = (code: ErrorCode, circle: number, place: number, value: unknown): Wrong[] =>
+  [Float64Array.from(changed(place, value) as number[]), rows(changed(place, value))].map((list) => [
+    list,
+    code,
+    circle,
+  ])
+const noCircles: readonly Wrong[] = [
+  ...input(5, 'x', {}, new Float64Array(4), new Float32Array(5)),
+  [[[0, 0, 1], [5, 5], []], 'badInput', 1],
+  [[0, 0, 1], 'badInput', 0],
+  [[null], 'badInput', 0],
+  [new Array(3), 'badInput', 0],
+  [rows(changed(7, '8')), 'badInput', 2],
+  [rows(changed(5, undefined)), 'badInput', 1],
+  ...wrongCircles('nonFinite', 1, 4, Number.NaN),
+  ...wrongCircles('nonFinite', 0, 2, Infinity),
+  ...wrongCircles('coordinateTooLarge', 2, 6, -1e29),
+]
+const negative = wrongCircles('negativeRadius', 1, 5, -1)
+const oneCircle = (own: number | undefined): Wrong[] => [
+  ...[5, 'x', null, undefined, [1, 2], { x: 1, y: 2 }, ['0', 0, 1]].map((circle) => [circle, 'badInput', own] as const),
+  [[0, Number.NaN, 1], 'nonFinite', own],
+  [[0, 0, -1], 'negativeRadius', own],
+  [[0, 1e29, 1], 'coordinateTooLarge', own],
+]
+/** Lists of numbers, written as texts. Numbers in quotation marks stay texts. */
+const lists = (text: string) =>
+  text.split(';').map((list) =>
+    list
+      .trim()
+      .split(' ')
+      .map((item) => (item.startsWith("'") ? item.slice(1, -1) : Number(item))),
+  )
+const boxes = lists(
+  "0 0 9 0; 0 0 0 9; 9 0 0 9; 0 9 9 0; 0 0 9 NaN; 0 0 9 3e30; -3e30 0 9 9; 0 0 9; 0 0 9 9 9; '0' '0' '9' '9'",
+)
+const sides = boxes.filter(({ length }) => length === 4).map(([minX, minY, maxX, maxY]) => ({ minX, minY, maxX, maxY }))
+const things = ['x', 5, null, undefined, {}, []]
+const STAR = lists('1 0; -0.8 0.6; 0.3 -0.95; 0.3 0.95; -0.8 -0.6').map(([x, y]) => ({ x, y }))
+const KNOWN = { box: { minX: 0, minY: 0, maxX: 1, maxY: 1 }, maxRadius: 1 }
+const JSON_FILE = JSON.stringify(diagram)
+const badLattices = [lists('9 0; 0'), lists('9 0 0; 0 9'), lists("9 0; 0 '9'"), ['ab', [0, 9]]].map(([a, b]) => ({
+  a,
+  b,
+}))
+const wrongBoxes = Object.keys(KNOWN.box).map((side) => ({ box: { ...KNOWN.box, [side]: '0' }, maxRadius: 1 }))
+
+/** The right value of each kind of arguments, and the wrong ones. */
+const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readonly Wrong[]]>> = {
+  circle: [0, indexOf(3)],
+  otherCircle: [1, indexOf(3)],
+  edge: [0, indexOf(3)],
+  vertex: [0, indexOf(1)],
+  image: [0, indexOf(periodic.circleOf.length)],
+  event: [0, indexOf(trace.length)],
+  events: [0, input(...NO_NUMBERS, undefined, -1, 0.5, trace.length + 1)],
+  id: [0, id],
+  knownId: [0, [...id, [99, 'unknownCircle', 99]]],
+  // Numbers that are no index have no cell, and those that are no id have no circle.
+  number: [1, input(...NO_NUMBERS, undefined)],
+  hint: [0, input(...NO_NUMBERS)],
+  length: [1, input(...NO_NUMBERS, Number.NaN)],
+  above0: [1, input(...NO_NUMBERS, undefined, Number.NaN, 0, -1, Infinity)],
+  circles: [CIRCLES, [...noCircles, ...negative]],
+  sent: [CIRCLES, []],
+  weights: [CIRCLES, noCircles],
+  newCircle: [[3, 3, 1], oneCircle(undefined)],
+  circle0: [[0, 0, 2], oneCircle(0)],
+  array: [CIRCLES, input(...things, new Float64Array(4))],
+  data: [diagram, input(...things)],
+  diagram: [diagram, input(...things, { ...diagram }, power)],
+  snapshotData: [snapshot, input(...things, diagram)],
+  periodicData: [periodic, input(...things, diagram)],
+  curve: [curve, input(...things)],
+  arc: [arc, input(...things, { ...arc, start: undefined }, { ...arc, end: undefined })],
+  bisector: [curve.bisector, input(...things, curve)],
+  outline: [[], input('x', 5, null, undefined, {}, [5])],
+  sink: [SINK, []],
+  point: [P, input(...things, [3, 0], { x: 1 }, { y: 1 }, { x: Infinity, y: 1 })],
+  points: [[1, 2], input(...things.slice(0, 5), [1], new Float64Array(3), lists('1 2; 3 4'), ['0', '1'])],
+  corners: [POLYGON, option(undefined, 5, {}, [P], STAR)],
+  lattice: [LATTICE, input(5, 'x', { a: [9, 0] }, { b: [0, 9] }, ...badLattices)],
+  circleText: ['1,2,3', input(5, null, undefined, {}, [])],
+  diagramText: [JSON_FILE, input(5, null, undefined, {}, [])],
+  edits: [
+    [],
+    [
+      ...input(5, undefined, {}, [null], [{ move: 3 }], [{ kind: 'move', id: 0 }], [{ kind: 'remove', id: '0' }]),
+      ...input([{ kind: 'replace', circle: [0, 0, 1] }], [{ kind: 'insert', circle: [0, 0, 1], id: '0' }]),
+      ...bad('unknownCircle', [{ kind: 'remove', id: 0.5 }], [{ kind: 'insert', circle: [0, 0, 1], id: -1 }]),
+      [[{ kind: 'replace', id: 2, circle: [0, 0, -1] }], 'negativeRadius', 2],
+      [[{ kind: 'insert', circle: [0, 0] }], 'badInput'],
+    ],
+  ],
+  change: [undefined, input(undefined, 5, {})],
+  sites: [lists('5 1'), [...input(5, {}, 'x'), [lists('1 1; 1'), 'badInput', 1], [lists("1 1; 1 '1'"), 'badInput', 1]]],
+  areas: [[27], input(5, '12', ['1'], [undefined], new Array(1))],
+  shape: [[POLYGON.map(({ x, y }) => [x, y])], option(7, null, undefined, 'x', {})],
+  metric: ['power', option('x', 5, undefined)],
+  known: [KNOWN, input(5, undefined, {}, { box: KNOWN.box }, { maxRadius: 1 }, ...wrongBoxes)],
 }
 
-const CIRCLE = 'the index of a circle'
-const EDGE = 'the index of an edge'
-const ID = 'the id of a circle'
+/** The wrong values of each option, or of each kind of options. */
+const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
+  any: [],
+  bounds: option(5, null, 'x', {}, ...boxes, ...sides),
+  region: option(5, [], {}, 'x', null),
+  maxDistance: option('1', Number.NaN, Infinity, 2 ** 101, null),
+  anyDistance: option(1),
+  tolerance: option(0, -1, Number.NaN, Infinity, '1', null),
+  digits: option(-1, 0.5, Number.NaN, '3', null),
+  context: option({}, 5, 'x'),
+  truth: option(1, 'true', null),
+  function: option(1, 'x', null),
+  samples: option(-1, 0.5, 2 ** 31, null, '3', Number.NaN),
+  choice: option('x', 1, null),
+  // A worker leaves it to its thread to know the names.
+  name: option(1, null),
+  nextId: option(-1, 0.5, 2 ** 31, '3', null),
+  ids: option(5, [-1], [0.5], [2 ** 31], ['0']),
+  count: option(0.5, 2 ** 31, '1', Number.NaN, null),
+  number: option('1', null),
+  lattice: ARGUMENTS.lattice?.[1] ?? [],
+  startWeights: [...input(5, ['1'], 'x'), ...option([1, 2], [])],
+  edits: input(5, {}, [null], [{ kind: 'move', id: 0 }]),
+  signal: option({}, 5, 'now'),
+  format: option('pdf', 5),
+  wasm: option(5, null, () => {}),
+  library: option(5, {}, null, { compute: 5 }),
+}
 
-/** Calls with right arguments, and the names of those that are numbers. */
-const NUMBERS: readonly (readonly [name: string, act: Act, args: readonly unknown[], names: readonly string[]])[] = [
-  ...methods(diagram, ['cell', 'neighbors', 'cellPath', 'cellPolygon', 'cellOutline']).map(
-    ([name, act]) => [name, act, [0], [CIRCLE]] as const,
+type Act = (...args: readonly unknown[]) => unknown
+/** A function with the kinds of its arguments, and of its options by their names. */
+interface Row {
+  readonly name: string
+  readonly act: Act
+  readonly args: readonly (readonly [right: unknown, wrong: readonly Wrong[]])[]
+  /** `undefined` if a further argument is ignored. */
+  readonly options: Readonly<Record<string, readonly Wrong[]>> | undefined
+  /** Options that each call needs. */
+  readonly needed: readonly object[]
+  /** Whether a thread answers. */
+  readonly isLater: boolean
+}
+
+/**
+ * Describes a function of an object. Kinds of arguments are separated by spaces. An option is of the kind of its name, or
+ * of another one after a colon. `none`: the function has no options, and says so.
+ */
+function row(owner: object, name: string, args = '', options?: string, needed?: object): Row {
+  const found = (owner as Readonly<Record<string, Act>>)[name] as Act
+  const words = (text: string) => text.split(' ').filter((word) => word !== '' && word !== 'none')
+  const kinds = words(options ?? '').map((word) => word.split(':'))
+  return {
+    name,
+    act: found.bind(owner),
+    args: words(args).map((kind) => ARGUMENTS[kind] as Row['args'][0]),
+    options:
+      options === undefined
+        ? undefined
+        : Object.fromEntries(kinds.map(([name = '', kind = name]) => [name, OPTIONS[kind] as readonly Wrong[]])),
+    needed: needed === undefined ? [] : [needed],
+    isLater: owner === client || owner === worker,
+  }
+}
+
+const LIMITS = 'bounds region maxDistance'
+const POLYGONS = `${LIMITS} tolerance`
+const DRAWING = `${POLYGONS} context digits`
+const FINDING = 'x:function y:function r:function'
+const METHODS = 'method:choice candidates:choice'
+const COMPUTING = 'weights:truth samples resample:truth progress:function'
+const EDITING = 'weights:truth ids nextId'
+const FITTING =
+  'region lattice shares:truth tolerance:number maxSteps:count relax:count weights:startWeights onStep:function signal'
+const READING = 'name:any weights:any points:any x:any y:any radius:any id:any skipInvalid:any'
+const IN_THREAD = `${COMPUTING} ${FINDING} method:name candidates:name signal`
+
+/** Methods with limits of cells. */
+const LIMITED: readonly (readonly [name: string, args: string, options: string])[] = [
+  ...['neighbors', 'cellOutline', 'cellArea', 'cellCentroid', 'cellPerimeter'].map(
+    (name) => [name, 'circle', LIMITS] as const,
   ),
-  ...methods(diagram, ['cellArea', 'cellCentroid', 'cellPerimeter']).map(
-    ([name, act]) => [name, act, [0], [CIRCLE]] as const,
-  ),
-  ['edgePath', bound(diagram, 'edgePath'), [0], [EDGE]],
-  ['contains', bound(diagram, 'contains'), [0, 1, 1], [CIRCLE, 'x', 'y']],
-  ['find', bound(diagram, 'find'), [1, 1, 0], ['x', 'y', 'hint']],
-  ...methods(periodic, ['neighbors', 'cellPath', 'cellPolygon', 'cellArea', 'cellCentroid', 'cellPerimeter']).map(
-    ([name, act]) => [name, act, [0], [CIRCLE]] as const,
-  ),
-  ['contains', bound(periodic, 'contains'), [0, 1, 1], [CIRCLE, 'x', 'y']],
-  ['find', bound(periodic, 'find'), [1, 1], ['x', 'y']],
-  ['imageFrom', bound(periodic, 'imageFrom'), [0, 1], [CIRCLE, CIRCLE]],
-  ...[editor, client].flatMap(
-    (edited) =>
-      [
-        ['insert', bound(edited, 'insert'), [[0, 0, 1], 0], ['', 'hint']],
-        ['remove', bound(edited, 'remove'), [0], [ID]],
-        ['replace', bound(edited, 'replace'), [0, [0, 0, 1]], [ID]],
-        ['nearest', bound(edited, 'nearest'), [1, 1, 0], ['x', 'y', 'hint']],
-        ['circle', bound(edited, 'circle'), [0], [ID]],
-        ['isHidden', bound(edited, 'isHidden'), [0], [ID]],
-        ['apply', (id: unknown) => bound(edited, 'apply')([{ kind: 'insert', circle: [0, 0, 1], id }]), [0], [ID]],
-        ['apply', (id: unknown) => bound(edited, 'apply')([{ kind: 'remove', id }]), [0], [ID]],
-        ['apply', (id: unknown) => bound(edited, 'apply')([{ kind: 'replace', id, circle: [0, 0, 1] }]), [0], [ID]],
-      ] as const,
-  ),
-  ['indexOf', bound(editor.snapshot(), 'indexOf'), [0], [ID]],
-  ['event', bound(trace, 'event'), [0], ['the index of an event']],
-  ['at', bound(trace, 'at'), [0], ['the number of events']],
-  ['circleAt', circleAt as Act, [CIRCLES, 0], ['', CIRCLE]],
-  ['vertexAt', vertexAt as Act, [diagram, 0], ['', 'the index of a vertex']],
-  ['edgeAt', edgeAt as Act, [diagram, 0], ['', EDGE]],
-  ['edgeCurve', edgeCurve as Act, [diagram, 0], ['', EDGE]],
-  ['bisector', bisector as Act, [CIRCLES, 0, 1], ['', CIRCLE, CIRCLE]],
-  ['parameterAt', parameterAt as Act, [curve.bisector, 1, 1], ['', 'x', 'y']],
-  ['cubicBeziers', cubicBeziers as Act, [arc, 1], ['', 'tolerance']],
-  ['polyline', polyline as Act, [arc, 1], ['', 'tolerance']],
-  ['traceArc', traceArc as Act, [new SvgPath(), arc, 1], ['', '', 'tolerance']],
-  ['mergeVertices', mergeVertices as Act, [diagram, 1], ['', 'nearZero']],
-  ['contains', bound(region, 'contains'), [1, 1], ['x', 'y']],
+  ...['cellAreas', 'cellCentroids', 'cellPerimeters'].map((name) => [name, '', LIMITS] as const),
+  ['cellPath', 'circle', DRAWING],
+  ['edgePath', 'edge', DRAWING],
+  ['render', '', DRAWING],
+  ['renderBounds', '', DRAWING],
+  ['cellPolygon', 'circle', POLYGONS],
 ]
 
-describe('a text in place of a number', () => {
-  it.each(NUMBERS)('%s', async (name, act, args, names) => {
-    for (const [k, argument] of names.entries()) {
-      if (argument === '') continue
-      expect(await messageOf(() => act(...args.with(k, '0')))).toBe(`${name} takes a number as ${argument}, not "0".`)
-    }
-  })
-})
-
-/** Functions of an index, the kind of thing that it counts, and how many of them there are. */
-const INDICES: readonly (readonly [name: string, act: (index: number) => unknown, thing: string, count: number])[] = [
-  ...methods(diagram, ['neighbors', 'contains', 'cellPath', 'cellPolygon', 'cellOutline', 'cellArea']).map(
-    ([name, act]) => [name, act, 'circle', 3] as const,
+const ROWS: readonly Row[] = [
+  ...LIMITED.map(([name, args, options]) => row(diagram, name, args, options)),
+  ...LIMITED.map(([name, args, options]) => row(power, name, args, options.replace(/maxDistance/, '$&:anyDistance'))),
+  row(diagram, 'cell', 'number', 'none'),
+  row(diagram, 'renderCircles', '', 'context digits'),
+  row(diagram, 'renderDual', '', 'context digits'),
+  row(diagram, 'renderHull', '', 'context digits region tolerance', { region }),
+  row(diagram, 'hullPolygon', '', 'region tolerance'),
+  row({ cellPolygon: (options?: object) => diagram.cellPolygons(options).next() }, 'cellPolygon', '', POLYGONS),
+  row(diagram, 'contains', 'circle number number', 'none'),
+  row(diagram, 'find', 'number number hint'),
+  row(diagram, 'findAll', 'points', 'none'),
+  ...['neighbors', 'cellArea', 'cellCentroid', 'cellPerimeter'].map((name) => row(periodic, name, 'circle', 'none')),
+  row(periodic, 'cellPath', 'circle', DRAWING),
+  row(periodic, 'cellPolygon', 'circle', POLYGONS),
+  row(periodic, 'contains', 'circle number number', 'none'),
+  row(periodic, 'find', 'number number', 'none'),
+  row(periodic, 'imageFrom', 'image image'),
+  row(periodic, 'contacts', '', 'none'),
+  ...[editor, client].flatMap((edited) => [
+    row(edited, 'insert', 'newCircle hint'),
+    row(edited, 'remove', edited === editor ? 'knownId' : 'id'),
+    row(edited, 'replace', `${edited === editor ? 'knownId' : 'id'} circle0`),
+    row(edited, 'apply', 'edits'),
+    row(edited, 'nearest', 'number number hint'),
+    row(edited, 'circle', 'id'),
+    row(edited, 'isHidden', 'id'),
+  ]),
+  row(snapshot, 'indexOf', 'number'),
+  row(snapshot, 'apply', 'change'),
+  row(trace, 'event', 'event'),
+  row(trace, 'at', 'events'),
+  row(library, 'compute', 'circles', `${COMPUTING} ${METHODS} ${FINDING}`),
+  row(library, 'compute', 'weights', `${COMPUTING} ${METHODS} ${FINDING}`, { weights: true }),
+  row(library, 'computePeriodic', 'circles lattice', `${COMPUTING} ${METHODS} ${FINDING}`),
+  row(library, 'trace', 'circles', `${COMPUTING} ${METHODS} edits`),
+  row(library, 'edit', 'circles', EDITING),
+  row(library, 'certify', 'data', 'none'),
+  row(library, 'finalCells', 'data known'),
+  row(worker, 'compute', 'sent', IN_THREAD),
+  row(worker, 'computePeriodic', 'sent lattice', IN_THREAD),
+  row(worker, 'edit', 'sent', EDITING),
+  row(worker, 'fitAreas', 'sites areas', FITTING, { region }),
+  row(regions, 'fitAreas', 'sites areas', FITTING, { region }),
+  row(regions, 'region', 'shape', 'dissolve:truth'),
+  row(region, 'contains', 'number number'),
+  row(comparison, 'computeComparison', 'circles metric'),
+  row(files, 'readCircles', 'circleText', READING),
+  row(files, 'readCircleFile', 'circleText', READING),
+  row(files, 'readDiagram', 'diagramText', 'name:any'),
+  row(files, 'readDiagramFile', 'diagramText', 'name:any'),
+  row(files, 'holdsDiagram', 'diagramText'),
+  row(files, 'writeCircles', 'weights', 'format attributes:any'),
+  row(files, 'writeDiagram', 'data', `${POLYGONS} format digits attributes:any`, { format: 'svg' }),
+  row(index, 'circleAt', 'array circle'),
+  row(index, 'vertexAt', 'data vertex'),
+  row(index, 'edgeAt', 'data edge'),
+  row(index, 'edgeCurve', 'data edge'),
+  row(index, 'mergeVertices', 'data length'),
+  row(index, 'convexHull', 'data', 'none'),
+  row(index, 'closestPair', 'data', 'none'),
+  row(index, 'largestEmptyDiscCenteredInHull', 'diagram', 'none'),
+  row(index, 'largestEmptyDiscCenteredIn', 'diagram', 'bounds region', { bounds: BOX }),
+  row(index, 'largestEmptyDiscInside', 'diagram', 'bounds region', { bounds: BOX }),
+  row(index, 'clearestPath', 'diagram point point', 'bounds region'),
+  row(index, 'bisector', 'array circle otherCircle'),
+  row(index, 'pointAt', 'bisector above0'),
+  row(index, 'parameterAt', 'bisector number number'),
+  row(index, 'clipCurve', 'curve', 'bounds', { bounds: BOX }),
+  row(index, 'rationalBezier', 'arc'),
+  row(index, 'cubicBeziers', 'arc length'),
+  row(index, 'polyline', 'arc length'),
+  row(index, 'traceArc', 'sink arc length'),
+  ...['outlineArea', 'outlineCentroid', 'outlinePerimeter'].map((name) => row(index, name, 'outline')),
+  row(ConvexPolygon, 'from', 'corners'),
+  row({ 'new Diagram': (data: index.Diagram) => new index.Diagram(data) }, 'new Diagram', 'data'),
+  row(
+    { 'new DiagramSnapshot': (data: index.DiagramSnapshot) => new index.DiagramSnapshot(data) },
+    'new DiagramSnapshot',
+    'snapshotData',
   ),
-  ...methods(diagram, ['cellCentroid', 'cellPerimeter']).map(([name, act]) => [name, act, 'circle', 3] as const),
-  ['edgePath', bound(diagram, 'edgePath'), 'edge', 3],
-  ...methods(periodic, ['neighbors', 'contains', 'cellPath', 'cellPolygon', 'cellArea', 'cellCentroid']).map(
-    ([name, act]) => [name, act, 'circle', 3] as const,
+  row(
+    { 'new PeriodicDiagram': (data: index.PeriodicDiagram) => new index.PeriodicDiagram(data) },
+    'new PeriodicDiagram',
+    'periodicData',
   ),
-  ['cellPerimeter', bound(periodic, 'cellPerimeter'), 'circle', 3],
-  ['imageFrom', (i) => periodic.imageFrom(i, 0), 'circle', IMAGES],
-  ['imageFrom', (i) => periodic.imageFrom(0, i), 'circle', IMAGES],
-  ['circleAt', (i) => circleAt(CIRCLES, i), 'circle', 3],
-  ['bisector', (i) => bisector(CIRCLES, i, 0), 'circle', 3],
-  ['bisector', (i) => bisector(CIRCLES, 0, i), 'circle', 3],
-  ['vertexAt', (v) => vertexAt(diagram, v), 'vertex', 1],
-  ['edgeAt', (e) => edgeAt(diagram, e), 'edge', 3],
-  ['edgeCurve', (e) => edgeCurve(diagram, e), 'edge', 3],
+  row(index, 'fromJSON', 'diagramText'),
+  row(index, 'loadCircleVoronoi', '', 'wasm'),
+  row(regionFunctions, 'loadRegions', '', 'wasm'),
+  row(fileFunctions, 'loadFiles', '', 'wasm'),
+  row(comparisons, 'loadComparison', '', 'wasm library'),
+  row(workers, 'createWorker', '', 'wasm'),
+  row({ encodeLink: (lattice: Lattice) => links.encodeLink({ lattice }) }, 'encodeLink', 'lattice'),
 ]
 
-describe('an index out of range', () => {
-  it.each(INDICES)('%s', async (name, act, thing, count) => {
-    for (const index of [count, -1, 0.5]) {
-      expect(await messageOf(() => act(index))).toBe(
-        `${name}: there is no ${thing} ${index}; the diagram has ${count}.`,
-      )
-    }
-  })
-})
+interface Call {
+  readonly row: Row
+  /** The wrong argument, or the name of the wrong option. */
+  readonly what: string
+  readonly value: unknown
+  readonly args: readonly unknown[]
+  readonly wrong: Wrong
+}
 
-const BOUNDED = 'bounds, region'
-const BOUNDS = `${BOUNDED} and maxDistance`
-const DRAWING = 'context, bounds, region, maxDistance, tolerance and digits'
-const COMPUTING = 'weights, method, candidates, samples, resample, progress'
-const READING = 'name, weights, points, x, y, radius, id and skipInvalid'
-const FITTING = 'region, lattice, shares, tolerance, maxSteps, relax, weights, onStep and signal'
-const P = { x: 3, y: 0 }
-const LATTICE = { a: [9, 0], b: [0, 9] } as const
-
-type Limit = (options: object, of?: Diagram) => unknown
-
-/** Methods that take the limits of cells. */
-const LIMITED: readonly (readonly [name: string, act: Limit, options: string])[] = [
-  ['neighbors', (options, of = diagram) => of.neighbors(0, options), BOUNDS],
-  ['cellOutline', (options, of = diagram) => of.cellOutline(0, options), BOUNDS],
-  ['cellArea', (options, of = diagram) => of.cellArea(0, options), BOUNDS],
-  ['cellCentroid', (options, of = diagram) => of.cellCentroid(0, options), BOUNDS],
-  ['cellPerimeter', (options, of = diagram) => of.cellPerimeter(0, options), BOUNDS],
-  ['cellAreas', (options, of = diagram) => of.cellAreas(options), BOUNDS],
-  ['cellCentroids', (options, of = diagram) => of.cellCentroids(options), BOUNDS],
-  ['cellPerimeters', (options, of = diagram) => of.cellPerimeters(options), BOUNDS],
-  ['edgePath', (options, of = diagram) => of.edgePath(0, options), DRAWING],
-  ['cellPath', (options, of = diagram) => of.cellPath(0, options), DRAWING],
-  ['render', (options, of = diagram) => of.render(options), DRAWING],
-  ['renderBounds', (options, of = diagram) => of.renderBounds(options), DRAWING],
-  ['cellPolygon', (options, of = diagram) => of.cellPolygon(0, options), `${BOUNDED}, maxDistance and tolerance`],
-  ['cellPolygon', (options, of = diagram) => of.cellPolygons(options).next(), `${BOUNDED}, maxDistance and tolerance`],
-]
-
-/** Queries that take bounds or a region. */
-const QUERIES = [
-  ['clearestPath', (options: object) => clearestPath(diagram, P, P, options as never), 'bounds and region'],
-  ['largestEmptyDiscCenteredIn', (o: object) => largestEmptyDiscCenteredIn(diagram, o as never), 'bounds and region'],
-  ['largestEmptyDiscInside', (o: object) => largestEmptyDiscInside(diagram, o as never), 'bounds and region'],
-] as const
-
-/** Functions of options, and a list of the options. */
-const OPTIONS: readonly (readonly [name: string, act: (options: object) => unknown, options: string])[] = [
-  ...LIMITED,
-  ...QUERIES,
-  ['renderCircles', (options) => diagram.renderCircles(options), 'context and digits'],
-  ['renderDual', (options) => diagram.renderDual(options), 'context and digits'],
-  ['renderHull', (options) => diagram.renderHull(options), 'context, digits, region and tolerance'],
-  ['hullPolygon', (options) => diagram.hullPolygon(options), 'region and tolerance'],
-  ['cellPath', (options) => periodic.cellPath(0, options), DRAWING],
-  ['cellPolygon', (options) => periodic.cellPolygon(0, options), `${BOUNDED}, maxDistance and tolerance`],
-  ['compute', (options) => library.compute(CIRCLES, options), `${COMPUTING}, x, y and r`],
-  ['computePeriodic', (o) => library.computePeriodic(CIRCLES, LATTICE, o), `${COMPUTING}, x, y and r`],
-  ['trace', (options) => library.trace(CIRCLES, options), `${COMPUTING} and edits`],
-  ['edit', (options) => library.edit(CIRCLES, options), 'weights, ids and nextId'],
-  ['compute', (options) => worker.compute(CIRCLES, options), `${COMPUTING}, signal, x, y and r`],
-  ['computePeriodic', (o) => worker.computePeriodic(CIRCLES, LATTICE, o), `${COMPUTING}, signal, x, y and r`],
-  ['edit', (options) => worker.edit(CIRCLES, options), 'weights, ids and nextId'],
-  ['fitAreas', (options) => regions.fitAreas([[1, 1]], [1], options as never), FITTING],
-  ['fitAreas', (options) => worker.fitAreas([[1, 1]], [1], options as never), FITTING],
-  ['writeCircles', (options) => files.writeCircles(CIRCLES, options), 'format and attributes'],
-  [
-    'writeDiagram',
-    (options) => files.writeDiagram(diagram, options),
-    'format, bounds, region, maxDistance, tolerance, digits and attributes',
-  ],
-  ['readCircles', (options) => files.readCircles('', options), READING],
-  ['readCircleFile', (options) => files.readCircleFile('', options), READING],
-  ['loadComparison', loadComparison, 'wasm and library'],
-]
-
-/** Functions of one option. */
-const ONE_OPTION: readonly (readonly [name: string, act: (options: object) => unknown, option: string])[] = [
-  ['clipCurve', (options) => clipCurve(curve, options as never), 'bounds'],
-  ['region', (options) => regions.region([], options), 'dissolve'],
-  ['readDiagram', (options) => files.readDiagram('', options), 'name'],
-  ['readDiagramFile', (options) => files.readDiagramFile('', options), 'name'],
-  ['loadCircleVoronoi', loadCircleVoronoi, 'wasm'],
-  ['loadRegions', loadRegions, 'wasm'],
-  ['loadFiles', loadFiles, 'wasm'],
-  ['createWorker', createWorker, 'wasm'],
-]
-
-describe('an unknown option', () => {
-  it.each(OPTIONS)('%s', async (name, act, options) => {
-    expect(await messageOf(() => act({ foo: 1 }))).toBe(
-      `There is no option foo of ${name}; its options are ${options}.`,
-    )
-  })
-
-  it.each(ONE_OPTION)('%s', async (name, act, option) => {
-    expect(await messageOf(() => act({ foo: 1 }))).toBe(`There is no option foo of ${name}; its only one is ${option}.`)
-  })
-
-  it.each([
-    ['cell', (options: object) => bound(diagram, 'cell')(0, options)],
-    ['contains', (options: object) => bound(diagram, 'contains')(0, 1, 1, options)],
-    ['findAll', (options: object) => bound(diagram, 'findAll')([1, 1], options)],
-    ['neighbors', (options: object) => bound(periodic, 'neighbors')(0, options)],
-    ['find', (options: object) => bound(periodic, 'find')(1, 1, options)],
-    ['contains', (options: object) => bound(periodic, 'contains')(0, 1, 1, options)],
-    ['cellArea', (options: object) => bound(periodic, 'cellArea')(0, options)],
-    ['cellCentroid', (options: object) => bound(periodic, 'cellCentroid')(0, options)],
-    ['cellPerimeter', (options: object) => bound(periodic, 'cellPerimeter')(0, options)],
-    ['contacts', (options: object) => bound(periodic, 'contacts')(options)],
-    ['certify', (options: object) => bound(library, 'certify')(diagram, options)],
-    ...[closestPair, convexHull, largestEmptyDiscCenteredInHull].map(
-      (query) => [query.name, (options: object) => (query as Act)(diagram, options)] as const,
+/** All calls with one wrong argument or option. */
+function* callsOf(row: Row): Generator<Call> {
+  const { args, options, needed } = row
+  const right = args.map(([value]) => value)
+  for (const [k, [, values]] of args.entries()) {
+    for (const wrong of values)
+      yield { row, what: '', value: wrong[0], args: [...right.with(k, wrong[0]), ...needed], wrong }
+  }
+  const names = Object.keys(options ?? {})
+  const wrongOptions: (readonly [what: string, options: unknown, wrong: Wrong])[] = [
+    ...(options === undefined ? [] : [['foo', { foo: 1 }, [1, 'badOption']] as const]),
+    ...(names.length === 0 ? [] : option(null, [], 'x', 5)).map((wrong) => ['options', wrong[0], wrong] as const),
+    ...(names.includes('context') ? option(SINK) : []).map((wrong) => ['', SINK, wrong] as const),
+    ...(names.includes('bounds') ? option(BOX) : []).map(
+      (wrong) => ['region', { bounds: BOX, region }, wrong] as const,
     ),
-  ] as const)('%s, which has none', async (name, act) => {
-    expect(await messageOf(() => act({ foo: undefined, bounds: BOX }))).toBe(
-      `There is no option bounds of ${name}, which has none.`,
-    )
-    expect(await messageOf(() => act({ foo: undefined }))).toBe('There was no error.')
-  })
-
-  it('is ignored if it is undefined', async () => {
-    for (const [, act] of [...LIMITED, ...QUERIES]) {
-      expect(await messageOf(() => act({ bounds: BOX, foo: undefined }))).toBe('There was no error.')
+    ...Object.entries(options ?? {}).flatMap(([name, values]) =>
+      values.map((wrong) => [name, { [name]: wrong[0] }, wrong] as const),
+    ),
+  ]
+  for (const [what, options, wrong] of wrongOptions) {
+    const isObject = what !== 'options' && what !== ''
+    yield {
+      row,
+      what,
+      value: wrong[0],
+      args: [...right, isObject ? { ...needed[0], ...(options as object) } : options],
+      wrong,
     }
+  }
+}
+
+async function errorOf(act: Act, args: readonly unknown[]): Promise<unknown> {
+  try {
+    await act(...args)
+  } catch (error) {
+    return error
+  }
+  return 'no error'
+}
+
+describe('a wrong argument or option', () => {
+  it.each(ROWS.map((row) => [row.name, row] as const))('of %s has its code', async (_, row) => {
+    const wrong: unknown[] = []
+    for (const {
+      what,
+      args,
+      wrong: [value, code, circle],
+    } of callsOf(row)) {
+      const error = await errorOf(row.act, args)
+      const isRight = error instanceof CircleVoronoiError && error.code === code && error.circle === circle
+      if (!isRight) wrong.push([what, value, code, circle, error])
+    }
+    expect(wrong).toEqual([])
   })
 })
 
-it.each([...OPTIONS, ...ONE_OPTION])('options that are no object: %s', async (name, act) => {
-  for (const options of [null, [], 'x', 5]) {
-    expect(await messageOf(() => act(options as never))).toBe(`The options of ${name} are not an object.`)
+/** Calls with one wrong argument that no other function has. */
+const SINGLE: readonly (readonly [code: ErrorCode, says: string, act: () => unknown])[] = [
+  ['badInput', 'bisector takes two circles with different centers.', () => index.bisector(CIRCLES, 0, 0)],
+  ['badInput', 'bisector takes two circles with different centers.', () => index.bisector(NESTED, 0, 1)],
+  ['badInput', 'There is no metric "x".', () => index.bisector(CIRCLES, 0, 1, 'x' as index.Metric)],
+  [
+    'badInput',
+    'clearestPath takes a diagram of one circle or more.',
+    () => index.clearestPath(library.compute([]), P, P),
+  ],
+  [
+    'badInput',
+    'weights is not true or false, but "no".',
+    () => library.certify(Object.assign({ ...diagram }, { weights: 'no' })),
+  ],
+  ['badInput', 'edit takes a diagram of the metric circles, not of power.', () => library.edit(power)],
+  [
+    'badInput',
+    'new DiagramSnapshot takes the numbers of an editor, not undefined.',
+    () => new index.DiagramSnapshot({ ...snapshot, numbers: Object(undefined).numbers }),
+  ],
+  [
+    'badInput',
+    `The circles are neither a typed array nor a list, but "${'0'.repeat(40)}…".`,
+    () => (library.compute as Act)('0'.repeat(41)),
+  ],
+  [
+    'badInput',
+    'Circle 0 does not have three numbers x, y and r.',
+    () => library.compute([1, 2], { x: () => 0, y: () => 0, r: () => Object('3') }),
+  ],
+  [
+    'badOption',
+    'ids must be whole numbers from 0 to 2147483646 in increasing order; 1 is not.',
+    () => library.edit(NESTED, { ids: [2, 1] }),
+  ],
+  [
+    'badOption',
+    'The number of samples is 1001; with dynamic candidates it is from 0 to 1000.',
+    () => library.compute(CIRCLES, { method: 'touching-disc', samples: 1001 }),
+  ],
+  [
+    'badOption',
+    'The number of samples is 0; with uniform candidates it is from 1 to 1000.',
+    () => library.compute(CIRCLES, { method: 'touching-disc', candidates: 'uniform', samples: 0 }),
+  ],
+  [
+    'badOption',
+    'fitAreas takes a region or a lattice, not both.',
+    () => regions.fitAreas([[5, 1]], [1], Object.assign({ region }, { lattice: LATTICE as never })),
+  ],
+  [
+    'tooManyCircles',
+    'All pairs of 10001 circles are too many; the limit is 10000 circles.',
+    () => library.compute(new Float64Array(30_003), { method: 'touching-disc', candidates: 'all-pairs' }),
+  ],
+]
+
+it.each(SINGLE)('an argument that is wrong in its own way has the code %s: %s', async (code, message, act) => {
+  expect(await errorOf(act, [])).toMatchObject({ name: 'CircleVoronoiError', code, message })
+})
+
+it('each array of a diagram is of its type and length where a core reads it', async () => {
+  const sizes = {
+    ...{ circles: 3, vertices: 3, vertexCircles: 3, edges: 4, hidden: 2 },
+    ...{ hull: 1, nextSide: 2, vertexSides: 3, firstSide: 1 },
+  }
+  for (const [name, size] of Object.entries(sizes)) {
+    const types = [Float64Array, Int32Array] as const
+    const [type, other] = name === 'circles' || name === 'vertices' ? types : ([types[1], types[0]] as const)
+    for (const array of [undefined, [], new other(size), ...(size === 1 ? [] : [new type(size + 1)])]) {
+      const data = { ...diagram, [name]: array } as never
+      for (const act of [library.certify, () => library.finalCells(data, KNOWN), files.writeDiagram]) {
+        const message = `${name} is no ${type.name} of ${size} numbers each.`
+        expect(await errorOf(() => (act as Act)(data), [])).toMatchObject({ code: 'badInput', message })
+      }
+    }
   }
 })
 
-describe('limits of cells', () => {
-  it.each([...LIMITED, ...QUERIES])('of %s are a region of this library, or bounds', async (name, act) => {
-    expect(await messageOf(() => act({ region: [] }))).toBe(
-      `The region of ${name} is made by loadRegions().region, not an array.`,
-    )
-    expect(await messageOf(() => act({ region, bounds: BOX }))).toBe(`${name} takes bounds or a region, not both.`)
-    expect(await messageOf(() => act({ bounds: 5 }))).toBe(
-      'Bounds are a ConvexPolygon, or a box of four numbers: { minX, minY, maxX, maxY } or an array.',
-    )
-  })
+describe('the table', () => {
+  /** Functions without arguments, or whose arguments cannot be wrong. */
+  const OTHERS: readonly string[] = [
+    ...['begin', 'cellPolygons', 'certificate', 'constructor', 'contactsCsv', 'dispose', 'ids', 'renew', 'size'],
+    ...['snapshot', 'toJSON', 'update'],
+  ]
 
-  it('are a box with an area, up to a limit', async () => {
-    for (const box of [
-      [0, 0, 9, 0],
-      [0, 0, 0, 9],
-      [9, 0, 0, 9],
-      [0, 9, 9, 0],
-      [0, 0, 9, Number.NaN],
-      [0, 0, 9, 2 ** 101],
-      [-(2 ** 101), 0, 9, 9],
-    ] as const) {
-      const [minX, minY, maxX, maxY] = box
-      for (const bounds of [box, { minX, minY, maxX, maxY }]) {
-        expect(await messageOf(() => diagram.render({ bounds }))).toBe(
-          'The box is empty, or a coordinate is not finite, or beyond 1.2e30 (2^100).',
-        )
-      }
-    }
-    expect(diagram.renderBounds({ bounds: [0, 0, 2 ** 100, 2 ** 100], digits: 0 })).toMatch(/^M0,0L/)
-  })
-
-  it.each(['renderHull', 'hullPolygon'])('of %s are a region', async (name) => {
-    expect(await messageOf(() => bound(diagram, name)({ region: 5 }))).toBe(
-      `The region of ${name} is made by loadRegions().region, not 5.`,
-    )
-  })
-
-  it.each(LIMITED)('of %s have a distance', async (_, act) => {
-    for (const limits of [{}, { region }, { bounds: BOX }]) {
-      expect(await messageOf(() => act({ ...limits, maxDistance: '1' }))).toBe(
-        'The maximum distance is a number up to 1.2e30 (2^100), not "1".',
-      )
-    }
-  })
-
-  it.each(LIMITED)('of %s of a power diagram have no distance', async (name, act) => {
-    for (const limits of [{}, { region }, { bounds: BOX }]) {
-      expect(await messageOf(() => act({ ...limits, maxDistance: 1 }, power))).toBe(
-        `${name} takes no maximum distance of a power diagram, which has no distances.`,
-      )
-    }
-  })
-
-  it.each(OPTIONS.filter(([, , options]) => options.startsWith('context')))(
-    'and a context of %s are options',
-    async (name, act) => {
-      expect(await messageOf(() => act(new SvgPath()))).toBe(`What ${name} draws on is an option: { context }.`)
-      expect(await messageOf(() => act({ context: {} }))).toBe('The context is nothing to draw on, but an object.')
-      expect(await messageOf(() => act({ digits: -1 }))).toBe('The number of digits is a whole number from 0, not -1.')
-    },
-  )
-
-  it.each(OPTIONS.filter(([, , options]) => options.includes('tolerance') && !options.includes('shares')))(
-    'of %s are drawn within a tolerance',
-    async (name, act) => {
-      const format = name === 'writeDiagram' ? { format: 'svg' } : {}
-      for (const limits of name === 'renderHull' ? [{ region }] : [{}, { region }]) {
-        expect(await messageOf(() => act({ ...format, ...limits, tolerance: 0 }))).toBe(
-          'The tolerance is a finite number above 0, not 0.',
-        )
-      }
-    },
-  )
-})
-
-describe('a value that is no diagram', () => {
-  it.each(Object.entries({ closestPair, convexHull, edgeAt, edgeCurve, mergeVertices, vertexAt }))(
-    'of %s',
-    async (name, act) => {
-      expect(await messageOf(() => (act as Act)({}))).toBe(`${name} takes a diagram, not an object.`)
-    },
-  )
-
-  it.each(
-    Object.entries({
-      clearestPath,
-      largestEmptyDiscCenteredIn,
-      largestEmptyDiscCenteredInHull,
-      largestEmptyDiscInside,
-    }),
-  )('of %s', async (name, act) => {
-    const says = `${name} takes a Diagram, not an object; new Diagram(data) makes one of plain data.`
-    expect(await messageOf(() => (act as Act)({ ...diagram }))).toBe(says)
-  })
-
-  it.each(
-    Object.entries({
-      clearestPath: [P, P],
-      closestPair: [],
-      largestEmptyDiscCenteredIn: [{ bounds: BOX }],
-      largestEmptyDiscCenteredInHull: [],
-      largestEmptyDiscInside: [{ bounds: BOX }],
-    }),
-  )('of circles for %s', async (name, args) => {
-    const queries = {
-      clearestPath,
-      closestPair,
-      largestEmptyDiscCenteredIn,
-      largestEmptyDiscCenteredInHull,
-      largestEmptyDiscInside,
-    }
-    expect(await messageOf(() => bound(queries, name)(power, ...args))).toBe(
-      `${name} takes a diagram of the metric circles, not of power.`,
-    )
-  })
-
-  it('of an editor for new DiagramSnapshot, nor of a box for new PeriodicDiagram', async () => {
-    expect(await messageOf(() => new DiagramSnapshot(diagram as never))).toBe(
-      'new DiagramSnapshot takes a snapshot of an editor, not an object.',
-    )
-    expect(await messageOf(() => new PeriodicDiagram(diagram as never))).toBe(
-      'new PeriodicDiagram takes the data of a periodic diagram, not an object.',
-    )
-  })
-
-  it.each(Object.entries({ outlineArea, outlineCentroid, outlinePerimeter }))(
-    'nor an outline of %s',
-    async (name, act) => {
-      for (const [outline, said] of [
-        [5, '5'],
-        [[5], 'an array'],
-        [undefined, 'undefined'],
-      ]) {
-        expect(await messageOf(() => (act as Act)(outline))).toBe(
-          `${name} takes an outline, a list of closed loops, not ${said}.`,
-        )
-      }
-    },
-  )
-})
-
-describe('a part of an input', () => {
-  it.each(Object.entries({ circleAt, bisector }))('of %s is an array of circles', async (name, act) => {
-    expect(await messageOf(() => (act as Act)([0, 0, 1], 0, 0))).toBe(
-      `${name} takes a Float64Array of x, y and r for each circle, not an array.`,
-    )
-    expect(await messageOf(() => (act as Act)(new Float64Array(4), 0, 0))).toBe(
-      `${name} takes three numbers for each circle, but there are 4.`,
-    )
-  })
-
-  it.each(Object.entries({ pointAt, parameterAt }))('of %s is a bisector', async (name, act) => {
-    expect(await messageOf(() => (act as Act)(curve, 1, 1))).toBe(`${name} takes a bisector, not an object.`)
-  })
-
-  it.each(Object.entries({ clipCurve, rationalBezier, cubicBeziers, polyline }))(
-    'of %s is a curve',
-    async (name, act) => {
-      expect(await messageOf(() => (act as Act)({}, 1))).toBe(`${name} takes a curve, not an object.`)
-    },
-  )
-
-  it.each([
-    ...Object.entries({ rationalBezier, cubicBeziers, polyline }),
-    ['traceArc', (...args: unknown[]) => (traceArc as Act)(new SvgPath(), ...args)] as const,
-  ])('of %s is a bounded curve', async (name, act) => {
-    const says = `${name} takes a curve with two ends; clipCurve makes some of one that goes to infinity.`
-    for (const end of ['start', 'end']) {
-      expect(await messageOf(() => (act as Act)({ ...arc, [end]: undefined }, 1))).toBe(says)
-    }
-  })
-
-  it.each(Object.entries({ cubicBeziers, polyline }))('of %s is a tolerance', async (name, act) => {
-    expect(await messageOf(() => (act as Act)(arc, Number.NaN))).toBe(`${name} takes a number as tolerance, not NaN.`)
-  })
-
-  it('of clearestPath is a pair of points', async () => {
-    for (const point of [undefined, { x: 1 }, { y: 1 }, { x: Infinity, y: 1 }]) {
-      const says = `clearestPath takes points { x, y } of finite numbers, not ${point ? 'an object' : 'undefined'}.`
-      expect(await messageOf(() => clearestPath(diagram, point as never, P))).toBe(says)
-      expect(await messageOf(() => clearestPath(diagram, P, point as never))).toBe(says)
-    }
-  })
-
-  it.each([
-    ['encodeLink', (lattice: never) => encodeLink({ lattice })],
-    ['computePeriodic', (lattice: never) => library.computePeriodic(CIRCLES, lattice)],
-    ['computePeriodic', (lattice: never) => worker.computePeriodic(CIRCLES, lattice)],
-    ['fitAreas', (lattice: never) => regions.fitAreas([[1, 1]], [1], { lattice })],
-    ['fitAreas', (lattice: never) => worker.fitAreas([[1, 1]], [1], { lattice })],
-  ] as const)('of %s is a lattice', async (name, act) => {
-    const { a, b } = LATTICE
-    for (const lattice of [5, { a }, { b }, { a, b: [0] }, { a: [1, 0, 0], b }, { a, b: [0, '9'] }, { a: 'ab', b }]) {
-      expect(await messageOf(() => act(lattice as never))).toBe(
-        `${name} takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.`,
-      )
-    }
-  })
-
-  it.each(['readCircles', 'readCircleFile', 'readDiagram', 'readDiagramFile', 'holdsDiagram'])(
-    'of %s is a text',
-    async (name) => {
-      expect(await messageOf(() => bound(files, name)(5))).toBe(`${name} takes a text or its bytes, not 5.`)
-    },
-  )
-
-  it('of finalCells is a box and a radius', async () => {
-    const box = { minX: 0, minY: 0, maxX: 1, maxY: 1 }
-    for (const known of [
-      undefined,
-      { box },
-      { maxRadius: 1 },
-      { box, maxRadius: '1' },
-      ...Object.keys(box).map((side) => ({ box: { ...box, [side]: '0' }, maxRadius: 1 })),
-    ]) {
-      expect(await messageOf(() => library.finalCells(diagram, known as never))).toBe(
-        'finalCells takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.',
-      )
-    }
-    const wide = { box: { minX: -40, minY: -20, maxX: 70, maxY: 90 }, maxRadius: 1 }
-    expect([...library.finalCells(diagram, wide).vertices]).toEqual([1])
-    for (const [side, value] of Object.entries({ minX: 0, minY: 0, maxX: 5, maxY: 6 })) {
-      const { vertices } = library.finalCells(diagram, { ...wide, box: { ...wide.box, [side]: value } })
-      expect([...vertices]).toEqual([0])
-    }
-    expect([...library.finalCells(diagram, { ...wide, maxRadius: 99 }).vertices]).toEqual([0])
-  })
-
-  it('of a core that judges is an array of the right kind and length', async () => {
-    const kinds = {
-      ...{ circles: 3, vertices: 3, vertexCircles: 3, edges: 4, hidden: 2 },
-      ...{ hull: 1, nextSide: 2, vertexSides: 3, firstSide: 1 },
-    }
-    for (const [name, size] of Object.entries(kinds)) {
-      const isOfDoubles = name === 'circles' || name === 'vertices'
-      const [type, other] = isOfDoubles ? [Float64Array, Int32Array] : [Int32Array, Float64Array]
-      const known = { box: { minX: 0, minY: 0, maxX: 1, maxY: 1 }, maxRadius: 1 }
-      for (const array of [undefined, [], new other(size), ...(size === 1 ? [] : [new type(size + 1)])]) {
-        const changed = { ...diagram, [name]: array } as never
-        for (const act of [library.certify, (d: never) => library.finalCells(d, known), files.writeDiagram]) {
-          expect(await messageOf(() => act(changed))).toBe(`${name} is no ${type.name} of ${size} numbers each.`)
+  it('has every public function', () => {
+    const names = new Set(ROWS.map(({ name }) => name))
+    const missing = new Set<string>()
+    const modules = [index, comparisons, fileFunctions, regionFunctions, workers, links]
+    const loaded = [library, editor, client, worker, comparison, files, regions, region]
+    for (const owner of [...modules, ...loaded, diagram, periodic, snapshot, trace] as object[]) {
+      for (let level = owner; level !== Object.prototype && level !== null; level = Object.getPrototypeOf(level)) {
+        for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(level))) {
+          if (typeof value === 'function' && !names.has(name) && !names.has(`new ${name}`)) missing.add(name)
         }
       }
     }
+    expect([...missing].sort()).toEqual(OTHERS)
+  })
+
+  it('has right arguments where none is changed', async () => {
+    const isLater = (row: Row) => /^(apply|insert|remove|replace)$/.test(row.name) || row.isLater
+    for (const row of ROWS) {
+      const args = row.args.map(([value]) => value)
+      if (!isLater(row)) expect(await errorOf(row.act, [...args, ...row.needed]), row.name).toBe('no error')
+    }
   })
 })
 
-describe('a value of an option', () => {
-  const computes: readonly ((options: object) => unknown)[] = [
-    (options) => library.compute(CIRCLES, options),
-    (options) => library.computePeriodic(CIRCLES, LATTICE, options),
-    (options) => worker.compute(CIRCLES, options),
-    (options) => worker.computePeriodic(CIRCLES, LATTICE, options),
-  ]
-  const TRUTH = [1, 'true', null]
-  it.each([
-    ['weights', TRUTH, () => 'The option weights is true or false.'],
-    ['resample', TRUTH, () => 'The option resample is true or false.'],
-    ['method', [1, null], () => 'The options method and candidates are strings.'],
-    ['candidates', [1, null], () => 'The options method and candidates are strings.'],
-    [
-      'samples',
-      [-1, 0.5, 2 ** 31, null],
-      (value: unknown) => `The option samples is a whole number from 0, not ${value}.`,
-    ],
-    ...['progress', 'x', 'y', 'r'].map((name) => [name, [1, null], () => `The option ${name} is a function.`] as const),
-  ] as const)('%s of compute', async (name, values, says) => {
-    for (const act of computes) {
-      for (const value of values) expect(await messageOf(() => act({ [name]: value }))).toBe(says(value))
-    }
-  })
-
-  it.each([
-    ['method', 'auto, touching-disc or flip'],
-    ['candidates', 'dynamic, uniform or all-pairs'],
-  ])('%s of compute is one of a few', async (name, choice) => {
-    for (const act of computes.slice(0, 2)) {
-      expect(await messageOf(() => act({ [name]: 'x' }))).toBe(`Unknown ${name}: the choice is ${choice}.`)
-    }
-  })
-
-  const fits: readonly ((options: object) => unknown)[] = [
-    (options) => regions.fitAreas([[1, 1]], [1], { region, ...options }),
-    (options) => worker.fitAreas([[1, 1]], [1], { region, ...options }),
-  ]
-  it.each([
-    ['shares', 1, 'shares is true or false, not 1.'],
-    ['tolerance', '1', 'tolerance is a number, not "1".'],
-    ...['maxSteps', 'relax'].flatMap((name) =>
-      [0.5, 2 ** 31, -(2 ** 31), '1'].map(
-        (value) =>
-          [name, value, `${name} is a whole number, not ${typeof value === 'string' ? '"1"' : value}.`] as const,
-      ),
-    ),
-    ['onStep', 1, 'The option onStep is a function.'],
-    ['signal', {}, 'The option signal is an AbortSignal.'],
-    ['lattice', LATTICE, 'fitAreas takes a region or a lattice, not both.'],
-    ['weights', 5, 'fitAreas takes a list of numbers as weights, not 5.'],
-    ['weights', ['1'], 'fitAreas takes a list of numbers as weights, but item 0 is "1".'],
-    ['weights', [1, 2], 'There are 2 weights for 1 site.'],
-    ['weights', [], 'There are 0 weights for 1 site.'],
-    [
-      'region',
-      {},
-      'fitAreas needs a region, which `region` of `loadRegions` makes, as its option region, or periods as its option lattice.',
-    ],
-  ] as const)('%s of fitAreas: %j', async (name, value, says) => {
-    for (const act of fits) expect(await messageOf(() => act({ [name]: value }))).toBe(says)
-  })
-
-  it('dissolve of region, weights, ids and nextId of edit, and signal of a worker', async () => {
-    for (const value of TRUTH) {
-      expect(await messageOf(() => regions.region([], { dissolve: value as never }))).toBe(
-        'The option dissolve is true or false.',
-      )
-      for (const { edit } of [library, { edit: worker.edit.bind(worker) }]) {
-        expect(await messageOf(() => edit(CIRCLES, { weights: value as never }))).toBe(
-          'The option weights is true or false.',
-        )
-      }
-    }
-    for (const nextId of [-1, 0.5, 2 ** 31, '3']) {
-      expect(await messageOf(() => library.edit(CIRCLES, { nextId: nextId as never }))).toBe(
-        `nextId must be a whole number from 0 to 2147483647, not ${nextId === '3' ? '"3"' : nextId}.`,
-      )
-    }
-    expect(await messageOf(() => library.edit(CIRCLES, { ids: 5 as never }))).toBe(
-      'ids must be a list of whole numbers, not 5.',
+/** Returns the sentence of an error with marks in place of names and values. */
+function sentenceOf({ row, what, value }: Call, { message }: Error): string {
+  const [list] = /(?<= is | are )(\w+, )*(\w+ and )?\w+(?=\.$)/.exec(message) ?? []
+  const named = list
+    ?.split(/, | and /)
+    .toSorted()
+    .join()
+  return message
+    .replace(
+      named ===
+        Object.keys(row.options ?? {})
+          .toSorted()
+          .join()
+        ? (list as string)
+        : '',
+      '',
     )
-    for (const id of [-1, 0.5, 2 ** 31]) {
-      expect(await messageOf(() => library.edit([[0, 0, 1]], { ids: [id] }))).toBe(
-        `ids must be whole numbers from 0 to 2147483646 in increasing order; ${id} is not.`,
-      )
-    }
-    for (const act of computes.slice(2)) {
-      expect(await messageOf(() => act({ signal: {} }))).toBe('The option signal is an AbortSignal.')
-    }
-  })
+    .replace(new RegExp(`\\b${row.name}\\b`), 'NAME')
+    .replace(new RegExp(what === '' ? '$^' : `\\b${what}\\b`), 'OPTION')
+    .replace(`not ${said(value)}.`, 'not VALUE.')
+    .replace(MARKED, 'ITEM')
+}
+const MARKED = /"[^"]*"|\ban object|\ban array|\b(undefined|null|NaN|Infinity)\b|-?\b\d+(\.\d+)?(e\d+)?( \(.*\))?/g
 
-  it.each([loadCircleVoronoi, loadRegions, loadComparison, loadFiles, createWorker])('wasm of %o', async (load) => {
-    for (const [wasm, said] of [
-      [5, '5'],
-      [null, 'null'],
-      [() => {}, 'a function'],
-    ]) {
-      expect(await messageOf(() => (load as Act)({ wasm }))).toBe(
-        `The option wasm is an address, bytes, a Response or a module, not ${said}.`,
-      )
-    }
-  })
+/** How a value stands in a sentence. */
+function said(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value)
+  if (Array.isArray(value)) return 'an array'
+  if (typeof value === 'function') return 'a function'
+  return typeof value === 'object' && value !== null ? 'an object' : String(value)
+}
 
-  it('library of loadComparison', async () => {
-    for (const [value, said] of [
-      [5, '5'],
-      [{}, 'an object'],
-      [null, 'null'],
-      [{ compute: 5 }, 'an object'],
-    ]) {
-      expect(await messageOf(() => loadComparison({ library: value as never }))).toBe(
-        `The option library is what loadCircleVoronoi loads, not ${said}.`,
-      )
-    }
-  })
+/** Every sentence that says what is wrong with an argument or an option. */
+const SENTENCES = [
+  'A NAME is made of GeoJSON polygons or a list of rings, not VALUE.',
+  'A convex polygon needs three corners or more.',
+  'An edit has a kind, insert, remove or replace, not ITEM.',
+  'Bounds are a ConvexPolygon, or a box of four numbers: { minX, minY, maxX, maxY } or ITEM.',
+  'Circle ITEM does not have three numbers x, y and r.',
+  'Circle ITEM has a coordinate or a radius beyond ITEM.',
+  'Circle ITEM has a negative radius.',
+  'Circle ITEM has a number that is not finite.',
+  'Circle ITEM has a radius that is not a finite number.',
+  'Circle ITEM has a y that is not a finite number.',
+  'NAME needs a OPTION, which `region` of `loadRegions` makes, as its option region, or periods as its option lattice.',
+  'NAME takes a Diagram, not ITEM; new Diagram(data) makes one of plain data.',
+  'NAME takes a Float64Array of x and y for each point, not VALUE.',
+  'NAME takes a Float64Array of x, y and r for each circle, not VALUE.',
+  'NAME takes a OPTION as { a: [ax, ay], b: [bx, by] }, all numbers.',
+  'NAME takes a bisector, not VALUE.',
+  'NAME takes a curve with two ends; clipCurve makes some of one that goes to infinity.',
+  'NAME takes a curve, not VALUE.',
+  'NAME takes a diagram of the metric circles, not of power.',
+  'NAME takes a diagram, not VALUE.',
+  'NAME takes a finite number above ITEM as parameter, not VALUE.',
+  'NAME takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.',
+  'NAME takes a list of edits, not VALUE.',
+  'NAME takes a list of numbers as OPTION, but item ITEM is ITEM.',
+  'NAME takes a list of numbers as OPTION, not VALUE.',
+  'NAME takes a list of numbers as areas, but item ITEM is ITEM.',
+  'NAME takes a list of numbers as areas, not VALUE.',
+  'NAME takes a number as a coordinate, not ITEM.',
+  'NAME takes a number as a coordinate, not VALUE.',
+  'NAME takes a number as hint, not VALUE.',
+  'NAME takes a number as nearZero, not VALUE.',
+  'NAME takes a number as the id of a circle, not ITEM.',
+  'NAME takes a number as the id of a circle, not VALUE.',
+  'NAME takes a number as the index of a circle, not VALUE.',
+  'NAME takes a number as the index of a vertex, not VALUE.',
+  'NAME takes a number as the index of an edge, not VALUE.',
+  'NAME takes a number as the index of an event, not VALUE.',
+  'NAME takes a number as the number of events, not VALUE.',
+  'NAME takes a number as tolerance, not VALUE.',
+  'NAME takes a number as x, not VALUE.',
+  'NAME takes a number as y, not VALUE.',
+  'NAME takes a number of events from ITEM to ITEM, not VALUE.',
+  'NAME takes a snapshot of an editor, not VALUE.',
+  'NAME takes a text or its bytes, not VALUE.',
+  'NAME takes an outline, a list of closed loops, not VALUE.',
+  'NAME takes bounds or a OPTION, not both.',
+  'NAME takes no maximum distance of a power diagram, which has no distances.',
+  'NAME takes points { x, y } of finite numbers, not VALUE.',
+  'NAME takes the data of a periodic diagram, not VALUE.',
+  'NAME takes three numbers for each circle, but there are ITEM.',
+  'NAME takes two numbers for each point, but there are ITEM.',
+  'NAME takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.',
+  'NAME: there is no circle ITEM; the diagram has ITEM.',
+  'NAME: there is no edge ITEM; the diagram has ITEM.',
+  'NAME: there is no event ITEM; the trace has ITEM.',
+  'NAME: there is no vertex ITEM; the diagram has ITEM.',
+  'OPTION is a number, not VALUE.',
+  'OPTION is a whole number, not VALUE.',
+  'OPTION is true or false, not VALUE.',
+  'OPTION must be a list of whole numbers, not VALUE.',
+  'OPTION must be a whole number from ITEM to ITEM, not VALUE.',
+  'OPTION must be whole numbers from ITEM to ITEM in increasing order; ITEM is not.',
+  'The OPTION is a finite number above ITEM, not VALUE.',
+  'The OPTION is nothing to draw on, but ITEM.',
+  'The OPTION of NAME are not ITEM.',
+  'The OPTION of NAME is made by loadRegions().region, not VALUE.',
+  'The box is empty, or a coordinate is not finite, or beyond ITEM.',
+  'The circles are neither a typed array nor a list, but ITEM.',
+  'The corners of a polygon are ITEM of points, not VALUE.',
+  'The diagram is that of the editor after ITEM changes; what is applied has to be the next one.',
+  'The format of the file is ITEM, not ITEM.',
+  'The maximum distance is a number up to ITEM, not VALUE.',
+  'The new circle does not have three numbers x, y and r.',
+  'The new circle has a coordinate or a radius beyond ITEM.',
+  'The new circle has a negative radius.',
+  'The new circle has a number that is not finite.',
+  'The number of OPTION is a whole number from ITEM, not VALUE.',
+  'The option OPTION is a function.',
+  'The option OPTION is a whole number from ITEM, not VALUE.',
+  'The option OPTION is an AbortSignal.',
+  'The option OPTION is an address, bytes, a Response or a module, not VALUE.',
+  'The option OPTION is true or false.',
+  'The option OPTION is what loadCircleVoronoi loads, not VALUE.',
+  'The options OPTION and candidates are strings.',
+  'The options method and OPTION are strings.',
+  'The polygon winds more than once, or has no area.',
+  'There are ITEM OPTION for ITEM site.',
+  'There is no NAME with id ITEM.',
+  'There is no OPTION ITEM for this: the choice is csv, json, geojson.',
+  'There is no OPTION ITEM for this: the choice is json, csv, stats, svg, geojson, geojsonl, wkt, obj.',
+  'There is no circle with id ITEM.',
+  'There is no option OPTION of NAME, which has none.',
+  'There is no option OPTION of NAME; its only one is .',
+  'There is no option OPTION of NAME; its options are .',
+  'There is no removed circle with id ITEM.',
+  'Three numbers per circle are needed, but there are ITEM.',
+  'Unknown OPTION: the choice is auto, touching-disc or flip.',
+  'Unknown OPTION: the choice is dynamic, uniform or all-pairs.',
+  'Unknown metric: the choice is circles, centers or power.',
+  'What NAME draws on is an option: { context }.',
+  'apply takes a list of OPTION, not VALUE.',
+  'circles is no Float64Array of ITEM numbers each.',
+  'the file is no object, but ITEM.',
+]
+
+it('each sentence names the function, the argument or option, and the value, and is read here once', async () => {
+  const sentences = new Set<string>()
+  for (const row of ROWS) {
+    for (const call of callsOf(row)) sentences.add(sentenceOf(call, (await errorOf(row.act, call.args)) as Error))
+  }
+  expect([...sentences].sort()).toEqual(SENTENCES)
 })

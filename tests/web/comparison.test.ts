@@ -145,24 +145,6 @@ it('a circle that others cover may have no cell of the power diagram, and a cent
   expect(outside.cell(1)).toBeDefined()
 })
 
-it('refuses what compute refuses, whatever the metric', () => {
-  for (const metric of ['circles', 'centers', 'power'] as const) {
-    for (const [code, numbers] of [
-      ['nonFinite', [0, 0, 1, 0, 0, Number.NaN]],
-      ['negativeRadius', [0, 0, 1, 0, 0, -1]],
-      ['coordinateTooLarge', [0, 0, 1, 0, 0, 1e29]],
-      ['nonFinite', [0, 0, 1, Number.POSITIVE_INFINITY, 0, 1]],
-    ] as const) {
-      expect(() => computeComparison(Float64Array.from(numbers), metric)).toThrow(
-        expect.objectContaining({ code, circle: 1 }),
-      )
-    }
-    expect(() => computeComparison(Float64Array.of(1), metric)).toThrow(expect.objectContaining({ code: 'badInput' }))
-    expect(computeComparison([], metric).hull).toHaveLength(0)
-  }
-  expect(() => computeComparison([], 'taxicab' as Metric)).toThrow(expect.objectContaining({ code: 'badOption' }))
-})
-
 it('says so when its module is another', async () => {
   const wasm = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])
   await expect(loadComparison({ library, wasm })).rejects.toMatchObject({ code: 'notLoaded' })

@@ -48,11 +48,4 @@ describe('the largest empty disc inside a region', () => {
       expect(other?.disc.r).toBeCloseTo(one?.disc.r as number, 12)
     }
   })
-
-  it('refuses bounds beside a region', () => {
-    const options = { bounds: [0, 0, 1, 1], region: region([ROOM]) } as object as {
-      bounds: [number, number, number, number]
-    }
-    expect(() => largestEmptyDiscInside(library.compute([]), options)).toThrow('not both')
-  })
 })

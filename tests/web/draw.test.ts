@@ -194,12 +194,6 @@ describe('an SVG path', () => {
     expect(library.compute(Float64Array.of(0, 0, 0, 6, 0, 0, 0, 8, 0)).renderHull()).toBe('M0,0L6,0L0,8Z')
   })
 
-  it.each([-1, 0.5, Number.NaN, Number.POSITIVE_INFINITY, 1e9])('of what is not there is refused: %d', (index) => {
-    const refusal = expect.objectContaining({ code: 'badInput' })
-    expect(() => diagram.edgePath(index)).toThrow(refusal)
-    expect(() => diagram.cellPath(index)).toThrow(refusal)
-  })
-
   it('has digits enough for a tenth of the tolerance, or as many as are asked for', () => {
     const bounds = boxAround(circles, 0.05)
     const tolerance = 1e-3 * (bounds.maxX - bounds.minX)

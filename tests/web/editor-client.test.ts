@@ -214,26 +214,6 @@ describe('the client of an editor', () => {
     expect(thread.isTerminated).toBe(false)
   })
 
-  it.each([
-    [/^insert/, () => client.insert([0, 0, 1], '1' as never)],
-    [/finite/, () => client.insert([0, Number.NaN, 1])],
-    [/beyond 7\.9e28/, () => client.replace(0, [0, 1e29, 1])],
-    [/^remove/, () => client.remove('0' as never)],
-    [/no circle with id 0.5/, () => client.replace(0.5, [0, 0, 1])],
-    [/^An edit/, () => client.apply([{ move: 3 } as never])],
-    [/^nearest/, () => client.nearest('0' as never, 0)],
-    [/^nearest/, () => client.nearest(0, null as never)],
-    [/^nearest/, () => client.nearest(0, 0, {} as never)],
-    [/^circle/, () => client.circle({} as never)],
-    [/^isHidden/, () => client.isHidden('3' as never)],
-  ])('refuses what makes no sense, and asks nothing: %s', async (says, ask) => {
-    const count = thread.posted.length
-    const error = await ask().catch((error: unknown) => error)
-    expect(error).toBeInstanceOf(CircleVoronoiError)
-    expect((error as Error).message).toMatch(says)
-    expect(thread.posted).toHaveLength(count)
-  })
-
   it('answers an edit where a listener throws, which is an uncaught error', async () => {
     client.onchange = () => {
       throw new Error('The listener fails.')

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each value that a page may give is used as intended or refused in one sentence.
-
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { checkedAreas } from '../../web/element/attributes.ts'
-import { loadRegions } from '../../web/lib/regions.ts'
 import { checkedLayers, checkLayers, DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { shownValue } from '../../web/view/refusal.ts'
 import { readRegion } from '../../web/view/region-text.ts'
 import { library } from './library.ts'
-import { box } from './shapes.ts'
 
 describe('circles of data', () => {
   it('may have a key length', () => {
@@ -25,24 +21,6 @@ describe('circles of data', () => {
     const lists = [[0, 0, 1], Float32Array.of(6, 0, 1), { length: 3, 0: 0, 1: 8, 2: 1 }]
     expect(library.compute(lists).circles).toEqual(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
   })
-})
-
-it('areas that are no numbers are named', async () => {
-  const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-  const regions = await loadRegions({ wasm })
-  const region = regions.region({
-    type: 'Polygon',
-    coordinates: [box(0, 0, 9, 9)],
-  })
-  const sites = [
-    [1, 1],
-    [5, 5],
-  ] as const
-  const fitting = (areas: unknown) => () => regions.fitAreas(sites, areas as number[], { region })
-  expect(fitting(['1', '2'])).toThrow('fitAreas takes a list of numbers as areas, but item 0 is "1".')
-  expect(fitting([1, undefined])).toThrow('but item 1 is undefined.')
-  expect(fitting(new Array(2))).toThrow('but item 0 is undefined.')
-  expect(fitting('12')).toThrow('fitAreas takes a list of numbers as areas, not "12".')
 })
 
 describe('layers of data', () => {

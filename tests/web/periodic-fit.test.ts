@@ -6,10 +6,9 @@ import { type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
 import { loadRegions, type PeriodicFitOptions } from '../../web/lib/regions.ts'
 import { problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
-import { box } from './shapes.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region, fitAreas } = await loadRegions({ wasm })
+const { fitAreas } = await loadRegions({ wasm })
 const BOX: Lattice = { a: [4, 0], b: [1, 3] }
 
 function sitesInBox(count: number): [number, number][] {
@@ -60,10 +59,6 @@ describe('areas in a box', () => {
       return problemOf(() => fitAreas(sites, areas, options as PeriodicFitOptions))
     }
     expect(problem({ lattice: BOX })).toBe('no problem')
-    expect(problem({})).toMatch(/^badOption: fitAreas needs a region.*or periods as its option lattice\.$/)
-    const square = region([box(0, 0, 1, 1)])
-    expect(problem({ lattice: BOX, region: square })).toBe('badOption: fitAreas takes a region or a lattice, not both.')
-    expect(problem({ lattice: { a: [1, 0] } })).toMatch(/^badInput: fitAreas takes a lattice as/)
     expect(problem({ lattice: { a: [1, 0], b: [2, 0] } })).toMatch(/^badOption: The periods must not be zero or par/)
     expect(problem({ lattice: { a: [1, 0], b: [Infinity, 0] } })).toMatch(/^badOption: The periods must be finite/)
     expect(

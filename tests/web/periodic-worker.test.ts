@@ -61,16 +61,6 @@ it('computes a periodic diagram as the library does', async () => {
   expect(there.find(-20, 13)).toEqual(here.find(-20, 13))
 })
 
-it('refuses a lattice that is none before it asks the thread', async () => {
-  const problem = (lattice: unknown) => worker.computePeriodic(CIRCLES, lattice as Lattice)
-  await expect(problem(undefined)).rejects.toMatchObject({ code: 'badInput' })
-  await expect(problem({ a: [1, 0], b: ['0', 1] })).rejects.toMatchObject({ code: 'badInput' })
-  await expect(worker.computePeriodic(CIRCLES, BOX, { method: 1 } as object)).rejects.toMatchObject({
-    code: 'badOption',
-  })
-  expect(requests).toEqual([])
-})
-
 it('fits areas in a box with the module that this thread loaded', async () => {
   const areas = [2, 4, 6]
   const compile = vi.spyOn(WebAssembly, 'compile')
