@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+from __future__ import annotations
+
 from decimal import Decimal
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -55,97 +58,131 @@ def test_no_circles_have_an_empty_diagram(none):
     assert diagram.polygons() == []
 
 
-@pytest.mark.parametrize(
-    "bad, row, words",
-    [
-        ([[0, 0, 1], [0, np.nan, 1]], 1, "not a finite number"),
-        ([[0, 0, 1], [np.inf, 0, 1]], 1, "not a finite number"),
-        ([[0, 0, 1], [4, 0, -1]], 1, "negative radius"),
-        ([[0, 0, 1], [4, 0]], 1, "2 numbers"),
-        ([[0, 0, 1], [4, 0, 1, 2]], 1, "4 numbers"),
-        ([[0, 0, 1], [4, "0", 1]], 1, "y is not a real number"),
-        (np.array([[0, 0, 1], [4, 0, 1j]]), 0, "not a real number"),
-        (np.array([[0, 0, 1], [4, None, 1]], dtype=object), 1, "y is not a real number"),
-        (np.ma.array(CIRCLES, mask=[[0] * 3, [0] * 3, [0, 1, 0], [0] * 3]), 2, "masked"),
-        ([[0, 0, 1], [2**53 + 1, 0, 1]], 1, "x is 9007199254740993, a whole number that is no double"),
-        ([[0, 0, 1], [0, -(2**53) - 1, 1]], 1, "y is -9007199254740993, a whole number that is no double"),
-        (CIRCLES[:, :2], None, "shape (4, 2)"),
-        (CIRCLES[0], None, "shape (3,)"),
-        (CIRCLES[None], None, "shape (1, 4, 3)"),
-        ("circles", None, "circles must be an array of numbers"),
-        (None, None, "None"),
-        (np.array([["2020-01-01"] * 3], dtype="datetime64[D]"), 0, "not a real number"),
-    ],
-)
-def test_a_bad_row_is_one_error_that_names_it(bad, row, words):
-    with pytest.raises(cv.CircleVoronoiError) as caught:
-        cv.compute(bad)
-    assert caught.value.circle == row
-    assert words in str(caught.value)
+class Kind:
+    """The right value of a kind of arguments, and the wrong ones with the code and the row that each error names."""
+
+    def __init__(self, right, *wrong):
+        self.right = right
+        self.wrong = [case if isinstance(case, Wrong) else Wrong(case) for case in wrong]
 
 
-@pytest.mark.parametrize(
-    "call, words",
-    [
-        (lambda d: cv.compute(CIRCLES, method="fast"), "method must be one of auto"),
-        (lambda d: cv.compute(CIRCLES, threads=-1), "threads"),
-        (lambda d: cv.compute(CIRCLES, threads=True), "threads"),
-        (lambda d: cv.compute(CIRCLES, threads=1025), "threads must be a whole number from 0 to 1024 (got 1025)"),
-        (lambda d: cv.compute(CIRCLES, candidates="some"), "candidates must be one of dynamic, uniform, all-pairs"),
-        (lambda d: cv.compute(CIRCLES, samples=-1), "samples must be a whole number from 0 to 1000 (got -1)"),
-        (lambda d: cv.compute(CIRCLES, samples=1001), "samples must be a whole number from 0 to 1000 (got 1001)"),
-        (lambda d: cv.compute(CIRCLES, x="x"), "x names a column of a table"),
-        (lambda d: cv.compute(CIRCLES[:, 0], CIRCLES[:, 1], CIRCLES[:1, 2]), "r has 1 number; expected 4"),
-        (lambda d: cv.compute(CIRCLES[:, :2], r=CIRCLES[:3, 2]), "r has 3 numbers; expected 4"),
-        (lambda d: d.neighbors(True), "circle must be a whole number (got True)"),
-        (lambda d: d.find([[0, 1], [0, -np.inf]]), "Row 1 of points is not finite"),
-        (lambda d: d.polygons(tolerance=np.inf), "tolerance must be a positive number"),
-        (lambda d: d.polygons(tolerance=np.nan), "tolerance must be a positive number"),
-        (lambda d: d.to_bytes("json", digits=-1), "digits must be a whole number from 0"),
-        (lambda d: d.to_bytes("svg", tolerance=0), "tolerance must be a positive number"),
-        (lambda d: d.to_bytes("svg", bounds=(0, 0, 1, 1), region=[[0, 0], [1, 0], [0, 1]]), "not both"),
-        (lambda d: d.to_bytes("svg", bounds=(0, 0, 1)), "bounds must be four numbers"),
-        (lambda d: d.clearest_path([0, np.nan], [1, 1]), "start must be two finite numbers"),
-        (lambda d: d.clearest_path([0, 0], [1, 1], tolerance=-1), "tolerance must be a positive number"),
-        (lambda d: d.update(remove=[-1]), "remove must be whole numbers from 0"),
-        (lambda d: d.update(remove=[0.5]), "remove must be whole numbers from 0"),
-        (lambda d: d.update(remove=[2**31]), "remove must be whole numbers from 0"),
-        (lambda d: d.update(replace={-1: (0, 0, 1)}), "the ids of replace must be whole numbers from 0"),
-        (lambda d: d.update(replace={0: (0, 1)}), "replace has the shape (1, 2)"),
-        (lambda d: d.update(insert=[[0, 1]]), "insert has the shape (1, 2)"),
-        (lambda d: cv.fit_areas([[0, 0]], [1], None), "fit_areas needs a region"),
-        *(
-            (lambda d, name=name, value=value: cv.fit_areas([[0, 0]], [1], CIRCLES[:3, :2], **{name: value}), name)
-            for name, value in [("tolerance", 0), ("max_steps", 0), ("relax", -1), ("weights", [1, 2])]
-        ),
-        (lambda d: cv.compute_periodic(CIRCLES, (9, 0), (0, 9), threads=-1), "threads"),
-        (lambda d: cv.compute_periodic(CIRCLES, (9, 0), (0, 9)).neighbors(4), "circle must be from 0 to 3 (got 4)"),
-        (lambda d: cv.compute_periodic(CIRCLES, (9, 0), (0, 9)).find([[0, np.nan]]), "Row 0 of points is not finite"),
-        (lambda d: cv.compute_periodic(CIRCLES, (9, np.inf), (0, 9)), "a must be two finite numbers"),
-        (lambda d: cv.compute_periodic(CIRCLES, (9, 0), (0,)), "b must be two finite numbers"),
-        (lambda d: cv.compute(CIRCLES[:, 0], CIRCLES[:2, 1], CIRCLES[:, 2]), "y has 2 numbers; expected 4"),
-        (lambda d: d.neighbors(4), "circle must be from 0 to 3 (got 4)"),
-        (lambda d: d.neighbors(-1), "circle must be from 0 to 3"),
-        (lambda d: d.neighbors(1.0), "whole number"),
-        (lambda d: d.find([[0, 1], [np.nan, 0]]), "Row 1 of points is not finite"),
-        (lambda d: d.find([1, 2]), "shape (2,)"),
-        (lambda d: d.areas(bounds=(0, 0, 1)), "bounds must be four numbers"),
-        (lambda d: d.areas(bounds=(0, 0, 0, 1)), "box"),
-        (lambda d: d.areas(bounds=(0, 0, 1, 1), region=[[0, 0], [1, 0], [0, 1]]), "not both"),
-        (lambda d: d.areas(max_distance=np.nan), "distance"),
-        (lambda d: d.polygons(tolerance=0), "tolerance must be a positive number"),
-        (lambda d: d.polygons(region=[[0, 0], [1, 1], [1, 0], [0, 1]]), "cross"),
-        (lambda d: d.polygons(region=7), "region must be"),
-        (lambda d: d.to_bytes("pdf"), "format must be one of"),
-        (lambda d: d.to_bytes("geojson", attributes=[{}]), "1 items; expected 4"),
-        (lambda d: d.clearest_path([0, 0], [1]), "end must be two finite numbers"),
-        (lambda d: d.largest_empty_disc(inside=True), "inside needs"),
-    ],
-)
-def test_a_bad_argument_is_one_error(call, words):
-    with pytest.raises(cv.CircleVoronoiError) as caught:
-        call(cv.compute(CIRCLES))
-    assert words in str(caught.value), str(caught.value)
+class Wrong(NamedTuple):
+    value: object
+    code: str = "badInput"
+    row: int | None = None
+
+
+def options(*values):
+    return [Wrong(value, "badOption") for value in values]
+
+
+NAN, INF = np.nan, np.inf
+TEXT_AS_Y = [[0, 0, 1], [4, "0", 1]]
+MASKED = np.ma.array(CIRCLES, mask=[[0] * 3, [0] * 3, [0, 1, 0], [0] * 3])
+CROSSED = [[0, 0], [1, 1], [1, 0], [0, 1]]
+NO_NUMBER = [Wrong(value, row=0) for value in ("x", 1j)]
+NO_INDICES = ["x", [1, 2], {}, 1j, None, True, 1.0, -1, 4, NAN]
+KINDS = {
+    "rows": Kind(
+        CIRCLES,
+        *("circles", None, CIRCLES[:, :2], CIRCLES[0], CIRCLES[None], 5),
+        *(Wrong(bad, row=1) for bad in ([[0, 0, 1], [4, 0]], [[0, 0, 1], [4, 0, 1, 2]], TEXT_AS_Y)),
+        *(Wrong(np.array([[0, 0, 1], [4, None, 1]], dtype=object), row=1), Wrong(MASKED, row=2)),
+        *(Wrong([[0, 0, 1], [0, sign * (2**53 + 1), 1]], row=1) for sign in (1, -1)),
+        Wrong(np.array([[0, 0, 1], [4, 0, 1j]]), row=0),
+        Wrong(np.array([["2020-01-01"] * 3], "datetime64[D]"), row=0),
+        *(Wrong([[0, 0, 1], [0, bad, 1]], "nonFinite", 1) for bad in (NAN, INF)),
+        Wrong([[0, 0, 1], [4, 0, -1]], "negativeRadius", 1),
+        Wrong([[0, 0, 1], [1e29, 0, 1]], "coordinateTooLarge", 1),
+    ),
+    "points": Kind(
+        [[0, 1], [3, 4]],
+        *([1, 2], None, 5, "x", [[0, 1, 2]]),
+        *(Wrong([[0, 1], [0, bad]], "nonFinite", 1) for bad in (NAN, INF)),
+    ),
+    "index": Kind(0, *NO_INDICES),
+    "point": Kind((1, 1), *([1], 5, None, "xy", [1, 2, 3]), Wrong((0, NAN), "nonFinite"), Wrong((0, INF), "nonFinite")),
+    "period a": Kind((9, 0), *([1], None, "xy"), Wrong((9, INF), "nonFinite"), *options((0, 0), (0, 18))),
+    "period b": Kind((0, 9), *([1], None, "xy"), Wrong((0, NAN), "nonFinite"), *options((18, 0))),
+    "ids": Kind((), [-1], [0.5], [2**31], "x", None, [[1]], [True]),
+    "new circles": Kind((), [[0, 1]], "x", None, Wrong([[0, 0, 1], [0, "0", 1]], row=1)),
+    "replacements": Kind({}, 5, [1], {-1: (0, 0, 1)}, {0: (0, 1)}, {"0": (0, 0, 1)}),
+    "column": Kind(CIRCLES[:, 2], CIRCLES[:3, 2], CIRCLES, "x"),
+    "areas": Kind("equal", [1], [], None, [[1]], *options("x")),
+    "starting weights": Kind(0, [1, 2, 3], "x", None),
+    "region": Kind(None, 7, *options(CROSSED, [[0, 0], [0, 0], [0, 0]])),
+    "needed region": Kind(CIRCLES[:3, :2], 7, *options(None, CROSSED)),
+    "bounds": Kind(None, (0, 0, 1), 5, "x", Wrong((0, 0, 1, "1"), row=3), *options((0, 0, 0, 1), (0, 0, NAN, 1))),
+    "distance": Kind(None, [1], *NO_NUMBER, *options(NAN)),
+    "tolerance": Kind(0.1, [1], *NO_NUMBER, *options(0, -1, NAN, INF)),
+    "method": Kind("auto", *options("fast", 5, None)),
+    "candidates": Kind("dynamic", *options("some", 5, None)),
+    "format": Kind("svg", *options("pdf", 5, None)),
+    "samples": Kind(3, *options("x", -1, 1001, 0.5, True)),
+    "threads": Kind(1, *options("x", None, -1, 1025, 0.5, True)),
+    "digits": Kind(3, *options("x", -1, 2**31, 0.5, True)),
+    "steps": Kind(500, *options("x", None, 0, -1, 0.5, True)),
+    "times": Kind(0, *options("x", None, -1, 0.5, True)),
+    "attributes": Kind(None, [{}], 5, "abcd", [5] * 4, Wrong([{}, {"a": {1}}, {}, {}], row=1)),
+}
+LIMITS = {"bounds": "bounds", "region": "region", "max_distance": "distance"}
+WITHIN = {"bounds": "bounds", "region": "region", "tolerance": "tolerance"}
+FIT = {"tolerance": "tolerance", "max_steps": "steps", "relax": "times", "weights": "starting weights"}
+COMPUTE = {"method": "method", "candidates": "candidates", "samples": "samples", "threads": "threads"}
+
+
+def of(name):
+    """A call of a method of a diagram."""
+    return lambda *args, **more: getattr(cv.compute(CIRCLES), name)(*args, **more)
+
+
+def periodic(name):
+    return lambda *args, **more: getattr(cv.compute_periodic(CIRCLES, (9, 0), (0, 9)), name)(*args, **more)
+
+
+# Each function with the kinds of its arguments and of its options.
+FUNCTIONS = [
+    (cv.compute, ["rows"], COMPUTE),
+    (lambda r: cv.compute(CIRCLES[:, :2], r=r), ["column"], {}),
+    (lambda y, r: cv.compute(CIRCLES[:, 0], y, r), ["column", "column"], {}),
+    (cv.compute_periodic, ["rows", "period a", "period b"], {"threads": "threads"}),
+    (cv.fit_areas, ["points", "areas", "needed region"], FIT),
+    (cv.fit_areas_periodic, ["points", "areas", "period a", "period b"], FIT),
+    *((of(name), [], LIMITS) for name in ("areas", "centroids", "perimeters", "neighbor_pairs")),
+    (of("neighbors"), ["index"], LIMITS),
+    (of("polygons"), [], {**LIMITS, "tolerance": "tolerance"}),
+    (of("find"), ["points"], {}),
+    (of("largest_empty_disc"), [], {"bounds": "bounds", "region": "region"}),
+    (of("clearest_path"), ["point", "point"], WITHIN),
+    (of("update"), [], {"remove": "ids", "replace": "replacements", "insert": "new circles"}),
+    (of("to_bytes"), ["format"], {**LIMITS, "tolerance": "tolerance", "digits": "digits", "attributes": "attributes"}),
+    (periodic("neighbors"), ["index"], {}),
+    (periodic("find"), ["points"], {}),
+    (periodic("polygons"), [], {"tolerance": "tolerance"}),
+]
+
+
+@pytest.mark.parametrize("call, kinds, options", FUNCTIONS)
+def test_each_wrong_argument_is_an_error_with_its_code_and_row(call, kinds, options):
+    right = [KINDS[kind].right for kind in kinds]
+    call(*right)
+    calls = []
+    for k, kind in enumerate(kinds):
+        calls += [(wrong, [*right[:k], wrong.value, *right[k + 1 :]], {}) for wrong in KINDS[kind].wrong]
+    calls += [(wrong, right, {name: wrong.value}) for name, kind in options.items() for wrong in KINDS[kind].wrong]
+    if "bounds" in options:
+        calls.append((Wrong("both", "badOption"), right, {"bounds": (0, 0, 1, 1), "region": CIRCLES[:3, :2]}))
+    problems = []
+    for wrong, args, more in calls:
+        try:
+            problem = f"no error but {call(*args, **more)!r}"
+        except cv.CircleVoronoiError as error:
+            problem = None if (error.code, error.circle) == wrong[1:] else f"{error.code} {error.circle} {error}"
+        if problem is not None:
+            problems.append((wrong, list(more), problem))
+    assert problems == []
+    with pytest.raises(TypeError):
+        call(*right, foo=1)
 
 
 def test_an_error_is_a_value_error_with_a_code_and_survives_pickling():
@@ -159,3 +196,38 @@ def test_an_error_is_a_value_error_with_a_code_and_survives_pickling():
         cv.compute(CIRCLES).update(remove=[1], insert=[[0, 0, -1]])
     copy = pickle.loads(pickle.dumps(caught.value))
     assert (str(copy), copy.code, copy.edit) == (str(caught.value), "negativeRadius", 1)
+
+
+@pytest.mark.parametrize(
+    "call, sentence",
+    [
+        (lambda d: cv.compute(CIRCLES, method="fast"), "method must be one of auto, touching-disc, flip (got 'fast')."),
+        (lambda d: cv.compute(CIRCLES, threads=1025), "threads must be a whole number from 0 to 1024 (got 1025)."),
+        (lambda d: cv.compute(CIRCLES, x="x"), "x names a column of a table"),
+        (lambda d: cv.compute(CIRCLES[:, :2], r=CIRCLES[:1, 2]), "r has 1 number; expected 4."),
+        (lambda d: cv.compute([[0, 0, 1], [4, 0]]), "Row 1 of circles has 2 numbers; expected 3 (x, y, r)."),
+        (lambda d: cv.compute(CIRCLES[0]), "circles has the shape (3,); expected (n, 3): x, y, r."),
+        (lambda d: cv.compute([[0, 0, 1], [4, "0", 1]]), "Row 1: y is not a real number (got '0')."),
+        (lambda d: cv.compute([[2**53 + 1, 0, 1]]), "Row 0: x is 9007199254740993, a whole number that is no double."),
+        (lambda d: cv.compute(MASKED), "Row 2 of circles is masked."),
+        (lambda d: cv.compute("circles"), "circles must be an array of numbers (got 'circles')."),
+        (lambda d: d.neighbors(True), "circle must be a whole number (got True)."),
+        (lambda d: d.neighbors(4), "circle must be from 0 to 3 (got 4)."),
+        (lambda d: d.find([[0, 1], [0, -np.inf]]), "Row 1 of points is not finite: (0.0, -inf)."),
+        (lambda d: d.polygons(tolerance=0), "tolerance must be a positive number (got 0)."),
+        (lambda d: d.areas(bounds=(0, 0, 1)), "bounds must be four numbers: least x and y, largest x and y (got "),
+        (lambda d: d.areas(bounds=(0, 0, 1, 1), region=CROSSED), "Give either bounds or region, not both."),
+        (lambda d: d.areas(region=7), "region must be"),
+        (lambda d: d.areas(region=CROSSED), "cross"),
+        (lambda d: d.update(remove=[0.5]), "remove must be whole numbers from 0."),
+        (lambda d: d.update(replace={-1: (0, 0, 1)}), "the ids of replace must be whole numbers from 0."),
+        (lambda d: d.to_bytes("geojson", attributes=[{}]), "attributes has 1 items; expected 4."),
+        (lambda d: d.clearest_path([0, 0], [1]), "end must be two finite numbers, x and y (got [1])."),
+        (lambda d: d.largest_empty_disc(inside=True), "inside needs"),
+        (lambda d: cv.fit_areas([[0, 0]], [1], None), "fit_areas needs a region."),
+    ],
+)
+def test_a_sentence_says_what_is_wrong(call, sentence):
+    with pytest.raises(cv.CircleVoronoiError) as caught:
+        call(cv.compute(CIRCLES))
+    assert sentence in str(caught.value)
