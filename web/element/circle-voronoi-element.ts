@@ -863,7 +863,7 @@ export class CircleVoronoiElement extends Base {
       before = selection
       const isSame = selection.length === 0 && this.#selection.length === 0
       this.#selection = selection.slice()
-      if (!isSame) this.#tell('selectionchange', { selection: this.#selection })
+      if (!isSame) this.#tell('selectionchange', { selection: selection.slice() })
     })
     if (!this.#wrong.has('layers')) this.#try('layers', () => this.#setLayers(this.#layers))
     this.#applyControls()

@@ -1,0 +1,1195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// <circle-voronoi> in a page, with its threads and its buttons. Nothing of the project is replaced.
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { CircleVoronoiElement, defineCircleVoronoi } from '../../web/element/define.ts'
+import { CircleVoronoiError, type ErrorCode } from '../../web/lib/index.ts'
+import { encodeLink } from '../../web/lib/link.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { held, Observer } from './element-page.ts'
+import { control, controls, send } from './page-document.ts'
+import { ThreadHere } from './page-threads.ts'
+import { fetchHere, quiet, soon, surround } from './whole-page.ts'
+
+const THREE = [
+  [0, 0, 2],
+  [10, 0, 1],
+  [5, 8, 1.5],
+]
+const FLAT = THREE.flat()
+const TEXT = JSON.stringify(THREE)
+const SQUARE = 'POLYGON ((-9 -9, 19 -9, 19 19, -9 19))'
+const RING = [
+  [-9, -9],
+  [19, -9],
+  [19, 19],
+  [-9, 19],
+]
+const LATTICE = { a: [30, 0], b: [0, 30] } as const
+const EVENTS = [
+  'circleschange',
+  'diagramchange',
+  'checkchange',
+  'selectionchange',
+  'stepchange',
+  'input',
+  'change',
+  'error',
+]
+type Attributes = Readonly<Record<string, string>>
+type Properties = Record<string, unknown>
+
+surround()
+defineCircleVoronoi()
+beforeEach(() => {
+  document.body.innerHTML = ''
+  Observer.areNear = true
+})
+afterEach(async () => {
+  vi.unstubAllGlobals()
+  held.release()
+  document.body.innerHTML = ''
+  await quiet()
+})
+
+/** An element with attributes, which is in no page yet, and what it tells. */
+function made(attributes: Attributes = { circles: TEXT }) {
+  const element = document.createElement('circle-voronoi')
+  const shadow = element.shadowRoot as ShadowRoot
+  const events: CustomEvent[] = []
+  for (const name of EVENTS) element.addEventListener(name, (event) => events.push(event as CustomEvent))
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
+  const part = (name: string) => shadow.querySelector(name) as HTMLElement
+  return {
+    element,
+    properties: element as unknown as Properties,
+    part,
+    figure: part('.figure'),
+    problem: () => (part('.problem').hidden ? '' : part('.problem').textContent),
+    circles: () => [...element.circles],
+    events,
+    /** The names of the events since the last call. */
+    told: () => events.splice(0).map(({ type }) => type),
+    /** Sends keys to the figure, and waits for what follows. */
+    keys: async (...keys: (string | object)[]) => {
+      for (const key of keys) send(part('.figure'), 'keydown', typeof key === 'string' ? { key } : key)
+      await settled(element)
+    },
+    /** Presses a button by its name. */
+    press: async (name: string) => {
+      control(part('.controls'), name).click()
+      await settled(element)
+    },
+    /** Lets a change pass, and returns the errors that it caused. */
+    errors: async (act: () => unknown) => {
+      events.length = 0
+      act()
+      await settled(element)
+      return events.flatMap(({ type, detail }) => (type === 'error' ? [detail.error as CircleVoronoiError] : []))
+    },
+  }
+}
+
+async function settled(element: CircleVoronoiElement): Promise<void> {
+  await element.updateComplete
+  await quiet()
+}
+
+/** An element in a page that shows its circles. */
+async function shown(attributes?: Attributes) {
+  const all = made(attributes)
+  document.body.append(all.element)
+  await all.element.ready
+  await settled(all.element)
+  return all
+}
+
+const UNDO = { key: 'z', ctrlKey: true }
+
+describe('a wrong attribute', () => {
+  const wrong = [
+    ['areas', '1 x', 'equal'],
+    ['check', '{', '{"circles": 3}'],
+    ['check', '{"cell": 3, "edges": 1}', '{"cell": 2, "edges": 1}'],
+    ['controls', 'x', 'player'],
+    ['lattice', '1 0 0', '30 0 0 30'],
+    ['layers', 'x', 'hull'],
+    ['method', 'x', 'flip'],
+    ['region', 'POLYGON x', SQUARE],
+    ['samples', '-1', '3'],
+    ['step', 'x', '2'],
+    ['view', '1 2', '1 2 3'],
+  ] as const
+
+  it.each(wrong)('%s="%s" is one error event, and is visible until it is right or gone', async (name, bad, good) => {
+    const { element, problem, errors, circles } = await shown(
+      name === 'areas'
+        ? { circles: TEXT, region: SQUARE }
+        : {
+            circles: TEXT,
+          },
+    )
+    for (const end of [() => element.setAttribute(name, good), () => element.removeAttribute(name)]) {
+      const [error, ...others] = await errors(() => element.setAttribute(name, bad))
+      expect(error).toBeInstanceOf(CircleVoronoiError)
+      expect([error?.code, others]).toEqual([expect.stringMatching(/^bad(Input|Option)$/), []])
+      expect(problem()).toBe(error?.message)
+      expect(await errors(end)).toEqual([])
+      expect(problem()).toBe('')
+    }
+    // Areas choose the radii.
+    if (name !== 'areas') expect(circles()).toEqual(FLAT)
+  })
+
+  it('is visible together with others, which stay', async () => {
+    const { element, problem, errors } = await shown()
+    const [method] = await errors(() => element.setAttribute('method', 'x'))
+    const [step] = await errors(() => element.setAttribute('step', 'x'))
+    expect(problem()).toBe(`${method?.message} ${step?.message}`)
+    element.removeAttribute('method')
+    expect(problem()).toBe(step?.message)
+  })
+
+  it('is told once where it was there before the figure began, and the others are shown', async () => {
+    const all = await shown({ circles: TEXT, layers: 'x', areas: 'x', region: 'POLYGON x', samples: '-1' })
+    expect(all.told().filter((name) => name === 'error')).toHaveLength(4)
+    expect(all.element.layers).toEqual(DEFAULT_LAYERS)
+    expect(await all.errors(() => all.element.setAttribute('circles', TEXT))).toEqual([])
+    expect(all.problem()?.match(/\bx\b/g)).not.toHaveLength(0)
+  })
+})
+
+describe('a check', () => {
+  it('that names a circle which is missing is wrong until circles have it', async () => {
+    const { element, problem, errors } = await shown({ circles: TEXT, check: '{"cell": 3, "edges": 1}' })
+    expect(problem()).not.toBe('')
+    expect(await errors(() => Object.assign(element, { circles: [...THREE, [20, 0, 1]] }))).toEqual([])
+    expect(problem()).toBe('')
+    expect(await errors(() => Object.assign(element, { circles: THREE }))).toHaveLength(1)
+    expect(await errors(() => element.setState({ edits: [{ kind: 'remove', id: 0 }] }))).toEqual([])
+    expect(problem()).not.toBe('')
+  })
+
+  it('that cannot be written is an error, until it is unset or another one', async () => {
+    const { properties, problem, errors } = await shown()
+    const circular: unknown[] = []
+    circular.push({ all: circular })
+    for (const end of [undefined, null, { circles: 3 }]) {
+      expect(await errors(() => Object.assign(properties, { check: { all: circular } }))).toHaveLength(1)
+      expect(problem()).not.toBe('')
+      expect(await errors(() => Object.assign(properties, { check: end }))).toEqual([])
+      expect(problem()).toBe('')
+    }
+  })
+
+  it('is the value and the validity of the field, a state, a part of the description, and an event where it changes', async () => {
+    document.body.innerHTML = '<form></form>'
+    const all = made({ circles: TEXT, check: '{"circles": 4}', controls: '', name: 'a' })
+    const { element, part, events } = all
+    document.forms[0]?.append(element)
+    await element.ready
+    await settled(element)
+    const { internals } = held.of(element)
+    const now = () => [JSON.parse(internals.value).check, element.checkValidity(), internals.states.has('met')]
+    const checked = () => events.splice(0).flatMap(({ type, detail }) => (type === 'checkchange' ? [detail.isMet] : []))
+    expect(element.form).toBe(document.forms[0])
+    expect(JSON.parse(internals.value).circles).toEqual(THREE)
+    expect([now(), checked()]).toEqual([[false, false, false], [false]])
+    const unmet = element.validationMessage
+    expect(unmet).not.toBe('')
+    expect(part('#about').textContent).toContain(unmet)
+    expect(part('#about').textContent).toMatch(/^3 /)
+    expect(internals.anchor).toBe(all.figure)
+    element.selection = [0]
+    await all.keys({ key: 'd', ctrlKey: true })
+    expect([now(), checked(), element.validationMessage]).toEqual([[true, true, true], [true], ''])
+    expect(part('#about').textContent).not.toContain(unmet)
+    await all.keys(UNDO)
+    await all.keys({ key: 'y', ctrlKey: true })
+    expect(checked()).toEqual([false, true])
+    element.removeAttribute('check')
+    await settled(element)
+    expect([now(), checked(), element.check]).toEqual([[undefined, true, false], [false], undefined])
+  })
+
+  it('that is replaced while it is examined says nothing', async () => {
+    const { element, told } = await shown()
+    told()
+    element.setAttribute('check', '{"circles": 3}')
+    element.removeAttribute('check')
+    await settled(element)
+    expect(told()).toEqual([])
+    expect(held.of(element).internals.states.has('met')).toBe(false)
+  })
+})
+
+describe('a field of a form', () => {
+  it('has a value only within a form', async () => {
+    const { element } = await shown()
+    expect([held.of(element).internals.value, element.form]).toEqual(['', null])
+  })
+
+  it('is reset to the circles of its attributes, restored to those that the browser kept, and disabled', async () => {
+    const { element, circles, part } = await shown({ circles: TEXT, controls: '' })
+    element.formStateRestoreCallback('{"circles": [[1, 1, 1]]}')
+    await settled(element)
+    expect(circles()).toEqual([1, 1, 1])
+    element.formResetCallback()
+    await settled(element)
+    expect(circles()).toEqual(FLAT)
+    for (const isDisabled of [true, false]) {
+      element.formDisabledCallback(isDisabled)
+      expect(controls(part('.controls')).has('Undo')).toBe(!isDisabled)
+    }
+  })
+})
+
+describe('attributes and properties', () => {
+  it.each([
+    ['alt', 'Trees', 'Trees', ''],
+    ['check', { circles: 3 }, '{"circles":3}', undefined],
+    ['check', '{"circles": 3}', '{"circles": 3}', undefined],
+    ['controls', 'player', 'player', null],
+    ['controls', true, '', null],
+    ['lang', 'de', 'de', ''],
+    ['method', 'flip', 'flip', 'auto'],
+    ['name', 'a', 'a', ''],
+    ['samples', 3, '3', undefined],
+    ['src', 'a.csv', 'a.csv', ''],
+    ['step', 0, '0', undefined],
+    ['areas', '1 2', '1 2', undefined],
+    ['lattice', '9 0 0 9', '9 0 0 9', undefined],
+    ['layers', 'hull', 'hull', DEFAULT_LAYERS],
+    ['region', SQUARE, SQUARE, undefined],
+    ['view', '1 2 3', '1 2 3', undefined],
+    ['readonly', true, '', false],
+    ['dissolve', true, '', false],
+  ] as const)('the property %s of %j is the attribute "%s", and without it %j', (name, value, attribute, none) => {
+    const { element, properties, told } = made({})
+    for (const nothing of [undefined, null, ...(typeof value === 'boolean' ? [false] : [])]) {
+      properties[name] = value
+      expect(element.getAttribute(name)).toBe(attribute)
+      properties[name] = nothing
+      // The attribute of a text stays if the property has other forms, too.
+      if (['areas', 'lattice', 'layers', 'region', 'view'].includes(name)) element.removeAttribute(name)
+      expect(element.hasAttribute(name)).toBe(false)
+      expect(properties[name]).toEqual(none)
+    }
+    expect(told()).toEqual([])
+  })
+
+  it('readonly and dissolve are set by true alone', () => {
+    const { element, properties } = made({})
+    Object.assign(properties, { readonly: 'no', dissolve: 1 })
+    expect([element.readonly, element.dissolve]).toEqual([false, false])
+  })
+
+  const OWN = [
+    ['areas', '1 2 3', [1, 2, 3], [3, 2, 1]],
+    ['lattice', '30 0 0 30', LATTICE, { a: [40, 0], b: [0, 40] }],
+    ['layers', 'hull', { ...DEFAULT_LAYERS, hull: true }, { ...DEFAULT_LAYERS, dual: true }],
+    ['view', '1 2 3', { x: 1, y: 2, span: 3 }, { x: 2, y: 2, span: 3 }],
+    ['selection', '', [1], [2]],
+  ] as const
+
+  it.each(OWN)('the property %s is copied when it is set and when it is read', async (name, _, value, other) => {
+    const region = name === 'areas' ? { region: SQUARE } : {}
+    for (const { element, properties } of [made(), await shown({ circles: TEXT, ...region })]) {
+      const given = structuredClone(value)
+      properties[name] = given
+      await settled(element)
+      Object.assign(given, other)
+      const read = properties[name] as object
+      expect(read).toEqual(value)
+      Object.assign(read, other)
+      expect(properties[name]).toEqual(value)
+    }
+  })
+
+  it.each(OWN.slice(0, 4))(
+    'the property %s wins over "%s" until it is unset, or the attribute is set anew',
+    (name, text, said, own) => {
+      const { element, properties } = made({ circles: TEXT, [name]: text })
+      for (const back of [
+        () => Object.assign(element, { [name]: undefined }),
+        () => Object.assign(element, { [name]: null }),
+        () => element.setAttribute(name, text),
+      ]) {
+        properties[name] = own
+        expect(properties[name]).toEqual(own)
+        back()
+        expect(properties[name]).toEqual(said)
+      }
+    },
+  )
+
+  it('layers and a view are seen at once in a figure that runs, with the data of clients', async () => {
+    const data = [{ id: 'a', color: 'rgb(1, 2, 3)', points: Float64Array.of(1, 2) }]
+    const early = made({ circles: TEXT })
+    early.element.layers = { data }
+    document.body.append(early.element)
+    expect(await early.element.toSVG()).toContain('rgb(1, 2, 3)')
+    const { element } = await shown({ circles: TEXT, layers: 'hull' })
+    const state = () => element.getState()
+    const seen: unknown[] = []
+    for (const act of [
+      () => Object.assign(element, { layers: { dual: true } }),
+      () => Object.assign(element, { layers: undefined }),
+      () => element.setAttribute('layers', 'dual'),
+      () => element.removeAttribute('layers'),
+    ]) {
+      act()
+      seen.push(state().layers)
+    }
+    expect(seen).toEqual([{ dual: true }, { hull: true }, { dual: true }, {}])
+    element.view = { x: 1, y: 2, span: 9 }
+    await settled(element)
+    expect(state().view).toMatchObject({ x: 1, y: 2 })
+    element.setAttribute('view', '3 4 9')
+    await settled(element)
+    expect(state().view).toMatchObject({ x: 3, y: 4 })
+  })
+
+  it.each([
+    ['areas', [1, -1]],
+    ['areas', []],
+    ['circles', [[0, 0]]],
+    ['value', [[0, 0]]],
+    ['lattice', { a: [1, 0] }],
+    ['layers', { x: true }],
+    ['region', 7],
+    ['selection', 7],
+    ['view', { x: 1, y: 2, span: 0 }],
+  ])('the property %s of %j is one error, and leaves the former value', async (name, value) => {
+    const { element, properties, problem, errors } = await shown()
+    const former = structuredClone(properties[name])
+    const [error, ...others] = await errors(() => Object.assign(element, { [name]: value }))
+    expect([error?.code, others]).toEqual([expect.stringMatching(/^bad(Input|Option)$/), []])
+    expect(problem()).toBe(error?.message)
+    expect(properties[name]).toEqual(former)
+    expect(await errors(() => Object.assign(element, { [name]: undefined }))).toEqual([])
+    expect(problem()).toBe('')
+  })
+
+  it('properties that were set before the class was defined are taken over', async () => {
+    const { element, circles } = made({})
+    const given = { circles: THREE, alt: 'Trees', readonly: true, selection: [1] }
+    for (const [name, value] of Object.entries(given))
+      Object.defineProperty(element, name, { value, configurable: true, enumerable: true, writable: true })
+    document.body.append(element)
+    await element.ready
+    await settled(element)
+    expect(circles()).toEqual(FLAT)
+    expect([element.alt, element.readonly, element.selection]).toEqual(['Trees', true, [1]])
+    expect(Object.keys(given).filter((name) => Object.hasOwn(element, name))).toEqual([])
+  })
+})
+
+describe('circles', () => {
+  it('are those of the newest request, however late others are', async () => {
+    const { element, circles } = await shown()
+    held.hold()
+    element.circles = [[1, 1, 1]]
+    await held.isFull()
+    element.circles = [[2, 2, 2]]
+    held.release()
+    await settled(element)
+    expect(circles()).toEqual([2, 2, 2])
+  })
+
+  it('of the newest event change nothing if they are set again; older ones and copies do', async () => {
+    const { element, events, told } = await shown()
+    const [{ detail }] = events as [CustomEvent]
+    const { circles } = detail
+    expect([detail.circles === circles, [...detail.ids]]).toEqual([true, [0, 1, 2]])
+    told()
+    for (const [value, tells] of [
+      [circles, []],
+      [Float64Array.from(circles), ['circleschange', 'diagramchange']],
+      [circles, ['circleschange', 'diagramchange']],
+    ]) {
+      element.circles = value
+      await settled(element)
+      expect(told()).toEqual(tells)
+    }
+  })
+
+  it('as a value are one object between changes, and setting them again, however written, changes nothing', async () => {
+    const { element, told } = await shown()
+    told()
+    const { value } = element
+    expect(element.value).toBe(value)
+    for (const [next, tells] of [
+      [value, []],
+      [THREE, []],
+      [THREE.slice(1), ['circleschange', 'diagramchange']],
+      [
+        [
+          [10, 0, 1],
+          [5, 8, 1.25],
+        ],
+        ['circleschange', 'diagramchange'],
+      ],
+    ] as const) {
+      element.value = next as number[][]
+      await settled(element)
+      expect(told()).toEqual(tells)
+    }
+    await element.setState({ edits: [{ kind: 'remove', id: 0 }] })
+    expect([...element.value]).toEqual([5, 8, 1.25])
+    for (const nothing of ['', undefined, null]) {
+      element.value = [[1, 1, 1]]
+      element.value = nothing
+      await settled(element)
+      expect([...element.value]).toEqual(FLAT)
+    }
+  })
+
+  it('have ids, before the figure runs and after circles are gone', async () => {
+    const early = made({})
+    early.element.circles = THREE
+    expect([[...early.element.ids], early.circles()]).toEqual([[0, 1, 2], FLAT])
+    const { element, circles } = await shown()
+    await element.setState({ edits: [{ kind: 'remove', id: 1 }] })
+    expect([...element.ids]).toEqual([0, 2])
+    element.remove()
+    await quiet()
+    expect([[...element.ids], circles()]).toEqual([
+      [0, 2],
+      [0, 0, 2, 5, 8, 1.5],
+    ])
+  })
+
+  it.each([
+    ['[[1, 2]]', 'badInput'],
+    ['[[0, 0, 1e-30]]', 'coordinateTooSmall'],
+  ])('%s are an error, and the content stays where there were none before', async (text, code) => {
+    const all = await shown({ circles: text })
+    expect(all.events.flatMap(({ detail }) => detail?.error?.code ?? [])).toEqual([code])
+    const isRunning = () => all.part('.frame').dataset.running
+    expect([all.part('slot[name=poster]'), isRunning(), all.problem()]).toEqual([null, 'false', expect.any(String)])
+    expect(await all.errors(() => all.element.setAttribute('circles', TEXT))).toEqual([])
+    expect([all.problem(), isRunning()]).toEqual(['', 'true'])
+    const good = await shown()
+    expect(await good.errors(() => good.element.setAttribute('circles', '[[1, 2]]'))).toHaveLength(1)
+    expect([good.part('slot[name=poster]'), good.circles()]).toEqual([expect.anything(), FLAT])
+  })
+
+  it('between the tags are read again when they change, unless there are others', async () => {
+    const { element, circles, told, problem } = await shown({})
+    const write = async (text: string) => {
+      element.textContent = text
+      await quiet()
+      await settled(element)
+    }
+    expect([circles(), told()]).toEqual([[], []])
+    await write('|1|2|')
+    expect(problem()).not.toBe('')
+    await write('|1|2|3|')
+    expect([circles(), problem()]).toEqual([[1, 2, 3], ''])
+    for (const [set, unset] of [
+      [() => element.setAttribute('circles', TEXT), () => element.removeAttribute('circles')],
+      [() => Object.assign(element, { circles: THREE }), () => Object.assign(element, { circles: undefined })],
+    ] as const) {
+      set()
+      await settled(element)
+      told()
+      await write('|4|4|4|')
+      expect([told(), circles()]).toEqual([[], FLAT])
+      unset()
+      await settled(element)
+      expect(circles()).toEqual([4, 4, 4])
+    }
+    await write('')
+    expect(circles()).toEqual([])
+  })
+
+  it('between the tags are read once the page has them all', async () => {
+    const state = vi.spyOn(document, 'readyState', 'get').mockReturnValue('loading')
+    const { element, circles } = made({})
+    document.body.append(element)
+    await quiet()
+    element.textContent = '|1|2|3|'
+    await quiet()
+    expect(circles()).toEqual([])
+    state.mockRestore()
+    for (const type of ['DOMContentLoaded', 'load']) window.dispatchEvent(new Event(type))
+    await element.ready
+    expect(circles()).toEqual([1, 2, 3])
+  })
+
+  it('of an address replace those of properties, and are not waited for once there are others', async () => {
+    const { element, circles } = await shown()
+    element.circles = [[1, 1, 1]]
+    await settled(element)
+    const asked: [src: string, signal: AbortSignal][] = []
+        vi.stubGlobal('fetch', (src: string, { signal }: { signal: AbortSignal }) => {
+      asked.push([src, signal])
+      return src.endsWith('a.csv') ? Promise.resolve(new Response('9,9,9\n')) : new Promise(() => {})
+    })
+    element.removeAttribute('circles')
+    element.src = 'a.csv'
+    await settled(element)
+    expect([asked.at(-1)?.[0], circles()]).toEqual([new URL('a.csv', document.baseURI).href, [9, 9, 9]])
+    for (const end of [() => Object.assign(element, { circles: THREE }), () => element.remove()]) {
+      element.src = 'b.csv'
+      await quiet()
+      expect(asked.at(-1)?.[1].aborted).toBe(false)
+      end()
+      await quiet()
+      expect(asked.at(-1)?.[1].aborted).toBe(true)
+    }
+  })
+})
+
+describe('readers', () => {
+  /** Presses the pointer on circle 0, or moves or releases it, some pixels beside the middle. */
+  const point = (figure: HTMLElement, type: string, aside = 0) =>
+    send(figure, type, { pointerId: 1, button: 0, pointerType: 'mouse', offsetX: 150 + aside, offsetY: 100 })
+
+  it('cause input and, once they release the circles, change; programs cause neither', async () => {
+    const { element, figure, told, events, keys } = await shown({ circles: TEXT, view: '0 0 40' })
+    expect(told()).not.toContain('input')
+    await element.setState({ edits: [{ kind: 'remove', id: 1 }] })
+    element.circles = THREE
+    await settled(element)
+    expect(told()).not.toContain('input')
+    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+      for (const type of ['pointerdown', 'pointermove']) point(figure, type, type === 'pointermove' ? 30 : 0)
+      await settled(element)
+      const names = told()
+      expect(names).toContain('input')
+      expect(names).not.toContain('change')
+      point(figure, end === 'lostpointercapture' ? 'pointerup' : end, 30)
+      point(figure, end, 30)
+      await settled(element)
+      expect(told().filter((name) => name === 'change')).toEqual(['change'])
+      if (end !== 'pointercancel') await keys(UNDO)
+      told()
+    }
+    await keys('ArrowRight')
+    const flags = new Map(events.map(({ type, bubbles, composed }) => [type, [bubbles, composed]]))
+    expect(flags.get('change')).toEqual([true, false])
+    for (const name of ['input', 'circleschange', 'diagramchange']) expect(flags.get(name), name).toEqual([true, true])
+  })
+
+  it('release circles once all their edits are made', async () => {
+    const { element, figure, told } = await shown({ circles: TEXT, view: '0 0 40' })
+    point(figure, 'pointerdown')
+    point(figure, 'pointermove', 30)
+    await settled(element)
+    held.hold()
+    point(figure, 'pointermove', 60)
+    await held.isFull()
+    told()
+    point(figure, 'pointerup', 60)
+    expect(told()).toEqual([])
+    held.release()
+    await settled(element)
+    expect(told().filter((name) => ['input', 'change'].includes(name))).toEqual(['input', 'change'])
+  })
+
+  it('are told how to zoom where the wheel scrolls the page', async () => {
+    const { figure, part } = await shown()
+    const wheel = (more: object) => send(figure, 'wheel', { deltaX: 0, deltaY: 1, deltaMode: 0, ...more })
+    wheel({ ctrlKey: true })
+    expect(part('.hint').hidden).toBe(true)
+    wheel({ ctrlKey: false })
+    expect(part('.hint').hidden).toBe(false)
+  })
+
+  it('who may only look have no tool and no buttons that edit', async () => {
+    const { element, part, circles, press, keys } = await shown({ circles: TEXT, controls: '' })
+    const buttons = () => [...controls(part('.controls')).keys()].length
+    expect(buttons()).toBe(7)
+    await press('Add a circle')
+    element.readonly = true
+    await keys('Enter')
+    expect([buttons(), circles()]).toEqual([3, FLAT])
+    element.selection = [0]
+    await keys('Delete')
+    expect(circles()).toEqual(FLAT)
+    element.readonly = false
+    expect(buttons()).toBe(7)
+    await keys('Delete')
+    expect(circles()).toEqual(FLAT.slice(3))
+    element.controls = null
+    expect(buttons()).toBe(0)
+  })
+})
+
+describe('a selection', () => {
+  it('is told where it changes, in copies, and kept until its circles are there', async () => {
+    const { element, events, keys } = made()
+    const selections = () =>
+      events.splice(0).flatMap(({ type, detail }) => (type === 'selectionchange' ? [detail.selection] : []))
+    element.selection = [1]
+    document.body.append(element)
+    await element.ready
+    await settled(element)
+    expect([element.selection, selections()]).toEqual([[1], [[1]]])
+    element.selection = [0, 2]
+    await settled(element)
+    const [both] = selections()
+    expect(both).toEqual([0, 2])
+    both.push(7)
+    expect(element.selection).toEqual([0, 2])
+    for (const none of [undefined, null, []]) {
+      element.selection = none as number[]
+      await settled(element)
+    }
+    expect(selections()).toEqual([[]])
+    element.selection = [1]
+    await keys('Delete')
+    expect(element.selection).toEqual([])
+    // While others are opened, a selection waits for them.
+    held.hold()
+    element.circles = [...THREE, [20, 20, 1]]
+    element.selection = [3]
+    await held.isFull()
+    expect(element.selection).toEqual([3])
+    held.release()
+    await settled(element)
+    expect([element.selection, selections().at(-1)]).toEqual([[3], [3]])
+  })
+})
+
+describe('an element that leaves its page', () => {
+  it('goes on if it is only moved', async () => {
+    const { element, figure } = await shown()
+    const canvases = [...figure.children]
+    document.body.append(element)
+    await quiet()
+    expect([...figure.children]).toEqual(canvases)
+  })
+
+  it('ends its figure, and goes on with its history once it is back', async () => {
+    const { element, figure, part, keys, circles } = await shown({
+      circles: TEXT,
+      region: SQUARE,
+      layers: 'hull',
+      controls: '',
+    })
+    element.selection = [1]
+    await keys('Delete')
+    element.view = { x: 1, y: 2, span: 9 }
+    await element.stepTo(4)
+    await settled(element)
+    const state = element.getState()
+    element.remove()
+    await quiet()
+    expect([figure.children.length, part('.frame').dataset.running, element.getState()]).toEqual([0, 'false', state])
+    document.body.append(element)
+    await element.ready
+    await settled(element)
+    expect([element.getState(), [...element.ids]]).toEqual([state, [0, 2]])
+    await keys(UNDO)
+    expect([...circles()].sort()).toEqual(FLAT.toSorted())
+    element.remove()
+    await quiet()
+    element.circles = THREE
+    document.body.append(element)
+    await element.ready
+    await settled(element)
+    expect(control(part('.controls'), 'Undo').disabled).toBe(true)
+  })
+
+  it('keeps areas and the lattice that was set meanwhile', async () => {
+    const { element, circles } = await shown()
+    await element.setState({ circles: THREE, region: [RING], areas: [3, 2, 1] })
+    const state = element.getState()
+    expect(state).toMatchObject({ areas: [3, 2, 1] })
+    for (const parent of [undefined, document.body]) {
+      if (parent === undefined) element.remove()
+      else parent.append(element)
+      await quiet()
+      await element.ready
+      expect(element.getState()).toEqual(state)
+    }
+    const moved = circles()
+    element.remove()
+    await quiet()
+    element.lattice = LATTICE
+    document.body.append(element)
+    await element.ready
+    await settled(element)
+    expect([element.lattice, element.region, element.areas]).toEqual([LATTICE, undefined, undefined])
+    expect(circles().length).toBe(moved.length)
+  })
+
+  it('leaves no promise open, and refuses what needs a figure', async () => {
+    Observer.areNear = false
+    const { element } = made()
+    for (let k = 0; k < 2; k++) {
+      document.body.append(element)
+      let isReady = false
+      const ready = element.ready.then(() => {
+        isReady = true
+      })
+      await new Promise((resolve) => setTimeout(resolve))
+      await quiet()
+      expect(isReady).toBe(false)
+      element.remove()
+      await ready
+      await element.ready
+    }
+    const acts = [() => element.toSVG(), () => element.compute(), () => element.play(), () => element.setState({})]
+    for (const act of acts) await expect(act()).rejects.toMatchObject({ code: 'badInput' satisfies ErrorCode })
+    element.pause()
+  })
+
+  it('reports no circles that arrive afterwards', async () => {
+    const { element, told } = await shown()
+    held.hold()
+    element.circles = [[0, 0, -1]]
+    await held.isFull()
+    told()
+    element.remove()
+    await Promise.resolve()
+    held.release()
+    await quiet()
+    expect(told()).not.toContain('error')
+  })
+})
+
+describe('a figure', () => {
+  it('begins when it comes near, and once', async () => {
+    Observer.areNear = false
+    const { element, figure, circles } = made()
+    document.body.append(element)
+    Observer.see(element, 'far')
+    expect(figure.children).toHaveLength(0)
+    Observer.see(element, 'near')
+    Observer.see(element, 'near')
+    expect(figure.children).toHaveLength(2)
+    await element.ready
+    expect(circles()).toEqual(FLAT)
+  })
+
+  it('begins when the browser is idle, unless readers save data', async () => {
+    Observer.areNear = false
+    const [saving, other] = [true, false].map((saveData) => {
+      Object.defineProperty(navigator, 'connection', { value: { saveData }, configurable: true })
+      const { element, figure } = made()
+      document.body.append(element)
+      return figure
+    })
+    Object.defineProperty(navigator, 'connection', { value: undefined, configurable: true })
+    await soon(() => expect(other?.children).toHaveLength(2))
+    expect(saving?.children).toHaveLength(0)
+  })
+
+  it('that is far has no pixels, unless it has many circles, which are printed from them', async () => {
+    const { element, figure, part } = await shown()
+    const hasPixels = (sight: 'near' | 'far') => {
+      Observer.see(element, sight)
+      return [(figure.firstElementChild as HTMLCanvasElement).width > 0, part('.frame').dataset.shown]
+    }
+    expect([hasPixels('far'), hasPixels('near')]).toEqual([
+      [false, 'false'],
+      [true, 'true'],
+    ])
+    for (const [count, isPrinted] of [
+      [5000, false],
+      [5001, true],
+    ] as const) {
+      element.circles = Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0 : k))
+      await settled(element)
+      expect(hasPixels('far')).toEqual([isPrinted, String(isPrinted)])
+    }
+  })
+
+  it('is complete once all is computed, checked and painted', async () => {
+    const { element, figure } = await shown()
+    const isComplete = async () => {
+      let isDone = false
+      void element.updateComplete.then(() => {
+        isDone = true
+      })
+      for (let k = 0; k < 5; k++) await new Promise((resolve) => requestAnimationFrame(resolve))
+      return isDone
+    }
+    for (const change of [{ circles: [[1, 1, 1]] }, { check: { circles: 1 } }]) {
+      held.hold()
+      Object.assign(element, change)
+      await held.isFull()
+      expect(await isComplete()).toBe(false)
+      held.release()
+      await settled(element)
+    }
+    figure.ariaBusy = 'true'
+    expect(await isComplete()).toBe(false)
+    figure.ariaBusy = 'false'
+    await settled(element)
+    // Without circles, nothing is painted.
+    const empty = await shown({})
+    empty.figure.ariaBusy = 'true'
+    await empty.element.updateComplete
+  })
+
+  it('takes the focus with its options', async () => {
+    const { element, figure } = await shown()
+    const focused: unknown[] = []
+    figure.focus = (options) => focused.push(options)
+    element.focus({ preventScroll: true })
+    expect(focused).toEqual([{ preventScroll: true }])
+  })
+
+  it('reads its style again where the colors around it change', async () => {
+    const { element, part, figure } = await shown()
+    const before = await element.toSVG()
+    vi.stubGlobal('getComputedStyle', () => ({ color: 'rgb(9, 8, 7)', getPropertyValue: () => '' }))
+    part('.probe').dispatchEvent(new Event('transitionrun'))
+    await quiet()
+    expect(await element.toSVG()).toContain('9, 8, 7')
+    expect(before).not.toContain('9, 8, 7')
+    expect(figure.isConnected).toBe(true)
+  })
+
+  it('is described by its numbers, and the name of the page', async () => {
+    const { element, figure, part } = made({})
+    const own = figure.ariaLabel
+    element.alt = 'Trees'
+    expect([figure.ariaLabel, part('#about').textContent]).toEqual(['Trees', ''])
+    element.alt = ''
+    expect(figure.ariaLabel).toBe(own)
+    expect((await shown()).part('#about').textContent).toMatch(/^3 .*1 .*3 /)
+  })
+
+  it('tells what went wrong, also while it shows circles, and goes on', async () => {
+    const { element, problem, errors, circles, keys } = await shown()
+    const [error] = await errors(() => {
+      for (const { onerror } of [...ThreadHere.running]) onerror?.({ message: 'out of memory' })
+    })
+    expect(error?.message).toContain('out of memory')
+    expect(problem()).toContain(error?.message.replace(/\.$/, ''))
+    element.selection = [1]
+    await keys('Delete')
+    await soon(() => expect(circles()).toHaveLength(6))
+  })
+})
+
+describe('a domain', () => {
+  it('is that of attributes and properties from the start', async () => {
+    const early = made({ dissolve: '' })
+    early.element.region = [RING]
+    expect(early.element.region).toEqual([RING])
+    early.element.region = undefined
+    document.body.append(early.element)
+    await settled(early.element)
+    expect(early.told()).not.toContain('error')
+    const { element } = await shown({ circles: TEXT, region: SQUARE, areas: '1 2 3' })
+    expect([element.areas, element.getState().areas]).toEqual([
+      [1, 2, 3],
+      [1, 2, 3],
+    ])
+    expect(element.region).toBeDefined()
+    expect(element.getState().region).toEqual(element.region)
+    const other = await shown({ circles: TEXT, lattice: '30 0 0 30' })
+    expect([other.element.lattice, other.element.getState().lattice]).toEqual([LATTICE, LATTICE])
+  })
+
+  it('that is changed in several parts at once is changed once, after what is opened', async () => {
+    const { element, told, circles } = await shown()
+    told()
+    Object.assign(element, { region: [RING], areas: [3, 2, 1] })
+    await settled(element)
+    expect(told()).toEqual(['circleschange', 'diagramchange'])
+    expect([element.areas, element.region]).toEqual([[3, 2, 1], expect.anything()])
+    Object.assign(element, { areas: undefined, region: undefined })
+    await settled(element)
+    expect(told()).toEqual(['circleschange', 'diagramchange'])
+    expect([element.areas, element.region]).toEqual([undefined, undefined])
+    Object.assign(element, { circles: THREE.slice(1), region: [RING] })
+    await settled(element)
+    expect([element.region, circles()]).toEqual([expect.anything(), FLAT.slice(3)])
+  })
+
+  // Areas without a region, areas of four circles, parallel periods, and rings that cross.
+  const CROSSED = 'POLYGON ((0 0, 9 9, 9 0, 0 9))'
+  it.each([
+    [{ areas: '1 2 3' }, { areas: undefined }, 1],
+    [{ region: SQUARE, areas: '1 2 3 4' }, { areas: undefined, region: expect.anything() }, 1],
+    [{ lattice: '9 0 18 0' }, { lattice: undefined }, 1],
+    [{ lattice: '9 0 18 0', region: SQUARE }, { lattice: undefined, region: expect.anything() }, 1],
+    [{ region: CROSSED }, { region: undefined }, 1],
+    [{ region: CROSSED, areas: '1 2 3' }, { region: undefined, areas: undefined }, 2],
+  ])('%j is shown without the parts that are refused', async (given: Attributes, rest, count) => {
+    const { element, circles, told, problem } = await shown({ circles: TEXT, ...given })
+    expect(element).toMatchObject(rest)
+    expect(circles()).toEqual(FLAT)
+    expect(told().filter((name) => name === 'error')).toHaveLength(count)
+    expect(problem()).not.toBe('')
+    for (const name of ['lattice', 'areas', 'region']) element.removeAttribute(name)
+    await settled(element)
+    expect(problem()).toBe('')
+  })
+
+  it('follows each attribute and each property of an element that runs', async () => {
+    const { element, properties } = await shown({ circles: TEXT, region: SQUARE })
+    const ring = (size: number) => [
+      [
+        [-9, -9],
+        [size, -9],
+        [size, size],
+        [-9, size],
+      ],
+    ]
+    const box = (size: number) => ({ a: [size, 0], b: [0, size] })
+    const read = (name: string) =>
+      name === 'region' ? JSON.stringify(properties[name])?.match(/1[79]/)?.[0] : properties[name]
+    for (const [name, attribute, property, said, own] of [
+      ['areas', '1 2 3', [3, 2, 1], [1, 2, 3], [3, 2, 1]],
+      ['region', SQUARE, ring(17), '19', '17'],
+      ['lattice', '30 0 0 30', box(40), box(30), box(40)],
+    ] as const) {
+      const seen: unknown[] = []
+      for (const act of [
+        () => element.setAttribute(name, attribute),
+        () => Object.assign(element, { [name]: property }),
+        () => Object.assign(element, { [name]: undefined }),
+        () => Object.assign(element, { [name]: property }),
+        () => element.setAttribute(name, attribute),
+        () => element.removeAttribute(name),
+      ]) {
+        act()
+        await settled(element)
+        seen.push(read(name))
+      }
+      expect(seen, name).toEqual([said, own, said, own, said, undefined])
+    }
+  })
+
+  it('that is refused later stays as it was', async () => {
+    const { element, errors } = await shown({ circles: TEXT, region: SQUARE })
+    expect(await errors(() => Object.assign(element, { areas: [1, 2] }))).toHaveLength(1)
+    expect([element.areas, element.region]).toEqual([undefined, expect.anything()])
+  })
+
+  it('may have its region at an address, which is read again, or is an error', async () => {
+    const asked: string[] = []
+    vi.stubGlobal('fetch', async (src: string) => {
+      if (!/wkt$/.test(src)) return fetchHere(src)
+      asked.push(src)
+      return new Response(SQUARE, { status: src.endsWith('b.wkt') ? 200 : 404 })
+    })
+    const { element, told, errors, problem } = await shown({ circles: TEXT, region: 'b.wkt' })
+    expect(told()).not.toContain('error')
+    expect([asked[0], element.region]).toEqual([new URL('b.wkt', document.baseURI).href, expect.anything()])
+    const [error] = await errors(() => element.setAttribute('region', 'c.wkt'))
+    expect(error?.message).toMatch(/c\.wkt.*404/)
+    expect(problem()).toBe(error?.message)
+    expect(await errors(() => element.removeAttribute('region'))).toEqual([])
+    expect([problem(), element.region]).toEqual(['', undefined])
+  })
+
+  it('has a dissolved region with the attribute, and the given one without', async () => {
+    const two = 'MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2)), ((1 0, 3 0, 3 2, 1 2)))'
+    const { element, errors } = await shown({ circles: TEXT, region: two, dissolve: '' })
+    const dissolved = JSON.stringify(element.region)
+    expect(element.region).toBeDefined()
+    expect(await errors(() => Object.assign(element, { dissolve: false }))).toHaveLength(1)
+    expect(await errors(() => Object.assign(element, { dissolve: true }))).toEqual([])
+    expect(JSON.stringify(element.region)).toBe(dissolved)
+  })
+})
+
+describe('the method', () => {
+  it('tells each step, in the order of calls, and is played and paused', async () => {
+    const { element, events, errors } = await shown({ circles: TEXT, controls: 'player' })
+    await element.stepTo(3)
+    const { detail } = events.findLast(({ type }) => type === 'stepchange') as CustomEvent
+    expect([detail.step, element.step]).toEqual([3, 3])
+    expect(detail.steps).toBeGreaterThan(9)
+    await element.play()
+    element.pause()
+    await expect(element.stepTo(-1)).rejects.toMatchObject({ code: 'badInput' })
+    element.method = 'flip'
+    await element.stepTo(0)
+    const other = events.findLast(({ type }) => type === 'stepchange') as CustomEvent
+    expect(other.detail.steps).not.toBe(detail.steps)
+    expect(await errors(() => Object.assign(element, { method: 'touching-disc', samples: 2000 }))).toHaveLength(1)
+  })
+
+  it.each([
+    [{}, undefined],
+    [{ step: '4' }, 4],
+    [{ controls: 'player' }, 0],
+    [{ controls: 'buttons player', step: '2' }, 2],
+  ] as const)('of %j is shown at the step %s, with a player if there is one', async (attributes, step) => {
+    const { element, part } = await shown({ circles: TEXT, ...attributes })
+    expect([element.step, part('.player').hidden]).toEqual([step, !('controls' in attributes)])
+  })
+
+  it('follows the attribute, the property and the controls', async () => {
+    const { element } = await shown()
+    const seen: unknown[] = []
+    for (const act of [
+      () => element.setAttribute('step', '3'),
+      () => element.removeAttribute('step'),
+      () => Object.assign(element, { step: 5 }),
+      () => element.setAttribute('controls', 'player'),
+      () => Object.assign(element, { step: null }),
+      () => element.removeAttribute('controls'),
+      () => element.setAttribute('controls', 'player'),
+      () => element.setAttribute('step', '2'),
+      () => element.removeAttribute('controls'),
+      () => Object.assign(element, { step: undefined }),
+    ]) {
+      act()
+      seen.push(element.step)
+    }
+    expect(seen).toEqual([3, undefined, 5, 5, 0, undefined, 0, 2, 2, undefined])
+    // Without a player, an attribute that is missing already takes a step of a reader away.
+    await element.stepTo(7)
+    element.step = undefined
+    expect(element.step).toBeUndefined()
+  })
+
+  it('computes from scratch by the attributes, which must be right', async () => {
+    const { element } = await shown()
+    expect((await element.compute()).stats.method).toBe('auto')
+    Object.assign(element, { method: 'touching-disc', samples: 7 })
+    const { stats, certificate } = await element.compute()
+    expect([stats.method, certificate.certified]).toEqual(['touching-disc', true])
+    element.samples = 2000
+    await expect(element.compute()).rejects.toMatchObject({ code: 'badOption', message: expect.stringMatching(/2000/) })
+    for (const name of ['method', 'samples'] as const) {
+      element.setAttribute(name, 'x')
+      await expect(element.compute()).rejects.toMatchObject({ code: 'badInput' })
+      element.removeAttribute(name)
+    }
+  })
+})
+
+describe('a state', () => {
+  const STATE = {
+    circles: THREE,
+    view: { x: 1, y: 2, span: 9 },
+    layers: { hull: true },
+    step: 2,
+    method: 'auto',
+    lattice: LATTICE,
+  } as const
+
+  it('is given back as it was set, before the figure begins, while it runs and after it', async () => {
+    const { element } = await shown({ circles: '[[9, 9, 9]]', layers: 'dual', controls: '' })
+    await element.setState(STATE)
+    expect(element.getState()).toEqual(STATE)
+    element.remove()
+    await quiet()
+    expect(element.getState()).toEqual(STATE)
+    const early = made({ circles: TEXT, layers: 'hull', step: '2' })
+    expect(early.element.getState()).toEqual({ circles: [], layers: { hull: true }, step: 2 })
+  })
+
+  it('with circles replaces all that the former had, and later changes of attributes keep its circles', async () => {
+    const { element, told, circles } = await shown({
+      circles: '[[9, 9, 9]]',
+      layers: 'dual',
+      region: SQUARE,
+      controls: 'player',
+    })
+    told()
+    await element.setState({ circles: THREE })
+    expect(element.getState()).toEqual({ circles: THREE, layers: {}, step: 0 })
+    expect(told()).not.toContain('input')
+    element.setAttribute('region', SQUARE)
+    await settled(element)
+    expect([element.region, circles()]).toEqual([expect.anything(), FLAT])
+    const other = await shown({ step: '3' })
+    await other.element.setState({ circles: THREE })
+    expect(other.element.getState()).not.toHaveProperty('step')
+    other.element.textContent = '|1|2|3|'
+    await quiet()
+    expect(other.circles()).toEqual(FLAT)
+  })
+
+  it('without circles changes only what it names', async () => {
+    const { element } = await shown({ circles: TEXT, layers: 'dual' })
+    await element.setState({ view: { x: 4, y: 4, span: 20 } })
+    await element.setState({ edits: [{ kind: 'remove', id: 1 }] })
+    expect(element.getState()).toMatchObject({
+      circles: [THREE[0], THREE[2]],
+      layers: { dual: true },
+      view: { x: 4, y: 4 },
+    })
+  })
+
+  it('may be a link, with or without an address, and is an error if it names the data set of a page', async () => {
+    const { element, circles } = await shown()
+    const link = await encodeLink({ circles: Float64Array.of(1, 1, 1), step: 3 })
+    for (const text of [link, `https://example.org/page#${link}`]) {
+      await element.setState({ circles: THREE })
+      await element.setState(text)
+      expect(element.getState()).toMatchObject({ circles: [[1, 1, 1]], step: 3 })
+    }
+    await expect(element.setState({ dataSet: 'cities' })).rejects.toMatchObject({ code: 'badInput' })
+    expect(circles()).toEqual([1, 1, 1])
+  })
+
+  it('that is refused is an error of its call, and leaves the circles and the properties', async () => {
+    const { element, circles } = await shown()
+    await expect(element.setState({ circles: [[0, 0, -1]] })).rejects.toMatchObject({ code: 'negativeRadius' })
+    expect(circles()).toEqual(FLAT)
+    element.formResetCallback()
+    await settled(element)
+    expect(circles()).toEqual(FLAT)
+  })
+})
+
+describe('texts', () => {
+  it('are in the language of the element, errors too, also if the language was loaded before', async () => {
+    for (const isLoaded of [false, true]) {
+      const { element, part, problem } = await shown({ circles: TEXT, controls: 'buttons player', method: 'x' })
+      const texts = () => [problem(), part('#about').textContent, ...controls(part('.both')).keys()]
+      const english = texts()
+      element.lang = 'de'
+      if (!isLoaded) await soon(() => expect(part('.controls').lang).toBe('de'))
+      await quiet()
+      const german = texts()
+      expect(german).toHaveLength(english.length)
+      // "Schritt" and the glyphs of numbers may be alike.
+      expect(german.filter((text, k) => text === english[k])).toEqual([])
+      element.lang = null
+      await quiet()
+      expect(texts()).toEqual(english)
+    }
+  })
+
+  it('are in the language around the element, also across shadow roots, once it is in its page', () => {
+    const { element, part } = made({})
+    const host = document.createElement('div')
+    host.lang = 'de-AT'
+    const inside = document.createElement('section')
+    host.attachShadow({ mode: 'open' }).append(inside)
+    document.body.append(host)
+    expect(part('.controls').lang).toBe('en')
+    inside.append(element)
+    expect(part('.controls').lang).toBe('de-AT')
+    document.body.append(element)
+    expect(part('.controls').lang).toBe('en')
+  })
+})
+
+it('a page defines the element once, by each name with its own modules, and Node defines none', () => {
+  const defined = new Map<string, typeof CircleVoronoiElement>()
+  vi.stubGlobal('customElements', undefined)
+  expect(() => defineCircleVoronoi()).not.toThrow()
+  vi.stubGlobal('customElements', {
+    get: (name: string) => defined.get(name),
+    define: (name: string, element: typeof CircleVoronoiElement) => {
+      expect(defined.has(name)).toBe(false)
+      defined.set(name, element)
+    },
+  })
+  const wasm = new Uint8Array()
+  defineCircleVoronoi({ wasm })
+  defineCircleVoronoi({ name: 'other-figure' })
+  defineCircleVoronoi()
+  expect([...defined].map(([name, { load }]) => [name, load])).toEqual([
+    ['circle-voronoi', { wasm }],
+    ['other-figure', {}],
+  ])
+  expect(new Set([...defined.values(), CircleVoronoiElement]).size).toBe(3)
+})
