@@ -544,7 +544,7 @@ function sentenceOf({ row, what, value }: Call, { message }: Error): string {
 }
 const MARKED = /"[^"]*"|\ban object|\ban array|\b(undefined|null|NaN|Infinity)\b|-?\b\d+(\.\d+)?(e\d+)?( \(.*\))?/g
 
-/** How a value stands in a sentence. */
+/** Returns a value as it stands in a sentence. */
 function said(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value)
   if (Array.isArray(value)) return 'an array'

@@ -523,7 +523,7 @@ describe('circles', () => {
     element.circles = [[1, 1, 1]]
     await settled(element)
     const asked: [src: string, signal: AbortSignal][] = []
-        vi.stubGlobal('fetch', (src: string, { signal }: { signal: AbortSignal }) => {
+    vi.stubGlobal('fetch', (src: string, { signal }: { signal: AbortSignal }) => {
       asked.push([src, signal])
       return src.endsWith('a.csv') ? Promise.resolve(new Response('9,9,9\n')) : new Promise(() => {})
     })

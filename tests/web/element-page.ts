@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happy-dom lacks for an element: internals of form fields, visibility, sizes, and threads that can be held.
+// Adds to happy-dom for an element: internals of form fields, visibility, sizes, and threads that can be held.
 import { measure } from './page-document.ts'
 import { ThreadHere } from './page-threads.ts'
 
