@@ -30,7 +30,6 @@
 #include <range/v3/algorithm/replace_if.hpp>
 #include <range/v3/algorithm/reverse.hpp>
 #include <range/v3/algorithm/sort.hpp>
-#include <range/v3/algorithm/stable_sort.hpp>
 #include <range/v3/algorithm/transform.hpp>
 #include <range/v3/algorithm/upper_bound.hpp>
 #include <span>
@@ -60,8 +59,19 @@ using ::ranges::partition_point;
 using ::ranges::replace_if;
 using ::ranges::reverse;
 using ::ranges::sort;
-using ::ranges::stable_sort;
 using ::ranges::transform;
 using ::ranges::upper_bound;
+
+/// Sorts by std::stable_sort, whose code is half as large as that of range-v3.
+struct StableSort {
+  template <class Range, class Compare = ::ranges::less, class Projection = ::ranges::identity>
+  void operator()(Range&& range, Compare compare = {}, Projection projection = {}) const {
+    const auto isBefore = [&](const auto& a, const auto& b) {
+      return ::ranges::invoke(compare, ::ranges::invoke(projection, a), ::ranges::invoke(projection, b));
+    };
+    std::stable_sort(::ranges::begin(range), ::ranges::end(range), isBefore);
+  }
+};
+inline constexpr StableSort stable_sort;
 }  // namespace std::ranges
 #endif
