@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A view with its thread, without pixels: what is drawn above the picture, what is written, and what it tells.
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import type { Circle } from '../../web/lib/index.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { mount } from '../../web/view/mount.ts'
+import type { View } from '../../web/view/view.ts'
+import { held } from './element-page.ts'
+import { make, measure } from './page-document.ts'
+import { quiet, soon, surround } from './whole-page.ts'
+
+const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5)
+const { media } = surround()
+
+/** The numbers of calls on each canvas since the last look. */
+const calls = new WeakMap<HTMLCanvasElement, number>()
+HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement) {
+  const draw = (name: PropertyKey) => () => {
+    if (/^(fill|stroke|fillText|drawImage)$/.test(String(name))) calls.set(this, (calls.get(this) ?? 0) + 1)
+    return { width: 0 }
+  }
+  return new Proxy({} as Record<PropertyKey, unknown>, { get: (set, name) => (name in set ? set[name] : draw(name)) })
+} as never
+
+let view: View
+let place: HTMLElement
+beforeEach(async () => {
+  document.body.innerHTML = ''
+  vi.stubGlobal('matchMedia', () => media)
+  place = document.body.appendChild(make('div'))
+  measure(place, { clientWidth: 80, clientHeight: 60, offsetWidth: 80, offsetHeight: 60 })
+  view = mount(place)
+  view.setCamera({ x: 5, y: 4, scale: 4 })
+  await view.setCircles(CIRCLES.slice())
+  await quiet()
+})
+afterEach(async () => {
+  held.release()
+  view.dispose()
+  vi.unstubAllGlobals()
+  media.matches = false
+  await quiet()
+})
+
+const canvases = () => [...place.querySelectorAll('canvas')]
+/** How much was drawn above the picture since the last call. */
+async function drawnAbove(): Promise<number> {
+  await quiet()
+  const [, overlay] = canvases() as [HTMLCanvasElement, HTMLCanvasElement]
+  const count = calls.get(overlay) ?? 0
+  calls.set(overlay, 0)
+  return count
+}
+
+/** The events of a name, as they come. */
+function heard(name: Parameters<View['on']>[0]) {
+  const told: unknown[] = []
+  view.on(name, (event) => told.push(event))
+  return told
+}
+
+describe('above the picture', () => {
+  it('the disc of the pointer is drawn while that layer is visible, and the newest place counts', async () => {
+    const here = { x: 5, y: 3 }
+    await view.touch(here, 9)
+    expect(await drawnAbove()).toBe(0)
+    view.setLayers({ disc: true })
+    expect(await drawnAbove()).toBe(0)
+    await Promise.all([view.touch(here, 9), view.touch(undefined, 9)])
+    expect(await drawnAbove()).toBe(0)
+    await view.touch(here, 9)
+    expect(await drawnAbove()).toBeGreaterThan(0)
+    await view.touch(here, 9)
+    await view.apply([{ kind: 'replace', id: 0, circle: { x: 0, y: 1, r: 2 } }])
+    await quiet()
+    calls.delete(canvases()[1] as HTMLCanvasElement)
+    view.setCamera({ x: 5, y: 4, scale: 4.5 })
+    expect(await drawnAbove()).toBe(0)
+  })
+
+  it('nothing is drawn while the picture moves, if nothing is there', async () => {
+    view.setCamera({ x: 6, y: 4, scale: 4 })
+    expect(await drawnAbove()).toBe(0)
+    view.choose([view.circles.get(0) as Circle])
+    expect(await drawnAbove()).toBeGreaterThan(0)
+    view.setCamera({ x: 7, y: 4, scale: 4 })
+    expect(await drawnAbove()).toBeGreaterThan(0)
+    view.choose([])
+    expect(await drawnAbove()).toBe(0)
+  })
+
+  it.each([
+    [
+      'a band',
+      () => Object.assign(view, { band: { from: { x: 1, y: 1 }, to: { x: 9, y: 9 } } }),
+      () => Object.assign(view, { band: undefined }),
+    ],
+    [
+      'a sketch',
+      () => Object.assign(view, { sketch: Float64Array.of(0, 0, 9, 9) }),
+      () => Object.assign(view, { sketch: undefined }),
+    ],
+    [
+      'a layer of a client',
+      () => Object.assign(view, { above: [{ id: 'a', color: 'red', points: Float64Array.of(1, 1) }] }),
+      () => Object.assign(view, { above: [] }),
+    ],
+    ['a name', () => view.setIdentities([{ id: 0, text: 'A' }], undefined), () => view.setIdentities([], undefined)],
+    ['a highlight', () => view.select(1), () => view.select(undefined)],
+  ] as const)('%s is drawn with the next frame, and gone once it is taken away', async (_, show, hide) => {
+    show()
+    expect(await drawnAbove()).toBeGreaterThan(0)
+    hide()
+    await quiet()
+    calls.delete(canvases()[1] as HTMLCanvasElement)
+    view.setCamera({ x: 6, y: 4, scale: 4 })
+    expect(await drawnAbove()).toBe(0)
+  })
+
+  it('highlights are not printed', async () => {
+    view.select(1)
+    expect(await drawnAbove()).toBeGreaterThan(0)
+    for (const [matches, isDrawn] of [
+      [true, false],
+      [false, true],
+    ] as const) {
+      media.matches = matches
+      media.dispatchEvent(new Event('change'))
+      expect((await drawnAbove()) > 0).toBe(isDrawn)
+    }
+  })
+
+  it('the selection has a handle at its corner, which scales about its middle', () => {
+    expect(view.handleAt({ x: 0, y: 0 }, 1e9)).toBeUndefined()
+    view.choose([
+      { x: 0, y: 0, r: 1 },
+      { x: 10, y: 4, r: 2 },
+    ])
+    // The handle is a little outside of the corner.
+    const handle = ({ x, y } = { x: 12, y: -1 }) => {
+      const corner = view.toScreen({ x, y })
+      return { x: corner.x + 7, y: corner.y + 7 }
+    }
+    const corner = handle()
+    expect(view.handleAt({ x: corner.x + 8, y: corner.y }, 0)).toEqual({ x: 5.5, y: 2.5 })
+    expect(view.handleAt({ x: corner.x + 8.1, y: corner.y }, 0)).toBeUndefined()
+    expect(view.handleAt({ x: corner.x, y: corner.y + 10 }, 2)).toBeDefined()
+    // The handle of one circle is at its rim.
+    view.choose([{ x: 0, y: 0, r: 2 }])
+    expect(view.handleAt(handle({ x: Math.SQRT2, y: -Math.SQRT2 }), 0)).toEqual({ x: 0, y: 0 })
+    view.choose([])
+    expect(view.handleAt(corner, 1e9)).toBeUndefined()
+  })
+
+  it('an end of the path is found at its pixel, the last one if both are there, and moved', () => {
+    view.setCamera({ x: 0, y: 0, scale: 10 })
+    view.movePathEnd('to', { x: 1, y: 1 })
+    expect(view.layers.path).toBeUndefined()
+    const path = (x: number) => view.setLayers({ path: { from: { x: 0, y: 0 }, to: { x, y: 0 } } })
+    path(3)
+    expect([40, 70, 55].map((x) => view.pathEndAt({ x, y: 30 }, 0))).toEqual(['from', 'to', undefined])
+    expect(view.pathEndAt({ x: 55, y: 30 }, 20)).toBe('to')
+    path(0)
+    expect(view.pathEndAt({ x: 40, y: 30 }, 0)).toBe('to')
+    view.movePathEnd('to', { x: 1, y: 1 })
+    expect(view.layers.path).toEqual({ from: { x: 0, y: 0 }, to: { x: 1, y: 1 } })
+  })
+})
+
+describe('a view tells', () => {
+  it('of the newest circle that is tried, and once where there is none any more', async () => {
+    const tried = heard('tried')
+    const circle = { x: 4, y: 3, r: 1 }
+    await Promise.all([view.tryCircle(circle), view.tryCircle({ ...circle, r: 0.5 })])
+    expect(tried).toHaveLength(1)
+    await Promise.all([view.tryCircle(circle), view.tryCircle(undefined), view.tryCircle(undefined)])
+    expect([tried.length, tried.at(-1)]).toEqual([2, undefined])
+  })
+
+  it('of edits that are refused, and not of those whose circles were replaced', async () => {
+    const refused = heard('refused')
+    const changed = heard('changed')
+    await expect(view.apply([{ kind: 'remove', id: 9 }])).rejects.toMatchObject({ code: 'unknownCircle' })
+    expect([refused.length, changed.length]).toEqual([1, 0])
+    const replaced = view.apply([{ kind: 'remove', id: 0 }])
+    const outcome = await Promise.allSettled([view.setCircles(CIRCLES.slice(0, 3)), replaced])
+    expect(outcome.map(({ status }) => status)).toContain('fulfilled')
+    expect(refused).toHaveLength(1)
+    expect(view.circles.count).toBe(1)
+  })
+
+  it('of results that are known, and that those of former circles are not', async () => {
+    const found = heard('found')
+    view.setLayers({ largestDisc: true })
+    await soon(() => expect(found.at(-1)).toMatchObject({ largestDisc: expect.anything() }))
+    await view.setCircles(CIRCLES.slice(0, 3))
+    expect(found).toContain(undefined)
+  })
+
+  it('of its camera until listeners unsubscribe, and nobody after its end', () => {
+    const told: string[] = []
+    const stop = view.on('camera', () => told.push('first'))
+    view.on('camera', () => told.push('second'))
+    const { camera } = view
+    view.setCamera(camera)
+    stop()
+    view.setCamera(camera)
+    expect(told).toEqual(['first', 'second', 'second'])
+    view.dispose()
+    view.setCamera(camera)
+    expect(told).toHaveLength(3)
+  })
+
+  it('of its style after changes of colors and style sheets, and of no other file', () => {
+    const told = heard('style')
+    for (let k = 0; k < 2; k++) media.dispatchEvent(new Event('change'))
+    const before = told.length
+    expect(before).toBeGreaterThan(1)
+    for (const rel of ['icon', 'stylesheet']) {
+      const link = document.head.appendChild(make('link', { rel }))
+      told.length = 0
+      link.dispatchEvent(new Event('load'))
+      expect(told).toHaveLength(rel === 'icon' ? 0 : 1)
+      link.remove()
+    }
+    view.dispose()
+    media.dispatchEvent(new Event('change'))
+    expect(told).toHaveLength(1)
+  })
+})
+
+describe('layers', () => {
+  it('of circles alone draw no diagram, keep the others for later, and are told once', async () => {
+    const told = heard('diagram')
+    const pictures: string[] = []
+    for (const hasDiagram of [true, false, false, true]) {
+      view.hasDiagram = hasDiagram
+      pictures.push(await view.toSVG())
+    }
+    expect([told, pictures[2], pictures[3]]).toEqual([[false, true], pictures[1], pictures[0]])
+    expect(pictures[1]?.length).toBeLessThan((pictures[0] as string).length)
+    view.setIdentities([], { values: Float64Array.of(0, 0, 0), colors: ['#010203'] })
+    expect(await view.toSVG()).toContain('#010203')
+  })
+
+  it('that are refused or cannot be sent change nothing', () => {
+    const told = heard('layers')
+    expect(() => view.setLayers({ hull: 1 as never })).toThrow(expect.objectContaining({ code: 'badInput' }))
+    const data = [Object.assign({ id: 'a', color: 'red' }, { act: () => {} })]
+    expect(() => view.setLayers({ data })).toThrow()
+    expect([view.layers, told]).toEqual([DEFAULT_LAYERS, []])
+    view.setLayers({ hull: true })
+    expect([view.layers.hull, told.length]).toEqual([true, 1])
+  })
+})
+
+describe('a picture', () => {
+  it('is written as it is seen or as is asked, in light colors for print, and as large as is asked', async () => {
+    const seen = await view.toSVG()
+    expect(seen).toContain('viewBox="0 0 80 60"')
+    expect(await view.toSVG({ camera: view.camera, size: { width: 7, height: 8 } })).toContain('viewBox="0 0 7 8"')
+    place.style.colorScheme = 'dark'
+    const schemes: string[] = []
+    const { getComputedStyle } = globalThis
+    vi.stubGlobal('getComputedStyle', (element: Element) => {
+      schemes.push(place.style.colorScheme)
+      return getComputedStyle(element)
+    })
+    expect(await view.toPrint()).toContain('#ffffff')
+    expect([new Set(schemes), place.style.colorScheme]).toEqual([new Set(['light']), 'dark'])
+    const textOf = async (png: Promise<Blob>) => (await png).text()
+    expect(await textOf(view.toPNG(2))).toBe('160 x 120')
+    vi.stubGlobal('devicePixelRatio', 3)
+    expect(await textOf(view.toPNG())).toBe('240 x 180')
+    await expect(view.toPNG(0)).rejects.toMatchObject({ code: 'badInput' })
+    view.dispose()
+    for (const write of [() => view.toSVG(), () => view.toPNG(), () => view.toPrint()])
+      await expect(write()).rejects.toThrow()
+  })
+
+  it('is streamed with its highlights, frame by frame, until the stream has ended', async () => {
+    const tracks = [{ readyState: 'live' }, { readyState: 'ended' }]
+    let canvas: HTMLCanvasElement | undefined
+    HTMLCanvasElement.prototype.captureStream = function () {
+      canvas = this
+      return { getTracks: () => tracks } as never
+    }
+    view.stream()
+    await soon(() => expect(calls.get(canvas as HTMLCanvasElement)).toBeGreaterThan(3))
+    tracks[0] = { readyState: 'ended' }
+    await quiet()
+    const count = calls.get(canvas as HTMLCanvasElement)
+    await quiet()
+    expect([calls.get(canvas as HTMLCanvasElement), count && count % 2]).toEqual([count, 0])
+  })
+
+  const widths = () => canvases().map(({ width }) => width)
+
+  it('has no pixels while it is not shown', async () => {
+    view.isShown = false
+    view.setCamera({ x: 0, y: 0, scale: 3 })
+    view.setLayers({ hull: true })
+    await quiet()
+    expect([widths(), view.isShown]).toEqual([[0, 0], false])
+    view.isShown = true
+    expect([widths(), view.isShown]).toEqual([[80, 80], true])
+  })
+
+  it('has pixels as fine as it is enlarged on the screen, up to four times, and in print as before', async () => {
+    const enlarged = async (scale: number) => {
+      place.getBoundingClientRect = () => ({ width: 80 * scale, height: 60 * scale }) as DOMRect
+      view.setCamera(view.camera)
+      await quiet()
+      return (widths()[0] as number) / 80
+    }
+    const seen: number[] = []
+    for (const scale of [1, 1.04, 2, 2.08, 3, 9, 0.5, 2]) seen.push(await enlarged(scale))
+    expect(seen).toEqual([1, 1, 2, 2, 3, 4, 1, 2])
+    media.matches = true
+    expect(await enlarged(3)).toBe(2)
+  })
+
+  it('follows the resolution of the screen, again and again', async () => {
+    for (const ratio of [2, 3]) {
+      vi.stubGlobal('devicePixelRatio', ratio)
+      media.dispatchEvent(new Event('change'))
+      expect(widths()).toEqual([80 * ratio, 80 * ratio])
+    }
+  })
+
+  it('is busy until its pixels are there, and sharp', async () => {
+    expect(place.ariaBusy).toBe('false')
+    held.hold()
+    view.setCamera({ x: 5, y: 4, scale: 4.1 })
+    await quiet()
+    expect(place.ariaBusy).toBe('true')
+    await held.isFull()
+    held.release()
+    await soon(() => expect(place.ariaBusy).toBe('false'))
+  })
+
+  it('leaves nothing behind', () => {
+    view.dispose()
+    expect(place.children).toHaveLength(0)
+  })
+})
