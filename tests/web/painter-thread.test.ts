@@ -313,20 +313,6 @@ describe('questions', () => {
   })
 })
 
-it('circles and edits that are refused change nothing, and say why', async () => {
-  await openScene(15)
-  send({ kind: 'open', scene: 15, revision: 2, opening: 2, circles: Float64Array.of(0, 0, -1) })
-  send({ kind: 'edit', scene: 15, revision: 3, opening: 1, edits: [{ kind: 'remove', id: 9 }] })
-  send({ kind: 'edit', scene: 15, revision: 4, opening: 1, edits: [{ kind: 'remove', id: 0 }] })
-  await heard(15)
-  expect(saidOf('refused').map(({ scene, revision, error }) => [scene, revision, error])).toEqual([
-    [15, 2, expect.objectContaining({ code: 'negativeRadius', circle: 0 })],
-    [15, 3, expect.objectContaining({ code: 'unknownCircle', circle: 9 })],
-  ])
-  expect(saidOf('edited').map(({ revision, counts }) => [revision, counts.circles])).toEqual([[4, 2]])
-  send({ kind: 'close', scene: 15 })
-})
-
 describe('one scene', () => {
   it('that cannot be drawn as it was asked for is answered with nothing, and all go on', async () => {
     await openScene(3)

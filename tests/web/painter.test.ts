@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { type Circle, CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import { BasePicture } from '../../web/view/base-picture.ts'
-import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Tiles } from '../../web/view/painter/tiles.ts'
 import { Painter } from '../../web/view/painter.ts'
@@ -15,7 +15,6 @@ import type {
   PixelBox,
   ToPainter,
 } from '../../web/view/protocol.ts'
-import { Superseded } from '../../web/view/refusal.ts'
 import type { SceneClient } from '../../web/view/scene-client.ts'
 import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
@@ -58,22 +57,6 @@ function opened(revision: number): FromPainter {
   return { kind: 'opened', scene: 1, revision, counts: COUNTS, seconds: 0 }
 }
 
-function edited(revision: number, change: Partial<CircleChange> = {}): FromPainter {
-  return {
-    kind: 'edited',
-    scene: 1,
-    revision,
-    counts: COUNTS,
-    grid: -1,
-    patches: [],
-    boxes: [],
-    change: { ...NO_CHANGE, ...change },
-    marks: NO_MARKS,
-    found: undefined,
-    seconds: 0,
-  }
-}
-
 describe('the painter', () => {
   let painter: Painter
   let scene: SceneClient
@@ -106,31 +89,6 @@ describe('the painter', () => {
     expect(worker().isTerminated).toBe(true)
   })
 
-  it('keeps nothing of what was answered', async () => {
-    const kept = vi.spyOn(Map.prototype, 'set')
-    const touching = scene.ask('touch', 0, 0, 1)
-    const asked = kept.mock.contexts.at(-1) as Map<unknown, unknown>
-    kept.mockRestore()
-    const request = worker().of('ask')[0]?.request as number
-    expect([...asked.keys()]).toEqual([request])
-    worker().answer({ kind: 'answer', request, value: { id: 1, part: 'disc' } })
-    expect(await touching).toEqual({ id: 1, part: 'disc' })
-    expect(asked.size).toBe(0)
-  })
-
-  it('throws what cannot be answered', async () => {
-    const traced = scene.ask('trace', {})
-    const [asked] = worker().of('ask')
-    expect(asked).toMatchObject({ scene: 1, name: 'trace', args: [{}] })
-    const request = asked?.request as number
-    worker().answer({
-      kind: 'answer',
-      request,
-      error: { code: 'tooManyCircles', circle: undefined, message: 'Too many.' },
-    })
-    await expect(traced).rejects.toMatchObject({ code: 'tooManyCircles', message: 'Too many.' })
-  })
-
   it('tells why there is no thread, and tries once more when something is asked again', async () => {
     let isBroken = true
     class BrokenWorker extends FakeWorker {
@@ -160,134 +118,6 @@ describe('the painter', () => {
     worker().onerror?.({ message: 'it broke' })
     expect(FakeWorker.all.length).toBe(2)
     expect(worker().of('layers')).toEqual([])
-  })
-
-  it('adds and closes a scene in its thread, and passes each message on to what it is about', async () => {
-    const told: string[] = []
-    const events = Object.fromEntries(
-      ['painted', 'marked', 'outlined', 'found', 'failed'].map((name) => [name, () => told.push(name)]),
-    )
-    const other = painter.add(events as unknown as Parameters<typeof painter.add>[0])
-    expect(
-      worker()
-        .of('add')
-        .map(({ scene }) => scene),
-    ).toEqual([1, 2])
-    const heard = (message: object) => {
-      worker().answer({ scene: 2, ...message } as unknown as FromPainter)
-      return told.splice(0).sort()
-    }
-    expect([
-      heard({ kind: 'painted', patches: [], isWhole: false }),
-      heard({ kind: 'marked', marks: NO_MARKS }),
-      heard({ kind: 'outlined', marks: NO_MARKS }),
-      heard({ kind: 'found' }),
-      heard({ ...edited(99), scene: 2 }),
-      heard({ kind: 'refused', revision: 98, error: {} }),
-      heard({ kind: 'marked', marks: NO_MARKS, scene: 3 }),
-    ]).toEqual([['painted'], ['marked'], ['outlined'], ['found'], ['found', 'marked', 'painted'], [], []])
-    const layers = { ...DEFAULT_LAYERS, hull: true }
-    other.setLayers(layers)
-    other.findAgain(layers)
-    expect(worker().of('layers')).toEqual([
-      { kind: 'layers', scene: 2, layers, isPainted: true },
-      { kind: 'layers', scene: 2, layers, isPainted: false },
-    ])
-    const pending = other.open(new Float64Array())
-    const asked = other.ask('touch', 0, 0, 1)
-    other.close()
-    await expect(pending).rejects.toThrow(/disposed|closed|gone|longer/)
-    expect(await asked).toBeUndefined()
-    expect(worker().of('close')).toEqual([{ kind: 'close', scene: 2 }])
-    const count = worker().got.length
-    other.setLayers(layers)
-    other.mark(1, 2)
-    other.look(request, {} as never)
-    await expect(other.edit([])).rejects.toThrow()
-    expect(await other.ask('touch', 0, 0, 1)).toBeUndefined()
-    expect([worker().got.length, heard({ kind: 'marked', marks: NO_MARKS })]).toEqual([count, []])
-  })
-
-  it('keeps circles as they were opened, and colors that no edit has changed, for another thread', async () => {
-    const circles = Float64Array.of(0, 0, 1, 5, 0, 1)
-    const open = scene.open(circles)
-    worker().answer({ ...opened(1), colors: '01' } as FromPainter)
-    await open
-    circles[0] = 9
-    expect([...scene.circles.circles()]).toEqual([0, 0, 1, 5, 0, 1])
-    const edit = scene.edit([])
-    worker().answer(edited(2))
-    await edit
-    worker().answer({ kind: 'failed', message: 'it broke' })
-    expect(worker().of('open')).toMatchObject([{ circles: Float64Array.of(0, 0, 1, 5, 0, 1), colors: '01' }])
-  })
-
-  it('has another thread go on where one that worked has failed', async () => {
-    const circles = Float64Array.of(0, 0, 1, 5, 0, 1)
-    const open = scene.open(circles)
-    worker().answer(opened(1))
-    await open
-    const edit = scene.edit([{ kind: 'replace', id: 1, circle: { x: 6, y: 0, r: 1 } }])
-    worker().answer(edited(2, { replaced: Int32Array.of(1), circles: Float64Array.of(6, 0, 1) }))
-    await edit
-    scene.look(request, {} as never)
-    scene.mark(1, undefined)
-    worker().answer({ kind: 'marked', scene: 1, marks: NO_MARKS })
-    const lost = scene.edit([{ kind: 'remove', id: 0 }])
-    worker().onerror?.({ message: 'it broke' })
-    await expect(lost).rejects.toThrow(/it broke/)
-
-    expect(FakeWorker.all.length).toBe(2)
-    expect(
-      worker()
-        .of('open')
-        .map((message) => message.circles),
-    ).toEqual([Float64Array.of(0, 0, 1, 6, 0, 1)])
-    expect(
-      worker()
-        .of('look')
-        .map((message) => message.paintId),
-    ).toEqual([1])
-    expect(
-      worker()
-        .of('mark')
-        .map(({ selected }) => selected),
-    ).toEqual([1])
-    // Late messages of the first thread.
-    worker(0).answer({ kind: 'failed', message: 'again' })
-    worker(0).onerror?.({ message: 'and again' })
-    expect(FakeWorker.all.length).toBe(2)
-    const touching = scene.ask('touch', 0, 0, 1)
-    const [asked] = worker().of('ask')
-    const answer = { kind: 'answer', request: asked?.request as number } as const
-    worker(0).answer({ ...answer, value: { id: 0, part: 'disc' } })
-    worker().answer({ ...answer, value: { id: 1, part: 'disc' } })
-    expect(await touching).toEqual({ id: 1, part: 'disc' })
-  })
-
-  it('has another thread cut what the last one cut, and fit nothing again', async () => {
-    const region = [
-      [
-        [0, 0],
-        [9, 0],
-        [9, 9],
-      ],
-    ]
-    const opening = scene.open(Float64Array.of(0, 0, 1, 5, 0, 1), {
-      region,
-      areSites: true,
-      fit: { known: undefined, inserted: [] },
-    })
-    // The answer contains fitted radii.
-    worker().answer({ ...opened(1), circles: Float64Array.of(0, 0, 3, 5, 0, 0) } as FromPainter)
-    await opening
-    expect(scene.circles.get(0)?.r).toBe(3)
-    const edit = scene.edit([], { region: null })
-    worker().answer({ kind: 'refused', scene: 1, revision: 2, error: { code: 'badInput', message: '' } as never })
-    await expect(edit).rejects.toThrow()
-    worker().onmessage?.({ data: { kind: 'failed', message: 'out of memory' } })
-    expect(worker().of('open').at(-1)).toMatchObject({ region, areSites: true, circles: { 2: 3 } })
-    expect(worker().of('open').at(-1)?.fit).toBeUndefined()
   })
 
   it('never tells a new thread what the last one was doing when it failed, and says that something failed', async () => {
@@ -347,37 +177,6 @@ describe('the painter', () => {
     expect(failures.at(-1)).toEqual([message, { marks: false, layers: false }])
   })
 
-  it('replaces a thread that never worked when something is asked again, and not before', async () => {
-    const open = scene.open(new Float64Array())
-    worker().onerror?.({ message: 'not found' })
-    await expect(open).rejects.toThrow(/not found/)
-    expect(FakeWorker.all.length).toBe(1)
-    const again = scene.open(Float64Array.of(1, 2, 3))
-    expect(FakeWorker.all.length).toBe(2)
-    worker().answer(opened(2))
-    expect((await again).counts).toEqual(COUNTS)
-  })
-
-  it('replaces a thread that has answered anything', async () => {
-    const touching = scene.ask('touch', 0, 0, 1)
-    worker().answer({ kind: 'answer', request: 1, value: undefined })
-    expect(await touching).toBeUndefined()
-    worker().onerror?.({ message: 'it broke' })
-    expect(FakeWorker.all.length).toBe(2)
-    expect(
-      worker()
-        .of('add')
-        .map((message) => message.scene),
-    ).toEqual([1])
-    // A thread that fails at its start is replaced by one that receives less, and that one by none.
-    worker().answer({ ...opened(0) })
-    worker().onerror?.({ message: 'it broke' })
-    expect(FakeWorker.all.length).toBe(3)
-    worker().answer({ ...opened(0) })
-    worker().onerror?.({ message: 'it broke' })
-    expect(FakeWorker.all.length).toBe(3)
-  })
-
   it('replaces a thread that continues by another one with all layers once everything is painted again', async () => {
     const open = scene.open(Float64Array.of(0, 0, 1))
     worker().answer(opened(1))
@@ -394,108 +193,6 @@ describe('the painter', () => {
       [3, 1],
       [4, 0],
     ])
-  })
-
-  it('leaves nothing open of a scene that is closed, and hears nothing more of it', async () => {
-    const other = painter.add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
-    const open = scene.open(new Float64Array())
-    const touching = scene.ask('touch', 0, 0, 1)
-    const otherOpen = other.open(new Float64Array())
-    scene.close()
-    await expect(open).rejects.toThrow('The diagram could not be computed: it was disposed of.')
-    expect(await touching).toBeUndefined()
-    const { length } = worker().got
-    scene.mark(1, undefined)
-    scene.look(request, {} as never)
-    scene.close()
-    expect(await scene.ask('touch', 0, 0, 1)).toBeUndefined()
-    await expect(scene.edit([])).rejects.toThrow(/disposed/)
-    expect(worker().got).toHaveLength(length)
-    worker().answer(opened(1))
-    worker().answer({ ...opened(1), scene: 2 } as FromPainter)
-    expect((await otherOpen).counts).toEqual(COUNTS)
-  })
-
-  it('sends with an edit which circles it is for, and tells where others have come', async () => {
-    const open = scene.open(Float64Array.of(0, 0, 1))
-    worker().answer(opened(1))
-    await open
-    const other = scene.open(Float64Array.of(5, 0, 1))
-    const edit = scene.edit([{ kind: 'remove', id: 0 }])
-    worker().answer(opened(2))
-    worker().answer({ kind: 'superseded', scene: 1, revision: 3 })
-    await expect(edit).rejects.toBeInstanceOf(Superseded)
-    await other
-    scene.edit([{ kind: 'remove', id: 0 }]).catch(() => {})
-    expect(
-      worker()
-        .of('edit')
-        .map(({ opening }) => opening),
-    ).toEqual([1, 2])
-    scene.mark(0, undefined)
-    worker().answer({ kind: 'marked', scene: 1, marks: NO_MARKS })
-    const third = scene.open(Float64Array.of(7, 0, 1))
-    worker().answer(opened(5))
-    await third
-    // The new thread has the same circles under the same opening number, and highlights none of former ones.
-    worker().onerror?.({ message: 'it broke' })
-    expect(
-      worker()
-        .of('open')
-        .map((message) => message.opening),
-    ).toEqual([5])
-    expect(worker().of('mark')).toEqual([])
-  })
-
-  it('tells what is found with each edit, or that it is not known yet, and later', async () => {
-    const hull = { hull: Float64Array.of(0, 0, 1, 1) } as unknown as GlobalResults
-    scene.edit([{ kind: 'remove', id: 0 }])
-    scene.edit([{ kind: 'remove', id: 1 }])
-    worker().answer({ ...edited(1), found: hull } as FromPainter)
-    worker().answer(edited(2))
-    worker().answer({ kind: 'found', scene: 1, found: hull })
-    expect(found).toEqual([hull, undefined, hull])
-  })
-
-  it('answers what was asked about other circles with nothing', async () => {
-    const touching = scene.ask('touch', 0, 0, 1)
-    const legend = scene.ask('legend')
-    const open = scene.open(Float64Array.of(0, 0, 1))
-    worker().answer(opened(1))
-    await open
-    const [first, second] = worker().of('ask')
-    worker().answer({ kind: 'answer', request: first?.request as number, value: { id: 0, part: 'disc' } })
-    worker().answer({ kind: 'answer', request: second?.request as number, value: { measure: 'area' } })
-    expect([await touching, await legend]).toEqual([undefined, { measure: 'area' }])
-  })
-
-  it('is refused an edit without any harm', async () => {
-    const open = scene.open(new Float64Array())
-    worker().answer(opened(1))
-    await open
-    const edit = scene.edit([{ kind: 'remove', id: 7 }])
-    worker().answer({
-      kind: 'refused',
-      scene: 1,
-      revision: 2,
-      error: { code: 'unknownCircle', circle: 7, message: 'No circle 7.' },
-    })
-    await expect(edit).rejects.toBeInstanceOf(CircleVoronoiError)
-    expect(FakeWorker.all.length).toBe(1)
-  })
-
-  it('cancels a long fit of areas as it cancels an opening, and no other edit', async () => {
-    expect(scene.cancel()).toBe(false)
-    const edit = scene.edit([{ kind: 'remove', id: 7 }])
-    expect(scene.cancel()).toBe(false)
-    const fit = scene.edit([], { fit: { known: undefined, inserted: [] } })
-    expect(scene.cancel()).toBe(true)
-    await expect(fit).rejects.toBeInstanceOf(Superseded)
-    await expect(edit).rejects.toBeInstanceOf(Superseded)
-    expect(FakeWorker.all.map(({ isTerminated }) => isTerminated)).toEqual([true, false])
-    const open = scene.open(Float64Array.of(0, 0, 1))
-    expect(scene.cancel()).toBe(true)
-    await expect(open).rejects.toBeInstanceOf(Superseded)
   })
 
   it('starts nothing once it is disposed of', async () => {
