@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An array whose buffer was transferred, or became too short, reads as empty. No function may take it for no circles.
-import { describe, expect, it, vi } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import { loadFiles } from '../../web/lib/files.ts'
 import {
@@ -21,10 +21,7 @@ import {
 import { encodeLink, encodeLinkAtOnce } from '../../web/lib/link.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { createWorker } from '../../web/lib/worker.ts'
-import { useThreads } from './fake-threads.ts'
 import { library } from './library.ts'
-
-vi.mock('../../web/lib/threads/thread.ts', () => import('./fake-threads.ts'))
 
 type Numbers = Float64Array | Float32Array | Int32Array | Uint8Array
 type Lose = <List extends Numbers>(list: List) => List
@@ -34,7 +31,6 @@ const BOUNDS = [-5, -5, 10, 10] as const
 const files = await loadFiles()
 const regions = await loadRegions()
 const { computeComparison } = await loadComparison({ library })
-useThreads(() => ({ post() {}, keepAlive() {}, terminate() {} }))
 const worker = createWorker()
 const region = regions.region([
   [

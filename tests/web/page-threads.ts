@@ -8,8 +8,8 @@ const programs = new Map<string, Program>()
 
 /** Builds the program of a thread. Its globals are parameters, so that each start has its own. */
 function programOf(url: URL): Program {
-  // Vite's addresses begin at the folder of the project.
-  const file = `.${url.pathname}`
+  // Vite's addresses begin at the folder of the project. Built files have other names.
+  const file = `.${url.pathname}`.replace(/\.js$/, '.ts')
   const known = programs.get(file)
   if (known !== undefined) return known
   const [bundle] = buildSync({
@@ -45,6 +45,8 @@ export class ThreadHere {
     this.name = url.pathname.split('/').at(-1) as string
     // Own properties, because the window of the page has a setter of this name.
     this.#thread = Object.create(globalThis, {
+      // Threads of a browser know no process.
+      process: { value: undefined },
       onmessage: { writable: true, value: undefined },
       postMessage: { value: (data: unknown) => this.#deliver(data, this) },
     })

@@ -2,17 +2,9 @@
 // Both ends of a thread: its start in Node and in a browser, and its answers.
 import { readFileSync } from 'node:fs'
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import type { Diagram } from '../../web/lib/index.ts'
 import { answerRequests } from '../../web/lib/threads/answer-requests.ts'
 import { startThread } from '../../web/lib/threads/thread.ts'
-import type {
-  ComputeRequest,
-  EditorCalls,
-  FitRequest,
-  Reply,
-  Request,
-  Start,
-} from '../../web/lib/threads/worker-messages.ts'
+import type { ComputeRequest, EditorCalls, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { circleVoronoiOf } from '../../web/lib/wasm/library.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
@@ -276,140 +268,71 @@ describe('what a thread answers', () => {
     return { said, port, ask: (data: Start | Request | EditorCalls) => port.onmessage({ data }) }
   }
 
-  it('is what came of each call of an editor, with the memory of its snapshots', async () => {
-    const { said, ask } = answering()
-    await ask({ module: await module })
-    const circle = [20, 0, 1]
-    const methods = [['edit', THREE], ['insert', circle], ['remove', 7], ['size'], ['snapshot']] as const
-    await ask({ calls: methods.map(([method, ...args]) => ({ method, args })) })
-    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
-    if (!('results' in reply)) throw new Error('They are no results.')
-    const values = reply.results.map((result) => ('value' in result ? result.value : result.error.code))
-    expect(values.slice(0, 4)).toEqual([undefined, expect.anything(), 'unknownCircle', 4])
-    const snapshot = values[4] as Diagram
-    expect(snapshot.circles).toEqual(Float64Array.of(...THREE, ...circle))
-    expect(transfer).toContain(snapshot.circles.buffer)
-    expect(transfer).toContain(snapshot.edges.buffer)
+  const SITES = Float64Array.of(2, 2, 0, 7, 3, 0)
+  const fitting = { areas: Float64Array.of(1, 3), shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0 }
+  const region = {
+    points: Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10),
+    ringOffsets: Int32Array.of(0, 4),
+    polygonOffsets: undefined,
+  }
+  const regions = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
+  const fitOf = async (more: object, where: object) => ({
+    fit: { sites: SITES.slice(), ...fitting, ...more },
+    region: undefined,
+    wasm: await WebAssembly.compile(regions),
+    tellsProgress: false,
+    ...where,
   })
 
-  it('is the diagram, with the memory of all its arrays', async () => {
-    const { said, ask } = answering()
-    await ask({ module: await module })
-    expect(said).toEqual([])
-    await ask(request())
-    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
-    if (!('diagram' in reply)) throw new Error('It is no diagram.')
-    const { diagram } = reply
-    expect(diagram.vertices).toHaveLength(3)
-    const { circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = diagram
-    const arrays = [circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide]
-    expect(new Set(transfer)).toEqual(new Set(arrays.map(({ buffer }) => buffer)))
-    expect(transfer).toHaveLength(arrays.length)
-  })
+  /** The memory of all arrays in a value. The few numbers of a snapshot are copied. */
+  const memoryOf = (value: unknown): unknown[] => {
+    if (ArrayBuffer.isView(value)) return [value.buffer]
+    const { numbers: _, ...parts } = Object(value)
+    return typeof value === 'object' ? Object.values(parts).flatMap(memoryOf) : []
+  }
 
-  it('is a periodic diagram, or a fit in a box, with the memory of all their arrays', async () => {
+  it.each([
+    ['a diagram', async () => request()],
+    ['a periodic diagram', async () => ({ ...request(), lattice: { a: [20, 0], b: [0, 20] } })],
+    ['a fit', () => fitOf({}, { region })],
+    ['a fit in a box', () => fitOf({ lattice: Float64Array.of(9, 0, 0, 4) }, {})],
+    [
+      'snapshots of an editor',
+      async () => ({
+        calls: [
+          { method: 'edit', args: [THREE] },
+          { method: 'snapshot', args: [] },
+        ],
+      }),
+    ],
+  ] as const)('is %s, with the memory of all its arrays', async (_, made) => {
     const { said, ask } = answering()
     await ask({ module: await module })
-    const arraysOf = (value: object) => Object.values(value).filter((item) => ArrayBuffer.isView(item))
-    const expectAll = (transfer: ArrayBuffer[], arrays: readonly ArrayBufferView[]) => {
-      expect(new Set(transfer)).toEqual(new Set(arrays.map(({ buffer }) => buffer)))
-      expect(transfer).toHaveLength(arrays.length)
-    }
-    await ask({ ...request(), lattice: { a: [20, 0], b: [0, 20] } })
-    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
-    if (!('periodic' in reply)) throw new Error('It is no periodic diagram.')
-    const { periodic } = reply
-    expect(periodic.circleCount).toBe(3)
-    expectAll(transfer, [...arraysOf(periodic), ...arraysOf(periodic.diagram)])
-    const path = new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url)
-    const options = { shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0, lattice: Float64Array.of(9, 0, 0, 4) }
-    const fit = { sites: Float64Array.of(2, 2, 0, 7, 3, 0), areas: Float64Array.of(1, 3), ...options }
-    const wasm = await WebAssembly.compile(readFileSync(path))
-    await ask({ fit, region: undefined, wasm, tellsProgress: false })
-    const [answer, buffers] = said.at(-1) as [Reply, ArrayBuffer[]]
-    if (!('periodicFit' in answer)) throw new Error('It is no fit in a box.')
-    const { periodicFit } = answer
-    expect(periodicFit.areas[1]).toBeCloseTo(27, 6)
-    const parts = [periodicFit, periodicFit.periodic, periodicFit.periodic.diagram]
-    expectAll(buffers, parts.flatMap(arraysOf))
-  })
-
-  it('tells progress if it is to', async () => {
-    const { said, ask } = answering()
-    await ask({ module: await module })
-    await ask(request())
+    await ask((await made()) as Request)
     expect(said).toHaveLength(1)
-    await ask({ ...request(), tellsProgress: true, options: { method: 'touching-disc' } })
-    const stages = said.slice(1, -1).map(([reply]) => ('progress' in reply ? reply.progress[0] : undefined))
-    expect([...new Set(stages)]).toEqual(['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'])
-    expect(said.at(-1)?.[0]).toMatchObject({ diagram: { stats: { method: 'touching-disc' } } })
+    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
+    expect('error' in reply).toBe(false)
+    expect(new Set(transfer)).toEqual(new Set(memoryOf(reply)))
+    expect(transfer).toHaveLength(new Set(transfer).size)
   })
 
-  it('is a fit, with the memory of all its arrays, and its steps if they are asked for', async () => {
+  it('tells progress and steps if it is to', async () => {
     const { said, ask } = answering()
-    const path = new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url)
-    const wasm = await WebAssembly.compile(readFileSync(path))
-    const region = {
-      points: Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10),
-      ringOffsets: Int32Array.of(0, 4),
-      polygonOffsets: undefined,
-    }
-    const options = { shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0 }
-    const fitRequest = (tellsProgress: boolean, sites = Float64Array.of(2, 2, 0, 7, 3, 0)): Request => ({
-      fit: { sites, areas: Float64Array.of(1, 3), ...options },
-      region,
-      wasm,
-      tellsProgress,
-    })
-    await ask(fitRequest(true))
-    const [reply, transfer] = said.at(-1) as [Reply, ArrayBuffer[]]
-    if (!('fit' in reply)) throw new Error('It is no fit.')
-    const { fit } = reply
-    expect(fit.areas[1]).toBeCloseTo(75, 6)
-    expect(transfer).toContain(fit.areas.buffer)
-    expect(transfer).toContain(fit.weights.buffer)
-    expect(transfer).toContain(fit.diagram.edges.buffer)
-    expect(new Set(transfer).size).toBe(transfer.length)
-    expect(said.slice(0, -1).map(([told]) => 'step' in told && told.step.steps)).toEqual(
-      Array.from({ length: fit.steps + 1 }, (_, step) => step),
-    )
-    said.length = 0
-    await ask(fitRequest(false))
-    await ask(fitRequest(false, Float64Array.of(2, 2, 0, 2, 2, 0)))
-    const few = fitRequest(false) as FitRequest
-    await ask({ ...few, fit: { ...few.fit, maxSteps: 1 } })
-    expect(said.pop()).toEqual([{ error: expect.objectContaining({ weights: expect.any(Float64Array) }) }, []])
-    expect(said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))).toEqual([
-      'fit',
-      'badInput',
-    ])
+    await ask({ module: await module })
+    await ask({ ...request(), tellsProgress: true, options: { method: 'touching-disc' } })
+    const stages = said.splice(0).flatMap(([reply]) => ('progress' in reply ? [reply.progress[0]] : []))
+    expect([...new Set(stages)]).toEqual(['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'])
+    await ask(await fitOf({}, { region, tellsProgress: true }))
+    const steps = said.flatMap(([reply]) => ('step' in reply ? [reply.step.steps] : []))
+    expect(steps).toEqual(Array.from({ length: said.length - 1 }, (_, step) => step))
   })
 
   it('is a fit, though the module did not load the first time', async () => {
     const { said, ask } = answering()
-    const path = new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url)
-    const region = {
-      points: Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10),
-      ringOffsets: Int32Array.of(0, 4),
-      polygonOffsets: undefined,
-    }
-    const options = { shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0 }
-    const fit = { sites: Float64Array.of(2, 2, 0, 7, 3, 0), areas: Float64Array.of(1, 3), ...options }
     const wrong = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0))
-    for (const wasm of [wrong, await WebAssembly.compile(readFileSync(path))]) {
-      await ask({ fit, region, wasm, tellsProgress: false })
-    }
-    expect(said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))).toEqual([
-      'notLoaded',
-      'fit',
-    ])
-  })
-
-  it('is an error, with its code and circle', async () => {
-    const { said, ask } = answering()
-    await ask({ module: await module })
-    await ask(request(Float64Array.of(0, 0, 1, 5, 0, -1)))
-    expect(said).toEqual([[{ error: { code: 'negativeRadius', circle: 1, message: expect.any(String) } }, []]])
+    for (const more of [{ wasm: wrong }, {}]) await ask(await fitOf({}, { region, ...more }))
+    const kinds = said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))
+    expect(kinds).toEqual(['notLoaded', 'fit'])
   })
 
   it('is the reason for which the module does not load, each time', async () => {

@@ -7,6 +7,7 @@ import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { mount } from '../../web/view/mount.ts'
 import type { View } from '../../web/view/view.ts'
 import { held } from './element-page.ts'
+import { Canvas } from './page-canvas.ts'
 import { make, measure } from './page-document.ts'
 import { quiet, soon, surround } from './whole-page.ts'
 
@@ -153,7 +154,8 @@ describe('above the picture', () => {
     expect(view.handleAt(corner, 1e9)).toBeUndefined()
   })
 
-  it('an end of the path is found at its pixel, the last one if both are there, and moved', () => {
+  it('an end of the path is found at its pixel, the last one if both are there, and moved', async () => {
+    const found = heard('found')
     view.setCamera({ x: 0, y: 0, scale: 10 })
     view.movePathEnd('to', { x: 1, y: 1 })
     expect(view.layers.path).toBeUndefined()
@@ -165,6 +167,10 @@ describe('above the picture', () => {
     expect(view.pathEndAt({ x: 40, y: 30 }, 0)).toBe('to')
     view.movePathEnd('to', { x: 1, y: 1 })
     expect(view.layers.path).toEqual({ from: { x: 0, y: 0 }, to: { x: 1, y: 1 } })
+    await soon(() => expect(found.at(-1)).toMatchObject({ path: expect.anything() }))
+    const before = found.length
+    view.movePathEnd('to', { x: 2, y: 9 })
+    await soon(() => expect(found.length).toBeGreaterThan(before))
   })
 })
 
@@ -228,6 +234,17 @@ describe('a view tells', () => {
     media.dispatchEvent(new Event('change'))
     expect(told).toHaveLength(1)
   })
+
+  it('its place whether it is dark, for print', () => {
+    for (const [color, isDark] of [
+      ['rgb(0, 0, 0)', true],
+      ['rgb(255, 255, 255)', false],
+    ] as const) {
+      vi.stubGlobal('getComputedStyle', () => ({ color, getPropertyValue: () => '' }))
+      view.restyle()
+      expect('dark' in place.dataset).toBe(isDark)
+    }
+  })
 })
 
 describe('layers', () => {
@@ -273,6 +290,17 @@ describe('a picture', () => {
     expect(await textOf(view.toPNG(2))).toBe('160 x 120')
     vi.stubGlobal('devicePixelRatio', 3)
     expect(await textOf(view.toPNG())).toBe('240 x 180')
+    const getContext = vi.spyOn(Canvas.prototype, 'getContext')
+    const drawn: PropertyKey[] = []
+    getContext.mockReturnValue(
+      new Proxy({}, { get: (_, name) => drawn.push(name) && (() => ({ width: 0 })), set: () => true }),
+    )
+    await view.toPNG()
+    const count = drawn.length
+    view.above = [{ id: 'a', color: 'red', points: Float64Array.of(5, 4) }]
+    await view.toPNG()
+    expect(drawn.length - count).toBeGreaterThan(count)
+    getContext.mockRestore()
     await expect(view.toPNG(0)).rejects.toMatchObject({ code: 'badInput' })
     view.dispose()
     for (const write of [() => view.toSVG(), () => view.toPNG(), () => view.toPrint()])
