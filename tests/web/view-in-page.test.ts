@@ -45,7 +45,7 @@ afterEach(async () => {
 })
 
 const canvases = () => [...place.querySelectorAll('canvas')]
-/** How much was drawn above the picture since the last call. */
+/** Returns how much was drawn above the picture since the last call. */
 async function drawnAbove(): Promise<number> {
   await quiet()
   const [, overlay] = canvases() as [HTMLCanvasElement, HTMLCanvasElement]
