@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "at.h"
@@ -106,6 +108,8 @@ double distanceFor(const ClipInput& input, const Region& region, std::mt19937_64
     case 0:
       return std::hypot(toCenter.x, toCenter.y) - r;
     case 1:
+      // Two rings may touch in these corners.
+      if (along.x == 0 && along.y == 0) return 1;
       return std::abs(along.x * toCenter.y - along.y * toCenter.x) / std::hypot(along.x, along.y) - r;
     default:
       return std::uniform_real_distribution<double>(0.3, 1.3)(random) * std::hypot(toCenter.x, toCenter.y) - r;
@@ -161,6 +165,76 @@ TEST_P(ClipFamilies, AreConsistent) {
                 for (const CircleIndex j : clipped.neighbors(i)) {
                   EXPECT_TRUE(std::ranges::count(clipped.neighbors(j), i) == 1);
                 }
+              }
+            });
+}
+
+/// Expects that loops go counter-clockwise and holes clockwise, except for rounding.
+void expectOrientations(const ClippedDiagram& clipped) {
+  const double extent = extentOf(clipped.region());
+  double farthest = extent;
+  for (const Circle& c : clipped.diagram().circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y), c.r});
+  const ClippedCells cells = clipped.cells();
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(clipped.diagram().circles.size()); ++i) {
+    const Outline outline = clipped.outline(i);
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const bool isHole = cells.isHole[at(cells.loopOffsets[at(i)]) + k] != 0;
+      EXPECT_GE(area({outline[k]}) * (isHole ? -1 : 1), -1e-14 * extent * farthest) << "loop " << k << " of cell " << i;
+    }
+  }
+}
+
+TEST_P(ClipFamilies, HaveLoopsInTheirDirectionsAlsoWithinADistance) {
+  const std::uint64_t seed = seedOr(59);
+  std::mt19937_64 random(seed + 1);
+  forFamily(clipFamilies()[GetParam()], seed,
+            [&](const ClipInput& input, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
+              expectOrientations(clipped);
+              if (input.metric == Metric::power) return;
+              const double distance = distanceFor(input, region, random);
+              SCOPED_TRACE("within " + std::to_string(distance));
+              const auto near = ClippedDiagram::from(diagram, region, distance);
+              ASSERT_TRUE(near) << near.error().message;
+              expectOrientations(*near);
+            });
+}
+
+/// The parts of edges in a region: the edge, and the sides on which it begins and ends.
+std::vector<std::array<std::int32_t, 3>> partsInside(const ClippedDiagram& clipped) {
+  std::vector<std::array<std::int32_t, 3>> parts;
+  const ClippedEdges edges = clipped.edges();
+  for (std::size_t k = 0; k < edges.edge.size(); ++k) {
+    parts.push_back({edges.edge[k], edges.startSide[k], edges.endSide[k]});
+  }
+  return parts;
+}
+
+/// Returns rings of whole numbers moved by (e, f), or nothing for others and if that rounds a coordinate.
+std::optional<std::vector<Region::Ring>> movedRings(std::vector<Region::Ring> rings, double e, double f) {
+  for (auto& ring : rings) {
+    for (Point& p : ring) {
+      const Point to = {p.x + e, p.y + f};
+      if (p.x != std::round(p.x) || p.y != std::round(p.y) || to.x - e != p.x || to.y - f != p.y) return std::nullopt;
+      p = to;
+    }
+  }
+  return rings;
+}
+
+// Clips are decided as if the region were moved by (e, f), where f is far smaller than e.
+TEST_P(ClipFamilies, HaveThePartsOfEdgesOfARegionThatIsMovedALittle) {
+  forFamily(clipFamilies()[GetParam()], seedOr(60),
+            [](const ClipInput& input, const Region&, const Diagram& diagram, const ClippedDiagram& clipped) {
+              std::array<std::vector<std::array<std::int32_t, 3>>, 2> moved;
+              for (std::size_t k = 0; k < moved.size(); ++k) {
+                const auto rings = movedRings(input.rings, k == 0 ? 0x1p-13 : 0x1p-14, k == 0 ? 0x1p-42 : 0x1p-44);
+                if (!rings) return;
+                const Region region = Region::fromRings(*rings).value();
+                moved[k] = partsInside(ClippedDiagram::from(diagram, region).value());
+              }
+              // Not where the shift is larger than other distances.
+              if (moved[0] == moved[1]) {
+                EXPECT_EQ(partsInside(clipped), moved[0]);
               }
             });
 }

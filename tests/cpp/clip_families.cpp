@@ -210,6 +210,50 @@ ClipInput touchingHoles(Random& random) {
   return input;
 }
 
+/// Holes that touch each other at points of one edge, which is straight or a hyperbola, in a chain along it.
+ClipInput holesAlongEdge(Random& random) {
+  ClipInput input;
+  const double small = pick(random, 0, 30);
+  std::vector<Point> places;
+  if (toss(random)) {
+    // The hyperbola with the axes 32 and 24.
+    input.circles = {{-40, 0, 64 + small}, {40, 0, small}};
+    places = {{68, -45}, {40, -18}, {32, 0}, {40, 18}, {68, 45}};
+  } else {
+    input.metric = anyMetric(random);
+    input.circles = {{-40, 0, small}, {40, 0, small}};
+    places = {{0, -45}, {0, -16}, {0, 0}, {0, 20}, {0, 50}};
+  }
+  input.rings = {{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}};
+  const int first = pick(random, 0, 2);
+  const int last = pick(random, first + 1, 4);
+  for (int k = first; k < last; ++k) {
+    const Point p = places[static_cast<std::size_t>(k)];
+    const Point q = places[static_cast<std::size_t>(k) + 1];
+    // Corners on both sides of the chord, or on one, at a height at which no other hole is.
+    const double low = pick(random, 1, 14);
+    const double high = pick(random, 1, 14);
+    const Point onRight = {std::max(p.x, q.x) + pick(random, 1, 40), p.y + low};
+    const Point onLeft = {std::min(p.x, q.x) - pick(random, 1, 40), p.y + high};
+    const int kind = pick(random, 0, 2);
+    if (kind == 0) input.rings.push_back({p, onRight, q, onLeft});
+    if (kind == 1) input.rings.push_back({p, onRight, q});
+    if (kind == 2) input.rings.push_back({p, q, onLeft});
+  }
+  if (toss(random)) {
+    std::swap(input.circles[0], input.circles[1]);
+    std::ranges::reverse(input.rings.begin() + 1, input.rings.end());
+  }
+  // The whole turned by quarters.
+  for (int turns = pick(random, 0, 3); turns > 0; --turns) {
+    for (Circle& c : input.circles) c = {-c.y, c.x, c.r};
+    for (auto& ring : input.rings) {
+      for (Point& p : ring) p = {-p.y, p.x};
+    }
+  }
+  return input;
+}
+
 ClipInput insideOneCell(Random& random) {
   ClipInput input = cornerOnEdge(random);
   input.circles.push_back({0, 0, 1});
@@ -310,7 +354,8 @@ const std::vector<ClipFamily>& clipFamilies() {
                                                    {"inside one cell", insideOneCell},
                                                    {"far away and tiny", farAndTiny},
                                                    {"grid", grid},
-                                                   {"anything", anything}};
+                                                   {"anything", anything},
+                                                   {"holes along an edge", holesAlongEdge}};
   return families;
 }
 

@@ -46,9 +46,7 @@ void DiscLoops::leave(const RimPoint& point) {
 void DiscLoops::endLoop() {
   if (!startsInside_) return;
   if (!isCut_) {
-    // Where holes touch in a point on an edge, one of them can be a loop with sides of the cell that have no length.
-    const bool isHole = isHole_ || (!pieces_.empty() && area({pieces_}) < 0);
-    if (!pieces_.empty()) (isHole ? holes_ : closed_).push_back(std::exchange(pieces_, {}));
+    if (!pieces_.empty()) (isHole_ ? holes_ : closed_).push_back(std::exchange(pieces_, {}));
     return;
   }
   // The chain that goes on through the start of the loop.

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <tuple>
 
 #include "at.h"
-#include "edge_curve.h"
-#include "refuse_clip.h"
+#include "crossing_order.h"
 #include "shifted_signs.h"
+#include "side_after.h"
 
 namespace circle_voronoi {
 namespace {
@@ -40,10 +39,8 @@ std::int32_t windingAround(const Diagram& diagram, const Region& region, const S
   };
   std::int32_t winding = 0;
   for (const RegionSideIndex side : region.sidesIn(ray)) {
-    const auto ring = at(region.ringOf(side));
     const Point from = region.points()[at(side)];
-    const std::int32_t next = side + 1 == region.ringOffsets()[ring + 1] ? region.ringOffsets()[ring] : side + 1;
-    const Point to = region.points()[at(next)];
+    const Point to = region.points()[at(sideAfter(region, side))];
     const bool goesUp = isAbove(to);
     if (isAbove(from) == goesUp) continue;
     // The ray crosses the side if the vertex lies left of a side that goes up, or right of a side that goes down.
@@ -56,7 +53,7 @@ std::int32_t windingAround(const Diagram& diagram, const Region& region, const S
 
 Arcs::Arcs(const Diagram& diagram, const Region& region, const ClipScope& scope, const Crossings& crossings)
     : diagram_(diagram), scope_(scope), crossings_(crossings), crossed_(std::vector<std::int32_t>()) {
-  sortCrossings();
+  sortCrossings(region);
   if (scope.isAll()) {
     findLevels();
   } else {
@@ -65,24 +62,23 @@ Arcs::Arcs(const Diagram& diagram, const Region& region, const ClipScope& scope,
   makeArcs();
 }
 
-void Arcs::sortCrossings() {
+void Arcs::sortCrossings(const Region& region) {
   const auto& all = crossings_.all;
   order_.resize(all.size());
   std::iota(order_.begin(), order_.end(), 0);
-  const auto key = [&](std::int32_t c) {
-    const Crossing& its = all[at(c)];
-    const std::int32_t side = its.side;
-    // The same order in both directions of an edge, reversed.
-    if (!isOrdered(diagram_, its.edge)) return std::tuple(std::int32_t{its.edge}, -its.orderedParameter, -side);
-    return std::tuple(std::int32_t{its.edge}, its.orderedParameter, side);
-  };
-  std::ranges::sort(order_, {}, key);
+  const auto edgeOf = [&](std::int32_t c) { return all[at(c)].edge; };
+  std::ranges::stable_sort(order_, {}, edgeOf);
+  const CrossingOrder crossingOrder(diagram_, region);
   std::vector<std::int32_t> crossed;
-  for (std::size_t k = 0; k < order_.size(); ++k) {
-    const EdgeIndex edge = all[at(order_[k])].edge;
-    if (!crossed.empty() && crossed.back() == edge) continue;
-    crossed.push_back(edge);
-    orderStart_.push_back(static_cast<std::int32_t>(k));
+  for (std::size_t k = 0; k < order_.size();) {
+    const std::size_t first = k;
+    while (k < order_.size() && edgeOf(order_[k]) == edgeOf(order_[first])) ++k;
+    crossed.push_back(edgeOf(order_[first]));
+    orderStart_.push_back(static_cast<std::int32_t>(first));
+    // A stable sort ends even if the diagram is wrong and the order is none.
+    std::ranges::stable_sort(std::span(order_).subspan(first, k - first), [&](std::int32_t c, std::int32_t d) {
+      return crossingOrder.isBefore(all[at(c)], all[at(d)]);
+    });
   }
   orderStart_.push_back(static_cast<std::int32_t>(order_.size()));
   if (scope_.isAll()) {
@@ -152,32 +148,28 @@ void Arcs::findLevels(const Region& region) {
   }
 }
 
+/// If entries and exits do not alternate, the judge refuses the clip.
 void Arcs::makeArcs() {
   arcOf_.assign(crossings_.all.size(), kNone);
-  std::vector<std::int32_t> entries;
-  std::vector<std::int32_t> exits;
+  const auto add = [&](EdgeIndex edge, std::int32_t start, std::int32_t end) {
+    for (const std::int32_t crossing : {start, end}) {
+      if (crossing != kNone) arcOf_[at(crossing)] = static_cast<std::int32_t>(arcs_.size());
+    }
+    arcs_.push_back({edge, start, end});
+  };
   for (std::size_t row = 0; row < crossed_.size(); ++row) {
     const EdgeIndex edge = crossed_[row];
     arcStart_.push_back(static_cast<std::int32_t>(arcs_.size()));
-    entries.clear();
-    exits.clear();
+    bool isIn = isInside(diagram_.edges[at(edge)].start);
+    std::int32_t start = kNone;
     for (std::int32_t k = orderStart_[row]; k < orderStart_[row + 1]; ++k) {
       const std::int32_t crossing = order_[at(k)];
-      (crossings_.all[at(crossing)].isEntry ? entries : exits).push_back(crossing);
+      const bool isEntry = crossings_.all[at(crossing)].isEntry;
+      if (isEntry != isIn && !isEntry) add(edge, start, crossing);
+      if (isEntry) start = crossing;
+      isIn = isEntry;
     }
-    const bool startsInside = isInside(diagram_.edges[at(edge)].start);
-    const bool endsInside = isInside(diagram_.edges[at(edge)].end);
-    // Otherwise the judge refuses the clip.
-    if (entries.size() + (startsInside ? 1 : 0) != exits.size() + (endsInside ? 1 : 0)) continue;
-    const std::size_t count = entries.size() + (startsInside ? 1 : 0);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t entry = startsInside ? k - 1 : k;
-      const std::int32_t start = startsInside && k == 0 ? std::int32_t{kNone} : entries[entry];
-      const std::int32_t end = k < exits.size() ? exits[k] : std::int32_t{kNone};
-      if (start != kNone) arcOf_[at(start)] = static_cast<std::int32_t>(arcs_.size());
-      if (end != kNone) arcOf_[at(end)] = static_cast<std::int32_t>(arcs_.size());
-      arcs_.push_back({edge, start, end});
-    }
+    if (isIn) add(edge, start, kNone);
   }
   arcStart_.push_back(static_cast<std::int32_t>(arcs_.size()));
 }

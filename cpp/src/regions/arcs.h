@@ -25,8 +25,7 @@ struct Arc {
 /// follow from the crossings alone. At infinity the level is 0, and along an edge it goes up by 1 at each entry and
 /// down by 1 at each exit. Because each ring is a closed path in the dual, all ways to a vertex lead to the same level.
 ///
-/// Along an edge entries and exits alternate. They are ordered each for itself: rounding may confuse the order of an
-/// entry and an exit next to each other, but not that they alternate.
+/// Along an edge, entries and exits alternate in the order of crossings (crossing_order.h).
 class Arcs {
  public:
   /// Finds the arcs of the edges of the scope, from the crossings of these edges.
@@ -54,7 +53,7 @@ class Arcs {
   std::int32_t atVertex(EdgeIndex edge, bool isAtStart) const;
 
  private:
-  void sortCrossings();
+  void sortCrossings(const Region& region);
   std::int32_t riseAlong(EdgeIndex edge) const;
   void findLevels();
   void findLevels(const Region& region);

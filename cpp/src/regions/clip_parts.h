@@ -9,6 +9,7 @@
 #include "cell_moments.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "crossings.h"
+#include "side_after.h"
 
 namespace circle_voronoi {
 
@@ -100,7 +101,7 @@ class ClippedDiagram::Parts {
   std::span<const InCell> allRings() const { return rings_; }
 
   Point pointOf(RegionSideIndex side) const { return region.points()[static_cast<std::size_t>(side)]; }
-  RegionSideIndex sideAfter(RegionSideIndex side) const { return sideAfter(side, region.ringOf(side)); }
+  RegionSideIndex sideAfter(RegionSideIndex side) const { return circle_voronoi::sideAfter(region, side); }
 
   const Diagram& diagram;
   const Region& region;
@@ -113,11 +114,6 @@ class ClippedDiagram::Parts {
 
  private:
   static std::span<const InCell> within(const std::vector<InCell>& all, CircleIndex cell);
-  RegionSideIndex sideAfter(RegionSideIndex side, RegionRingIndex ring) const {
-    const auto offsets = region.ringOffsets().subspan(static_cast<std::size_t>(ring), 2);
-    return side + 1 == offsets[1] ? offsets[0] : side + 1;
-  }
-
   void addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const;
   std::int32_t addArcs(std::int32_t crossing, Loops& loops) const;
   bool isBorderInside(CircleIndex circle) const;
@@ -142,7 +138,7 @@ void ClippedDiagram::Parts::visitCorners(const Stretch& stretch, Visit visit) co
   const RegionRingIndex ring = region.ringOf(side);
   do {
     visit(side);
-    side = sideAfter(side, ring);
+    side = circle_voronoi::sideAfter(region, side, ring);
   } while (side != last);
 }
 

@@ -16,6 +16,7 @@
 #include "scale.h"
 #include "sectors.h"
 #include "shifted_signs.h"
+#include "side_after.h"
 #include "sort_unique.h"
 
 namespace circle_voronoi {
@@ -47,7 +48,14 @@ struct Line {
     along = vectorTo(from, to);
   }
 
-  double shareOf(Point p) const { return dot(vectorTo(from, p), along) / dot(along, along); }
+  /// Returns the share of the way at which a bisector is at a parameter. Places are measured from the start of the side,
+  /// since far from the origin they round more than the bisector and the side do.
+  double shareOf(Bisector bisector, double parameter) const {
+    const Vector origin = vectorTo(from, bisector.origin);
+    bisector.origin = {origin.x, origin.y};
+    const Point p = pointAt(bisector, parameter);
+    return dot({p.x, p.y}, along) / dot(along, along);
+  }
 
   Point at(double share) const {
     if (share <= 0) return from;
@@ -148,10 +156,10 @@ class Walk {
       box = {std::min(box.minX, its.minX), std::min(box.minY, its.minY), std::max(box.maxX, its.maxX),
              std::max(box.maxY, its.maxY)};
       for (const RegionSideIndex index : region_.sidesIn(its)) {
-        const auto ring = at(region_.ringOf(index));
+        const RegionRingIndex ring = region_.ringOf(index);
         const auto [start, end] = endsOf(index, ring);
         if (!sectors_.isEnteredAcross(side, {start, end})) continue;
-        crossedRings.push_back(static_cast<std::int32_t>(ring));
+        crossedRings.push_back(ring);
         follow(side, index, ring);
       }
     }
@@ -159,15 +167,15 @@ class Walk {
   }
 
   /// Follows the boundary from where a side of the region comes into the cell of the walk, until it leaves the cell.
-  void follow(SideIndex across, RegionSideIndex index, std::size_t ring) {
+  void follow(SideIndex across, RegionSideIndex index, RegionRingIndex ring) {
     const auto [start, end] = endsOf(index, ring);
     addCrossing(index, Line(start, end), Diagram::twin(across));
     auto exit = exitAlong({start, end}, across);
     crossings_.isOnSideOfNext.push_back(exit ? 1 : 0);
-    const std::int32_t size = region_.ringOffsets()[ring + 1] - region_.ringOffsets()[ring];
+    const std::int32_t size = region_.ringOffsets()[at(ring) + 1] - region_.ringOffsets()[at(ring)];
     for (std::int32_t steps = 0; !exit; ++steps) {
       if (steps > size) refuseClip("A ring of the region does not leave a cell.");
-      index = sideAfter(index, ring);
+      index = sideAfter(region_, index, ring);
       const auto [from, to] = endsOf(index, ring);
       if (!isShort(from, to)) exit = exitAlong({from, to});
     }
@@ -219,11 +227,8 @@ class Walk {
     return result;
   }
 
-  RegionSideIndex sideAfter(RegionSideIndex side, std::size_t ring) const {
-    return side + 1 == region_.ringOffsets()[ring + 1] ? region_.ringOffsets()[ring] : side + 1;
-  }
-  std::pair<Point, Point> endsOf(RegionSideIndex side, std::size_t ring) const {
-    return {region_.points()[at(side)], region_.points()[at(sideAfter(side, ring))]};
+  std::pair<Point, Point> endsOf(RegionSideIndex side, RegionRingIndex ring) const {
+    return {region_.points()[at(side)], region_.points()[at(sideAfter(region_, side, ring))]};
   }
 
   /// A box around a side of a cell. An arc lies in the triangle of its ends and its tangents there. Towards infinity it
@@ -409,7 +414,7 @@ class Walk {
     const bool isAlong = left == diagram_.circleOf(side);
     const BranchCrossing found(bisector, line, isAlong != line.isForward);
     double parameter = found.parameter;
-    double share = line.shareOf(pointAt(bisector, parameter));
+    double share = line.shareOf(bisector, parameter);
     Point point = line.at(share);
     if (!found.isCertain || !(share > kNearEnd && share < 1 - kNearEnd)) {
       const CircleIndex own = diagram_.circleOf(side);

@@ -57,7 +57,4 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region, const Chosen
 /// Returns the circle whose cell has a corner, by steps from a circle to nearer neighbors.
 CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from);
 
-/// Returns the circle whose cell has a corner, by steps from a circle to nearer neighbors.
-CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from);
-
 }  // namespace circle_voronoi

@@ -9,6 +9,7 @@
 #include "in_circle.h"
 #include "linear_sign.h"
 #include "seen.h"
+#include "sign_at_crossing.h"
 #include "vectors.h"
 #include "vertex_error.h"
 
@@ -108,6 +109,17 @@ FixedInteger<8> dotOf(const Difference2& u, const Difference2& v) { return u.x *
 FixedInteger<8> crossOf(const Difference2& u, const Difference2& v) { return u.x * v.y - u.y * v.x; }
 
 Point centerPointOf(const Circle& c) { return {c.x, c.y}; }
+
+/// Returns 1 if a line turns to the left of another one, -1 if it turns to the right, 0 if they are parallel.
+int turnBetween(const ShiftedSigns::Line& first, const ShiftedSigns::Line& second) {
+  const Circle origin = {first.from.x, first.from.y, 0};
+  const Circle end = circleAt(first.to, origin);
+  const Circle from = circleAt(second.from, origin);
+  const Circle to = circleAt(second.to, origin);
+  return seenFrom(origin, std::array<const Circle*, 3>{&end, &from, &to}, [](const auto& seen, int) {
+    return planeCross(seen[0].v, seen[2].v - seen[1].v).sign();
+  });
+}
 
 }  // namespace
 
@@ -431,47 +443,130 @@ int ShiftedSigns::turnFromRay(CircleIndex own, Point through, Point corner) cons
   return corner.y != through.y ? signOfNumber(corner.y - through.y) : signOfNumber(through.x - corner.x);
 }
 
-// The ray from o in the direction P crosses the line at the share N / D, with N = P x (o - a), D = P x (b - a). The
-// share of the other crossing is as in shareOfCrossing. Their difference is compared with 0.
+Circle ShiftedSigns::flattened(CircleIndex i) const {
+  const Circle& c = circle(i);
+  return {c.x, c.y, isCurved_ ? c.r : 0};
+}
+
+/// Returns the side of a line on which the branch bulges between both crossings. Returns 0 if the line crosses it once.
+///
+/// The branch encloses the smaller circle. On one side of the line, it goes to infinity as the ray does from the center
+/// of the larger circle to that of the smaller one.
+int ShiftedSigns::bulgeSide(CircleIndex left, CircleIndex right, const Line& line) const {
+  const Circle own = flattened(left);
+  const Circle other = flattened(right);
+  if (own.r == other.r) return 0;
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
+  return seenFrom(own, std::array{&other, &from, &to}, [](const auto& seen, int) {
+    const auto& across = seen[0].v;
+    const auto direction = seen[2].v - seen[1].v;
+    const auto along = planeDot(direction, across);
+    const bool isOnce = (along * along - across.s * across.s * planeDot(direction, direction)).sign() >= 0;
+    return isOnce ? 0 : planeCross(direction, across).sign() * across.s.sign();
+  });
+}
+
+/// Returns whether a line for which bulgeSide is not 0 is a tangent of the hyperbola.
+bool ShiftedSigns::isTangent(CircleIndex left, CircleIndex right, const Line& line) const {
+  const Circle own = flattened(left);
+  const Circle other = flattened(right);
+  const Circle from = circleAt(line.from, own);
+  const Circle to = circleAt(line.to, own);
+  return seenFrom(from, std::array{&own, &other, &to}, [](const auto& seen, int) {
+    const auto& [c, d, direction] = seen;
+    const auto difference = d.v - c.v;
+    const auto height = planeCross(direction.v, c.v + d.v);
+    const auto along = planeDot(direction.v, difference);
+    return (height * height + along * along - difference.s * difference.s * planeDot(direction.v, direction.v)).sign() ==
+           0;
+  });
+}
+
+// Where the crossing of the unmoved line lies on the other line, the lines meet there. If the crossing of the other one
+// is elsewhere, either side is right for `isBefore`. Otherwise both sides of the region meet there in a corner. The
+// moved corner lies in one of both cells, so the line crosses the bisector after the corner, or before it.
+int ShiftedSigns::sideOfCrossing(CircleIndex left, CircleIndex right, const Line& line, const Line& other) const {
+  const Circle& c = circle(left);
+  const Circle& d = circle(right);
+  int sign = 0;
+  if (isCurved_) {
+    const Circle from = circleAt(line.from, c);
+    const Circle to = circleAt(line.to, c);
+    const Circle otherFrom = circleAt(other.from, c);
+    const Circle otherTo = circleAt(other.to, c);
+    sign = seenFrom(c, std::array<const Circle*, 5>{&d, &from, &to, &otherFrom, &otherTo}, [](const auto& seen, int) {
+      const auto direction = seen[4].v - seen[3].v;
+      return signAtCrossing(AsGiven(), seen[0], seen[1], seen[2], planeCross(direction, seen[1].v - seen[3].v),
+                            planeCross(direction, seen[2].v - seen[1].v));
+    });
+  } else {
+    const Weighted numbers({line.from, line.to, other.from, other.to, centerPointOf(c), centerPointOf(d)},
+                           {weight(c), weight(d)});
+    const auto across = numbers.between(centerPointOf(c), centerPointOf(d));
+    const auto start = numbers.between(centerPointOf(c), line.from);
+    const auto direction = numbers.between(other.from, other.to);
+    const auto along = numbers.between(line.from, line.to);
+    const auto half = dotOf(start, across);
+    const auto way = dotOf(along, across);
+    const auto height = dotOf(across, across) + numbers.square(weight(c)) - numbers.square(weight(d)) - half - half;
+    sign = (crossOf(direction, numbers.between(other.from, line.from)) * (way + way) +
+            crossOf(direction, along) * height)
+               .sign() *
+           way.sign();
+  }
+  if (sign != 0) return sign;
+  const int turn = turnBetween(other, line);
+  if (turn == 0) return 0;
+  // A corner of one line that lies on the other one.
+  const auto isOn = [](Point p, const Line& its) { return orientation(its.from, its.to, p) == 0; };
+  const std::array corners = {line.from, line.to, other.from, other.to};
+  const auto corner = std::ranges::find_if(corners, [&](Point p) { return isOn(p, line) && isOn(p, other); });
+  if (corner == corners.end()) return turn;
+  // The tangent moves by far less than the corner moves along it, so both crossings stay behind the corner.
+  if (line.from.y == line.to.y && bulgeSide(left, right, line) != 0 && isTangent(left, right, line)) {
+    return line.to.x > line.from.x ? -turn : turn;
+  }
+  return compare(left, right, *corner).sign > 0 ? turn : -turn;
+}
+
+// A line that crosses the branch once divides it into what lies on its right, and then on its left. A line that crosses
+// it twice cuts off an interval between both crossings. Where neither crossing lies in the interval of the other line,
+// the intervals have the order of their middles, where the tangents are parallel to the lines.
+bool ShiftedSigns::isBefore(CircleIndex left, CircleIndex right, const Line& line, const Line& other) const {
+  const int side = sideOfCrossing(left, right, line, other);
+  const int otherBulge = bulgeSide(left, right, other);
+  if (otherBulge == 0 || side == otherBulge) return side < 0;
+  const int otherSide = sideOfCrossing(left, right, other, line);
+  const int bulge = bulgeSide(left, right, line);
+  if (bulge == 0 || otherSide == bulge) return otherSide > 0;
+  if (side == 0) return bulge > 0;
+  const int curving = circle(right).r > circle(left).r ? 1 : -1;
+  return bulge * otherBulge * turnBetween(line, other) * curving > 0;
+}
+
+// The ray from o in the direction P crosses the line from a to b at the share N / D, with N = P x (o - a),
+// D = P x (b - a).
 int ShiftedSigns::turnFromRay(CircleIndex own, Point through, CircleIndex from, CircleIndex to,
                               const Line& line) const {
   const int first = turnFromRay(own, through, line.from);
   const int second = turnFromRay(own, through, line.to);
   if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
-  const Circle& c = circle(from);
-  const Circle& d = circle(to);
+  const Circle c = flattened(from);
+  const Circle d = flattened(to);
   const Circle start = circleAt(line.from, c);
   const Circle end = circleAt(line.to, c);
   const Circle place = circleAt(through, c);
+  const Circle center = circleAt(centerPointOf(circle(own)), c);
   // Positive if the crossing comes after the ray, along the line.
-  const int ahead = seenFrom(start, std::array<const Circle*, 4>{&c, &d, &end, &place}, [&](const auto& seen, int) {
-    const auto& center = own == from ? seen[0].v : seen[1].v;
-    const auto& direction = seen[2].v;
-    auto ray = seen[3].v - center;
-    if (ray.x.sign() == 0 && ray.y.sign() == 0) ray.x = decltype(ray.x)(1);
-    const auto n = planeCross(ray, center);
-    const auto whole = planeCross(ray, direction);
-    const auto across = seen[1].v - seen[0].v;
-    const auto twice = [](const auto& value) { return value + value; };
-    if (!isCurved_ || across.s.sign() == 0) {
-      const auto way = twice(planeDot(direction, across));
-      const auto height = planeDot(across, across) + twice(planeDot(seen[0].v, across));
-      return (height * whole - n * way).sign() * way.sign() * whole.sign();
-    }
-    const auto toMiddle = seen[0].v + seen[1].v;
-    const auto ss = across.s * across.s;
-    const auto along = planeDot(direction, across);
-    const auto height = planeDot(toMiddle, across);
-    const auto a = twice(twice(along * along - ss * planeDot(direction, direction)));
-    const auto b = twice(ss * planeDot(toMiddle, direction) - height * along);
-    const auto constant = height * height - ss * (planeDot(toMiddle, toMiddle) + planeDot(across, across) - ss);
-    if (a.sign() == 0) return -(constant * whole + twice(b) * n).sign() * b.sign() * whole.sign();
-    const auto square = b * b - a * constant;
-    const auto p = -(b * whole + a * n);
-    const auto q = d.r < c.r ? whole : -whole;
-    const int sign = signOf((p * p - q * q * square).sign(), [&] { return p.sign(); }, [&] { return q.sign(); });
-    return sign * a.sign() * whole.sign();
-  });
+  const int ahead =
+      seenFrom(c, std::array<const Circle*, 5>{&d, &start, &end, &place, &center}, [&](const auto& seen, int) {
+        auto ray = seen[3].v - seen[4].v;
+        if (ray.x.sign() == 0 && ray.y.sign() == 0) ray.x = decltype(ray.x)(1);
+        const auto whole = planeCross(ray, seen[2].v - seen[1].v);
+        return signAtCrossing(AsGiven(), seen[0], seen[1], seen[2], planeCross(ray, seen[1].v - seen[4].v), whole) *
+               whole.sign();
+      });
   return ahead == 0 ? 0 : ahead > 0 ? second : first;
 }
 

@@ -69,6 +69,14 @@ class ShiftedSigns {
   /// corner to its second. Right to rounding of itself, for the region that is not moved.
   double shareOfCrossing(CircleIndex from, CircleIndex to, const Line& line) const;
 
+  // Lines that cross the bisector of two circles. They come out of the cell of `left` into that of `right`, and the
+  // bisector is seen with the cell of `left` on its left.
+
+  /// Returns whether the crossing of one line comes before that of another one, along the bisector.
+  bool isBefore(CircleIndex left, CircleIndex right, const Line& line, const Line& other) const;
+  /// Returns the side of another line on which the crossing of a line lies. Returns 0 if both lie on one line.
+  int sideOfCrossing(CircleIndex left, CircleIndex right, const Line& line, const Line& other) const;
+
   // Rays from the center of a circle through a place that moves with the region: a corner, or a point in it.
 
   /// Returns 1 if a corner lies counter-clockwise from a ray, by less than half a turn, -1 if it lies clockwise from
@@ -91,6 +99,10 @@ class ShiftedSigns {
   double weight(const Circle& c) const { return diagram_.metric == Metric::power ? c.r * c.r : 0; }
   exact::Face faceOf(SideIndex side, bool isTarget) const;
   Comparison compareStraight(const Circle& own, const Circle& other, Point corner) const;
+  /// Returns a circle without its radius if edges are straight.
+  Circle flattened(CircleIndex i) const;
+  int bulgeSide(CircleIndex left, CircleIndex right, const Line& line) const;
+  bool isTangent(CircleIndex left, CircleIndex right, const Line& line) const;
 
   const Diagram& diagram_;
   bool isCurved_;
