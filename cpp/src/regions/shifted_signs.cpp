@@ -540,7 +540,8 @@ bool ShiftedSigns::isBefore(CircleIndex left, CircleIndex right, const Line& lin
   const int otherSide = sideOfCrossing(left, right, other, line);
   const int bulge = bulgeSide(left, right, line);
   if (bulge == 0 || otherSide == bulge) return otherSide > 0;
-  if (side == 0) return bulge > 0;
+  // One line, in both directions.
+  if (side == 0) return bulge > otherBulge;
   const int curving = circle(right).r > circle(left).r ? 1 : -1;
   return bulge * otherBulge * turnBetween(line, other) * curving > 0;
 }
