@@ -350,6 +350,37 @@ std::string nameOfFamilyTest(const testing::TestParamInfo<std::size_t>& family) 
 }
 INSTANTIATE_TEST_SUITE_P(All, ClipFamilies, testing::Range(std::size_t{0}, clipFamilies().size()), nameOfFamilyTest);
 
+// Two cells without vertices, whose coordinates would round. Shares of sides and parameters of edges must not.
+TEST(ClippedDiagram, AreasFarFromTheOriginAreThoseAtTheOrigin) {
+  const std::uint64_t seed = seedOr(61);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  const auto number = [&] { return std::round(std::uniform_real_distribution<double>(-4096, 4096)(random)) / 64; };
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Circle> circles;
+    for (int i = 0; i < 2; ++i) circles.push_back({number(), number(), std::abs(number()) / 4});
+    const Region::Ring ring = {{number() - 64, number() - 64},
+                               {number() + 64, number() - 64},
+                               {number() + 64, number() + 64},
+                               {number() - 64, number() + 64}};
+    for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
+      const auto areasAt = [&](double offset) {
+        auto there = circles;
+        auto corners = ring;
+        for (Circle& c : there) c = {c.x + offset, c.y - offset, c.r};
+        for (Point& p : corners) p = {p.x + offset, p.y - offset};
+        const Diagram diagram = computeComparison(there, metric).value();
+        const Region region = Region::fromRings(std::vector<Region::Ring>{corners}).value();
+        return ClippedDiagram::from(diagram, region).value().areas();
+      };
+      const auto near = areasAt(0);
+      for (const double offset : {0x1p20, 0x1p30}) {
+        EXPECT_LT(largestDifference(areasAt(offset), near), 1e-15 * 256 * 256) << "at " << offset;
+      }
+    }
+  }
+}
+
 struct ClipFixture {
   std::string name;
   ClipInput input;

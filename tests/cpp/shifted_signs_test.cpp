@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The signs that a clip rests on: where they are far from zero, against distances and cross products in double precision,
-// and the order of crossings at ties against a region that is moved, in numbers of 1600 bits.
+// The signs that a clip rests on: where they are far from zero, against distances and cross products in double
+// precision, and the order of crossings at ties against a region that is moved, in numbers of 1600 bits.
 #include "shifted_signs.h"
 
 #include <gtest/gtest.h>
@@ -81,13 +81,14 @@ TEST(ShiftedSigns, AreThoseOfDistancesAndCrossProducts) {
   }
 }
 
-using Real = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<1600, boost::multiprecision::digit_base_2>, boost::multiprecision::et_off>;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1600, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
 using Line = ShiftedSigns::Line;
 
 /// Returns how far along the bisector of two circles a line comes out of the cell of the left one: the parameter s of
-/// the place, which is x = -d (s + 1 / s) / 4 and y = b (s - 1 / s) / 2 from the middle of the centers. The line is moved
-/// by a shift that stands for (e, f).
+/// the place, which is x = -d (s + 1 / s) / 4 and y = b (s - 1 / s) / 2 from the middle of the centers. The line is
+/// moved by a shift that stands for (e, f).
 std::optional<Real> movedCrossing(const Circle& left, const Circle& right, const Line& line) {
   const Real e = ldexp(Real(1), -100);
   const Real f = ldexp(Real(1), -600);
@@ -103,8 +104,8 @@ std::optional<Real> movedCrossing(const Circle& left, const Circle& right, const
   const Real ny = Real(line.to.x) - line.from.x;
   const Real alongX = nx * ux + ny * uy;
   const Real alongY = ny * ux - nx * uy;
-  const Real height = nx * (line.from.x + e - (Real(left.x) + right.x) / 2) +
-                      ny * (line.from.y + f - (Real(left.y) + right.y) / 2);
+  const Real height =
+      nx * (line.from.x + e - (Real(left.x) + right.x) / 2) + ny * (line.from.y + f - (Real(left.y) + right.y) / 2);
   // a s^2 - height s + c grows where the bisector goes to the left of the line.
   const Real a = -d * alongX / 4 + b * alongY / 2;
   const Real c = -d * alongX / 4 - b * alongY / 2;

@@ -48,14 +48,8 @@ struct Line {
     along = vectorTo(from, to);
   }
 
-  /// Returns the share of the way at which a bisector is at a parameter. Places are measured from the start of the side,
-  /// since far from the origin they round more than the bisector and the side do.
-  double shareOf(Bisector bisector, double parameter) const {
-    const Vector origin = vectorTo(from, bisector.origin);
-    bisector.origin = {origin.x, origin.y};
-    const Point p = pointAt(bisector, parameter);
-    return dot({p.x, p.y}, along) / dot(along, along);
-  }
+  /// Returns the share of the way at a place relative to the start.
+  double shareOf(Point p) const { return dot({p.x, p.y}, along) / dot(along, along); }
 
   Point at(double share) const {
     if (share <= 0) return from;
@@ -63,6 +57,13 @@ struct Line {
     return {from.x + share * along.x, from.y + share * along.y};
   }
 };
+
+/// Returns a bisector in coordinates relative to a point. Far from the origin, these round less.
+Bisector relativeTo(Point p, Bisector bisector) {
+  const Vector origin = vectorTo(p, bisector.origin);
+  bisector.origin = {origin.x, origin.y};
+  return bisector;
+}
 
 /// The crossing of a branch and a line at which the branch goes to the right of the line, or to its left.
 ///
@@ -414,7 +415,8 @@ class Walk {
     const bool isAlong = left == diagram_.circleOf(side);
     const BranchCrossing found(bisector, line, isAlong != line.isForward);
     double parameter = found.parameter;
-    double share = line.shareOf(bisector, parameter);
+    const Bisector fromStart = relativeTo(line.from, bisector);
+    double share = line.shareOf(pointAt(fromStart, parameter));
     Point point = line.at(share);
     if (!found.isCertain || !(share > kNearEnd && share < 1 - kNearEnd)) {
       const CircleIndex own = diagram_.circleOf(side);
@@ -422,13 +424,14 @@ class Walk {
       const auto& [out, in] = line.isForward ? std::pair(own, other) : std::pair(other, own);
       share = std::clamp(signs_.shareOfCrossing(out, in, {line.from, line.to}), 0.0, 1.0);
       point = line.at(share);
+      parameter = parameterAt(fromStart, {share * line.along.x, share * line.along.y});
       if (share > 0.5) {
         // Next to the other end, which may be much nearer to the circles, as seen from there.
         const double rest = std::clamp(signs_.shareOfCrossing(in, out, {line.to, line.from}), 0.0, 1.0);
         share = 1 - rest;
         if (rest < 1) point = {line.to.x - rest * line.along.x, line.to.y - rest * line.along.y};
+        parameter = parameterAt(relativeTo(line.to, bisector), {-rest * line.along.x, -rest * line.along.y});
       }
-      parameter = parameterAt(bisector, point);
     }
     const EdgeCurve curve = orderedCurve(diagram_, edge);
     parameter = std::clamp(parameter, curve.from, curve.to);

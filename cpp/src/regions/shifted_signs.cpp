@@ -116,9 +116,8 @@ int turnBetween(const ShiftedSigns::Line& first, const ShiftedSigns::Line& secon
   const Circle end = circleAt(first.to, origin);
   const Circle from = circleAt(second.from, origin);
   const Circle to = circleAt(second.to, origin);
-  return seenFrom(origin, std::array<const Circle*, 3>{&end, &from, &to}, [](const auto& seen, int) {
-    return planeCross(seen[0].v, seen[2].v - seen[1].v).sign();
-  });
+  return seenFrom(origin, std::array<const Circle*, 3>{&end, &from, &to},
+                  [](const auto& seen, int) { return planeCross(seen[0].v, seen[2].v - seen[1].v).sign(); });
 }
 
 }  // namespace
@@ -478,8 +477,8 @@ bool ShiftedSigns::isTangent(CircleIndex left, CircleIndex right, const Line& li
     const auto difference = d.v - c.v;
     const auto height = planeCross(direction.v, c.v + d.v);
     const auto along = planeDot(direction.v, difference);
-    return (height * height + along * along - difference.s * difference.s * planeDot(direction.v, direction.v)).sign() ==
-           0;
+    return (height * height + along * along - difference.s * difference.s * planeDot(direction.v, direction.v))
+               .sign() == 0;
   });
 }
 
@@ -510,10 +509,10 @@ int ShiftedSigns::sideOfCrossing(CircleIndex left, CircleIndex right, const Line
     const auto half = dotOf(start, across);
     const auto way = dotOf(along, across);
     const auto height = dotOf(across, across) + numbers.square(weight(c)) - numbers.square(weight(d)) - half - half;
-    sign = (crossOf(direction, numbers.between(other.from, line.from)) * (way + way) +
-            crossOf(direction, along) * height)
-               .sign() *
-           way.sign();
+    sign =
+        (crossOf(direction, numbers.between(other.from, line.from)) * (way + way) + crossOf(direction, along) * height)
+            .sign() *
+        way.sign();
   }
   if (sign != 0) return sign;
   const int turn = turnBetween(other, line);
