@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "flatten.h"
+#include "ordered_sides.h"
 #include "scale.h"
 #include "vectors.h"
 
@@ -204,10 +205,13 @@ void CellPolygons::addSide(SideIndex side, Add add) const {
   points_.visitInner(side, [&](auto first, auto last) { std::for_each(first, last, add); });
 }
 
+/// Begins where the outline of the cell does, as all polygons.
 CellPolygons::Ring CellPolygons::wholeRing(CircleIndex circle) const {
   Ring ring;
   const auto add = [&](Point p) { addPoint(ring, p); };
-  for (const SideIndex side : frame_.diagram.sides(circle)) addSide(side, add);
+  std::vector<SideIndex> sides;
+  orderedSides(frame_.diagram, circle, sides);
+  for (const SideIndex side : sides) addSide(side, add);
   closeRing(ring);
   return ring;
 }

@@ -9,6 +9,7 @@
 #include "clip_parts.h"
 #include "compensated_sum.h"
 #include "edge_curve.h"
+#include "ordered_sides.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -39,7 +40,7 @@ class Adder {
       const Place place = parts_.placeOf(cell_);
       references_[row_] = {diagram_.circles[at(cell_)].x, diagram_.circles[at(cell_)].y};
       if (place == Place::outside) continue;
-      parts_.sidesOf(cell_, sides_);
+      orderedSides(diagram_, cell_, sides_);
       chooseReference(place);
       for (const SideIndex side : sides_) addSide(side);
       addBoundary();

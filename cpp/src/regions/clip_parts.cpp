@@ -15,6 +15,7 @@
 #include "judge_clip.h"
 #include "judge_near.h"
 #include "near_part.h"
+#include "ordered_sides.h"
 #include "refuse_clip.h"
 #include "scale.h"
 #include "with_key.h"
@@ -96,22 +97,6 @@ void ClippedDiagram::Parts::judgeNearParts() const {
 std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(const std::vector<InCell>& all,
                                                                              CircleIndex cell) {
   return withKey(all, std::int32_t{cell}, [](const InCell& one) { return std::int32_t{one.cell}; });
-}
-
-void ClippedDiagram::Parts::sidesOf(CircleIndex circle, std::vector<SideIndex>& sides) const {
-  const auto all = diagram.sides(circle);
-  sides.assign(all.begin(), all.end());
-  // Two circles follow each other once at most around a vertex of the cell, and once at most around infinity.
-  const auto key = [&](std::size_t k) {
-    const SideIndex next = sides[k + 1 == sides.size() ? 0 : k + 1];
-    return std::tuple(orderOf(diagram, diagram.neighborOf(sides[k])), orderOf(diagram, diagram.neighborOf(next)),
-                      diagram.targetOf(sides[k]) == kNone);
-  };
-  std::size_t first = 0;
-  for (std::size_t k = 1; k < sides.size(); ++k) {
-    if (key(k) < key(first)) first = k;
-  }
-  std::rotate(sides.begin(), sides.begin() + static_cast<std::ptrdiff_t>(first), sides.end());
 }
 
 EdgeCurve ClippedDiagram::Parts::orderedCurveOf(const Arc& arc) const {
@@ -214,7 +199,7 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
   // The border of a whole cell, which may have holes.
   if (isBorderInside(circle)) {
     std::vector<SideIndex> sides;
-    sidesOf(circle, sides);
+    orderedSides(diagram, circle, sides);
     for (const SideIndex side : sides) {
       const Vertex& vertex = diagram.vertices[at(diagram.originOf(side))];
       loops.pieces.push_back({{vertex.x, vertex.y}, side});

@@ -52,10 +52,6 @@ class ClippedDiagram::Parts {
     return row == kNone ? Place::outside : places_[static_cast<std::size_t>(row)];
   }
 
-  /// Collects the sides of a cell, counter-clockwise from one that depends on its neighbors alone, not on the numbers
-  /// of circles and edges: the one with the first neighbor (orderOf), and of several that with the first after it.
-  void sidesOf(CircleIndex circle, std::vector<SideIndex>& sides) const;
-
   /// Returns whether an edge without crossings lies in the region.
   bool isInside(EdgeIndex edge) const { return arcs.isInside(diagram.edges[static_cast<std::size_t>(edge)].start); }
 
