@@ -245,10 +245,11 @@ TEST(Queries, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
     const auto largest = largestEmptyDiscInside(diagram, test::regionOf(box));
     ASSERT_TRUE(largest);
     EXPECT_NEAR(largest->disc.r, radius, 1e-14);
-    // Any of several equal discs may be found. The circles that it names touch it.
-    for (const CircleIndex circle : largest->circles) {
-      if (circle == kNone) continue;
-      EXPECT_NEAR(distanceFrom(diagram, circle, {largest->disc.x, largest->disc.y}), radius, 1e-14);
+    // Any of several equal discs may be found. It names the circles that it touches, and no other.
+    for (CircleIndex i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+      const double distance = distanceFrom(diagram, i, {largest->disc.x, largest->disc.y});
+      EXPECT_GE(distance, radius - 1e-14);
+      EXPECT_EQ(std::ranges::count(largest->circles, i), distance < radius + 1e-13 ? 1 : 0) << "circle " << i;
     }
   }
 }

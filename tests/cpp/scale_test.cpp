@@ -102,7 +102,7 @@ void measureQueries(const Diagram& diagram, const Box& box, MeasuresOfCells& all
   if (const auto pair = closestPair(diagram)) all.add(1, pair->gap);
   all.add(*largestEmptyDiscCenteredIn(diagram, test::regionOf(box)));
   all.add(*largestEmptyDiscCenteredInHull(diagram));
-
+  all.add(*largestEmptyDiscInside(diagram, test::regionOf(box)));
   const ClearestPath path = clearestPath(diagram, {box.minX, box.minY}, {box.maxX, box.maxY / 2});
   all.add(1, path.clearance);
   for (const std::int32_t edge : path.edges) all.add(0, edge);

@@ -106,6 +106,8 @@ class Region {
   [[nodiscard]] Box bounds() const;
 
  private:
+  friend Region scaledRegion(const Region& region, double factor);
+
   Region() = default;
 
   /// Returns the region of arrays without dissolving them. `limit` is the largest coordinate. Throws a ThrownError.

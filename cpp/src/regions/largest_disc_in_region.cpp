@@ -13,6 +13,7 @@
 #include "guarded.h"
 #include "rounded.h"
 #include "scale.h"
+#include "scaled_region.h"
 #include "seen.h"
 
 namespace circle_voronoi {
@@ -150,7 +151,8 @@ void placesTouching(std::array<const Touchable*, 3> things, Take take) {
 
 class DiscSearch {
  public:
-  DiscSearch(const Diagram& diagram, const Region& region) : region_(region) {
+  /// The region has been scaled by a power of two, to a unit of 1 at least. The diagram has not.
+  DiscSearch(const Diagram& diagram, const Region& region, double scale) : region_(region), scale_(scale) {
     const Box box = region.bounds();
     origin_ = {box.minX + (box.maxX - box.minX) / 2, box.minY + (box.maxY - box.minY) / 2};
     unit_ = powerOfTwoIn(std::max(box.maxX - box.minX, box.maxY - box.minY));
@@ -159,7 +161,7 @@ class DiscSearch {
       if (!diagram.hasCell(index)) continue;
       const Circle& c = diagram.circles[i];
       circles_.push_back(index);
-      things_.push_back({here({c.x, c.y}), {}, c.r / unit_, false});
+      things_.push_back({here({scale * c.x, scale * c.y}), {}, scale * c.r / unit_, false});
     }
     const auto points = region.points();
     const auto rings = region.ringOffsets();
@@ -220,6 +222,8 @@ class DiscSearch {
 
   Point here(Point p) const { return {(p.x - origin_.x) / unit_, (p.y - origin_.y) / unit_}; }
   Point there(Point p) const { return {origin_.x + unit_ * p.x, origin_.y + unit_ * p.y}; }
+  /// Rounds a point to the numbers for which signs are exact (limits.h), times the unit.
+  Point roundedInUnits(Point p) const { return {unit_ * rounded(p.x / unit_), unit_ * rounded(p.y / unit_)}; }
 
   /// The distance of a place from a thing, and its bounds nearby: at p + v it is at least value + along . v, because
   /// things are convex, and it is larger by at most bend |v|^2 as long as |v| is at most the given reach.
@@ -381,7 +385,7 @@ class DiscSearch {
       return least;
     };
     if (!(leastFrom(p) > radius_)) return;
-    const Point center = rounded(there(p));
+    const Point center = roundedInUnits(there(p));
     if (!region_.contains(center)) return;
     // In thin regions, rounding of the center counts.
     double least = leastFrom(p);
@@ -390,7 +394,7 @@ class DiscSearch {
     }
     if (!(least > radius_)) return;
     radius_ = least;
-    EmptyDisc found = {{center.x, center.y, least * unit_}, {kNone, kNone, kNone}};
+    EmptyDisc found = {{center.x / scale_, center.y / scale_, least * unit_ / scale_}, {kNone, kNone, kNone}};
     std::size_t count = 0;
     for (const std::int32_t thing : square.near) {
       if (at(thing) >= circles_.size() || count == found.circles.size()) continue;
@@ -424,6 +428,7 @@ class DiscSearch {
   };
 
   const Region& region_;
+  double scale_;
   Point origin_;
   double unit_ = 1;
   std::vector<CircleIndex> circles_;
@@ -444,7 +449,12 @@ Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, 
     if (diagram.metric != Metric::circles) {
       return Error{ErrorCode::badOption, kNone, "The largest empty disc takes a diagram of the metric circles."};
     }
-    if (auto disc = DiscSearch(diagram, region).run()) return disc;
+    const Box box = region.bounds();
+    const double unit = powerOfTwoIn(std::max(box.maxX - box.minX, box.maxY - box.minY));
+    // A small region is enlarged, so that rounding is the same share of any region.
+    const double scale = unit < 1 ? 1 / unit : 1;
+    const Region enlarged = scaledRegion(region, scale);
+    if (auto disc = DiscSearch(diagram, enlarged, scale).run()) return disc;
     const auto clipped = ClippedDiagram::from(diagram, region);
     if (!clipped) return clipped.error();
     const auto centered = clipped->largestEmptyDisc();

@@ -16,6 +16,7 @@
 #include "named_option.h"
 #include "ring_sweep.h"
 #include "scale.h"
+#include "scaled_region.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -479,6 +480,15 @@ bool Region::contains(Point given) const {
   bool isOnBoundary = false;
   const bool isInside = isInRun(runs_.size() - 1, 0, p, isOnBoundary);
   return isInside || isOnBoundary;
+}
+
+Region scaledRegion(const Region& region, double factor) {
+  Region result = region;
+  for (Point& p : result.points_) p = {factor * p.x, factor * p.y};
+  for (auto& level : result.runs_) {
+    for (auto& run : level) run = {factor * run.minX, factor * run.minY, factor * run.maxX, factor * run.maxY};
+  }
+  return result;
 }
 
 std::vector<RegionSideIndex> Region::sidesIn(const Box& box) const {
