@@ -463,6 +463,56 @@ TEST(DistanceClip, ChordsOfRimsDoNotCutHoles) {
   for (double tolerance = 1e-7; tolerance < 1e5; tolerance *= 3) expectValidPolygons(clipped, tolerance, 1e-9);
 }
 
+/// Expects that the judge takes the loops of a cell, and refuses them with each fault.
+void expectFaultsRefused(const ClippedDiagram& clipped, CircleIndex circle) {
+  SCOPED_TRACE("cell " + std::to_string(std::int32_t{circle}));
+  Loops loops;
+  clipped.parts().loopsOf(circle, loops);
+  const NearLoops right = nearLoops(clipped.parts(), circle, loops);
+  const AreaBounds bounds = areaBounds(clipped.parts(), circle, loops);
+  const double rounding = 1e-12;
+  EXPECT_EQ(faultOf(right, bounds, rounding), nullptr);
+  const auto expectRefused = [&](const NearLoops& wrong) { EXPECT_NE(faultOf(wrong, bounds, rounding), nullptr); };
+  NearLoops wrong = right;
+  wrong.isSound = false;
+  expectRefused(wrong);
+  const double its = area(right.outline);
+  EXPECT_NE(faultOf(right, {0, its - 1e-9}, rounding), nullptr);
+  EXPECT_NE(faultOf(right, {its + 1e-9, its + 1}, rounding), nullptr);
+  for (std::size_t k = 0; k < right.outline.size(); ++k) {
+    for (std::size_t p = 0; p < right.outline[k].size(); ++p) {
+      wrong = right;
+      wrong.outline[k].erase(wrong.outline[k].begin() + static_cast<std::ptrdiff_t>(p));
+      expectRefused(wrong);
+    }
+    wrong = right;
+    wrong.outline[k].clear();
+    expectRefused(wrong);
+    wrong = right;
+    wrong.isHole[k] = wrong.isHole[k] != 0 ? 0 : 1;
+    expectRefused(wrong);
+    wrong = right;
+    wrong.isHole.pop_back();
+    expectRefused(wrong);
+    wrong = right;
+    for (OutlinePiece& piece : wrong.outline[k]) piece.curve = reversed(piece.curve);
+    std::ranges::reverse(wrong.outline[k]);
+    expectRefused(wrong);
+  }
+  wrong = right;
+  wrong.outline.push_back(right.outline.front());
+  wrong.isHole.push_back(0);
+  expectRefused(wrong);
+  // Without one of its loops.
+  for (std::size_t k = 0; k < right.outline.size(); ++k) {
+    if (bounds.least < bounds.most) break;
+    wrong = right;
+    wrong.outline.erase(wrong.outline.begin() + static_cast<std::ptrdiff_t>(k));
+    wrong.isHole.erase(wrong.isHole.begin() + static_cast<std::ptrdiff_t>(k));
+    expectRefused(wrong);
+  }
+}
+
 TEST(DistanceClip, LoopsThatAreWrongAreRefused) {
   const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 2}, {1, 5, 1}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
@@ -470,33 +520,32 @@ TEST(DistanceClip, LoopsThatAreWrongAreRefused) {
                                                                     {{-1, 0}, {-0.5, -0.5}, {-0.5, 0.5}}})
                             .value();
   const auto clipped = ClippedDiagram::from(diagram, region, 1.25).value();
-  Loops loops;
-  for (const CircleIndex i : {0, 1, 2}) {
-    clipped.parts().loopsOf(i, loops);
-    const NearLoops right = nearLoops(clipped.parts(), i, loops);
-    const double rounding = 1e-12;
-    const double most = std::min(clipped.parts().moments.area(at(i)), 3.1416 * 12);
-    EXPECT_EQ(faultOf(right, most, rounding), nullptr);
-    NearLoops wrong = right;
-    wrong.isSound = false;
-    EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
-    EXPECT_NE(faultOf(right, area(right.outline) - 1e-9, rounding), nullptr);
-    for (std::size_t k = 0; k < right.outline.size(); ++k) {
-      for (std::size_t p = 0; p < right.outline[k].size(); ++p) {
-        wrong = right;
-        wrong.outline[k].erase(wrong.outline[k].begin() + static_cast<std::ptrdiff_t>(p));
-        EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
-      }
-      wrong = right;
-      wrong.outline[k].clear();
-      EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
-      wrong = right;
-      wrong.isHole[k] = wrong.isHole[k] != 0 ? 0 : 1;
-      EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
+  for (const CircleIndex i : {0, 1, 2}) expectFaultsRefused(clipped, i);
+}
+
+// No loop of such a cell meets the rim of its disc, so only their areas tell whether one is missing.
+TEST(DistanceClip, LoopsThatAreWrongAreRefusedAlsoWhollyWithinTheDistance) {
+  const std::uint64_t seed = seedOr(73);
+  Generator random(seed);
+  for (int round = 0; round < 20; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round) + ", seed " + std::to_string(seed));
+    std::vector<Circle> circles;
+    for (int k = 0; k < 3; ++k) circles.push_back({6 * unit(random) - 3, 6 * unit(random) - 3, 0.5 * unit(random)});
+    std::vector<Region::Ring> rings = {{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}};
+    for (const double x : {-3.0, 0.0, 3.0}) {
+      const Point p = {x + unit(random) - 0.5, 6 * unit(random) - 3};
+      rings.push_back({p, {p.x + 0.5, p.y}, {p.x + 0.25, p.y + 0.5}});
     }
-    wrong = right;
-    wrong.outline.push_back(right.outline.front());
-    EXPECT_NE(faultOf(wrong, most, rounding), nullptr);
+    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const Region region = Region::fromRings(rings).value();
+    const auto clipped = ClippedDiagram::from(diagram, region, 40).value();
+    for (const CircleIndex i : {0, 1, 2}) {
+      Loops loops;
+      clipped.parts().loopsOf(i, loops);
+      if (loops.isHole.empty()) continue;
+      EXPECT_EQ(areaBounds(clipped.parts(), i, loops).least, areaBounds(clipped.parts(), i, loops).most);
+      expectFaultsRefused(clipped, i);
+    }
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -23,6 +22,9 @@
 namespace circle_voronoi {
 
 namespace {
+
+/// Rounding of the area under one piece, as a share of the rounding that an outline may have.
+constexpr double kRoundingOfPiece = 0x1p-10;
 
 Crossings crossingsFor(const Diagram& diagram, const Region& region, const ClipScope& scope) {
   if (diagram.hull.empty()) return {};
@@ -83,12 +85,13 @@ void ClippedDiagram::Parts::judgeNearParts() const {
     const CircleIndex circle = scope.cells[row];
     if (placeOf(circle) != Place::cut) continue;
     loopsOf(circle, loops);
-    const double radius = std::max(signs.radius(circle), 0.0);
-    const double size = std::max({radius, bounds.maxX - bounds.minX, bounds.maxY - bounds.minY});
-    const double most = std::min(moments.area(row), std::numbers::pi * radius * radius);
+    const double size = std::max({signs.radius(circle), bounds.maxX - bounds.minX, bounds.maxY - bounds.minY});
     const Circle& c = diagram.circles[at(circle)];
     const double farthest = std::max({std::abs(c.x), std::abs(c.y), size});
-    if (const char* fault = faultOf(nearLoops(*this, circle, loops), most, kRounding * size * farthest)) {
+    const double pieces = std::max(1.0, kRoundingOfPiece * static_cast<double>(loops.pieces.size()));
+    const double rounding = kRounding * pieces * size * farthest;
+    const AreaBounds areas = areaBounds(*this, circle, loops);
+    if (const char* fault = faultOf(nearLoops(*this, circle, loops), areas, rounding)) {
       refuseClip(fault);
     }
   }

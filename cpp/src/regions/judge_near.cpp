@@ -5,7 +5,7 @@
 
 namespace circle_voronoi {
 
-const char* faultOf(const NearLoops& loops, double mostArea, double rounding) {
+const char* faultOf(const NearLoops& loops, const AreaBounds& bounds, double rounding) {
   constexpr const char* kOpen = "The part of a cell within the maximum distance does not close.";
   constexpr const char* kArea = "The area of the part of a cell within the maximum distance is impossible.";
   if (!loops.isSound || loops.isHole.size() != loops.outline.size()) return kOpen;
@@ -20,7 +20,7 @@ const char* faultOf(const NearLoops& loops, double mostArea, double rounding) {
     if (!((loops.isHole[k] != 0 ? -its : its) >= -rounding)) return kArea;
     sum += its;
   }
-  return sum <= mostArea + rounding ? nullptr : kArea;
+  return sum >= bounds.least - rounding && sum <= bounds.most + rounding ? nullptr : kArea;
 }
 
 }  // namespace circle_voronoi

@@ -2,6 +2,7 @@
 #include "near_part.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "at.h"
@@ -12,6 +13,9 @@ namespace circle_voronoi {
 namespace {
 
 using Parts = ClippedDiagram::Parts;
+
+/// Points nearer than this share of the distance are within it, whatever rounding does.
+constexpr double kCertainlyWithin = 1 - 0x1p-30;
 
 SideCrossing sideCrossing(const Parts& parts, std::int32_t crossing) {
   const Crossing& its = parts.crossings.all[at(crossing)];
@@ -219,6 +223,18 @@ std::optional<NearArc> nearArc(const Parts& parts, const Arc& arc) {
 NearLoops nearLoops(const Parts& parts, CircleIndex circle, const Loops& loops) {
   if (loops.isHole.empty()) return {};
   return LoopCutter(parts, circle).run(loops);
+}
+
+AreaBounds areaBounds(const Parts& parts, CircleIndex circle, const Loops& loops) {
+  const DistanceSigns signs(parts.diagram, *parts.maxDistance);
+  const double radius = std::max(signs.radius(circle), 0.0);
+  const Circle& c = parts.diagram.circles[at(circle)];
+  // Along edges and sides, no point is farther from the center than both ends.
+  const bool isWithin = std::ranges::all_of(loops.pieces, [&](const LoopPiece& piece) {
+    return lengthOf(vectorTo({c.x, c.y}, piece.start)) < kCertainlyWithin * radius;
+  });
+  const double whole = parts.moments.area(at(parts.scope.cells.rowOf(circle)));
+  return {isWithin ? whole : 0, std::min(whole, std::numbers::pi * radius * radius)};
 }
 
 }  // namespace circle_voronoi

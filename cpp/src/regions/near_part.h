@@ -6,6 +6,7 @@
 #include "circle_voronoi/cells.h"
 #include "clip_parts.h"
 #include "disc_loops.h"
+#include "judge_near.h"
 #include "near_arc.h"
 
 namespace circle_voronoi {
@@ -16,5 +17,9 @@ std::optional<NearArc> nearArc(const ClippedDiagram::Parts& parts, const Arc& ar
 /// Returns the loops of the part of a cell in the region and within the maximum distance of its circle. `loops` are the
 /// loops of the cell in the region. The exact signs of DistanceSigns decide how the rim of the disc runs through them.
 NearLoops nearLoops(const ClippedDiagram::Parts& parts, CircleIndex circle, const Loops& loops);
+
+/// Returns what the areas of the cell in the region and of its disc say about the area of that part. If the whole cell
+/// in the region lies within the distance, its area is that of the part.
+AreaBounds areaBounds(const ClippedDiagram::Parts& parts, CircleIndex circle, const Loops& loops);
 
 }  // namespace circle_voronoi
