@@ -101,19 +101,17 @@ function compareCells(made, message) {
   const areas = diagram.cellAreas(options)
   const outlines = circles.map((_, i) => diagram.cellOutline(i, options))
   assertSameParts(made, outlines, message)
-  const exact = options.maxDistance === undefined ? region([corners]) : undefined
+  const exact = { region: region([corners]), maxDistance: options.maxDistance }
   let count = 0
   outlines.forEach((outline, i) => {
     assert.ok(Object.is(diagram.cellArea(i, options), areas[i]), `${message}: the area of cell ${i} among all`)
     const loops = outline.map((loop) =>
       loop.map((piece) => ({ label: labelOf(piece), length: lengthOf(piece.curve) / scale })),
     )
-    if (exact !== undefined) {
-      const theirs = diagram
-        .cellOutline(i, { region: exact })
-        .map((loop) => loop.map((piece) => ({ label: labelOf(piece), length: lengthOf(piece.curve) / scale })))
-      assertSameLoops(loops, theirs, size / scale, `${message}: cell ${i} and that of the exact clip`)
-    }
+    const clipped = diagram
+      .cellOutline(i, exact)
+      .map((loop) => loop.map((piece) => ({ label: labelOf(piece), length: lengthOf(piece.curve) / scale })))
+    assertSameLoops(loops, clipped, size / scale, `${message}: cell ${i} and that of the exact clip`)
     const right = cellByBruteForce(circles, i, corners, options.maxDistance, metric, scale)
     if (right === undefined) return
     count += 1
