@@ -71,7 +71,7 @@ describe('the same bits as the native program, in a region', () => {
         '--tolerance',
         String(tolerance),
         '--digits',
-        '20',
+        '40',
         '--format',
         'geojson',
       ]
