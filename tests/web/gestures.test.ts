@@ -272,7 +272,7 @@ a finger does not hover | - | move 10,0 touch | -
       'cell',
       'scale',
       'cell',
-      'cell',
+      'panning',
       'panning',
       'cell',
       'add',
