@@ -28,6 +28,15 @@ for (const name of REFLECTED.split(' ')) {
   })
 }
 
+Object.defineProperty(Element.prototype, 'role', {
+  get(this: Element) {
+    return this.getAttribute('role')
+  },
+  set(this: Element, value: string) {
+    this.setAttribute('role', value)
+  },
+})
+
 // Options have no constructor.
 Object.assign(globalThis, {
   Option: function Option(text: string, value: string, defaultSelected = false, selected = false) {

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of circles on the whole page: its cells, keys, clicks, order and selection, and what is written and pasted.
+// @vitest-environment happy-dom
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { all, element, send, textOf } from './page-document.ts'
+import { pressed, quiet, soon, wholePage } from './whole-page.ts'
+
+const CIRCLES = Float64Array.of(0, 9, 1, 30.123456789, 5, 3, 60, 7, 2, 30, 20, 1)
+const COLUMNS = [
+  { name: 'name', values: ['"b 10"', '"b 9"', '', '"a"'] },
+  { name: 'n', values: ['3', '', '1', '2'] },
+]
+const MANY = Float64Array.from({ length: 300 }, (_, k) => [k, k % 7, 0.1][k % 3] as number)
+
+let page: Awaited<ReturnType<typeof wholePage>>
+const grid = () => element('circle-grid')
+const headings = () => all(grid(), '[role=columnheader]')
+const columnOf = (name: string) => headings().findIndex((heading) => textOf(heading) === name)
+const rows = () =>
+  all(grid(), '[role=rowgroup] [role=row]')
+    .filter(({ hidden }) => !hidden)
+    .sort((a, b) => Number(a.ariaRowIndex) - Number(b.ariaRowIndex))
+const ids = () => rows().map(({ children }) => Number(textOf(children[0])))
+const cell = (id: number, column: string) => {
+  const row = rows().find(({ children }) => textOf(children[0]) === String(id))
+  return row?.children[columnOf(column)] as HTMLElement
+}
+const texts = (column: string) => rows().map(({ children }) => textOf(children[columnOf(column)]))
+/** The id of the current row and the name of the current column. */
+const current = () => {
+  const found = element(grid().getAttribute('aria-activedescendant') ?? '')
+  const name = textOf(headings()[Number(found.ariaColIndex) - 1])
+  return found.role === 'columnheader' ? `heading ${name}` : `${textOf(found.parentElement?.children[0])} ${name}`
+}
+const input = () => grid().querySelector('input')
+const field = () => input() as HTMLInputElement
+const selection = () => page.store.get().selection
+const problem = () => page.store.get().problem
+
+async function key(name: string, more: object = {}) {
+  const { defaultPrevented } = send(document.activeElement as Element, 'keydown', { key: name, ...more })
+  await quiet()
+  return defaultPrevented
+}
+async function click(target: Element | undefined, more: object = {}, type = 'click') {
+  send(target as Element, type, more)
+  await quiet()
+}
+async function write(text: string, end = 'Enter', more: object = {}) {
+  field().value = text
+  await key(end, more)
+}
+async function paste(text: string) {
+  const { defaultPrevented } = send(document.activeElement as Element, 'paste', {
+    clipboardData: { getData: () => text },
+  })
+  await quiet()
+  return defaultPrevented
+}
+/** Begins to edit a cell by two clicks. */
+async function edit(id: number, column: string) {
+  for (const type of ['click', 'dblclick']) await click(cell(id, column), {}, type)
+}
+
+beforeAll(async () => {
+  page = await wholePage()
+  // Five rows are as high as the grid.
+  for (const name of ['offsetHeight', 'clientHeight']) {
+    Object.defineProperty(HTMLElement.prototype, name, {
+      configurable: true,
+      get(this: HTMLElement) {
+        return this.id === 'circle-grid' ? 100 : this.role === 'row' ? 20 : 0
+      },
+    })
+  }
+  await page.panel('table')
+})
+beforeEach(async () => {
+  await page.open(CIRCLES, COLUMNS)
+  await soon(() => expect(ids()).toEqual([0, 1, 2, 3]))
+  await soon(() => expect(texts('nbrs')).toEqual(['2', '3', '2', '3']))
+  grid().focus()
+})
+
+describe('the cells of the table of circles', () => {
+  it('have the numbers of circles, their columns, and what is measured', () => {
+    expect(headings().map(({ textContent, title }) => [textContent, title])).toEqual([
+      ['#', 'Number of the circle'],
+      ['x', 'Center'],
+      ['y', 'Center'],
+      ['r', 'Radius'],
+      ['area', 'Area of the cell, inside the region if there is one'],
+      ['nbrs', 'Neighbors: how many cells border on this one'],
+      ['nearest', 'Distance of the nearest other circle'],
+      ['name', 'name, of the file'],
+      ['n', 'n, of the file'],
+    ])
+    expect(['x', 'area', 'nearest', 'name', 'n'].map(texts)).toEqual([
+      ['0', '30.1235', '60', '30'],
+      ['∞', '∞', '∞', '∞'],
+      ['26.39', '11', '24.94', '11'],
+      ['b 10', 'b 9', '', 'a'],
+      ['3', '', '1', '2'],
+    ])
+    expect(cell(1, 'x').title).toBe('30.123456789')
+    expect(cell(1, 'area').getAttribute('aria-label')).toBe('without end')
+    const roles = ['x', 'area'].map((name) => [
+      cell(1, name).role,
+      cell(1, name).ariaReadOnly,
+      cell(1, name).ariaColIndex,
+    ])
+    expect(roles).toEqual([
+      ['gridcell', 'false', '2'],
+      ['gridcell', 'true', '5'],
+    ])
+    expect([grid().ariaRowCount, grid().ariaColCount, rows()[1]?.ariaRowIndex]).toEqual(['5', '9', '3'])
+    expect([cell(1, 'name'), cell(1, 'n')].map(({ classList }) => classList.contains('text'))).toEqual([true, false])
+  })
+
+  it('of hidden circles have no measure, and numbers are at most nine letters long', async () => {
+    await page.open(Float64Array.of(-12345.678901, 0, 9, -12345, 0, 1, -1.23456789e-10, 0, 1, -1.23456789e-100, 50, 1))
+    await soon(() => expect(texts('area')).toEqual(['∞', '–', '∞', '∞']))
+    expect(cell(1, 'area').getAttribute('aria-label')).toBe('hidden')
+    expect(texts('x')).toEqual(['-12345.7', '-12345', '-1.23e-10', '-1.2e-100'])
+  })
+
+  it('of names can be written where no file has any', async () => {
+    await page.open(CIRCLES)
+    expect(headings().map(textOf).at(-1)).toBe('name')
+    await edit(1, 'name')
+    await write('Kiel')
+    expect([page.editing.nameOf(1), texts('name')]).toEqual(['Kiel', ['', 'Kiel', '', '']])
+  })
+
+  it('are elements for the rows in sight and for the current one alone', async () => {
+    await page.open(MANY)
+    grid().focus()
+    expect([rows().length, grid().ariaRowCount]).toEqual([11, '101'])
+    await key('End', { ctrlKey: true })
+    grid().scrollTop = 1900
+    send(grid(), 'scroll')
+    await soon(() => expect(ids()).toEqual(Array.from({ length: 11 }, (_, k) => 89 + k)))
+    await soon(() => expect(texts('nbrs')).not.toContain(''))
+    expect(new Set(all(grid(), '[id]').map(({ id }) => id)).size).toBe(all(grid(), '[id]').length)
+    expect(rows()[0]?.style.transform).toBe('translateY(1780px)')
+    grid().scrollTop = 0
+    send(grid(), 'scroll')
+    await soon(() => expect(ids()).toEqual([...Array(11).keys(), 99]))
+    page.actions.select([99])
+    await page.actions.removeSelected()
+    await quiet()
+    expect([ids().length, current()]).toEqual([12, '98 x'])
+  })
+})
+
+describe('the rows of the table', () => {
+  it.each([
+    ['#', [3, 2, 1, 0], [0, 1, 2, 3]],
+    ['x', [0, 3, 1, 2], [2, 1, 3, 0]],
+    ['y', [1, 2, 0, 3], [3, 0, 2, 1]],
+    ['nbrs', [0, 2, 1, 3], [1, 3, 0, 2]],
+    ['nearest', [1, 3, 2, 0], [0, 2, 1, 3]],
+    ['name', [3, 1, 0, 2], [0, 1, 3, 2]],
+    ['n', [2, 3, 0, 1], [0, 3, 2, 1]],
+  ])('are sorted by %s at a click, and the other way at the next', async (name, first, second) => {
+    const directions = () => headings().flatMap(({ ariaSort }) => (ariaSort === 'none' ? [] : [ariaSort]))
+    const ways = name === '#' ? ['descending', 'ascending'] : ['ascending', 'descending']
+    for (const [k, order] of [first, second].entries()) {
+      await click(headings()[columnOf(name)])
+      await soon(() => expect([ids(), directions()]).toEqual([order, [ways[k]]]))
+    }
+    await click(headings()[0])
+    if (name === '#') await click(headings()[0])
+  })
+
+  it('keep their places during edits, with new ones last, and are sorted again after a pause', async () => {
+    await click(headings()[columnOf('y')])
+    await page.editing.edit([
+      { kind: 'replace', id: 1, circle: { x: 0, y: 99, r: 1 } },
+      { kind: 'insert', circle: { x: 90, y: 8, r: 1 } },
+      { kind: 'remove', id: 2 },
+    ])
+    await quiet()
+    expect(ids()).toEqual([1, 0, 3, 4])
+    await soon(() => expect(ids()).toEqual([4, 0, 3, 1]))
+    await click(headings()[0])
+    await page.open(CIRCLES)
+    await page.editing.edit([{ kind: 'remove', id: 1 }])
+    await quiet()
+    expect(ids()).toEqual([0, 2, 3])
+  })
+
+  it('are added and deleted by buttons', async () => {
+    await pressed(element('table'), 'Add')
+    await soon(() => expect(ids()).toEqual([0, 1, 2, 3, 4]))
+    page.actions.select([0, 1])
+    await pressed(element('table'), 'Delete')
+    await soon(() => expect(ids()).toEqual([2, 3, 4]))
+  })
+})
+
+describe('keys in the table', () => {
+  it('go to cells, alone or with all rows between, as far as there are any', async () => {
+    await page.open(MANY)
+    grid().focus()
+    await key('Home', { metaKey: true })
+    await key('Home')
+    for (const [name, more, place, selected] of [
+      ['ArrowRight', {}, '0 x', 1],
+      ['ArrowDown', {}, '1 x', 1],
+      ['ArrowDown', { shiftKey: true }, '2 x', 2],
+      ['ArrowUp', {}, '1 x', 1],
+      // A page leaves out two rows.
+      ['PageDown', {}, '4 x', 1],
+      ['PageUp', {}, '1 x', 1],
+      ['PageUp', {}, '0 x', 1],
+      ['End', { ctrlKey: true }, '99 x', 1],
+      ['ArrowDown', {}, '99 x', 1],
+      ['PageDown', {}, '99 x', 1],
+      ['Home', { metaKey: true }, '0 x', 1],
+      ['ArrowRight', {}, '0 y', 1],
+      ['End', {}, '0 name', 1],
+      ['ArrowRight', {}, '0 name', 1],
+      ['Home', {}, '0 #', 1],
+      ['ArrowLeft', {}, '0 #', 1],
+      ['ArrowUp', {}, 'heading #', 1],
+      ['ArrowUp', {}, 'heading #', 1],
+    ] as const) {
+      expect([name, await key(name, more), current(), selection().length]).toEqual([name, true, place, selected])
+    }
+    for (const name of ['Enter', 'F2', ' ']) {
+      await key(name)
+      expect(current()).toBe('heading #')
+    }
+    expect(ids()[0], 'sorted three times').toBe(99)
+    await key('Enter')
+    await key('ArrowDown')
+    await key(' ')
+    expect(selection()).toEqual([])
+  })
+
+  it.each([
+    ['x', '1', {}, '1'],
+    ['x', '.', {}, '.'],
+    ['x', '\u2212', {}, '\u2212'],
+    ['x', 'Enter', {}, '30.123456789'],
+    ['x', 'F2', {}, '30.123456789'],
+    ['name', 'a', {}, 'a'],
+    ['name', '😀', {}, '😀'],
+    ['x', 'a', {}, undefined],
+    ['x', '1', { ctrlKey: true }, undefined],
+    ['x', '1', { altKey: true }, undefined],
+    ['name', 'Tab', {}, undefined],
+    ['area', '1', {}, undefined],
+  ])('begin to edit a cell of %s: %s %j', async (column, name, more, text) => {
+    await click(cell(1, column))
+    await key(name, more)
+    expect(input()?.value).toBe(text)
+    if (input() !== null) await key('Escape')
+  })
+})
+
+describe('clicks in the table', () => {
+  it('choose one row, toggle rows, or choose all rows since the last one', async () => {
+    await click(headings()[columnOf('y')])
+    for (const [id, more, chosen] of [
+      [3, {}, [3]],
+      [0, { shiftKey: true }, [0, 3]],
+      [1, { shiftKey: true }, [1, 2, 0, 3]],
+      [0, { ctrlKey: true }, [1, 2, 3]],
+      [2, { shiftKey: true }, [2, 0]],
+      [2, { metaKey: true }, [0]],
+    ] as const) {
+      await click(cell(id, 'n'), more)
+      expect([selection(), current()]).toEqual([chosen, `${id} n`])
+      expect(rows().filter(({ ariaSelected }) => ariaSelected === 'true')).toHaveLength(chosen.length)
+    }
+    expect(document.activeElement).toBe(grid())
+    await click(headings()[0])
+  })
+
+  it('are not needed where a circle is selected elsewhere, which becomes the current row', async () => {
+    await click(cell(0, 'x'))
+    page.actions.select([2])
+    await quiet()
+    expect(current()).toBe('2 x')
+    page.actions.select([0, 1])
+    await quiet()
+    expect(current()).toBe('2 x')
+    await edit(1, 'y')
+    page.actions.select([3])
+    await quiet()
+    expect([input()?.parentElement, current()]).toEqual([cell(1, 'y'), '1 y'])
+    await key('Escape')
+  })
+
+  it('twice edit a cell, not a heading nor what is measured', async () => {
+    await click(headings()[1], {}, 'dblclick')
+    await edit(1, 'area')
+    expect(input()).toBeNull()
+    await edit(1, 'y')
+    expect(field()).toMatchObject({ value: '5', inputMode: 'decimal', selectionStart: 0, selectionEnd: 1 })
+    expect(field().getAttribute('aria-label')).toBe('y of row 2')
+    await click(field())
+    expect(input()).not.toBeNull()
+    await key('Escape')
+    await edit(1, 'name')
+    expect(field()).toMatchObject({ value: 'b 9', inputMode: 'text' })
+    await key('Escape')
+  })
+})
+
+describe('a cell that is edited', () => {
+  it.each([
+    ['Enter', {}, '2 y', 2.5],
+    ['Enter', { shiftKey: true }, '0 y', 2.5],
+    ['Tab', {}, '1 r', 2.5],
+    ['Tab', { shiftKey: true }, '1 x', 2.5],
+    ['Escape', {}, '1 y', 5],
+  ])('is written in one step at %s %j, which goes on', async (name, more, place, y) => {
+    const steps = page.store.get().history.done.length
+    await edit(1, 'y')
+    await write(' 2,5 ', name, more)
+    expect([page.circle(1), current(), document.activeElement]).toEqual([{ x: 30.123456789, y, r: 3 }, place, grid()])
+    expect([input(), page.store.get().history.done.length - steps]).toEqual([null, y === 5 ? 0 : 1])
+  })
+
+  it('goes on from the last editable cell of a row to the next row, and stays at both ends', async () => {
+    for (const [id, column, more, place] of [
+      [1, 'n', {}, '2 x'],
+      [1, 'x', { shiftKey: true }, '0 n'],
+      [0, 'x', { shiftKey: true }, '0 x'],
+      [3, 'n', {}, '3 n'],
+    ] as const) {
+      await edit(id, column)
+      await key('Tab', more)
+      expect(current()).toBe(place)
+    }
+    await edit(3, 'x')
+    await key('Enter')
+    expect(current()).toBe('3 x')
+  })
+
+  it.each([
+    ['r', 'a', '“a” is not a number. Nothing has changed.'],
+    ['r', '-1', expect.stringMatching(/negative/)],
+    ['n', 'a', '“a” is not a number. Nothing has changed.'],
+  ])('of %s stays for correction where %s is refused', async (column, text, said) => {
+    await edit(1, column)
+    await write(text)
+    expect([problem(), field().ariaInvalid, field().value, current()]).toEqual([said, 'true', text, `1 ${column}`])
+    expect([...page.editing.circles.circles()]).toEqual([...CIRCLES])
+    await write('7')
+    expect([input(), texts(column)[1]]).toEqual([null, '7'])
+  })
+
+  it('is written when it loses the focus, and closed even if it is refused', async () => {
+    for (const [text, r] of [
+      ['4', 4],
+      ['a', 4],
+    ] as const) {
+      await edit(1, 'r')
+      field().value = text
+      field().blur()
+      await quiet()
+      expect([input(), page.circle(1)?.r]).toEqual([null, r])
+    }
+  })
+
+  it('belongs to its circle, wherever its row goes, unless other circles are opened', async () => {
+    await edit(1, 'y')
+    field().value = '8'
+    await page.editing.edit([{ kind: 'remove', id: 0 }])
+    await quiet()
+    await key('Enter')
+    expect(page.circle(1)?.y).toBe(8)
+    await edit(1, 'y')
+    await page.open(CIRCLES)
+    expect(input()).toBeNull()
+  })
+})
+
+describe('a text that is pasted into the table', () => {
+  const pasteAt = async (id: number, column: string, text: string) => {
+    await click(cell(id, column))
+    await paste(text)
+  }
+
+  it('goes into rows from a cell on, and into new circles below, which are selected', async () => {
+    await pasteAt(1, 'y', '10\t1\n11\t2\n')
+    expect([page.circle(1), page.circle(2)]).toMatchObject([
+      { x: 30.123456789, y: 10, r: 1 },
+      { x: 60, y: 11, r: 2 },
+    ])
+    await pasteAt(3, '#', '1\t2\t3\n100\t5\t6')
+    expect([page.circle(3), page.circle(4), selection()]).toEqual([
+      { x: 1, y: 2, r: 3 },
+      { x: 100, y: 5, r: 6 },
+      [3, 4],
+    ])
+  })
+
+  it('goes into a column of texts line by line, as one step', async () => {
+    await pasteAt(1, 'name', 'Kiel\tX\r\nBonn\r\n')
+    expect(texts('name')).toEqual(['b 10', 'Kiel\tX', 'Bonn', 'a'].map((name) => name.replace('\t', ' ')))
+    await page.actions.undo()
+    await quiet()
+    expect(texts('name')).toEqual(['b 10', 'b 9', '', 'a'])
+    await pasteAt(3, 'name', 'Kiel\nBonn')
+    expect(texts('name')).toEqual(['b 10', 'b 9', '', 'Kiel'])
+  })
+
+  it.each([
+    ['x', 'a\tb', /^“a” is not a number/],
+    ['area', '1\t2', /x, y and r/],
+    ['r', '1\t2', /2 columns/],
+    ['n', '1\na', /^“a” is not a number/],
+    ['x', '100\t5\t-6', /negative/],
+  ])('into %s as %j changes nothing and says why', async (column, text, said) => {
+    await pasteAt(0, column, text)
+    expect([problem(), texts('n')]).toEqual([expect.stringMatching(said), ['3', '', '1', '2']])
+    expect([...page.editing.circles.circles()]).toEqual([...CIRCLES])
+  })
+
+  it.each([
+    ['1', false],
+    [' 1\n', false],
+    ['1\t2', true],
+    ['1\n2', true],
+    ['1;2', true],
+  ])('goes into the open field if it is one number: %j', async (text, isTable) => {
+    await edit(1, 'x')
+    expect(await paste(text)).toBe(isTable)
+    expect([input() === null, page.circle(1)?.x === 30.123456789]).toEqual([isTable, !isTable])
+    if (!isTable) await key('Escape')
+  })
+
+  it('goes nowhere at the heading', async () => {
+    await click(cell(0, 'x'))
+    await key('ArrowUp')
+    await paste('1\t2')
+    expect([problem(), ...page.editing.circles.circles()]).toEqual(['', ...CIRCLES])
+  })
+})
