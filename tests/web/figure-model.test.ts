@@ -4,15 +4,13 @@
 // @vitest-environment happy-dom
 import fc from 'fast-check'
 import { beforeAll, expect, it } from 'vitest'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
 import type { Circle } from '../../web/lib/index.ts'
-import { Figure } from '../../web/player/figure.ts'
-import { NO_PADDING } from '../../web/view/camera.ts'
+import type { Figure } from '../../web/player/figure.ts'
 import { type Domain, NO_DOMAIN } from '../../web/view/domain.ts'
-import { make, measure, send } from './page-document.ts'
+import { send } from './page-document.ts'
+import { FIGURE_SIZE, newFigure } from './whole-figure.ts'
 import { FIVE, quiet, surround } from './whole-page.ts'
 
-const SIZE = { width: 400, height: 300 }
 const SCENES = [
   FIVE,
   new Float64Array(),
@@ -50,8 +48,8 @@ const DOMAINS: readonly Domain[] = [
 const KEYS = ['Delete', 'ArrowLeft', 'ArrowUp', '+', '-', 'Tab', 'Enter', 'Escape', 'v', 'a', 'h', '0', 'f', 'x']
 const COMMANDS = ['a', 'd', 'z', 'y', 'Z']
 
-const x = fc.integer({ min: 0, max: SIZE.width })
-const y = fc.integer({ min: 0, max: SIZE.height })
+const x = fc.integer({ min: 0, max: FIGURE_SIZE.width })
+const y = fc.integer({ min: 0, max: FIGURE_SIZE.height })
 /** Small numbers with ties, and invalid radii. */
 const circle = fc.record({
   x: fc.integer({ min: -5, max: 25 }),
@@ -91,22 +89,6 @@ const action = fc.oneof(
   fc.record({ kind: fc.constant('play'), step: fc.option(fc.nat(30), { nil: undefined }), waits }),
 )
 type Action = typeof action extends fc.Arbitrary<infer Value> ? Value : never
-
-function newFigure(): Figure & { readonly element: HTMLElement } {
-  const element = document.body.appendChild(make('div', { tabIndex: 0 }))
-  measure(element, { clientWidth: SIZE.width, clientHeight: SIZE.height })
-  const [player, said] = [make('div'), make('p')]
-  document.body.append(player, said)
-  const figure = new Figure(
-    { figure: element, around: element, player, said },
-    {
-      actions: (store, editing, view) => new EditorActions(store, editing, view, () => NO_PADDING),
-      onoutcome() {},
-      played: (method) => ({ method: method === 'auto' ? 'auto' : 'touching-disc' }),
-    },
-  )
-  return Object.assign(figure, { element })
-}
 
 const pointer = (pointerType: string, [offsetX, offsetY]: readonly [number, number], shiftKey: boolean) => ({
   pointerId: 1,
