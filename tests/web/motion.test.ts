@@ -5,7 +5,6 @@ import { recordClip } from '../../web/app/motion/clip.ts'
 import { driftAtStart } from '../../web/app/motion/drift.ts'
 import { filmed } from '../../web/app/motion/film.ts'
 import { MOST_MOVING, Motion } from '../../web/app/motion/motion.ts'
-import { Radii } from '../../web/app/motion/radii.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
 import type { Circle } from '../../web/lib/index.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
@@ -83,49 +82,6 @@ describe('an animation', () => {
     expect(late).toBeCloseTo((1 - Math.cos((2 * Math.PI * 0.05) / 10)) / 2, 12)
   })
 
-  it('waits in a frame until its last edit is done', async () => {
-    const { motion, editing, radii } = await started()
-    const edit = vi.spyOn(editing, 'edit')
-    motion.start('grow')
-    let end: (edited: object | undefined) => void = () => {}
-    edit.mockImplementationOnce(
-      () =>
-        new Promise((resolve) => {
-          end = resolve as typeof end
-        }),
-    )
-    await show(0)
-    await show(50)
-    expect(edit).toHaveBeenCalledTimes(1)
-    end({})
-    await settled()
-    await show(100)
-    expect(edit).toHaveBeenCalledTimes(2)
-    expect(radii()[0]).toBeGreaterThan(0)
-  })
-
-  it('ends where an edit is refused, and not a later animation', async () => {
-    const { motion, editing, changes } = await started()
-    const edit = vi.spyOn(editing, 'edit')
-    edit.mockResolvedValueOnce(undefined)
-    motion.start('grow')
-    await show(0)
-    expect(motion.isMoving).toBe(false)
-    let end: (edited: undefined) => void = () => {}
-    edit.mockImplementationOnce(
-      () =>
-        new Promise((resolve) => {
-          end = resolve
-        }),
-    )
-    motion.start('grow')
-    await show(100)
-    motion.start('breathe')
-    end(undefined)
-    await settled()
-    expect([motion.isMoving, changes]).toEqual([true, [true, false, true, false, true]])
-  })
-
   it('ends where other circles are opened, and skips circles that are deleted', async () => {
     const { motion, editing, radii } = await started()
     motion.start('grow')
@@ -153,71 +109,6 @@ describe('an animation', () => {
     const most = await started(grid(MOST_MOVING))
     most.motion.start('bounce')
     expect(most.motion.isMoving).toBe(true)
-  })
-
-  it('that compares shows the three diagrams, and another one does not', async () => {
-    const { motion, fake } = await started()
-    motion.start('grow')
-    expect(fake.layers.power).toBe(false)
-    motion.start('compare')
-    expect(fake.layers).toMatchObject({ edges: true, ordinary: true, power: true })
-  })
-
-  it('bounces off the free part of the picture', async () => {
-    const { motion, editing } = await started([0, 0, 1])
-    vi.spyOn(Math, 'random').mockReturnValue(0)
-    motion.start('bounce')
-    const xs: number[] = []
-    for (let now = 0; now < 30_000; now += 50) {
-      await show(now)
-      xs.push(editing.circles.get(0)?.x as number)
-    }
-    vi.mocked(Math.random).mockRestore()
-    // The picture is 200 wide, with panels of 40 and 20 pixels.
-    expect(Math.max(...xs)).toBeGreaterThan(78)
-    expect(Math.max(...xs)).toBeLessThan(81)
-    expect(Math.min(...xs)).toBeLessThan(-58)
-    expect(Math.min(...xs)).toBeGreaterThan(-61)
-  })
-})
-
-describe('the slider of radii', () => {
-  async function started() {
-    const session = editingSession()
-    await session.editing.open(sceneOf(Float64Array.of(0, 0, 1, 10, 0, 2)))
-    const radii = new Radii(session.store, session.editing)
-    const now = () => [...session.editing.circles.circles()].filter((_, k) => k % 3 === 2)
-    return { ...session, radii, now }
-  }
-
-  it('scales the radii that were, in one step of undo', async () => {
-    const { radii, now, actions } = await started()
-    expect(radii.share).toBe(1)
-    await radii.scale(0)
-    await radii.scale(0.5)
-    expect([now(), radii.share]).toEqual([[0.5, 1], 0.5])
-    await actions.undo()
-    expect([now(), radii.share]).toEqual([[1, 2], 1])
-  })
-
-  it('begins anew after another edit', async () => {
-    const { radii, now, editing } = await started()
-    await radii.scale(0.5)
-    await editing.edit([{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: 4 } }])
-    expect(radii.share).toBe(1)
-    await radii.scale(0.5)
-    expect(now()).toEqual([2, 0.5])
-  })
-
-  it('keeps the radii that were while edits are pending, and skips deleted circles', async () => {
-    const { radii, now, editing } = await started()
-    await Promise.all([radii.scale(0), radii.scale(1)])
-    expect([now(), radii.share]).toEqual([[1, 2], 1])
-    await radii.scale(0.5)
-    const removed = editing.edit([{ kind: 'remove', id: 0 }])
-    await removed
-    await radii.scale(1)
-    expect(now()).toEqual([1])
   })
 })
 
@@ -315,49 +206,6 @@ describe('the motion of the first scene', () => {
     expect([ends(), moved.length]).toEqual([1, length])
   })
 
-  it('ends where other circles are opened, and where the circle cannot be moved', async () => {
-    const opened = drifting()
-    let refuse = () => {}
-    opened.setAnswer(
-      () =>
-        new Promise((_, reject) => {
-          refuse = () => reject(new Error())
-        }),
-    )
-    await opened.at(0)
-    opened.view.circles = new CircleTable(new Float64Array())
-    await opened.at(100)
-    await opened.at(200)
-    expect([opened.ends(), opened.moved.length, opened.isHeard()]).toEqual([1, 1, false])
-    refuse()
-    await settled()
-    expect(opened.ends(), 'once').toBe(1)
-    frames.clear()
-    const refused = drifting()
-    refused.setAnswer(() => Promise.reject(new Error()))
-    await refused.at(0)
-    await refused.at(100)
-    expect([refused.ends(), refused.moved.length]).toEqual([1, 1])
-  })
-
-  it('asks for one edit at a time', async () => {
-    const { at, setAnswer, moved } = drifting()
-    let end = () => {}
-    setAnswer(
-      () =>
-        new Promise((resolve) => {
-          end = resolve
-        }),
-    )
-    await at(0)
-    await at(100)
-    expect(moved).toHaveLength(1)
-    end()
-    await settled()
-    await at(200)
-    expect(moved).toHaveLength(2)
-  })
-
   it('is off where people prefer less motion', async () => {
     const { at, moved, ends } = drifting(true)
     await at(0)
@@ -452,16 +300,6 @@ describe('a video', () => {
     await vi.advanceTimersByTimeAsync(1)
     expect((await clip)?.ending).toBe('.webm')
     expect(done.slice(2)).toEqual([['stop'], ['undo'], ['select', [2]]])
-  })
-
-  it('is none where nothing can move', async () => {
-    const { done, clip } = clipped({ step: undefined }, false)
-    expect(await clip).toBeUndefined()
-    expect(done).toEqual([
-      ['select', []],
-      ['start', 'breathe'],
-      ['select', [2]],
-    ])
   })
 
   it('of the method goes from the first step to the last one, and back to the step that was shown', async () => {

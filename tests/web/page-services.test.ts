@@ -2,21 +2,10 @@
 // Services around the figure: data sets that are fetched, links in threads, free space, print, and style sheets.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { arrangeAround } from '../../web/app/arrange.ts'
 import { askAhead, loadDataSet } from '../../web/app/data-sets.ts'
-import type { FilesClient } from '../../web/app/files/files-client.ts'
-import { save } from '../../web/app/files/saving.ts'
-import { pixelsOf } from '../../web/app/files/stipple.ts'
 import { printWorksheet } from '../../web/app/files/worksheet.ts'
-import { LinkWriter } from '../../web/app/link-writer.ts'
 import { workOffline } from '../../web/app/offline.ts'
-import type { PageActions } from '../../web/app/page-actions.ts'
-import { byId } from '../../web/app/panels/by-id.ts'
-import { printDrawing } from '../../web/app/printing.ts'
 import { styleSheetsLoaded } from '../../web/app/style-sheets.ts'
-import { CircleVoronoiError } from '../../web/lib/index.ts'
-import { encodeLink } from '../../web/lib/link.ts'
-import type { View } from '../../web/view/view.ts'
 import { all, element, openPage, textOf } from './page-document.ts'
 import { settled } from './turns.ts'
 
@@ -76,46 +65,6 @@ describe('a data set', () => {
     askAhead('start')
     await settled()
     await expect(load('start')).rejects.toThrow('no network')
-  })
-})
-
-describe('a link', () => {
-  const circles = (count: number) => new Float64Array(3 * count)
-  function writer() {
-    const called: unknown[] = []
-    const call = async (...what: unknown[]) => {
-      called.push(what)
-      return 'by the thread'
-    }
-    return { called, links: new LinkWriter({ call } as unknown as FilesClient) }
-  }
-
-  it('of many circles and edits is written by the thread', async () => {
-    const { called, links } = writer()
-    expect(await links.linkOf({ circles: circles(2) })).toBe(await encodeLink({ circles: circles(2) }))
-    await links.linkOf({ circles: circles(2000) })
-    expect(called).toEqual([])
-    const edit = { kind: 'remove', id: 0 } as const
-    for (const state of [{ circles: circles(2001) }, { dataSet: 'spruces', edits: Array(2001).fill(edit) }]) {
-      expect(await links.linkOf(state)).toBe('by the thread')
-      expect(called.pop()).toEqual(['link', state])
-    }
-  })
-
-  it('leaves out attributes that do not fit', async () => {
-    const given: unknown[] = []
-    const files = {
-      call: async (_: string, state: { attributes?: unknown }) => {
-        given.push(state.attributes)
-        throw new CircleVoronoiError('linkTooLong', 'too long')
-      },
-    }
-    const links = new LinkWriter(files as unknown as FilesClient)
-    const attributes = { properties: [], ids: [], heights: [], collection: '' }
-    await expect(links.linkOf({ circles: circles(2001), attributes })).rejects.toThrow('too long')
-    expect(given).toEqual([attributes, undefined])
-    await expect(links.linkOf({ circles: circles(2001) })).rejects.toThrow('too long')
-    expect(given).toHaveLength(3)
   })
 })
 
@@ -206,100 +155,7 @@ describe('the free part of the picture', () => {
   })
 })
 
-describe('all circles', () => {
-  function arranged(isWhole = true) {
-    const events = new Map<string, () => void>()
-    let resize = () => {}
-    const observed: unknown[] = []
-    vi.stubGlobal(
-      'ResizeObserver',
-      class {
-        constructor(act: () => void) {
-          resize = act
-        }
-        observe({ id }: Element) {
-          observed.push(id)
-        }
-      },
-    )
-    const view = {
-      circles: {},
-      covered: undefined as undefined | (() => unknown),
-      on: (name: string, act: () => void) => events.set(name, act),
-    }
-    const looked: unknown[] = []
-    const actions = { isWhole, paddingNow: 'padding', look: (what: unknown) => looked.push(what) }
-    arrangeAround(view as unknown as View, actions as unknown as PageActions)
-    return { events, resize: () => resize(), observed, view, looked, actions }
-  }
-
-  it('stay visible when panels open, if they were', () => {
-    const { resize, observed, view, looked, actions } = arranged()
-    const panels = ['generate', 'files', 'layers', 'region', 'numbers', 'table', 'motion']
-    expect([observed, view.covered?.()]).toEqual([['figure', 'top', 'rail', ...panels, 'share', 'player'], 'padding'])
-    resize()
-    expect(looked, 'they are').toEqual([])
-    actions.isWhole = false
-    resize()
-    expect(looked).toEqual([undefined])
-  })
-
-  it('need not be visible after the camera was moved, or other circles were opened', async () => {
-    const moved = arranged()
-    moved.actions.isWhole = false
-    moved.events.get('camera')?.()
-    moved.resize()
-    expect(moved.looked).toEqual([])
-    const { events, resize, view, looked, actions } = arranged(false)
-    actions.isWhole = true
-    events.get('changed')?.()
-    await settled()
-    actions.isWhole = false
-    resize()
-    expect(looked, 'the same circles').toEqual([])
-    view.circles = {}
-    events.get('changed')?.()
-    // The caller sets the region of the new circles.
-    actions.isWhole = true
-    await settled()
-    actions.isWhole = false
-    resize()
-    expect(looked).toEqual([undefined])
-  })
-})
-
 describe('print', () => {
-  it('has a drawing of few circles, made anew after each change', async () => {
-    vi.useFakeTimers()
-    const events = new Map<string, () => void>()
-    const printed: number[] = []
-    const view = {
-      size: { width: 100, height: 50 },
-      circles: { count: 5000 },
-      toPrint: async () => {
-        printed.push(view.circles.count)
-        return '<svg></svg>'
-      },
-      on: (name: string, act: () => void) => events.set(name, act),
-    }
-    printDrawing(view as unknown as View, element('paper'))
-    await vi.runAllTimersAsync()
-    expect([printed, [...events.keys()]]).toEqual([[5000], ['camera', 'layers', 'diagram', 'found', 'changed']])
-    for (const act of events.values()) {
-      act()
-      await vi.runAllTimersAsync()
-    }
-    expect(printed).toHaveLength(6)
-    view.circles.count = 5001
-    events.get('changed')?.()
-    await vi.runAllTimersAsync()
-    view.circles.count = 1
-    view.size.width = 0
-    events.get('camera')?.()
-    await vi.runAllTimersAsync()
-    expect(printed).toHaveLength(6)
-  })
-
   it.each([
     [{}, 'en', ['Name:', 'Date:'], 'Try it: a.example/page/embed.html', 'The figure is too large for a code.'],
     [
@@ -349,53 +205,6 @@ describe('print', () => {
   )
 })
 
-it.each([
-  [4000, 3000, 283, 212],
-  [200, 100, 200, 100],
-  [600_000, 1, 189_737, 1],
-])('a picture of %d x %d is read on white paper in %d x %d pixels', async (width, height, across, down) => {
-  const done: unknown[] = []
-  vi.stubGlobal('createImageBitmap', async () => ({ width, height, close: () => done.push('close') }))
-  const context = {
-    fillStyle: '',
-    fillRect: (...box: number[]) => done.push([context.fillStyle, ...box]),
-    drawImage: (_: unknown, ...box: number[]) => done.push(['draw', ...box]),
-    getImageData: (...box: number[]) => ({ data: box }),
-  }
-  vi.stubGlobal(
-    'OffscreenCanvas',
-    class {
-      constructor(...size: number[]) {
-        done.push(size)
-      }
-      getContext() {
-        return context
-      }
-    },
-  )
-  const { width: w, height: h, data } = await pixelsOf(new Blob())
-  const box = [0, 0, w, h]
-  expect(data).toEqual(box)
-  expect(done).toEqual([[w, h], ['white', ...box], ['draw', ...box], 'close'])
-  expect([w, h]).toEqual([across, down])
-})
-
-it('a file is saved by a link, whose address ends after a while', () => {
-  vi.useFakeTimers()
-  const revoked: unknown[] = []
-  vi.stubGlobal('URL', { createObjectURL: () => 'blob:1', revokeObjectURL: (address: string) => revoked.push(address) })
-  const clicked: unknown[] = []
-  vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-    clicked.push([this.href, this.download])
-  })
-  save(new Blob(['a']), 'a.csv')
-  expect(clicked).toEqual([['blob:1', 'a.csv']])
-  vi.advanceTimersByTime(59_999)
-  expect(revoked).toEqual([])
-  vi.advanceTimersByTime(1)
-  expect(revoked).toEqual(['blob:1'])
-})
-
 it.each(['load', 'error'])('style sheets are waited for until each has loaded or failed: %s', async (kind) => {
   openPage('<link rel="stylesheet">'.repeat(3))
   const links = all(document.body, 'link')
@@ -443,11 +252,4 @@ describe('the service worker', () => {
     await workOffline()
     expect(registered).toEqual([])
   })
-})
-
-it('an element of the page that is not there, or of another kind, is an error', () => {
-  class Other {}
-  expect(byId('figure', HTMLElement)).toBe(element('figure'))
-  expect(() => byId('figure', Other as never)).toThrow('index.html has no Other with id figure')
-  expect(() => byId('a', HTMLElement)).toThrow('index.html has no HTMLElement with id a')
 })
