@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page without a browser, for tests in the environment happy-dom. Controls are found by their accessible names.
 import { vi } from 'vitest'
-import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
-import type { Store } from '../../web/editing/store.ts'
 import html from '../../web/index.html?raw'
 import './happy-dom-fixes.ts'
 
@@ -120,36 +118,4 @@ export function measure(element: HTMLElement, lengths: Partial<Lengths>) {
   for (const [name, value] of Object.entries(lengths)) {
     Object.defineProperty(element, name, { value, configurable: true })
   }
-}
-
-/** An object whose functions note their calls. `known` has other members. */
-export function noting<Known extends object>(done: unknown[], known: Known) {
-  return new Proxy(known, {
-    get: (_, name: string) =>
-      name in known
-        ? known[name as keyof Known]
-        : (...values: unknown[]) => {
-            done.push([name, ...values])
-          },
-  })
-}
-
-/** A store that notifies its subscribers at once. */
-export function stateOf(initial: Partial<State> = {}) {
-  let state: State = { ...INITIAL_STATE, ...initial }
-  const listeners: ((state: State) => void)[] = []
-  const update = (change: (state: State) => State) => {
-    state = change(state)
-    for (const listener of listeners) listener(state)
-  }
-  const store: Store<State> = {
-    get: () => state,
-    update,
-    subscribe(listener) {
-      listeners.push(listener)
-      listener(state)
-      return () => false
-    },
-  }
-  return { store, change: (more: Partial<State>) => update((before) => ({ ...before, ...more })) }
 }

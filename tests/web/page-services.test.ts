@@ -2,7 +2,6 @@
 // Services around the figure: data sets that are fetched, links in threads, free space, print, and style sheets.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { askAhead, loadDataSet } from '../../web/app/data-sets.ts'
 import { printWorksheet } from '../../web/app/files/worksheet.ts'
 import { workOffline } from '../../web/app/offline.ts'
 import { styleSheetsLoaded } from '../../web/app/style-sheets.ts'
@@ -14,58 +13,6 @@ afterEach(() => {
   vi.restoreAllMocks()
   vi.unstubAllGlobals()
   vi.useRealTimers()
-})
-
-describe('a data set', () => {
-  const files: Record<string, string | undefined> = {}
-  let asked: string[]
-  beforeEach(() => {
-    asked = []
-    document.body.innerHTML = '<base href="https://a.example/b/">'
-    Object.assign(files, {
-      'start.csv': 'x,y,r\n1,2,3\n',
-      'spruces.csv': 'x,y,r,name\n1,2,3,A\n',
-      'cities.csv': 'x,y,r\n1,2,3\n',
-      'cities.region.json': '[[[0,0],[9,0],[0,9]]]',
-      'waka.csv': undefined,
-    })
-    vi.stubGlobal('fetch', async ({ href }: URL) => {
-      asked.push(href)
-      const text = files[href.split('/').at(-1) ?? '']
-      return { ok: text !== undefined, status: 404, text: async () => text }
-    })
-  })
-  const load = (name: string) => loadDataSet(name, () => expect.unreachable())
-
-  it('is fetched from its file, with its columns and its region', async () => {
-    expect(await load('spruces')).toEqual({
-      circles: Float64Array.of(1, 2, 3),
-      attributes: { columns: [{ name: 'name', values: ['"A"'] }], ids: [], heights: [], collection: '' },
-    })
-    expect(await load('cities')).toMatchObject({ circles: Float64Array.of(1, 2, 3), domain: { areas: undefined } })
-    expect((await load('cities')).domain?.region).toBeDefined()
-    expect(await load('start')).toEqual({ circles: Float64Array.of(1, 2, 3) })
-    const address = (file: string) => `https://a.example/b/data/${file}`
-    expect(asked).toEqual(
-      ['spruces.csv', 'cities.csv', 'cities.region.json', 'cities.csv', 'cities.region.json', 'start.csv'].map(address),
-    )
-  })
-
-  it('that cannot be fetched says which one', async () => {
-    await expect(load('waka')).rejects.toThrow('The data set Waka trees could not be loaded (404).')
-  })
-
-  it('that was asked for ahead is not asked for again, once', async () => {
-    askAhead('start')
-    await load('start')
-    expect(asked).toHaveLength(1)
-    await load('start')
-    expect(asked).toHaveLength(2)
-    vi.stubGlobal('fetch', () => Promise.reject(new Error('no network')))
-    askAhead('start')
-    await settled()
-    await expect(load('start')).rejects.toThrow('no network')
-  })
 })
 
 describe('the free part of the picture', () => {

@@ -4,7 +4,7 @@
 import { html } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { NOT_LOADED } from '../../web/app/not-loaded.ts'
-import { buttonOf, control, element, openPage, press, send, textOf } from './page-document.ts'
+import { buttonOf, control, element, openPage, send } from './page-document.ts'
 import { settled } from './turns.ts'
 
 const STORED = 'circle-voronoi:open-panel'
@@ -35,36 +35,6 @@ function key(target: HTMLElement, key: string, more: KeyboardEventInit = {}) {
 }
 
 describe('a panel', () => {
-  it('is opened and closed by its button, and drawn each time', () => {
-    const { panel, done, place, button } = panelOf('a')
-    button.click()
-    expect([panel.isOpen, place.hidden, button.getAttribute('aria-expanded')]).toEqual([true, false, 'true'])
-    expect(done).toEqual(['draw', 'open'])
-    expect(textOf(place)).toBe('Title of a a')
-    expect(localStorage.getItem(STORED)).toBe('a')
-    panel.open()
-    expect(done, 'nothing: it is open').toHaveLength(2)
-    button.click()
-    expect([panel.isOpen, place.hidden, button.getAttribute('aria-expanded')]).toEqual([false, true, 'false'])
-    expect(textOf(place), 'no body').toBe('Title of a')
-    expect(localStorage.getItem(STORED)).toBe('')
-    panel.close()
-    expect(done, 'nothing: it is closed').toHaveLength(3)
-  })
-
-  it('closes the panel that was open, which does not close it later', () => {
-    const [a, b] = [panelOf('a'), panelOf('b')]
-    a.button.click()
-    b.button.click()
-    expect([a.panel.isOpen, b.panel.isOpen]).toEqual([false, true])
-    a.panel.close()
-    expect(b.panel.isOpen).toBe(true)
-    press(b.place, 'Close')
-    a.button.click()
-    expect([a.panel.isOpen, b.panel.isOpen]).toEqual([true, false])
-    expect(b.done).toEqual(['draw', 'open', 'draw'])
-  })
-
   it('opens again after a reload if it is kept', async () => {
     localStorage.setItem(STORED, 'a')
     const [a, b, other] = [panelOf('a'), panelOf('b'), panelOf('a', false)]
@@ -182,23 +152,6 @@ describe('the handle of a sheet', () => {
 })
 
 describe('a panel that is loaded later', () => {
-  it('is loaded by a press, which then opens it, once', async () => {
-    const button = buttonOf('a')
-    let mounted = 0
-    let opened = 0
-    panels.panelLater('a', expect.unreachable, async () => {
-      mounted += 1
-      button.addEventListener('click', () => opened++)
-    })
-    expect(mounted).toBe(0)
-    button.click()
-    await settled()
-    expect([mounted, opened]).toEqual([1, 1])
-    button.click()
-    await settled()
-    expect([mounted, opened]).toEqual([1, 2])
-  })
-
   it('is loaded at once if it was open before a reload, and is not pressed', async () => {
     localStorage.setItem(STORED, 'a')
     const mounted: string[] = []

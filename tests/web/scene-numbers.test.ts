@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An edit applies to the circles that it was made for. After another opening it has no effect.
-import { describe, expect, it } from 'vitest'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { Radii } from '../../web/app/motion/radii.ts'
 import type { Outcome } from '../../web/editing/editing.ts'
 import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
@@ -11,6 +11,9 @@ import { library } from './library.ts'
 
 const FORMER = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))
 const OPENED = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 2 : 7 * k))
+
+beforeEach(() => vi.stubGlobal('requestAnimationFrame', () => 0))
+afterEach(() => vi.unstubAllGlobals())
 
 /** Editing with a backend whose answers arrive a turn later. */
 async function started() {

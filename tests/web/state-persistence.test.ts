@@ -15,7 +15,7 @@ import type { Recipe } from '../../web/app/generators/generators.ts'
 import type { LinkWriter } from '../../web/app/link-writer.ts'
 import { prefixOf, SceneStorage } from '../../web/app/scene-storage.ts'
 import { StatePersistence } from '../../web/app/state-persistence.ts'
-import { cameraOf, circlesOfLink, viewOfLink } from '../../web/editing/scene-link.ts'
+import { circlesOfLink } from '../../web/editing/scene-link.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
@@ -78,17 +78,6 @@ describe('what a link says of circles', () => {
       }),
       { numRuns: 50 },
     )
-  })
-})
-
-it('a view is the same in windows of all sizes', () => {
-  const size = { width: 800, height: 600 }
-  const camera = { x: 3, y: -4, scale: 7 }
-  expect(cameraOf(viewOfLink(camera, size), size)).toEqual({ x: 3, y: -4, scale: expect.closeTo(7, 12) })
-  expect(cameraOf(viewOfLink(camera, size), { width: 300, height: 500 })).toEqual({
-    x: 3,
-    y: -4,
-    scale: expect.closeTo(3.5, 12),
   })
 })
 
@@ -438,35 +427,6 @@ describe('what a page leaves late', () => {
     expect(kept.isAddressNew).toBe(false)
   })
 
-  it('is the newest where something changes while its link is made', async () => {
-    const { made, address, keeping: kept } = keeping('')
-    await kept.begin()
-    kept.changed()
-    await vi.advanceTimersByTimeAsync(400)
-    kept.changed()
-    made[0]?.('v1.old')
-    await vi.advanceTimersByTimeAsync(0)
-    expect(address.hash).toBe('')
-    await vi.advanceTimersByTimeAsync(400)
-    made[1]?.('v1.new')
-    await vi.advanceTimersByTimeAsync(0)
-    expect(address.hash).toBe('#v1.new')
-    await vi.advanceTimersByTimeAsync(400)
-    expect(made).toHaveLength(2)
-  })
-
-  it('is written once nothing has changed for a while', async () => {
-    const { made, keeping: kept } = keeping('')
-    await kept.begin()
-    for (let k = 0; k < 5; k++) {
-      kept.changed()
-      await vi.advanceTimersByTimeAsync(300)
-    }
-    expect(made).toEqual([])
-    await vi.advanceTimersByTimeAsync(100)
-    expect(made).toHaveLength(1)
-  })
-
   it('is the newest where the link of something older takes longer', async () => {
     const { made, address, keeping: kept } = keeping('')
     await kept.begin()
@@ -541,20 +501,5 @@ describe('what a page leaves late', () => {
     made[0]?.('v1.a')
     await vi.advanceTimersByTimeAsync(1000)
     expect([show(true), made.length]).toEqual([1, 1])
-  })
-
-  it('is in the storage for the next tab, too', async () => {
-    const { leave } = await begun('navigate', '')
-    leave({ dataSet: 'spruces' })
-    // The tab of the page is found again by its name alone.
-    sessionStorage.setItem(`${prefixOf('/')}late`, '')
-    expect((await begun('navigate', '')).dataSet).toBe('spruces')
-  })
-
-  it('is not shown at another address', async () => {
-    const { leave } = await begun('navigate', await hash())
-    leave({ dataSet: 'spruces' })
-    const other = `#${await encodeLink({ dataSet: 'waka' })}`
-    expect((await begun('back_forward', other)).dataSet).toBe('waka')
   })
 })

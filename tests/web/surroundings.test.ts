@@ -1,39 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Services that all figures of a page share: the wait for an idle browser, observers of positions, drawings for print,
-// and the thread.
+// Services that all figures of a page share: the wait for an idle browser, observers of positions, and drawings for
+// print.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { whenIdle } from '../../web/element/idle.ts'
 import { watchVisibility } from '../../web/element/visibility.ts'
-import { mount } from '../../web/view/mount.ts'
 import { Paper } from '../../web/view/paper.ts'
 import { parsedSvg } from '../../web/view/parsed-svg.ts'
 import { make } from './page-document.ts'
-
-const painters = vi.hoisted(() => [] as { load: unknown; isDisposed: boolean }[])
-vi.mock('../../web/view/painter.ts', () => ({
-  Painter: class {
-    isDisposed = false
-    load: unknown
-    constructor(load: unknown) {
-      this.load = load
-      painters.push(this)
-    }
-    dispose() {
-      this.isDisposed = true
-    }
-  },
-}))
-vi.mock('../../web/view/view.ts', () => ({
-  View: class {
-    painter: unknown
-    dispose: () => void
-    constructor(_: unknown, painter: unknown, ondispose: () => void) {
-      this.painter = painter
-      this.dispose = ondispose
-    }
-  },
-}))
 
 let window: EventTarget
 let print: EventTarget & { matches: boolean }
@@ -177,36 +151,6 @@ describe('the drawing for print', () => {
     }
   })
 
-  it('of many circles, or one that fails, is that of the pixels', async () => {
-    for (const none of ['', new Error('It broke.')]) {
-      drawings = [svg('a')]
-      paper.change()
-      await rest()
-      drawings = [none]
-      paper.change()
-      await rest()
-      print_('beforeprint')
-      expect([shown(), place.hidden]).toEqual([[], true])
-    }
-  })
-
-  it('that is made while the page is printed is shown, unless it is empty', async () => {
-    drawings = [svg('a')]
-    paper.change()
-    await rest()
-    print.matches = true
-    print_('beforeprint')
-    for (const [drawing, id] of [
-      ['', 'a'],
-      [svg('b'), 'b'],
-    ] as const) {
-      drawings = [drawing]
-      paper.change()
-      await rest()
-      expect(shown()).toEqual([id])
-    }
-  })
-
   it('is the newest, and none after the figure is gone', async () => {
     let finish = (_: string) => {}
     const slow = new Paper(place, () => new Promise((resolve) => (finish = resolve)))
@@ -255,27 +199,4 @@ it('elements of an SVG are made from its text', () => {
     ['path', {}],
   ])
   expect(parsedSvg('')).toBeUndefined()
-})
-
-it('views of a page share a thread until the last one is disposed of', () => {
-  const place = {} as HTMLElement
-  const load = { wasm: new Uint8Array() }
-  const [first, second] = [mount(place, load as never), mount(place)] as unknown as {
-    painter: (typeof painters)[number]
-    dispose(): void
-  }[]
-  expect(painters).toHaveLength(1)
-  expect(second?.painter).toBe(first?.painter)
-  expect(painters[0]?.load).toBe(load)
-  first?.dispose()
-  expect(painters[0]?.isDisposed).toBe(false)
-  second?.dispose()
-  expect(painters[0]?.isDisposed).toBe(true)
-  const third = mount(place) as unknown as { dispose(): void }
-  expect(painters).toHaveLength(2)
-  // A view of an earlier thread leaves the later one alone.
-  first?.dispose()
-  expect(painters[1]?.isDisposed).toBe(false)
-  third.dispose()
-  expect(painters[1]?.isDisposed).toBe(true)
 })
