@@ -20,7 +20,7 @@ export const FIVE = Float64Array.of(0, 0, 2, 20, 0, 3, 20, 20, 1, 10, 9, 2, 0, 2
 
 /** Waits until a check passes, with short intervals. */
 export const soon = <Value>(check: () => Value | Promise<Value>) =>
-  vi.waitFor(check, { timeout: Number(process.env.SOON ?? 40_000), interval: 4 })
+  vi.waitFor(check, { timeout: 40_000, interval: 4 })
 
 /** Waits until no message is under way between the page and its threads, and everything is drawn. */
 export async function quiet(): Promise<void> {
