@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the whole page opens, one thing after another, and the link of what it shows.
+// The whole page opens one thing after another, and has a link of what it shows.
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import type { OpenRequest } from '../../web/editing/opening-actions.ts'

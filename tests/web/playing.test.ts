@@ -21,7 +21,7 @@ const MANY = Float64Array.from({ length: 3003 }, (_, k) => [k, 0, 0.1][k % 3] as
 let library: typeof import('./library.ts')['library']
 let figure: ReturnType<typeof newFigure>
 let words: typeof WORDS | undefined
-/** What the player draws on the picture. */
+/** Notes what the player draws on the picture. */
 let drawn: { readonly mock: { readonly lastCall?: readonly unknown[] | undefined } }
 const above = () => drawn.mock.lastCall?.[0]
 const problems: string[] = []
