@@ -16,11 +16,12 @@ import {
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf } from './oracle.ts'
+import { tuple } from './tuples.ts'
 
 const { computeComparison } = await loadComparison({ library })
 
 function distanceTo(circles: Float64Array, i: number, { x, y }: Point, metric: Metric): number {
-  const [cx, cy, r] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
+  const [cx, cy, r] = tuple(circles, 3 * i, 3)
   const squared = (x - cx) ** 2 + (y - cy) ** 2
   return metric === 'power' ? squared - r * r : Math.sqrt(squared) - (metric === 'circles' ? r : 0)
 }

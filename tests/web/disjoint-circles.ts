@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../../web/lib/index.ts'
+import { tuple } from './tuples.ts'
 
 const LARGEST = 0.9
 const SPREAD = 8
@@ -23,7 +24,7 @@ export function disjointCircles(count: number, random: () => number): Float64s {
     for (let c = column - 1; c <= column + 1; c++) {
       for (let w = row - 1; w <= row + 1; w++) {
         for (const i of grid.get(key(c, w)) ?? []) {
-          const [otherX, otherY, otherR] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
+          const [otherX, otherY, otherR] = tuple(circles, 3 * i, 3)
           if ((x - otherX) * (x - otherX) + (y - otherY) * (y - otherY) < (r + otherR) * (r + otherR)) return true
         }
       }

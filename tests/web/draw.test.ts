@@ -6,6 +6,7 @@ import { disjointCircles } from './disjoint-circles.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink } from './recording-sink.ts'
+import { tuple } from './tuples.ts'
 
 const SETS: readonly (readonly [string, Float64Array])[] = [
   ['bronzefilter', dataSet('bronzefilter')],
@@ -31,7 +32,7 @@ describe.each(SETS)('%s', (_, circles) => {
     for (let e = 0; e < diagram.edges.length / 4; e++) {
       const sink = new RecordingSink(4)
       diagram.edgePath(e, { context: sink, bounds: box, tolerance })
-      const [left, right] = diagram.edges.subarray(4 * e, 4 * e + 2) as unknown as [number, number]
+      const [left, right] = tuple(diagram.edges, 4 * e, 2)
       for (const point of sink.points) {
         const distance = signedDistance(circles, left, point)
         expect(Math.abs(distance - signedDistance(circles, right, point))).toBeLessThan(4 * tolerance)
@@ -271,7 +272,7 @@ describe('a hull drawn on a context', () => {
       const drawn = Math.max(...stroke.map((point) => point.x * x + point.y * y))
       let reach = Number.NEGATIVE_INFINITY
       for (let i = 0; i < circles.length; i += 3) {
-        const [cx, cy, r] = circles.subarray(i, i + 3) as unknown as [number, number, number]
+        const [cx, cy, r] = tuple(circles, i, 3)
         reach = Math.max(reach, cx * x + cy * y + r)
       }
       expect(Math.abs(drawn - reach)).toBeLessThan(1e-4 * size)

@@ -14,8 +14,9 @@ import { paintCones } from '../../web/tutorial/drawn/paint-cones.ts'
 import { coordinatesOf, distance, nearest, Pen, type Scene } from '../../web/tutorial/drawn/scene.ts'
 import { panelsOf, THREE_SHARES } from '../../web/tutorial/drawn/weight-plane.ts'
 import { type DrawnSpec, sceneOf } from '../../web/tutorial/drawn.ts'
-import { showExtras, shrunkenRims, stepsBetween } from '../../web/tutorial/extras.ts'
+import { shrunkenRims, stepsBetween } from '../../web/tutorial/extras.ts'
 import { library, seededRandom } from './library.ts'
+import { tuple } from './tuples.ts'
 
 const circlesOf = await loadFigureCircles()
 const regions = await loadRegions()
@@ -189,7 +190,7 @@ describe('given areas', () => {
       ],
     ])
     const { weights } = regions.fitAreas(scene.circles, [...THREE_SHARES], { region, shares: true })
-    const [w0, w1, w2] = weights as unknown as [number, number, number]
+    const [w0, w1, w2] = tuple(weights, 0, 3)
     const right = { x: (map.minX + map.maxX) / 2 + w1 - w0, y: (map.minY + map.maxY) / 2 + w2 - w0 }
     expect(right.x).toBeLessThan(map.maxX)
     expect(right.y).toBeLessThan(map.maxY)
@@ -331,20 +332,6 @@ test('shrunken rims are the rims on which samples lie', () => {
     const away = Math.hypot((disc?.x ?? 0) - (rims[3 * i] ?? 0), (disc?.y ?? 0) - (rims[3 * i + 1] ?? 0))
     expect(away).toBeCloseTo(rims[3 * i + 2] as number, 9)
   }
-})
-
-test('rims are added to the layers of a figure', async () => {
-  const circles = Float64Array.of(0, 0, 3, 10, 1, 1.5)
-  const figure = Object.assign(new EventTarget(), {
-    circles,
-    layers: { samples: true },
-    ready: Promise.resolve(),
-  })
-  const around = { dataset: { rims: '' }, querySelector: () => figure }
-  await showExtras({ querySelectorAll: () => [around] } as unknown as Document)
-  await figure.ready
-  const data = [{ id: 'rims', discs: shrunkenRims(circles) }]
-  expect(figure.layers).toMatchObject({ samples: true, data })
 })
 
 test('six steps are drawn from center to center', () => {

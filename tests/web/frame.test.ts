@@ -108,7 +108,7 @@ const REGION = [
     [9, 0],
     [9, 9],
   ],
-] as never
+] as const
 
 const texts = () => ({
   title: part('title').textContent,
@@ -173,7 +173,7 @@ it('shows a player where a state has a step, and buttons where it has circles an
   const seen: unknown[] = []
   for (const state of [{ circles: CIRCLES }, { step: 2 }, { layers: {} }, { circles: CIRCLES, step: 0 }]) {
     if ('circles' in state) await frame.open(await encodeLink(state as LinkInput))
-    else await frame.request({ state: state as never })
+    else await frame.request({ state: state as LinkInput })
     seen.push(figure.controls)
   }
   expect(seen).toEqual(['', 'player', 'player', 'player'])
@@ -309,7 +309,7 @@ it('tells changes together once they are computed, and the current state where i
   await aTurn()
   expect(told).toHaveLength(3)
   frame.restore(Float64Array.of(1, 1, 1))
-  expect((figure as unknown as { circles: unknown }).circles).toEqual(Float64Array.of(1, 1, 1))
+  expect(Reflect.get(figure, 'circles')).toEqual(Float64Array.of(1, 1, 1))
 })
 
 it('tells its height where that changes, and keeps all circles visible where they are', async () => {

@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { Diagram } from '../../web/lib/index.ts'
 import { problemOf } from './errors.ts'
 import { library } from './library.ts'
+import { tuple } from './tuples.ts'
 
 const bounds = [0.5, 0.5, 3.5, 3.25] as const
 /** The circle in the middle. */
@@ -17,7 +18,7 @@ function grid(): Diagram {
 /** Moves the vertex at the start of the middle circle's first side. The arrays stay consistent. */
 function moveVertex({ cells, firstSide, vertices }: Diagram, dx: number, dy: number): void {
   const vertex = cells.originOf(firstSide[MIDDLE] as number)
-  const [x, y] = vertices.subarray(3 * vertex) as unknown as [number, number]
+  const [x, y] = tuple(vertices, 3 * vertex, 2)
   vertices.set([x + dx, y + dy], 3 * vertex)
 }
 

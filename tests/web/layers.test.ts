@@ -350,7 +350,7 @@ it('each cell is filled once, however many have the same color', () => {
   const picture = new Picture(library.edit(randomCircles(600)))
   picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
   const drawing = new SvgDrawing()
-  const style = { ramp: [], map: ['a', 'b', 'c', 'd', 'e', 'f'], cellOpacity: 0.5 } as unknown as Style
+  const style = { ramp: [], map: ['a', 'b', 'c', 'd', 'e', 'f'], cellOpacity: 0.5 } as Partial<Style> as Style
   cells.draw(new PaintContext(drawing, { x: 10, y: 10, scale: 40, width: 800, height: 800 }, 1, picture, style))
   const { diagram } = picture
   const visible = picture.circlesIn({ minX: 0, minY: 0, maxX: 20, maxY: 20 }).filter((i) => diagram.cells.exists(i))
@@ -841,7 +841,7 @@ describe('the rim of a disc that is too large for arcs of a canvas', () => {
       lineTo() {},
       closePath() {},
     }
-    addDisc(path as never, frame as never, x, y, radius)
+    addDisc(path as PathSink, frame as Frame, x, y, radius)
     expect(curves.length).toBeGreaterThan(0)
     for (const curve of curves) {
       for (let t = 0; t <= 1; t += 0.125) {
@@ -888,7 +888,7 @@ it('marks are none of circles that were opened since, and results are found anew
       grid,
       seen: box,
       wanted: box,
-      style: { map: ['red'], ramp: ['red'] } as unknown as Style,
+      style: { map: ['red'], ramp: ['red'] } as Partial<Style> as Style,
     })
     const isMissing = scene.isAnythingToFind
     scene.find()

@@ -245,7 +245,7 @@ describe('the panels', () => {
 
   it('Numbers computes once more by each way, and says how', async () => {
     const panel = await page.panel('numbers')
-    const menu = control(panel, 'Compute once more by') as unknown as HTMLSelectElement
+    const menu = control(panel, 'Compute once more by')
     const parts = () => all(panel, 'dt').map(textOf)
     for (const [k, part] of [
       'Made by',

@@ -5,6 +5,7 @@ import { type MergedDiagram, mergeVertices, NONE } from '../../web/lib/index.ts'
 import { anyCircles } from './arbitrary-circles.ts'
 import { library, seededRandom } from './library.ts'
 import { signedDistance } from './oracle.ts'
+import { tuple } from './tuples.ts'
 
 function circlesAround({ firstCircle, circles }: MergedDiagram, v: number): number[] {
   return [...circles.subarray(firstCircle[v], firstCircle[v + 1])]
@@ -109,7 +110,7 @@ describe('mergeVertices', () => {
         if (nearZero === undefined) expect(lost).toBe(diagram.vertices.length / 3 - count)
         const scale = circles.reduce((sum, value) => Math.max(sum, Math.abs(value)), 1)
         for (let v = 0; v < count; v++) {
-          const [x, y, radius] = merged.vertices.subarray(3 * v, 3 * v + 3) as unknown as [number, number, number]
+          const [x, y, radius] = tuple(merged.vertices, 3 * v, 3)
           const around = circlesAround(merged, v)
           if ((nearZero ?? 0) === 0) expect(around).toHaveLength(degrees[v] as number)
           if ((nearZero ?? 0) > 0) continue

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Animations as edits, their videos, the motion of the first scene, and the slider of radii, with a clock of the test.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { recordClip } from '../../web/app/motion/clip.ts'
 import { driftAtStart } from '../../web/app/motion/drift.ts'
 import { filmed } from '../../web/app/motion/film.ts'
 import { MOST_MOVING, Motion } from '../../web/app/motion/motion.ts'
-import type { PageActions } from '../../web/app/page-actions.ts'
+import { PageActions } from '../../web/app/page-actions.ts'
 import type { Circle } from '../../web/lib/index.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import type { View } from '../../web/view/view.ts'
@@ -37,15 +36,17 @@ async function show(now: number) {
   await settled()
 }
 
+const PADDING = { top: 10, right: 20, bottom: 30, left: 40 }
+
 describe('an animation', () => {
   async function started(circles = [0, 0, 1, 10, 0, 2]) {
     const session = editingSession({
       size: { width: 200, height: 100 },
-      padding: { top: 10, right: 20, bottom: 30, left: 40 },
     })
-    const { editing, view, actions } = session
+    const { editing, view } = session
     await editing.open(sceneOf(Float64Array.from(circles)))
-    const motion = new Motion(view, editing, actions as unknown as PageActions)
+    const reader = { call: () => Promise.reject(new Error()), cancel() {} }
+    const motion = new Motion(view, editing, new PageActions(session.store, editing, view, () => PADDING, reader))
     const changes: boolean[] = []
     motion.onchange(() => changes.push(motion.isMoving))
     const radii = () => [...editing.circles.circles()].filter((_, k) => k % 3 === 2)
@@ -215,7 +216,8 @@ describe('the motion of the first scene', () => {
 
 describe('a video', () => {
   const stopped: string[] = []
-  const stream = { getTracks: () => [1, 2].map((track) => ({ stop: () => stopped.push(`track ${track}`) })) }
+  const tracks = [1, 2].map((track) => ({ stop: () => stopped.push(`track ${track}`) }))
+  const stream = Object.assign(new EventTarget(), { getTracks: () => tracks }) as EventTarget as MediaStream
   function recorder(supported: readonly string[]) {
     vi.useFakeTimers()
     stopped.length = 0
@@ -246,7 +248,7 @@ describe('a video', () => {
     [['video/webm'], 'video/webm', '.webm'],
   ])('has the first format that the browser writes: %j', async (supported, mimeType, ending) => {
     const made = recorder(supported)
-    const film = filmed(stream as unknown as MediaStream, 3)
+    const film = filmed(stream, 3)
     await vi.advanceTimersByTimeAsync(2999)
     expect(stopped).toEqual([])
     await vi.advanceTimersByTimeAsync(1)
@@ -258,68 +260,8 @@ describe('a video', () => {
 
   it('is refused where the browser writes none', async () => {
     recorder([])
-    await expect(filmed(stream as unknown as MediaStream, 3)).rejects.toThrow('This browser cannot record a video.')
+    await expect(filmed(stream, 3)).rejects.toThrow('This browser cannot record a video.')
     vi.stubGlobal('MediaRecorder', undefined)
-    await expect(filmed(stream as unknown as MediaStream, 3)).rejects.toThrow('This browser cannot record a video.')
-  })
-
-  function clipped(state: object, canMove = true) {
-    recorder(['video/webm'])
-    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'setInterval', 'clearInterval', 'performance'] })
-    const done: unknown[][] = []
-    const motion = {
-      isMoving: false,
-      start: (name: string) => {
-        done.push(['start', name])
-        motion.isMoving = canMove
-      },
-      stop: () => {
-        done.push(['stop'])
-        motion.isMoving = false
-      },
-    }
-    const actions = {
-      select: (ids: unknown) => done.push(['select', ids]),
-      undo: async () => done.push(['undo']),
-      showStep: (step: unknown) => done.push(['showStep', step]),
-    }
-    const view = { stream: () => stream }
-    const store = { get: () => ({ selection: [2], ...state }) }
-    const clip = recordClip(view as never, store as never, actions as never, motion as never, 8)
-    return { done, clip, motion }
-  }
-
-  it('of circles that breathe lasts one breath, and everything is as before', async () => {
-    const { done, clip } = clipped({ step: undefined })
-    expect(done).toEqual([
-      ['select', []],
-      ['start', 'breathe'],
-    ])
-    await vi.advanceTimersByTimeAsync(3999)
-    expect(done).toHaveLength(2)
-    await vi.advanceTimersByTimeAsync(1)
-    expect((await clip)?.ending).toBe('.webm')
-    expect(done.slice(2)).toEqual([['stop'], ['undo'], ['select', [2]]])
-  })
-
-  it('of the method goes from the first step to the last one, and back to the step that was shown', async () => {
-    const { done, clip } = clipped({ step: 3 })
-    expect(done).toEqual([
-      ['select', []],
-      ['showStep', 0],
-    ])
-    await vi.advanceTimersByTimeAsync(7999)
-    const steps = done.slice(2).map(([, step]) => step)
-    expect(steps.slice(0, 10)).toEqual([0, 0, 0, 0, 1, 1, 1, 1, 1, 1])
-    expect([steps.length, steps[69], steps.at(-1)]).toEqual([79, 7, 7])
-    await vi.advanceTimersByTimeAsync(1)
-    await clip
-    expect(done.slice(-2)).toEqual([
-      ['showStep', 3],
-      ['select', [2]],
-    ])
-    const { length } = done
-    await vi.advanceTimersByTimeAsync(1000)
-    expect(done).toHaveLength(length)
+    await expect(filmed(stream, 3)).rejects.toThrow('This browser cannot record a video.')
   })
 })

@@ -2,6 +2,7 @@
 // Reference results for the library, by scanning all circles or many points.
 import type { Box } from '../../web/lib/base/types.ts'
 import { type Bisector, type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
+import { tuple } from './tuples.ts'
 
 /** The signed distance from circle `i` of a flat array. */
 export function signedDistance(circles: Float64Array, i: number, { x, y }: Point): number {
@@ -26,7 +27,7 @@ export function scaleOf(circles: Float64Array): number {
 export function boxAround(circles: Float64Array, share: number): Box {
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
   for (let i = 0; i < circles.length; i += 3) {
-    const [x, y, r] = circles.subarray(i, i + 3) as unknown as [number, number, number]
+    const [x, y, r] = tuple(circles, i, 3)
     minX = Math.min(minX, x - r)
     minY = Math.min(minY, y - r)
     maxX = Math.max(maxX, x + r)

@@ -98,7 +98,7 @@ export function enter(
 
 /** Chooses files as a user does in the dialog of the browser. */
 export function choose(input: HTMLInputElement, ...files: File[]) {
-  input.files = files as unknown as FileList
+  Object.assign(input, { files })
   send(input, 'change')
 }
 

@@ -16,7 +16,7 @@ export function outputs() {
     blobs.set(url, blob as Blob)
     return url
   }
-  HTMLCanvasElement.prototype.captureStream = () => ({ getTracks: () => [] }) as never
+  Object.assign(HTMLCanvasElement.prototype, { captureStream: () => ({ getTracks: () => [] }) })
   HTMLAnchorElement.prototype.click = function (this: HTMLAnchorElement) {
     files.push({ name: this.download, content: blobs.get(this.href) as Blob })
   }
@@ -31,7 +31,7 @@ export function outputs() {
     print: () => setTimeout(() => window.dispatchEvent(new Event('afterprint'))),
   }
   Object.assign(globalThis, surroundings)
-  window.open = (() => {
+  const openTab = () => {
     const tab = {
       location: { href: '' },
       isClosed: false,
@@ -41,7 +41,8 @@ export function outputs() {
     }
     tabs.push(tab)
     return tab
-  }) as never
+  }
+  Object.assign(window, { open: openTab })
   const write = async ([item]: readonly { readonly parts: Record<string, Promise<Blob>> }[]) => {
     const blob = await item?.parts['text/plain']
     copied.push((await blob?.text()) ?? '')

@@ -6,6 +6,7 @@ import { type Circles, ConvexPolygon, clearestPath, type Diagram, type Point, po
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 import { box, ring } from './shapes.ts'
+import { tuple } from './tuples.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
 const { region } = await loadRegions({ wasm })
@@ -25,7 +26,7 @@ const ROOM = ring(0, 0, 6, 0, 6, 2, 2, 2, 2, 6, 0, 6)
 function leastDistance({ circles }: Diagram, { x, y }: Point): number {
   let least = Infinity
   for (let i = 0; i < circles.length; i += 3) {
-    const [cx, cy, r] = circles.subarray(i, i + 3) as unknown as [number, number, number]
+    const [cx, cy, r] = tuple(circles, i, 3)
     least = Math.min(least, Math.hypot(x - cx, y - cy) - r)
   }
   return least

@@ -41,6 +41,9 @@ const circlesOf = (trace: Trace, given: Float64Array, step: Step) => {
   return (id: number) => circles.get(id)
 }
 
+/** A canvas of which only some members are used. */
+const canvasOf = (canvas: object) => canvas as HTMLCanvasElement
+
 describe('the steps of a trace', () => {
   it.each(ways)('are all that happens, in order: %s %o', (program, options) => {
     for (const circles of [SMALL, randomCircles(16, 3), new Float64Array(), Float64Array.of(0, 0, 1, 4, 0, 1)]) {
@@ -152,7 +155,7 @@ describe('the steps of a trace', () => {
       const context = {
         fillRect: (x: number, _: number, width: number) => (rightmost = Math.max(rightmost, x + width)),
       }
-      const canvas = { clientWidth, clientHeight: 20, getContext: () => context } as unknown as HTMLCanvasElement
+      const canvas = canvasOf({ clientWidth, clientHeight: 20, getContext: () => context })
       drawTimeline(canvas, steps, 0, new Set(), {} as Colors)
       expect(Math.abs(rightmost - clientWidth)).toBeLessThan(2)
     }
@@ -163,7 +166,7 @@ describe('the steps of a trace', () => {
     vi.stubGlobal('devicePixelRatio', pixelRatio)
     const dots: number[][] = []
     const context = { fillRect() {}, beginPath() {}, fill() {}, arc: (...dot: number[]) => dots.push(dot.slice(0, 3)) }
-    const canvas = { clientWidth: 101, clientHeight: 20, getContext: () => context } as unknown as HTMLCanvasElement
+    const canvas = canvasOf({ clientWidth: 101, clientHeight: 20, getContext: () => context })
     const steps = stepsOf(library.trace(SMALL)).slice(0, 11)
     drawTimeline(canvas, steps, 0, new Set([0, 5, 10]), {} as Colors)
     const width = 101 * pixelRatio - 1
@@ -321,15 +324,18 @@ describe('what is shown beside a step', () => {
 
   /** A trace of events, each with its kind, its circles, its first number and its disc. */
   const traceOf = (...events: [kind: TraceKind, circles?: number[], number?: number, disc?: Circle][]) =>
-    ({
-      length: events.length,
-      kinds: Uint8Array.from(events, ([kind]) => TRACE_KINDS.indexOf(kind)),
-      numbers: Int32Array.from(events.flatMap(([, , number = 0]) => [number, 0])),
-      event: (k: number) => {
-        const [kind, circles = [], number = 0, disc] = events[k] as (typeof events)[number]
-        return { kind, circles, numbers: [number], disc }
-      },
-    }) as unknown as Trace
+    Object.create(
+      Trace.prototype,
+      Object.getOwnPropertyDescriptors({
+        length: events.length,
+        kinds: Uint8Array.from(events, ([kind]) => TRACE_KINDS.indexOf(kind)),
+        numbers: Int32Array.from(events.flatMap(([, , number = 0]) => [number, 0])),
+        event: (k: number) => {
+          const [kind, circles = [], number = 0, disc] = events[k] as (typeof events)[number]
+          return { kind, circles, numbers: [number], disc }
+        },
+      }),
+    ) as Trace
 
   it('draws no segment from a directed edge of an earlier round, which has the same number', () => {
     const [from, to] = [
@@ -494,7 +500,7 @@ describe('what is shown beside a step', () => {
     const canvas = { clientWidth: 5.5, clientHeight: 10, width: 0, height: 0, getContext: () => context }
     const lines = ['begin', 'used', 'stale', 'take', 'place', 'branch', 'form', 'edit', 'hull'] as const
     const few = lines.map((line, k): Step => ({ line, event: k, end: k + 1 }))
-    drawTimeline(canvas as unknown as HTMLCanvasElement, few, 4, new Set(), COLORS)
+    drawTimeline(canvasOf(canvas), few, 4, new Set(), COLORS)
     expect([canvas.width, canvas.height]).toEqual([11, 20])
     const rows = (color: string, top: number, bottom: number) =>
       drawn.flatMap(([fill, alpha, x, y, width, height]) =>
@@ -513,7 +519,7 @@ describe('what is shown beside a step', () => {
     // Columns for many steps show their numbers.
     drawn.length = 0
     const many = [...few.slice(1, 4), ...few.slice(1, 2), ...Array(8).fill(few[3])] as Step[]
-    drawTimeline({ ...canvas, clientWidth: 1 } as unknown as HTMLCanvasElement, many, 0, new Set(), COLORS)
+    drawTimeline(canvasOf({ ...canvas, clientWidth: 1 }), many, 0, new Set(), COLORS)
     expect(rows('e', 0.42, 0.66)).toEqual([[1, 0, 2]])
     vi.unstubAllGlobals()
   })

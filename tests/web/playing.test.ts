@@ -7,7 +7,7 @@ import { Diagram, Trace } from '../../web/lib/index.ts'
 import { testedAt } from '../../web/player/discs.ts'
 import type { Figure } from '../../web/player/figure.ts'
 import { sentenceOf } from '../../web/player/sentences.ts'
-import { circlesAt, overlayOf, PLAYER_COLORS } from '../../web/player/step-overlay.ts'
+import { type Colors, circlesAt, overlayOf, PLAYER_COLORS } from '../../web/player/step-overlay.ts'
 import { concerns, kindOf, type Step, stepsOf } from '../../web/player/steps.ts'
 import { ENGLISH_PLAYER as WORDS } from '../../web/player/words.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
@@ -114,7 +114,7 @@ describe('the player', () => {
       const known = circlesAt(events, given.circles, state, given.ids)
       const tested = testedAt(events, each, state, (id) => known.get(id))
       const isLast = k === last()
-      const expected = isLast ? [] : overlayOf(events, each, state, tested, known, colors as never)
+      const expected = isLast ? [] : overlayOf(events, each, state, tested, known, colors as Colors)
       expect(above(), each.line).toEqual(expected)
       expect(figure.view.hasDiagram).toBe(isLast)
       expect(sentence()).toBe(sentenceOf(events, each, tested, WORDS))

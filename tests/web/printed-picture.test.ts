@@ -5,8 +5,8 @@ import { lookAt, pictureOf } from '../../web/tutorial/printed-picture.ts'
 it('has each circle begin on its rim, in a box that has all of them', () => {
   const circles = Float64Array.of(0, 0, 2, 10, 1, 3)
   const size = { width: 400, height: 300 }
-  const comparison = { found: [], wrong: [], missing: [], leftover: [] }
-  const { viewBox, content } = pictureOf(circles, comparison as never, lookAt(circles, undefined, size), size)
+  const comparison = { found: [], wrong: [], missing: [], leftover: [], borders: 0 }
+  const { viewBox, content } = pictureOf(circles, comparison, lookAt(circles, undefined, size), size)
   const [d = ''] = /d="(M[^"]+)"/.exec(content)?.slice(1) ?? []
   const starts = [...d.matchAll(/M(-?[\d.]+)[ ,](-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)] as const)
   expect(starts).toEqual([

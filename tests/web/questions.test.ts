@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions of the tutorial, on stub nodes.
+// The questions of the tutorial.
+// @vitest-environment happy-dom
 import { expect, it } from 'vitest'
 import { askQuestions } from '../../web/tutorial/questions.ts'
+import { make, send } from './page-document.ts'
 
 it('an answer is right or wrong until another one is chosen', () => {
-  let chosen: string | null = null
-  const output = { value: '' }
-  const answer = { open: false }
-  const parts: Readonly<Record<string, () => unknown>> = {
-    output: () => output,
-    'input:checked': () => (chosen === null ? null : { value: chosen }),
-    'details.answer': () => answer,
-  }
-  const form = Object.assign(new EventTarget(), {
-    dataset: { right: 'b' } as { readonly right: string; answered?: string },
-    querySelector: (selector: string) => parts[selector]?.(),
-  })
-  askQuestions({ querySelectorAll: () => [form] } as unknown as ParentNode)
+  const choices = ['a', 'b'].map((value) => make('input', { type: 'radio', name: 'q', value }))
+  const output = make('output')
+  const answer = make('details', { className: 'answer' })
+  const form = make('form', { className: 'question' }, ...choices, output, answer)
+  form.dataset.right = 'b'
+  document.body.replaceChildren(form)
+  askQuestions(document)
   const submit = () => {
-    form.dispatchEvent(new Event('submit'))
+    send(form, 'submit')
     return [output.value, form.dataset.answered, answer.open]
   }
   const choose = (value: string) => {
-    chosen = value
-    form.dispatchEvent(new Event('change'))
+    for (const choice of choices) choice.checked = choice.value === value
+    send(form, 'change')
     expect([output.value, form.dataset.answered]).toEqual(['', undefined])
   }
   expect(submit()).toEqual(['Choose an answer first.', '', false])

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that may contain regions are read only as far as needed, and parsed once.
 import { expect, it, vi } from 'vitest'
-import { FileActions } from '../../web/app/files/file-actions.ts'
 import { regionOfFile, regionOfText } from '../../web/app/files/region-file.ts'
 import { ring } from './shapes.ts'
 
@@ -50,29 +49,4 @@ it('a file whose beginning is no region is read no further', async () => {
   expect(await regionOfFile(new Blob(['x,y,r\n', '1,2,3\n'.repeat(10_000)]))).toBeUndefined()
   expect(text).toHaveBeenCalledTimes(1)
   text.mockRestore()
-})
-
-it('a file that is too large is refused before it is read, whatever it looks like', async () => {
-  const said: string[] = []
-  const complain = (problem: string) => said.push(problem)
-  const actions = {
-    complain,
-    beginGesture: () => 1,
-    openRead: (read: () => Promise<unknown>) => read().catch((error: Error) => complain(error.message)),
-  }
-  const nothing = undefined as never
-  const opening = new FileActions(nothing, nothing, actions as never, nothing, nothing)
-  const read = vi.fn()
-  const file = {
-    name: 'huge.geojson',
-    size: 2 ** 28 + 1,
-    type: '',
-    text: read,
-    arrayBuffer: read,
-    slice: read,
-  } as never
-  await opening.openFile(file)
-  await opening.openRegion(file)
-  expect(said).toEqual(Array(2).fill('huge.geojson: the file is too large.'))
-  expect(read).not.toHaveBeenCalled()
 })

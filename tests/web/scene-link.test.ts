@@ -6,8 +6,8 @@ import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { ring } from './shapes.ts'
 
 describe('the region of a link', () => {
-  const square = ring(0, 0, 4, 0, 4, 4) as never
-  const other = ring(0, 0, 9, 0, 9, 9) as never
+  const square = [ring(0, 0, 4, 0, 4, 4)]
+  const other = [ring(0, 0, 9, 0, 9, 9)]
   const scene = {
     circles: Float64Array.of(0, 0, 1),
     dataSet: 'rooms',

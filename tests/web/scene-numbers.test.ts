@@ -2,12 +2,7 @@
 // An edit applies to the circles that it was made for. After another opening it has no effect.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { Radii } from '../../web/app/motion/radii.ts'
-import type { Outcome } from '../../web/editing/editing.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { CircleTable } from '../../web/view/circle-table.ts'
-import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'
-import { library } from './library.ts'
 
 const FORMER = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 1 : 5 * k))
 const OPENED = Float64Array.from({ length: 27 }, (_, k) => (k % 3 === 2 ? 2 : 7 * k))
@@ -81,19 +76,4 @@ describe('circles that are opened are not changed by', () => {
     await scaled
     expect(circles()).toEqual([...OPENED])
   })
-})
-
-it('who opens other circles neither selects nor points at any of them', () => {
-  const state = { ...INITIAL_STATE, selection: [7], selected: 7, hovered: 8, described: { id: 7 } as never }
-  const outcome = { edited: undefined, history: INITIAL_STATE.history, domain: INITIAL_STATE.domain }
-  const circles = new CircleTable(OPENED.slice())
-  const opened = stateAfter(state, { ...outcome, isOpened: true } as unknown as Outcome, circles)
-  expect([opened.selection, opened.hovered, opened.described]).toEqual([[], undefined, undefined])
-  const edited = stateAfter(state, { ...outcome, isOpened: false } as unknown as Outcome, circles)
-  expect([edited.selection, edited.hovered, edited.described?.id]).toEqual([[7], 8, 7])
-  const painted = new PaintedScene(library)
-  painted.open(FORMER)
-  painted.mark(7, 8)
-  painted.open(OPENED)
-  expect(painted.marks()).toEqual({ selected: undefined, hovered: undefined })
 })

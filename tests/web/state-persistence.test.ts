@@ -11,8 +11,9 @@ import {
   nameOf,
   sourceOf,
 } from '../../web/app/data-sets.ts'
+import { FilesClient } from '../../web/app/files/files-client.ts'
 import type { Recipe } from '../../web/app/generators/generators.ts'
-import type { LinkWriter } from '../../web/app/link-writer.ts'
+import { LinkWriter } from '../../web/app/link-writer.ts'
 import { prefixOf, SceneStorage } from '../../web/app/scene-storage.ts'
 import { StatePersistence } from '../../web/app/state-persistence.ts'
 import { circlesOfLink } from '../../web/editing/scene-link.ts'
@@ -148,6 +149,9 @@ describe('names of circles', () => {
     expect(circlesOfLink(scene, new CircleTable(circles), LINK_LIMITS.circles).circles).toHaveLength(circles.length)
   })
 })
+
+/** Writes links as a test says. */
+const linksOf = (linkOf: () => Promise<string>) => Object.assign(new LinkWriter(new FilesClient()), { linkOf })
 
 /** A storage with room for a number of characters. */
 class Room implements Storage {
@@ -349,7 +353,7 @@ describe('what a page leaves late', () => {
   })
 
   /** A closed page's link writer never finishes. */
-  const gone = { linkOf: () => new Promise<string>(() => {}) } as unknown as LinkWriter
+  const gone = linksOf(() => new Promise<string>(() => {}))
 
   /** The link that a page finds when it reaches an address by a navigation of this type. */
   async function begun(type: NavigationTimingType, hash: string) {
@@ -382,7 +386,7 @@ describe('what a page leaves late', () => {
   /** A page at an address. The test finishes its links. */
   function keeping(hash: string) {
     const made: ((link: string | Promise<string>) => void)[] = []
-    const links = { linkOf: () => new Promise<string>((resolve) => made.push(resolve)) } as unknown as LinkWriter
+    const links = linksOf(() => new Promise<string>((resolve) => made.push(resolve)))
     const address = { hash, pathname: '/', search: '?q' }
     const replaced: string[] = []
     vi.stubGlobal('location', address)

@@ -2,6 +2,7 @@
 import { expect, it } from 'vitest'
 import { stippled } from '../../web/app/files/stipple.ts'
 import { seededRandom } from './library.ts'
+import { tuple } from './tuples.ts'
 
 /** A picture of one color for each of its quarters, by rows from the top. */
 function quarters(width: number, height: number, colors: readonly (readonly number[])[]) {
@@ -27,7 +28,7 @@ it.each([
   )
   const counts = { dark: 0, white: 0 }
   for (const [i, color] of colors.entries()) {
-    const [x, y, r] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
+    const [x, y, r] = tuple(circles, 3 * i, 3)
     // The cell of a circle near the middle has pixels of several quarters.
     if (Math.abs(x - width / 2) < 4 || Math.abs(y - height / 2) < 4) continue
     const [isLeft, isUpper] = [x < width / 2, y > height / 2]

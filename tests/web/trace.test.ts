@@ -8,6 +8,7 @@ import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { Editor } from '../../web/lib/wasm/module-editor.ts'
 import { instantiate } from '../../web/lib/wasm/wasm.ts'
 import { library, seededRandom } from './library.ts'
+import { tuple } from './tuples.ts'
 
 function circlesOf(count: number, seed: number, largest = 1): Float64Array {
   const random = seededRandom(seed)
@@ -19,7 +20,7 @@ function circlesOf(count: number, seed: number, largest = 1): Float64Array {
 function edgesOf({ edges, vertexCircles }: Diagram): string[] {
   const corner = (v: number) => (v === NONE ? '-' : tripleOf(vertexCircles.subarray(3 * v, 3 * v + 3)))
   return Array.from({ length: edges.length / 4 }, (_, e) => {
-    const [left, right, start, end] = edges.subarray(4 * e, 4 * e + 4) as unknown as [number, number, number, number]
+    const [left, right, start, end] = tuple(edges, 4 * e, 4)
     return turned(left, right, corner(start), corner(end))
   }).sort()
 }

@@ -367,7 +367,7 @@ describe('a figure that the tutorial draws', () => {
     await bringToLife(document)
     await eventually(() => expect(picture.querySelector('svg')).not.toBeNull())
     const svg = picture.querySelector('svg') as SVGElement
-    const [content, handles] = svg.children as unknown as [SVGElement, SVGElement]
+    const [content, handles] = [...svg.children] as [SVGElement, SVGElement]
     const resize = (to: number) => {
       width = to
       resized.at(-1)?.()

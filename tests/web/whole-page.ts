@@ -19,8 +19,7 @@ export const SIZE = { width: 800, height: 600 }
 export const FIVE = Float64Array.of(0, 0, 2, 20, 0, 3, 20, 20, 1, 10, 9, 2, 0, 20, 4)
 
 /** Waits until a check passes, with short intervals. */
-export const soon = <Value>(check: () => Value | Promise<Value>) =>
-  vi.waitFor(check, { timeout: 40_000, interval: 4 })
+export const soon = <Value>(check: () => Value | Promise<Value>) => vi.waitFor(check, { timeout: 40_000, interval: 4 })
 
 /** Waits until no message is under way between the page and its threads, and everything is drawn. */
 export async function quiet(): Promise<void> {
@@ -78,7 +77,7 @@ export function surround() {
   ThreadHere.endAll()
   const surroundings = { Worker: ThreadHere, OffscreenCanvas: Canvas, Path2D: Path, fetch: fetchHere }
   Object.assign(globalThis, surroundings)
-  HTMLCanvasElement.prototype.getContext = contextOfElement as never
+  Object.assign(HTMLCanvasElement.prototype, { getContext: contextOfElement })
   listening.abort()
   listening = new AbortController()
   const { signal } = listening
