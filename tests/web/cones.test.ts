@@ -1,39 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cones of the tutorial, on a page without a browser.
-import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+// The cones of the tutorial, which readers turn.
+// @vitest-environment happy-dom
+import { beforeEach, expect, it, vi } from 'vitest'
 import { turnCones } from '../../web/tutorial/cones.ts'
+import { make, send } from './page-document.ts'
 
-const painted: unknown[][] = []
-vi.mock('../../web/tutorial/drawn/paint-cones.ts', () => ({
-  paintCones: (...[, , pose, width, height]: unknown[]) => painted.push([pose, width, height]),
-}))
-
-/** A slider with the output beside it. */
-class Slider extends EventTarget {
-  readonly output = { value: '' }
-  readonly parentElement = { querySelector: () => this.output }
-  valueAsNumber: number
-  constructor(value: number) {
-    super()
-    this.valueAsNumber = value
-  }
-}
-
+/** The pixels of each drawing. */
+const drawn: { readonly data: Uint8ClampedArray; readonly size: readonly [number, number] }[] = []
 let width: number
 let frames: (() => void)[]
 let resized: () => void
-let canvas: EventTarget & { attributes: Map<string, string> }
 const draw = () => {
-  painted.length = 0
+  drawn.length = 0
   for (const frame of frames.splice(0)) frame()
-  return painted
+  return drawn.map(({ size }) => size)
 }
+
 beforeEach(() => {
   width = 300
   frames = []
   vi.stubGlobal('devicePixelRatio', 1)
   vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
-  vi.stubGlobal('ImageData', class {})
+  vi.stubGlobal(
+    'ImageData',
+    class {
+      constructor(data: Uint8ClampedArray, ...size: [number, number]) {
+        drawn.push({ data, size })
+      }
+    },
+  )
   vi.stubGlobal(
     'ResizeObserver',
     class {
@@ -44,68 +39,70 @@ beforeEach(() => {
     },
   )
 })
-afterEach(() => vi.unstubAllGlobals())
 
 function started() {
-  const attributes = new Map<string, string>()
+  const sliders = [make('input', { type: 'range', min: 0, max: 90, step: 'any', value: 60 }), make('input')] as const
+  Object.assign(sliders[1], { type: 'range', min: -180, max: 180, step: 'any', value: 170 })
+  const outputs = sliders.map(() => make('output'))
+  const picture = make('div', { className: 'picture' }, Object.assign(make('img'), { alt: 'Three cones' }))
+  const labels = sliders.map((slider, k) => make('label', {}, slider, outputs[k] as Node))
+  const figure = make('figure', {}, picture, ...labels)
+  figure.dataset.cones = JSON.stringify({
+    circles: [
+      [0, 0, 1],
+      [3, 0, 1],
+      [1, 2, 0.5],
+    ],
+    view: [1, 1, 6],
+  })
+  document.body.replaceChildren(figure)
+  turnCones(document)
+  const canvas = picture.querySelector('canvas') as HTMLCanvasElement
   const captured = new Set<number>()
-  canvas = Object.assign(new EventTarget(), {
-    attributes,
-    setAttribute: (name: string, value: string) => attributes.set(name, value),
+  Object.assign(canvas, {
     getBoundingClientRect: () => ({ width }),
     getContext: () => ({ putImageData() {} }),
     setPointerCapture: (id: number) => captured.add(id),
     hasPointerCapture: (id: number) => captured.has(id),
   })
-  const shown: unknown[] = []
-  const picture = {
-    querySelector: () => ({ alt: 'Three cones' }),
-    replaceChildren: (...children: unknown[]) => shown.push(...children),
-  }
-  const sliders = [new Slider(60), new Slider(170)] as const
-  const figure = {
-    querySelector: () => picture,
-    querySelectorAll: () => sliders,
-    ownerDocument: { createElement: () => canvas },
-    dataset: { cones: '{"circles": [], "view": [0, 0, 1]}' },
-  }
-  turnCones({ querySelectorAll: () => [figure] } as unknown as Document)
-  return { sliders, shown, captured }
+  return { picture, canvas, sliders, outputs }
 }
 
-it('cones take the place of their picture, with its name, and are drawn once they have a size', () => {
-  const { shown } = started()
-  expect(shown).toEqual([canvas])
-  expect(canvas.attributes.get('aria-label')).toBe('Three cones')
-  width = 0
-  resized()
-  expect(draw()).toEqual([])
-  width = 300
-  resized()
-  resized()
-  expect(draw()).toEqual([[{ tilt: 60, turn: 170 }, 450, 281]])
-  expect(draw()).toEqual([])
-  vi.stubGlobal('devicePixelRatio', 3)
-  resized()
-  expect(draw()).toEqual([[{ tilt: 60, turn: 170 }, 600, 375]])
+it('cones take the place of their picture, with its name, and are drawn as large as they are', () => {
+  const { picture, canvas } = started()
+  expect([[...picture.children], canvas.getAttribute('aria-label')]).toEqual([[canvas], 'Three cones'])
+  for (const [pageWidth, ratio, size] of [
+    [0, 1, []],
+    // Lines are smooth also where a pixel of the screen is one of the page.
+    [300, 1, [[450, 281]]],
+    [300, 1.75, [[525, 328]]],
+    [300, 3, [[600, 375]]],
+  ] as const) {
+    width = pageWidth
+    vi.stubGlobal('devicePixelRatio', ratio)
+    resized()
+    resized()
+    expect(draw()).toEqual(size)
+  }
 })
 
 it('cones are turned by the sliders, and by a drag with the pointer once around', () => {
-  const { sliders, captured } = started()
+  const { canvas, sliders, outputs } = started()
   const [tilt, spin] = sliders
+  resized()
+  draw()
+  const before = drawn[0]?.data
   tilt.valueAsNumber = 45.4
-  tilt.dispatchEvent(new Event('input'))
-  expect([tilt.output.value, draw()]).toEqual(['45°', [[{ tilt: 45.4, turn: 170 }, 450, 281]]])
-  const send = (type: string, movementX: number, movementY: number) =>
-    canvas.dispatchEvent(Object.assign(new Event(type), { pointerId: 7, movementX, movementY }))
-  send('pointermove', 10, 10)
-  expect(draw()).toEqual([])
-  send('pointerdown', 0, 0)
-  expect([...captured]).toEqual([7])
-  send('pointermove', -50, 10)
-  expect([tilt.valueAsNumber, spin.valueAsNumber]).toEqual([48.4, -170].map((value) => expect.closeTo(value)))
-  expect(spin.output.value).toBe('-170°')
-  send('pointermove', 50, 0)
+  send(tilt, 'input')
+  expect([outputs[0]?.value, draw().length, drawn[0]?.data.join() === before?.join()]).toEqual(['45°', 1, false])
+  const move = (movementX: number, movementY: number) => {
+    send(canvas, 'pointermove', { pointerId: 7, movementX, movementY })
+    return sliders.map(({ valueAsNumber }) => Math.round(10 * valueAsNumber) / 10)
+  }
+  expect([move(10, 10), draw()]).toEqual([[45.4, 170], []])
+  send(canvas, 'pointerdown', { pointerId: 7 })
+  expect(move(-50, 10)).toEqual([48.4, -170])
+  expect([outputs[1]?.value, draw().length]).toEqual(['-170°', 1])
+  expect(move(50, 0)).toEqual([48.4, 170])
   expect(spin.valueAsNumber).toBeCloseTo(170)
-  expect(draw()).toHaveLength(1)
 })
