@@ -173,6 +173,14 @@ describe('the rows of the table', () => {
     if (name === '#') await click(headings()[0])
   })
 
+  it('are sorted by the column that was chosen last, whichever is measured first', async () => {
+    for (const name of ['area', 'nearest', 'nbrs']) send(headings()[columnOf(name)] as Element, 'click')
+    await soon(() => expect(ids()).toEqual([0, 2, 1, 3]))
+    await quiet()
+    expect(ids()).toEqual([0, 2, 1, 3])
+    await click(headings()[0])
+  })
+
   it('keep their places during edits, with new ones last, and are sorted again after a pause', async () => {
     await click(headings()[columnOf('y')])
     await page.editing.edit([
@@ -277,6 +285,13 @@ describe('clicks in the table', () => {
     }
     expect(document.activeElement).toBe(grid())
     await click(headings()[0])
+  })
+
+  it('choose all rows since the circle that was selected last, also in the picture', async () => {
+    page.actions.select([1])
+    await quiet()
+    await click(cell(3, 'n'), { shiftKey: true })
+    expect(selection()).toEqual([1, 2, 3])
   })
 
   it('are not needed where a circle is selected elsewhere, which becomes the current row', async () => {
