@@ -23,6 +23,7 @@ import { anyCircles, circlePair, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { distanceFromArc, scaleOf, signedDistance } from './oracle.ts'
 import { RecordingSink } from './recording-sink.ts'
+import { tuple } from './tuples.ts'
 
 const parameter = fc.double({ min: -7, max: 7, noNaN: true }).map((t) => Math.exp(t))
 const tolerances = fc.constantFrom(1, 0.1, 1e-2, 1e-4, 1e-6)
@@ -151,7 +152,7 @@ describe('edgeCurve', () => {
       fc.property(anyCircles, unit, (circles, share) => {
         const diagram = library.compute(circles)
         for (let e = 0; e < diagram.edges.length / 4; e++) {
-          const [left, right, start, end] = diagram.edges.subarray(4 * e, 4 * e + 4) as unknown as number[]
+          const [left, right, start, end] = tuple(diagram.edges, 4 * e, 4)
           const curve = edgeCurve(diagram, e)
           const vertex = (v: number) =>
             v === -1 ? undefined : { x: diagram.vertices[3 * v], y: diagram.vertices[3 * v + 1] }

@@ -123,7 +123,7 @@ test('on a walk the distance to the nearest circle never rises faster than the w
   const [start] = scene.circles as [(typeof scene.circles)[number]]
   for (const value of [0, 0.2, 0.5, 0.8, 1]) {
     const { told } = KINDS.walk.draw(scene, value, library)
-    const [, f, bound] = /f is (−?[\d.]+)\. .* would be (−?[\d.]+)\.$/.exec(told) as unknown as [string, string, string]
+    const [, f = '', bound = ''] = /f is (−?[\d.]+)\. .* would be (−?[\d.]+)\.$/.exec(told) ?? []
     expect(Number(f.replace('−', '-'))).toBeLessThanOrEqual(Number(bound.replace('−', '-')) + 0.01)
     if (value === 0) expect(Number(f.replace('−', '-'))).toBeCloseTo(-start.r, 2)
   }

@@ -22,3 +22,6 @@ export function problemOf(run: () => unknown): string {
   }
   return 'no problem'
 }
+
+/** Passes a value of a wrong type, as a program without types may do. */
+export const untyped = (value: unknown) => value as never

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { expect, it, vi } from 'vitest'
+// @vitest-environment happy-dom
+import { expect, it } from 'vitest'
 import { decodeLink } from '../../web/lib/link.ts'
 import { linkFigures } from '../../web/tutorial/figure-links.ts'
-
-/** Compressing a link may take a busy machine longer than the default of one second. */
-const SOON = { timeout: 40_000 }
+import { make, send } from './page-document.ts'
+import { eventually } from './turns.ts'
 
 it('the link of a figure leads to what it shows, with the method that is played in it', async () => {
   let state: object = { circles: Float64Array.of(1, 2, 3) }
-  const figure = Object.assign(new EventTarget(), { getState: () => state, getAttribute: () => 'auto' })
-  const link = Object.assign(new EventTarget(), {
-    href: 'https://example.org/play/#v1.first',
-    closest: () => ({ querySelector: () => figure }),
-  })
-  linkFigures({ querySelectorAll: () => [link] } as unknown as ParentNode)
-  const shown = async (target: EventTarget, name: string) => {
+  const figure = Object.assign(document.createElement('circle-voronoi'), { getState: () => state })
+  figure.setAttribute('method', 'auto')
+  const link = make('a', { className: 'open', href: 'https://example.org/play/#v1.first' })
+  document.body.replaceChildren(make('figure', {}, figure, link))
+  linkFigures(document)
+  const shown = async (target: Element, name: string) => {
     const before = link.href
-    target.dispatchEvent(new Event(name))
-    await vi.waitFor(() => expect(link.href).not.toBe(before), SOON)
+    send(target, name)
+    await eventually(() => expect(link.href).not.toBe(before))
     const [address, text] = link.href.split('#') as [string, string]
     expect(address).toBe('https://example.org/play/')
     return decodeLink(text)

