@@ -288,6 +288,7 @@ describe('the panel of circles', () => {
     await soon(() => expect(button('uniform')).toBeDefined())
     const lists = all(generate(), 'ul').map((list) => list.getAttribute('aria-label'))
     expect(lists).toEqual(['Prepared circles', 'Apart', 'Overlapping', 'In special position', 'Figures of the paper'])
+    expect(['n', 'seed'].map((name) => control(generate(), name).value)).toEqual(['300', '1'])
     await entered(generate(), 'n', '20')
     await entered(generate(), 'seed', '7')
     const figure = all(generate(), 'ul').at(-1)?.querySelector('button')?.dataset.name as string
