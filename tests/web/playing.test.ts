@@ -356,6 +356,20 @@ describe('a player that is closed', () => {
     expect(step()).toBe(0)
   })
 
+  it('plays from the start where no step is shown, and from the step that is shown', async () => {
+    await go(undefined)
+    figure.stepping.play()
+    await figure.stepping.whenReady()
+    await quiet()
+    expect(step()).toBe(0)
+    figure.stepping.pause()
+    await go(4)
+    figure.stepping.play()
+    expect(step()).toBe(4)
+    await seconds(1)
+    expect(step()).toBe(5)
+  })
+
   it.each(['closed', 'disposed of'])('or that was %s while it loaded is no problem', async (how) => {
     await go(undefined)
     figure.actions.showStep(2)
