@@ -324,6 +324,12 @@ describe('what is said', () => {
     page.actions.offer({ problem: 'It broke.', label: 'Mend', act: () => (isDone = true) })
     await quiet()
     expect([problem.hidden, textOf(problem)]).toEqual([false, 'It broke. Mend'])
+    // The button keeps the focus.
+    const button = control(problem, 'Mend')
+    page.actions.useTool('pan')
+    await quiet()
+    expect(control(problem, 'Mend')).toBe(button)
+    page.actions.useTool('select')
     press(problem, 'Mend')
     expect(isDone).toBe(true)
     page.actions.complain('It broke otherwise.')
