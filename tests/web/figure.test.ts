@@ -2,12 +2,9 @@
 // A figure with its thread, as programs change it.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
-import { Figure } from '../../web/player/figure.ts'
-import { NO_PADDING } from '../../web/view/camera.ts'
 import { held } from './element-page.ts'
-import { make, measure } from './page-document.ts'
 import { ThreadHere } from './page-threads.ts'
+import { newFigure } from './whole-figure.ts'
 import { quiet, surround } from './whole-page.ts'
 
 const THREE = [0, 0, 1, 5, 0, 2, 0, 9, 3]
@@ -16,23 +13,12 @@ const MISSING = [{ kind: 'remove', id: 9 }] as const
 const REGION = [[[0, 0] as const, [9, 0] as const, [9, 9] as const]]
 
 surround()
-let figure: Figure
-let place: HTMLElement
+let figure: ReturnType<typeof newFigure>
 let problems: Error[]
 beforeEach(async () => {
   document.body.innerHTML = ''
   problems = []
-  place = document.body.appendChild(make('div', { tabIndex: 0 }))
-  measure(place, { clientWidth: 300, clientHeight: 200 })
-  figure = new Figure(
-    { figure: place, around: place, player: make('div'), said: make('p') },
-    {
-      actions: (...of) => new EditorActions(...of, () => NO_PADDING),
-      onoutcome() {},
-      onproblem: (error) => problems.push(error),
-      played: () => ({}),
-    },
-  )
+  figure = newFigure({ onproblem: (error) => problems.push(error), played: () => ({}) })
   await open(THREE)
   await quiet()
 })
@@ -115,7 +101,7 @@ it('a figure is painted once it says so, is not shown, or its tab is hidden', as
     expect(isPainted).toBe(false)
     end()
     document.dispatchEvent(new Event('visibilitychange'))
-    if (end === ends[1]) place.ariaBusy = 'true'
+    if (end === ends[1]) figure.element.ariaBusy = 'true'
     await done
     held.release()
     await quiet()

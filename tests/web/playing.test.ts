@@ -5,7 +5,6 @@ import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vite
 import type { ProblemWords } from '../../web/editing/problem.ts'
 import { Diagram, Trace } from '../../web/lib/index.ts'
 import { testedAt } from '../../web/player/discs.ts'
-import type { Figure } from '../../web/player/figure.ts'
 import { sentenceOf } from '../../web/player/sentences.ts'
 import { type Colors, circlesAt, overlayOf, PLAYER_COLORS } from '../../web/player/step-overlay.ts'
 import { concerns, kindOf, type Step, stepsOf } from '../../web/player/steps.ts'
@@ -377,56 +376,5 @@ describe('a player that is closed', () => {
     else figure.dispose()
     await quiet()
     expect([problems, controls(root()).size]).toEqual([[], 0])
-  })
-})
-
-describe('a figure', () => {
-  it('throws what is refused, and stays as it was', async () => {
-    const refused = (error: Error) => [error, figure.isTold(error)]
-    const remove = figure.change({ edits: [{ kind: 'remove', id: 9 }] }).catch(refused)
-    expect(await remove).toMatchObject([{ circle: 9 }, true])
-    await expect(figure.open(scene(Float64Array.of(0, 0, -1)))).rejects.toMatchObject({ circle: 0 })
-    await expect(figure.setDomain({ ...NO_DOMAIN, lattice: { a: [1, 1], b: [1, 1] } })).rejects.toThrow()
-    expect([...figure.editing.circles.circles()]).toEqual([...SIX])
-    expect(problems).toHaveLength(3)
-  })
-
-  it('changes nothing that a change does not name, and waits for circles that are being opened', async () => {
-    figure.view.setLayers({ data: [{ id: 'own', color: 'red' }], hull: true })
-    const opening = figure.open(scene(SIX.slice(0, 9)))
-    const lattice = { a: [40, 0], b: [0, 40] } as const
-    await figure.change({ edits: [{ kind: 'remove', id: 1 }], layers: { dual: true }, lattice })
-    await opening
-    const stateOf = ({ editing, view }: Figure) => [
-      editing.circles.count,
-      editing.domain,
-      editing.areas,
-      view.layers,
-      view.camera,
-    ]
-    expect(stateOf(figure)).toMatchObject([
-      2,
-      { lattice },
-      undefined,
-      { data: [{ id: 'own' }], dual: true, hull: false },
-      {},
-    ])
-    const before = stateOf(figure)
-    await figure.change({})
-    expect(stateOf(figure)).toEqual(before)
-    await figure.change({ lattice: null })
-    expect(figure.editing.domain.lattice).toBeUndefined()
-    await figure.change({ view: { x: 1, y: 2, span: 10 }, step: 1, method: 'auto' })
-    expect([figure.view.camera, figure.store.get()]).toMatchObject([
-      { x: 1, y: 2 },
-      { step: 1, method: 'auto' },
-    ])
-  })
-
-  it('is painted once it says so, or is not shown', async () => {
-    await figure.whenPainted()
-    expect(figure.element.getAttribute('aria-busy')).toBe('false')
-    Object.defineProperty(figure.element, 'clientWidth', { value: 0 })
-    await figure.whenPainted()
   })
 })
