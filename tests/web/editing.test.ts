@@ -81,91 +81,6 @@ function moved(id: number, x: number): Edit[] {
 }
 
 describe('Editing', () => {
-  it('makes one step of undo of the edits of one gesture', async () => {
-    const { editing, circles } = await started()
-    for (const x of [1, 2, 3]) await editing.edit(moved(0, x), 7)
-    expect(circles()).toEqual([3, 0, 1, 5, 5, 2])
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-    await editing.redo()
-    expect(circles()).toEqual([3, 0, 1, 5, 5, 2])
-  })
-
-  it('keeps the steps of two gestures apart', async () => {
-    const { editing, circles } = await started()
-    await editing.edit(moved(0, 1))
-    await editing.edit(moved(0, 2))
-    await editing.undo()
-    expect(circles()).toEqual([1, 0, 1, 5, 5, 2])
-  })
-
-  it('undoes twice and does both again', async () => {
-    const { editing, circles } = await started()
-    await editing.edit(moved(0, 1))
-    await editing.edit([{ kind: 'remove', id: 1 }])
-    const both = circles()
-    await editing.undo()
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-    await editing.redo()
-    await editing.redo()
-    expect(circles()).toEqual(both)
-  })
-
-  it('makes one step of adding a circle and dragging its rim', async () => {
-    const { editing, circles } = await started()
-    const edited = await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 0 } }], 3)
-    const id = edited?.inserted[0] as number
-    await editing.edit([{ kind: 'replace', id, circle: { x: 9, y: 9, r: 3 } }], 3)
-    expect(circles()).toEqual([...TWO, 9, 9, 3])
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-  })
-
-  it('follows a batch in which a circle comes and goes', async () => {
-    const { editing, circles, editor } = await started()
-    const insert = (x: number): Edit => ({ kind: 'insert', circle: { x, y: 9, r: 1 } })
-    const edited = await editing.edit([insert(20), insert(30), { kind: 'remove', id: 2 }, ...moved(3, 40)])
-    expect([...(edited?.inserted ?? [])]).toEqual([3])
-    expect(circles()).toEqual([...TWO, 40, 0, 1])
-    expect([...editing.circles.ids()]).toEqual([...editor().ids()])
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-    await editing.redo()
-    expect(circles()).toEqual([...TWO, 40, 0, 1])
-    expect([...editing.circles.ids()]).toEqual([...editor().ids()])
-  })
-
-  it('finds a circle that came back', async () => {
-    const { editing, circles } = await started()
-    await editing.edit(moved(0, 4))
-    await editing.edit([{ kind: 'remove', id: 0 }])
-    await editing.undo()
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-    await editing.redo()
-    await editing.redo()
-    expect(circles()).toEqual([5, 5, 2])
-  })
-
-  it('forgets what was undone at the next edit', async () => {
-    const { editing, circles } = await started()
-    await editing.edit(moved(0, 1))
-    await editing.undo()
-    await editing.edit(moved(1, 2))
-    await editing.redo()
-    expect(circles()).toEqual([0, 0, 1, 2, 0, 1])
-  })
-
-  it('does nothing where there is nothing to undo or to do again', async () => {
-    const { editing, asked, outcomes, circles } = await started()
-    await editing.undo()
-    await editing.redo()
-    expect(asked).toEqual([])
-    expect(circles()).toEqual([...TWO])
-    expect(outcomes).toHaveLength(1)
-  })
-
   it('leaves out what of a drag has not begun when more comes', async () => {
     const { editing, asked, circles } = await started()
     const all = Array.from({ length: 50 }, (_, x) => editing.edit(moved(0, x), 5))
@@ -278,15 +193,6 @@ describe('Editing', () => {
     expect([...editing.circles.circles()]).toEqual([20, 0, 1, -20, 0, 1])
   })
 
-  it('has nothing to redo once other circles are opened', async () => {
-    const { editing, circles, problems } = await started()
-    await editing.edit(moved(0, 1))
-    await editing.undo()
-    await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
-    expect(await editing.redo()).toBeUndefined()
-    expect([circles(), problems]).toEqual([[7, 7, 7], []])
-  })
-
   it('reports with each outcome whether other circles were opened', async () => {
     const { editing, openings } = await started()
     await editing.edit(moved(0, 1))
@@ -314,12 +220,6 @@ describe('Editing', () => {
     const ignore = () => {}
     const editing = new Editing(computer, ignore, ignore)
     expect([editing.valuesOf('height'), editing.nameOf(0)]).toEqual([new Float64Array(), ''])
-  })
-
-  it('edits nothing where what it opens is refused', async () => {
-    const { editing, circles, asked } = await started()
-    expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)), [{ kind: 'remove', id: 0 }])).toBeUndefined()
-    expect([circles(), asked]).toEqual([[...TWO], []])
   })
 
   it('passes on the colors of circles once all of them are there', async () => {
@@ -395,25 +295,6 @@ describe('Editing', () => {
     expect(circles()[0]).toBe(3)
   })
 
-  it('calls a circle that came back by the id that it had, also after other circles were opened', async () => {
-    const { editing } = await started()
-    const insertion = { kind: 'insert', circle: { x: 9, y: 9, r: 1 } } as const
-    for (let k = 0; k < 2; k++) {
-      await editing.edit([{ kind: 'remove', id: 1 }])
-      await editing.undo()
-    }
-    expect(editing.circles.get(1)).toEqual({ x: 5, y: 5, r: 2 })
-    await editing.edit([insertion, { kind: 'remove', id: 0 }])
-    await editing.open(sceneOf(TWO))
-    expect([...editing.circles.ids()]).toEqual([0, 1])
-    await editing.undo()
-    expect([...editing.circles.ids()]).toEqual([1, 2])
-    await editing.undo()
-    expect([...editing.circles.circles()]).toEqual([...TWO])
-    await editing.edit([insertion])
-    expect([...editing.circles.ids()]).toEqual([0, 1, 3])
-  })
-
   it('goes on with its history where its circles are opened again under their ids', async () => {
     const { editing } = await started()
     await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
@@ -445,29 +326,6 @@ describe('Editing', () => {
     expect(editing.latest(0)).toBeUndefined()
   })
 
-  it('has what is refused never have been, and keeps what comes after', async () => {
-    const { editing, problems, circles } = await started()
-    const refused = editing.edit([{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: -1 } }])
-    const good = editing.edit(moved(1, 3))
-    expect(await refused).toBeUndefined()
-    expect(await good).toBeDefined()
-    expect(problems).toEqual([expect.stringMatching(/Circle 0 .*radius/)])
-    expect(circles()).toEqual([0, 0, 1, 3, 0, 1])
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-  })
-
-  it('goes back to what was before a gesture that is canceled, and there is nothing to do again', async () => {
-    const { editing, circles, problems } = await started()
-    await editing.edit(moved(1, 8))
-    editing.edit(moved(0, 1), 9)
-    editing.edit(moved(0, 2), 9)
-    await editing.cancel(9)
-    expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
-    expect(await editing.redo()).toBeUndefined()
-    expect([circles(), problems]).toEqual([[0, 0, 1, 8, 0, 1], []])
-  })
-
   it('knows of circles that it goes back to whether they were edited', async () => {
     for (const isOpenedEdited of [false, true]) {
       for (const isEdited of [false, true]) {
@@ -480,82 +338,141 @@ describe('Editing', () => {
       }
     }
   })
+})
 
-  it('goes back to other circles, and what was done to them, and forth again', async () => {
-    const { editing, circles } = await started()
-    await editing.edit(moved(1, 3))
-    await editing.edit([{ kind: 'remove', id: 0 }])
-    await editing.open(sceneOf(Float64Array.of(7, 7, 7, 8, 8, 1), 'seven'))
-    await editing.edit(moved(0, 9))
-    expect([circles(), editing.scene?.dataSet]).toEqual([[9, 0, 1, 8, 8, 1], 'seven'])
-    await editing.undo()
-    await editing.undo()
-    expect([circles(), editing.scene?.dataSet]).toEqual([[3, 0, 1], 'two'])
-    expect(editing.scene?.isEdited).toBe(true)
-    await editing.undo()
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-    for (let k = 0; k < 3; k++) await editing.redo()
-    expect([circles(), editing.scene]).toEqual([
-      [7, 7, 7, 8, 8, 1],
-      { circles: Float64Array.of(7, 7, 7, 8, 8, 1), dataSet: 'seven', isEdited: false },
-    ])
-    await editing.redo()
-    expect(circles()).toEqual([9, 0, 1, 8, 8, 1])
-    await editing.redo()
-    expect(circles()).toEqual([9, 0, 1, 8, 8, 1])
-  })
+/** What a user sees: the circles by id, in the scene that was opened. */
+interface Seen {
+  readonly scene: { readonly name: string; next: number }
+  readonly circles: ReadonlyMap<number, Circle>
+}
 
-  it('keeps everything as it is where other circles are refused', async () => {
-    const { editing, circles, problems } = await started()
-    await editing.edit(moved(1, 3))
-    expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)))).toBeUndefined()
-    expect(problems).toEqual([expect.stringMatching(/Circle 0 .*radius/)])
-    expect([circles(), editing.scene?.dataSet]).toEqual([[0, 0, 1, 3, 0, 1], 'two'])
-    await editing.undo()
-    expect(circles()).toEqual([...TWO])
-  })
+/** A history as it should be: steps with what was before and after them, each of one gesture. */
+class Model {
+  seen: Seen
+  done: { before: Seen; after: Seen; gesture: number }[] = []
+  undone: typeof this.done = []
+  constructor(circles: readonly Circle[]) {
+    this.seen = this.#opened('two', circles)
+  }
 
-  it('cancels nothing of what came before a gesture that has done nothing', async () => {
-    const { editing, circles, problems } = await started()
-    await editing.cancel(editing.beginGesture())
-    await editing.edit(moved(1, 8))
-    await editing.cancel(editing.beginGesture())
-    expect([circles(), problems]).toEqual([[0, 0, 1, 8, 0, 1], []])
-  })
+  #opened(name: string, circles: readonly Circle[]): Seen {
+    return { scene: { name, next: circles.length }, circles: new Map(circles.entries()) }
+  }
 
-  it('has the circles of the editor after any edits, undone and done again', async () => {
-    const number = fc.double({ min: -10, max: 10, noNaN: true })
-    const circle = fc.record({ x: number, y: number, r: fc.double({ min: 0, max: 3, noNaN: true }) })
-    const step = fc.oneof(
-      circle.map((circle) => ({ circle })),
-      fc.record({ k: fc.nat(20), circle }),
-      fc.nat(20).map((k) => ({ k })),
-      fc.constantFrom('undo' as const, 'redo' as const, 'open' as const),
-    )
+  #step(after: Seen, gesture: number): void {
+    const last = this.done.at(-1)
+    this.undone = []
+    if (last?.gesture === gesture && last.after === this.seen) last.after = after
+    else this.done.push({ before: this.seen, after, gesture })
+    this.seen = after
+  }
+
+  open(name: string, circles: readonly Circle[]): void {
+    if (circles.every(({ r }) => r >= 0)) this.#step(this.#opened(name, circles), Number.NaN)
+  }
+
+  /** Makes all edits or none. */
+  edit(edits: readonly Edit[], gesture: number): void {
+    const circles = new Map(this.seen.circles)
+    let { next } = this.seen.scene
+    for (const edit of edits) {
+      const isKnown = edit.kind === 'insert' || circles.has(edit.id)
+      if (!isKnown || (edit.kind !== 'remove' && (edit.circle as Circle).r < 0)) return
+      if (edit.kind === 'insert') circles.set(next++, edit.circle as Circle)
+      else if (edit.kind === 'remove') circles.delete(edit.id)
+      else circles.set(edit.id, edit.circle as Circle)
+    }
+    this.seen.scene.next = next
+    this.#step({ ...this.seen, circles }, gesture)
+  }
+
+  go(from: typeof this.done, to: typeof this.done, side: 'before' | 'after'): void {
+    const step = from.pop()
+    if (step === undefined) return
+    to.push(step)
+    this.seen = step[side]
+  }
+
+  cancel(gesture: number): void {
+    const last = this.done.at(-1)
+    if (last?.gesture !== gesture) return
+    this.done.pop()
+    this.seen = last.before
+  }
+}
+
+describe('a history', () => {
+  const circle = fc.record({ x: fc.integer({ min: 0, max: 20 }), y: fc.nat(20), r: fc.constantFrom(0, 1, 2, -1) })
+  const edit: fc.Arbitrary<Edit> = fc.oneof(
+    fc.record({ kind: fc.constant('insert' as const), circle }),
+    fc.record({ kind: fc.constant('remove' as const), id: fc.nat(4) }),
+    fc.record({ kind: fc.constant('replace' as const), id: fc.nat(4), circle }),
+  )
+  const step = fc.oneof(
+    {
+      weight: 4,
+      arbitrary: fc.record({ edits: fc.array(edit, { minLength: 1, maxLength: 3 }), isSame: fc.boolean() }),
+    },
+    fc.constantFrom('undo' as const, 'undo' as const, 'redo' as const, 'cancel' as const, 'wait' as const),
+    fc.record({ open: fc.array(circle, { maxLength: 4 }) }),
+  )
+
+  it('has the circles that were there before and after each step, whatever is done, refused, waited for or canceled', async () => {
     await fc.assert(
-      fc.asyncProperty(fc.array(step, { maxLength: 30 }), async (steps) => {
-        const { editing, editor, circles } = await started()
-        for (const step of steps) {
-          const ids = editor().ids()
-          const id = typeof step === 'object' && 'k' in step ? ids[step.k % Math.max(ids.length, 1)] : undefined
-          if (step === 'undo') await editing.undo()
-          else if (step === 'redo') await editing.redo()
-          else if (step === 'open') await editing.open(sceneOf(Float64Array.of(1, 1, 1, 2, 2, 2, 3, 3, 3)))
-          else if (id !== undefined && 'circle' in step)
-            await editing.edit([{ kind: 'replace', id, circle: step.circle }])
-          else if (id !== undefined) await editing.edit([{ kind: 'remove', id }])
-          else if ('circle' in step) await editing.edit([{ kind: 'insert', circle: step.circle as Circle }])
-          // An editor has no -0.
-          expect(circles().map((value) => value + 0)).toEqual([...editor().snapshot().circles])
+      fc.asyncProperty(fc.array(step, { maxLength: 20 }), async (steps) => {
+        const { editing, problems } = await started()
+        const two = [
+          { x: 0, y: 0, r: 1 },
+          { x: 5, y: 5, r: 2 },
+        ]
+        const model = new Model(two)
+        const asked: Promise<unknown>[] = []
+        let gesture = editing.beginGesture()
+        const check = async () => {
+          await Promise.all(asked.splice(0))
+          const ids = [...editing.circles.ids()]
+          expect(ids).toEqual([...model.seen.circles.keys()].sort((a, b) => a - b))
+          expect(ids.map((id) => editing.circles.get(id))).toEqual(ids.map((id) => model.seen.circles.get(id)))
+          expect(editing.scene?.dataSet).toBe(model.seen.scene.name)
+          expect(editing.past.history.done).toHaveLength(model.done.length)
         }
-        const end = circles()
-        for (const _ of steps) await editing.undo()
-        expect(circles()).toEqual([...TWO])
-        for (const _ of steps) await editing.redo()
-        if (!steps.includes('undo')) expect(circles()).toEqual(end)
+        for (const step of steps) {
+          if (step === 'wait') await check()
+          else if (step === 'undo' || step === 'redo') {
+            const [from, to] = step === 'undo' ? [model.done, model.undone] : [model.undone, model.done]
+            // What is asked before other circles are there is about the former ones.
+            const isOpening = Number.isNaN(from.at(-1)?.gesture)
+            if (isOpening) await check()
+            asked.push(editing[step]())
+            model.go(from, to, step === 'undo' ? 'before' : 'after')
+            if (!isOpening) continue
+            await check()
+            gesture = editing.beginGesture()
+          } else if (step === 'cancel') {
+            asked.push(editing.cancel(gesture))
+            model.cancel(gesture)
+          } else if ('open' in step) {
+            await check()
+            const flat = Float64Array.from(step.open.flatMap(({ x, y, r }) => [x, y, r]))
+            await editing.open(sceneOf(flat, `${steps.indexOf(step)}`))
+            model.open(`${steps.indexOf(step)}`, step.open)
+            gesture = editing.beginGesture()
+          } else {
+            if (!step.isSame) gesture = editing.beginGesture()
+            asked.push(editing.edit(step.edits, gesture))
+            model.edit(step.edits, gesture)
+          }
+        }
+        await check()
+        const end = model.seen
+        const count = model.done.length
+        for (let k = 0; k <= count; k++) await editing.undo()
+        expect([...editing.circles.circles()]).toEqual([...TWO])
+        for (let k = 0; k < count; k++) await editing.redo()
+        expect([...editing.circles.ids()]).toEqual([...end.circles.keys()].sort((a, b) => a - b))
+        expect(problems.every((problem) => problem.length > 0)).toBe(true)
       }),
       { numRuns: 60 },
     )
-  })
+  }, 120_000)
 })
