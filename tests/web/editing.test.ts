@@ -340,7 +340,7 @@ describe('Editing', () => {
   })
 })
 
-/** What a user sees: the circles by id, in the scene that was opened. */
+/** The circles by id that a user sees, in the scene that was opened. */
 interface Seen {
   readonly scene: { readonly name: string; next: number }
   readonly circles: ReadonlyMap<number, Circle>
@@ -440,7 +440,7 @@ describe('a history', () => {
           if (step === 'wait') await check()
           else if (step === 'undo' || step === 'redo') {
             const [from, to] = step === 'undo' ? [model.done, model.undone] : [model.undone, model.done]
-            // What is asked before other circles are there is about the former ones.
+            // Requests are about the former circles until others are there.
             const isOpening = Number.isNaN(from.at(-1)?.gesture)
             if (isOpening) await check()
             asked.push(editing[step]())

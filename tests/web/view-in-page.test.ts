@@ -168,6 +168,7 @@ describe('above the picture', () => {
     view.movePathEnd('to', { x: 1, y: 1 })
     expect(view.layers.path).toEqual({ from: { x: 0, y: 0 }, to: { x: 1, y: 1 } })
     await soon(() => expect(found.at(-1)).toMatchObject({ path: expect.anything() }))
+    await quiet()
     const before = found.length
     view.movePathEnd('to', { x: 2, y: 9 })
     await soon(() => expect(found.length).toBeGreaterThan(before))
