@@ -429,6 +429,20 @@ TEST(DistanceClip, DiscsThroughCornersHaveTheRightAreas) {
   }
 }
 
+// An edge touches the rim at its apex, where a vertex is, and another edge meets the rim there and elsewhere.
+TEST(DistanceClip, ARimThatTouchesAnEdgeInAPointOfAnotherEdgeGoesTheShortWay) {
+  const std::vector<Circle> circles = {{8, 6, 0},   {20, 15, 15},  {90, -48, 92}, {90, 56, 96},     {100, -105, 135},
+                                       {0, 76, 66}, {-40, 75, 75}, {28, 45, 43},  {105, -100, 135}, {8, -15, 7}};
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Region region = Region::fromRings(std::vector<Region::Ring>{{{0, 0}, {-42, 7}, {-74, -94}}}).value();
+  const auto clipped = ClippedDiagram::from(diagram, region, 10);
+  ASSERT_TRUE(clipped) << clipped.error().message;
+  const auto expected = cellsByBruteForce(circles, region, Metric::circles, 10);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(area(clipped->outline(static_cast<std::int32_t>(i))), expected[i].area, 1e-11) << "cell " << i;
+  }
+}
+
 // A disc far smaller than a rounding step at its center is a tiny disc, or nothing.
 TEST(DistanceClip, DiscsThatCollapseInCoordinatesAreEmpty) {
   const std::vector<Circle> circles = {{1, 1, 1e-17}, {5, 5, 1}, {1e15, -1e15, 0.25}};

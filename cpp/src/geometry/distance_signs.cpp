@@ -337,6 +337,23 @@ ShiftedSign DistanceSigns::leftOf(CircleIndex cell, const RimPoint& p, const Rim
                      formula);
 }
 
+/// Returns 1 if a point of an edge lies ahead, in the direction of the line of another edge, as seen from the center,
+/// -1 if it lies behind.
+int DistanceSigns::aheadOn(CircleIndex cell, const RimPoint& p, const RimLine& line) const {
+  const Circle own = circle(cell);
+  const Circle reach = reachOf(own);
+  const Circle first = circle(p.line.neighbor);
+  const Circle second = circle(line.neighbor);
+  return seenFrom(own, std::array{&first, &second, &reach}, [&](const auto& seen, int) {
+    const auto radius = -seen[2].v.s;
+    const auto [u, h] = lineForm(AsGiven(), p.line, seen[0], seen[0], radius);
+    const auto [w, k] = lineForm(AsGiven(), line, seen[1], seen[1], radius);
+    const auto along = dot(u, w);
+    const auto doubled = twice(radius * along);
+    return signOfRoot((h * h * dot(w, w) - doubled * doubled).sign(), h * cross(u, w), p.isAhead ? along : -along);
+  });
+}
+
 /// Returns 1 if the center of a disc lies on the right of a line, -1 if it lies on its left.
 int DistanceSigns::turnToCenter(CircleIndex cell, const RimLine& line) const {
   const Circle own = circle(cell);
@@ -410,17 +427,23 @@ bool DistanceSigns::comesFirst(CircleIndex cell, const RimPoint& p, const RimPoi
     return isUpper(cell, other) == isUpper(cell, its);
   };
   // Both points of one line: the interval begins with the second one if the center is on the right.
-  const auto comesFirstOnLine = [&] { return (turnToCenter(cell, p.line) > 0) == p.isAhead; };
-  if (p.line == q.line) return p.isAhead != q.isAhead && comesFirstOnLine();
+  const auto comesFirstOnLine = [&](const RimPoint& its) { return (turnToCenter(cell, its.line) > 0) == its.isAhead; };
+  if (p.line == q.line) return p.isAhead != q.isAhead && comesFirstOnLine(p);
   const ShiftedSign pLeft = leftOf(cell, p, q.line);
   if (pLeft.sign == 0) {
-    if (p.line.isOfEdge() && q.line.isOfEdge()) return isFollowedBy(p.side, q.side);
+    if (p.line.isOfEdge() && q.line.isOfEdge()) {
+      const int ahead = aheadOn(cell, p, q.line);
+      const bool isAtOther = ahead != 0 && (ahead > 0) != q.isAhead;
+      return isAtOther ? !comesFirstOnLine(q) : isFollowedBy(p.side, q.side);
+    }
     // Two sides on one line.
     const bool isSameWay = dot(vectorTo(p.line.from, p.line.to), vectorTo(q.line.from, q.line.to)) > 0;
-    return (p.isAhead == q.isAhead) != isSameWay && comesFirstOnLine();
+    return (p.isAhead == q.isAhead) != isSameWay && comesFirstOnLine(p);
   }
   if (!isWhole(q)) return (pLeft.sign > 0) != q.isAhead;
   const ShiftedSign qLeft = leftOf(cell, q, p.line);
+  // The edge of the second point meets the rim at the other point of the first line.
+  if (qLeft.sign == 0) return comesFirstOnLine(p);
   if (!isWhole(p)) return (qLeft.sign > 0) == p.isAhead;
   const int pTurn = turnToCenter(cell, p.line);
   const int qTurn = turnToCenter(cell, q.line);

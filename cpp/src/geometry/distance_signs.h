@@ -92,6 +92,7 @@ class DistanceSigns {
  private:
   Circle reachOf(const Circle& own) const { return {own.x, own.y, -distance_}; }
   ShiftedSign leftOf(CircleIndex cell, const RimPoint& p, const RimLine& line) const;
+  int aheadOn(CircleIndex cell, const RimPoint& p, const RimLine& line) const;
   double halfChord(CircleIndex cell, const RimLine& line) const;
   int turnToCenter(CircleIndex cell, const RimLine& line) const;
   bool isFollowedBy(SideIndex side, SideIndex other) const;
