@@ -350,6 +350,26 @@ std::string nameOfFamilyTest(const testing::TestParamInfo<std::size_t>& family) 
 }
 INSTANTIATE_TEST_SUITE_P(All, ClipFamilies, testing::Range(std::size_t{0}, clipFamilies().size()), nameOfFamilyTest);
 
+// A side begins at a vertex, in the direction of the tangent of an edge there. A single cell was empty.
+TEST(ClippedDiagram, ACellIsTheSameAloneWhereASideIsTangentToAnEdgeInItsCorner) {
+  std::vector<Circle> circles = {{100, 0, 89.5}, {-8, -15, 6.5}, {-33, 44, 44.5}, {55, 132, 132.5}, {-57, -76, 84.5}};
+  Region::Ring ring = {{0, 0}, {-13300, 0}, {-4200, -5300}, {-4000, -19500}, {4500, -1600}, {18000, 7600}};
+  for (int turn = 0; turn < 8; ++turn) {
+    SCOPED_TRACE("turn " + std::to_string(turn));
+    const Diagram diagram = compute(circles).value();
+    const Region region = Region::fromRings(std::vector<Region::Ring>{ring}).value();
+    const auto clipped = ClippedDiagram::from(diagram, region).value();
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) test::expectSameAlone(clipped, i);
+    // Quarter turns, and then their mirror images.
+    const auto turned = [&](Point p) { return turn == 3 ? Point{p.y, p.x} : Point{-p.y, p.x}; };
+    for (Circle& c : circles) {
+      const Point p = turned({c.x, c.y});
+      c = {p.x, p.y, c.r};
+    }
+    for (Point& p : ring) p = turned(p);
+  }
+}
+
 // Two cells without vertices, whose coordinates would round. Shares of sides and parameters of edges must not.
 TEST(ClippedDiagram, AreasFarFromTheOriginAreThoseAtTheOrigin) {
   const std::uint64_t seed = seedOr(61);

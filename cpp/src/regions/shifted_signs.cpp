@@ -363,9 +363,13 @@ bool ShiftedSigns::isAheadOf(SideIndex side, const Line& line, Point corner) con
            const auto difference = d.v - c.v;
            // Twice the vector from the corner to the middle of the centers.
            const auto toMiddle = c.v + d.v;
-           return (difference.s * difference.s * planeDot(toMiddle, direction) -
-                   planeDot(toMiddle, difference) * planeDot(direction, difference))
-               .sign();
+           const auto ss = difference.s * difference.s;
+           const auto along = planeDot(direction, difference);
+           const int sign = (ss * planeDot(toMiddle, direction) - planeDot(toMiddle, difference) * along).sign();
+           if (sign != 0) return sign;
+           // The shift moves the corner, but not the line through the middles of all parallel chords.
+           const int alongX = (difference.x * along - ss * direction.x).sign();
+           return alongX != 0 ? alongX : (difference.y * along - ss * direction.y).sign();
          }) > 0;
 }
 
