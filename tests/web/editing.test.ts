@@ -342,7 +342,7 @@ describe('Editing', () => {
 
 /** The circles by id that a user sees, in the scene that was opened. */
 interface Seen {
-  readonly scene: { readonly name: string; next: number }
+  readonly scene: { readonly name: string; next: number; isEdited: boolean; readonly first: string }
   readonly circles: ReadonlyMap<number, Circle>
 }
 
@@ -356,10 +356,19 @@ class Model {
   }
 
   #opened(name: string, circles: readonly Circle[]): Seen {
-    return { scene: { name, next: circles.length }, circles: new Map(circles.entries()) }
+    const scene = { name, next: circles.length, isEdited: false, first: JSON.stringify(circles) }
+    return { scene, circles: new Map(circles.entries()) }
+  }
+
+  /** Notes whether the circles that are left for those of another scene were edited. */
+  #leave({ scene: next }: Seen): void {
+    const { scene, circles } = this.seen
+    const now = [...circles].sort(([a], [b]) => a - b).map(([, circle]) => circle)
+    if (next !== scene && JSON.stringify(now) !== scene.first) scene.isEdited = true
   }
 
   #step(after: Seen, gesture: number): void {
+    this.#leave(after)
     const last = this.done.at(-1)
     this.undone = []
     if (last?.gesture === gesture && last.after === this.seen) last.after = after
@@ -390,6 +399,7 @@ class Model {
     const step = from.pop()
     if (step === undefined) return
     to.push(step)
+    this.#leave(step[side])
     this.seen = step[side]
   }
 
@@ -402,7 +412,11 @@ class Model {
 }
 
 describe('a history', () => {
-  const circle = fc.record({ x: fc.integer({ min: 0, max: 20 }), y: fc.nat(20), r: fc.constantFrom(0, 1, 2, -1) })
+  const circle = fc.record({
+    x: fc.integer({ min: 0, max: 20 }),
+    y: fc.nat(20),
+    r: fc.constantFrom(0, 1, 2, 0, 1, 2, 3, 4, -1),
+  })
   const edit: fc.Arbitrary<Edit> = fc.oneof(
     fc.record({ kind: fc.constant('insert' as const), circle }),
     fc.record({ kind: fc.constant('remove' as const), id: fc.nat(4) }),
@@ -413,13 +427,14 @@ describe('a history', () => {
       weight: 4,
       arbitrary: fc.record({ edits: fc.array(edit, { minLength: 1, maxLength: 3 }), isSame: fc.boolean() }),
     },
-    fc.constantFrom('undo' as const, 'undo' as const, 'redo' as const, 'cancel' as const, 'wait' as const),
-    fc.record({ open: fc.array(circle, { maxLength: 4 }) }),
+    { weight: 4, arbitrary: fc.constantFrom('undo' as const, 'undo' as const, 'redo' as const, 'cancel' as const) },
+    fc.constant('wait' as const),
+    { weight: 2, arbitrary: fc.record({ open: fc.array(circle, { maxLength: 3 }) }) },
   )
 
   it('has the circles that were there before and after each step, whatever is done, refused, waited for or canceled', async () => {
     await fc.assert(
-      fc.asyncProperty(fc.array(step, { maxLength: 20 }), async (steps) => {
+      fc.asyncProperty(fc.array(step, { minLength: 6, maxLength: 25 }), async (steps) => {
         const { editing, problems } = await started()
         const two = [
           { x: 0, y: 0, r: 1 },
@@ -433,7 +448,8 @@ describe('a history', () => {
           const ids = [...editing.circles.ids()]
           expect(ids).toEqual([...model.seen.circles.keys()].sort((a, b) => a - b))
           expect(ids.map((id) => editing.circles.get(id))).toEqual(ids.map((id) => model.seen.circles.get(id)))
-          expect(editing.scene?.dataSet).toBe(model.seen.scene.name)
+          const { name, isEdited } = model.seen.scene
+          expect(editing.scene).toMatchObject({ dataSet: name, isEdited })
           expect(editing.past.history.done).toHaveLength(model.done.length)
         }
         for (const step of steps) {
