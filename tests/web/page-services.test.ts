@@ -51,54 +51,42 @@ describe('the free part of the picture', () => {
     return paddingOfPage()
   }
 
-  it('is beside the rail and above the status, with room for the caption', async () => {
-    expect(await padding(WIDE)).toEqual({ top: 56, right: 32, bottom: 116, left: 64 })
-    // The status is higher than the caption.
-    expect(await padding({ ...WIDE, view: boxOf(900, 600, 48, 100) })).toEqual({
-      top: 56,
-      right: 32,
-      bottom: 216,
-      left: 64,
-    })
-    expect(await padding({ ...WIDE, view: NONE })).toMatchObject({ bottom: 90 + 16 })
-  })
-
-  it('is beside an open panel and the player', async () => {
-    expect(await padding(WIDE, { panel: boxOf(60, 50, 300, 600) })).toMatchObject({ left: 376, right: 32 })
-    expect(await padding({ ...WIDE, player: boxOf(700, 50, 300, 600) })).toMatchObject({ left: 64, right: 316 })
-    // The card for sharing leaves room except in low windows.
-    const share = { ...WIDE, share: boxOf(700, 50, 250, 300) }
-    expect(await padding(share)).toMatchObject({ right: 32 })
-    expect(await padding(share, { is: ['max-height: 32em'] })).toMatchObject({ right: 316 })
-  })
-
-  it('is beside the caption in low windows, unless a panel takes its place', async () => {
-    const low = { is: ['max-height: 32em'] }
-    expect(await padding(WIDE, low)).toEqual({ top: 56, right: 32 + 13 * 16, bottom: 116, left: 64 })
-    expect(await padding(WIDE, { ...low, panel: boxOf(60, 50, 300, 600) })).toMatchObject({ right: 32 })
-    expect(await padding({ ...WIDE, player: boxOf(700, 50, 300, 600) }, low)).toMatchObject({ right: 316 })
-    expect(await padding(WIDE, { is: ['max-height: 32em', 'max-width: 40em'] })).toMatchObject({ right: 32 })
-  })
-
   const PHONE = { rail: boxOf(0, 740, 400, 60), top: boxOf(0, 0, 400, 40), status: boxOf(0, 710, 400, 30) }
-  it('is above the rail and the caption of a phone, or above a sheet', async () => {
-    const phone = { width: 400, height: 800, is: ['max-width: 40em'] }
-    expect(await padding(PHONE, phone)).toEqual({ top: 56, right: 16, bottom: 800 - (710 - 90) + 16, left: 16 })
-    expect(await padding(PHONE, { ...phone, is: ['max-width: 40em', 'max-width: 22em'] })).toMatchObject({
-      bottom: 800 - (710 - 112) + 16,
-    })
-    expect(await padding(PHONE, { ...phone, panel: boxOf(0, 500, 400, 300) })).toEqual({
-      top: 56,
-      right: 16,
-      bottom: 316,
-      left: 16,
-    })
-    for (const name of ['player', 'share']) {
-      expect(await padding({ ...PHONE, [name]: boxOf(0, 450, 400, 350) }, phone)).toMatchObject({
-        right: 16,
-        bottom: 366,
-      })
-    }
+  const PANEL = boxOf(60, 50, 300, 600)
+  const [LOW, NARROW, SHORT_LINES] = ['max-height: 32em', 'max-width: 40em', 'max-width: 22em']
+  const phone = { width: 400, is: [NARROW] }
+
+  it.each<[string, Record<string, typeof NONE>, Parameters<typeof padding>[1], readonly number[]]>([
+    // With room for the caption, or for buttons that are higher.
+    ['beside the rail and above the caption', WIDE, {}, [56, 32, 116, 64]],
+    ['above buttons that are higher', { ...WIDE, view: boxOf(900, 600, 48, 100) }, {}, [56, 32, 216, 64]],
+    ['above the caption without buttons', { ...WIDE, view: NONE }, {}, [56, 32, 106, 64]],
+    ['beside an open panel', WIDE, { panel: PANEL }, [56, 32, 116, 376]],
+    ['beside the player', { ...WIDE, player: boxOf(700, 50, 300, 600) }, {}, [56, 316, 116, 64]],
+    ['below the card for sharing', { ...WIDE, share: boxOf(700, 50, 250, 300) }, {}, [56, 32, 116, 64]],
+    [
+      'beside that card in low windows',
+      { ...WIDE, share: boxOf(700, 50, 250, 300) },
+      { is: [LOW] },
+      [56, 316, 116, 64],
+    ],
+    ['beside the caption in low windows', WIDE, { is: [LOW] }, [56, 32 + 13 * 16, 116, 64]],
+    ['without the caption beside a panel', WIDE, { is: [LOW], panel: PANEL }, [56, 32, 116, 376]],
+    [
+      'beside the player in low windows',
+      { ...WIDE, player: boxOf(700, 50, 300, 600) },
+      { is: [LOW] },
+      [56, 316, 116, 64],
+    ],
+    ['above the caption in small windows', WIDE, { is: [LOW, NARROW] }, [56, 32, 116, 64]],
+    ['above the rail and the caption of a phone', PHONE, phone, [56, 16, 196, 16]],
+    ['above a caption of short lines', PHONE, { ...phone, is: [NARROW, SHORT_LINES] }, [56, 16, 218, 16]],
+    ['above a sheet', PHONE, { ...phone, panel: boxOf(0, 500, 400, 300) }, [56, 16, 316, 16]],
+    ['above the sheet of the player', { ...PHONE, player: boxOf(0, 450, 400, 350) }, phone, [56, 16, 366, 16]],
+    ['above the sheet for sharing', { ...PHONE, share: boxOf(0, 450, 400, 350) }, phone, [56, 16, 366, 16]],
+  ])('is %s', async (_, boxes, page, sides) => {
+    const { top, right, bottom, left } = await padding(boxes, page)
+    expect([top, right, bottom, left]).toEqual(sides)
   })
 })
 
