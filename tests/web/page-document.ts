@@ -83,19 +83,6 @@ export function send(target: EventTarget, type: string, more: object = {}) {
   return event
 }
 
-/** Enters a value as a user does. */
-export function enter(
-  within: Element,
-  name: string,
-  entered: string | boolean,
-  types: readonly string[] = ['input', 'change'],
-) {
-  const found = control(within, name)
-  if (typeof entered === 'string') found.value = entered
-  else found.checked = entered
-  for (const type of types) send(found, type)
-}
-
 /** Chooses files as a user does in the dialog of the browser. */
 export function choose(input: HTMLInputElement, ...files: File[]) {
   Object.assign(input, { files })
