@@ -96,3 +96,11 @@ it.each(['grow', 'compare'] as const)(
     }
   },
 )
+
+it('a breath is over after four seconds', () => {
+  const breathe = movementOf('breathe', CIRCLES, BOX, random)
+  const radii = (seconds: number) => breathe(seconds).map(({ circle }) => circle.r)
+  const begin = radii(0.1)
+  expect(radii(2)).not.toEqual(begin.map((r) => expect.closeTo(r, 9)))
+  expect(radii(2)).toEqual(begin.map((r) => expect.closeTo(r, 9)))
+})

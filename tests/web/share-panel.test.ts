@@ -2,7 +2,7 @@
 // The panel Share on the whole page: what is copied, sent, saved and asked.
 // @vitest-environment happy-dom
 import { unzipSync } from 'fflate'
-import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { KINDS } from '../../web/app/question/conditions.ts'
 import { decodeLink, encodeLink, type LinkFrame } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -103,6 +103,40 @@ describe('the panel Share', () => {
     await pressed(panel, 'Save a card')
     const { name, type, text } = await out.file()
     expect([name, type, text]).toEqual(['circles-card.png', 'image/png', '1200 x 630'])
+  })
+
+  it.each([
+    ['circles that breathe', undefined, 4],
+    ['the method', 3, 8],
+  ])('records a clip of %s, after which everything is as before', async (_, step, seconds) => {
+    class MediaRecorder {
+      static isTypeSupported = (type: string) => type === 'video/webm'
+      ondataavailable = (_: { data: Blob }) => {}
+      onstop = () => {}
+      start() {
+        this.ondataavailable({ data: new Blob(['film']) })
+      }
+      stop() {
+        this.onstop()
+      }
+    }
+    Object.assign(globalThis, { MediaRecorder })
+    page.actions.showStep(step)
+    page.actions.select([1])
+    await quiet()
+    const moved = () => [page.store.get().step, page.circle(1)?.r]
+    const before = moved()
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'setInterval', 'clearInterval', 'performance'] })
+    control(panel, 'Record a clip').click()
+    await soon(() => expect(moved()).not.toEqual(before))
+    expect(page.store.get().selection).toEqual([])
+    await vi.advanceTimersByTimeAsync(1000 * seconds)
+    vi.useRealTimers()
+    const { name, text } = await out.file()
+    await quiet()
+    expect([name, text, moved(), page.store.get().selection]).toEqual(['circles-clip.webm', 'film', before, [1]])
+    page.actions.showStep(undefined)
+    Reflect.deleteProperty(globalThis, 'MediaRecorder')
   })
 
   it('says why there is no clip in a browser that records none', async () => {
