@@ -201,6 +201,23 @@ describe('Editing', () => {
     expect(openings).toEqual([true, false, true, true, false, false, true])
   })
 
+  it('edits nothing where what it opens is refused', async () => {
+    const { editing, circles, asked } = await started()
+    expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)), [{ kind: 'remove', id: 0 }])).toBeUndefined()
+    expect([circles(), asked]).toEqual([[...TWO], []])
+  })
+
+  it('goes back to the domain of former circles', async () => {
+    const { editing } = await started()
+    const lattice = { a: [20, 0], b: [0, 20] } as const
+    await editing.open({ ...sceneOf(TWO), domain: { region: undefined, lattice, areas: undefined } })
+    await editing.edit(moved(0, 1))
+    await editing.open(sceneOf(TWO))
+    expect(editing.domain.lattice).toBeUndefined()
+    await editing.undo()
+    expect(editing.domain.lattice).toEqual(lattice)
+  })
+
   it('keeps names and columns with their circles; an added circle has none', async () => {
     const { editing } = await started()
     expect([[...editing.valuesOf('height')], editing.nameOf(0)]).toEqual([[Number.NaN, Number.NaN], ''])
