@@ -268,6 +268,18 @@ describe('a maximum distance', () => {
     }
   })
 
+  it('makes no polygon of a cell whose points are rounding', () => {
+    const diagram = library.compute([
+      [-3.658651128411293, -1.4929765276610851, 5.4113464411348104],
+      [-0.808681882917881, -5.161143563687801, 2.466914888471365],
+      [-1.6104316636919975, -6.94679244235158, 3.577522210776806],
+    ])
+    const bounds = [-3.658651128411293, -4.881830581410473, -1.7245422115552924, -0.49297652766108513]
+    const options = { bounds, maxDistance: -1.5094098578629167 }
+    assert.equal(diagram.cellPolygon(1, options), undefined)
+    assert.equal(diagram.cellPolygon(0, options)?.length, 8)
+  })
+
   it(`makes polygons that do not cross themselves at any tolerance, seed ${SEED}`, () => {
     let rings = 0
     for (let k = 0; rings < CELLS; k++) {

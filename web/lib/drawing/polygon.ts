@@ -23,7 +23,7 @@ export type Polygon = [x: number, y: number][]
 /**
  * Returns the part of a cell inside the limits as one ring, which goes from the first point to each further loop and
  * back; `undefined` if the part is empty. Neighboring cells share their points bit for bit. A loop that is so thin
- * that its points at the tolerance enclose no area is left out.
+ * that its points at the tolerance enclose no area, or so small that its points are rounding, is left out.
  */
 export function cellRing(cells: Cells, circle: number, limits: Limits, tolerance: number): Polygon | undefined {
   if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) {
@@ -38,7 +38,7 @@ export function cellRing(cells: Cells, circle: number, limits: Limits, tolerance
     }
     return points
   })
-  const [ring, ...others] = rings.filter(hasArea)
+  const [ring, ...others] = rings.filter((points) => hasArea(points) && isBeyondRounding(points))
   if (ring?.[0] === undefined) return undefined
   const [x, y] = ring[0]
   for (const other of others) {
@@ -56,6 +56,13 @@ function hasArea(ring: Polygon): boolean {
     twice += turn({ x: p[0] - x, y: p[1] - y }, { x: q[0] - x, y: q[1] - y })
   }
   return twice > 0
+}
+
+/** Returns whether a ring is larger than a few units in the last place of its points. */
+function isBeyondRounding(ring: Polygon): boolean {
+  const [x, y] = ring[0] as Polygon[number]
+  const least = 2 ** -48 * Math.max(Math.abs(x), Math.abs(y))
+  return ring.some(([px, py]) => Math.abs(px - x) > least || Math.abs(py - y) > least)
 }
 
 /** Returns the ring of a whole bounded cell. */
