@@ -8,6 +8,7 @@ import type { Circle } from '../../web/lib/index.ts'
 import type { Figure } from '../../web/player/figure.ts'
 import { type Domain, NO_DOMAIN } from '../../web/view/domain.ts'
 import { send } from './page-document.ts'
+import { box, ring } from './shapes.ts'
 import { FIGURE_SIZE, newFigure } from './whole-figure.ts'
 import { FIVE, quiet, surround } from './whole-page.ts'
 
@@ -23,24 +24,11 @@ const SCENES = [
 const DOMAINS: readonly Domain[] = [
   NO_DOMAIN,
   {
-    region: [
-      [
-        [-5, -5],
-        [15, -5],
-        [15, 15],
-        [-5, 15],
-      ],
-    ],
+    region: [box(-5, -5, 15, 15)],
     areas: undefined,
   },
   {
-    region: [
-      [
-        [-30, -30],
-        [30, -30],
-        [0, 40],
-      ],
-    ],
+    region: [ring(-30, -30, 30, -30, 0, 40)],
     areas: undefined,
   },
   { region: undefined, lattice: { a: [40, 0], b: [3, 45] }, areas: undefined },

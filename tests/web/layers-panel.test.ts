@@ -4,6 +4,7 @@
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { CELL_COLORS, DEFAULT_LAYERS, type Layers, MOST_PAIRED, MOST_TRACED, SAMPLES } from '../../web/view/layers.ts'
 import { all, chosenOf, control, controls, element, limitsOf, optionsOf, press } from './page-document.ts'
+import { box } from './shapes.ts'
 import { entered, FIVE, found, pressed, quiet, SIZE, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
@@ -182,14 +183,7 @@ describe('the radii', () => {
     await page.actions.undo()
     expect(radii()).toEqual([2, 3, 1])
     await page.actions.setDomain({
-      region: [
-        [
-          [-9, -9],
-          [30, -9],
-          [30, 30],
-          [-9, 30],
-        ],
-      ],
+      region: [box(-9, -9, 30, 30)],
       areas: 'equal',
     })
     await quiet()

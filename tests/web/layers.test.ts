@@ -46,6 +46,7 @@ import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts
 import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { RecordingSink } from './recording-sink.ts'
+import { box } from './shapes.ts'
 
 const random = seededRandom(23)
 const comparison = await loadComparison({ library })
@@ -277,14 +278,7 @@ describe('what cells are measured by', () => {
     expect(measures.valueOf(1)).toBeNaN()
     expect(picture.colorOf(1)).toBe(-1)
     // In a region every cell has an area.
-    const square = (await loadRegions()).region([
-      [
-        [-9, -9],
-        [9, -9],
-        [9, 9],
-        [-9, 9],
-      ],
-    ])
+    const square = (await loadRegions()).region([box(-9, -9, 9, 9)])
     picture.clip = new Clip(library, square)
     expect(picture.colorOf(1)).not.toBe(-1)
     expect(picture.legend?.measure).toBe('filled')

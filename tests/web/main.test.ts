@@ -7,6 +7,7 @@ import { ENGLISH_KEYS } from '../../web/editing/key-help.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { all, buttonOf, control, controls, element, press, send, textOf } from './page-document.ts'
+import { box } from './shapes.ts'
 import { FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
@@ -289,14 +290,7 @@ describe('what is said', () => {
     expect(status()).toMatch(/^4 circles · 2 vertices · 4 edges · 1 hidden · ✓ proven/)
     await page.open(FIVE)
     await page.actions.setDomain({
-      region: [
-        [
-          [-9, -9],
-          [30, -9],
-          [30, 30],
-          [-9, 30],
-        ],
-      ],
+      region: [box(-9, -9, 30, 30)],
       areas: 'equal',
     })
     await quiet()

@@ -6,16 +6,11 @@ import type { OpenRequest } from '../../web/editing/opening-actions.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { ring } from './shapes.ts'
 import { FIVE, quiet, soon, wholePage } from './whole-page.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 0, 20, 3)
-const REGION = [
-  [
-    [-50, -50],
-    [50, -50],
-    [0, 90],
-  ],
-] as const
+const REGION = [ring(-50, -50, 50, -50, 0, 90)] as const
 const LATTICE = { a: [40, 0], b: [0, 40] } as const
 let page: Awaited<ReturnType<typeof wholePage>>
 const circles = () => [...page.editing.circles.circles()]
@@ -232,13 +227,7 @@ describe('areas', () => {
   it('and a box exclude each other, and the box gives radii back and moves circles into it', async () => {
     await open([-50, 3, 1, -40, 3, 1])
     await page.actions.setDomain({
-      region: [
-        [
-          [-99, -99],
-          [99, -99],
-          [0, 99],
-        ],
-      ],
+      region: [ring(-99, -99, 99, -99, 0, 99)],
     })
     await page.actions.setAreas('equal')
     await page.actions.repeat()

@@ -6,6 +6,7 @@ import { encodeLink } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { all, choose, chosenOf, control, element, optionsOf, press, send, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
+import { box } from './shapes.ts'
 import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
@@ -77,14 +78,7 @@ describe('saving', () => {
       expect.stringMatching(/cut to the box from -[\d.]+, -[\d.]+ to/),
     ])
     await page.actions.setDomain({
-      region: [
-        [
-          [-9, -9],
-          [30, -9],
-          [30, 30],
-          [-9, 30],
-        ],
-      ],
+      region: [box(-9, -9, 30, 30)],
     })
     expect(await saved()).toEqual(['circles-cells.geojson', 5, 'The cells are those inside the region.'])
     await page.actions.repeat()

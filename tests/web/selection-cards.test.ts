@@ -4,6 +4,7 @@
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { areasOf } from './areas-of.ts'
 import { all, control, controls, element, press, send, textOf } from './page-document.ts'
+import { box } from './shapes.ts'
 import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
@@ -103,14 +104,7 @@ describe('the card of the selected circle', () => {
     await select(0)
     await soon(() => expect(textOf(element('inspector-facts'))).toBe('Area of the cell∞ Perimeter of the cell∞'))
     await page.actions.setDomain({
-      region: [
-        [
-          [-1, -1],
-          [1, -1],
-          [1, 1],
-          [-1, 1],
-        ],
-      ],
+      region: [box(-1, -1, 1, 1)],
     })
     await soon(() => expect(facts()).toEqual([4, 8]))
     expect(textOf(element('inspector-facts'))).toMatch(/^Area inside the region4 Perimeter inside the region8$/)
