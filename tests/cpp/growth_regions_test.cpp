@@ -74,13 +74,15 @@ TEST(GrowthOfRegions, OfDissolving) {
 // Nearly all strips have boxes around each of their corners. The line from a point crosses many turns of a spiral.
 TEST(GrowthOfRegions, OfPointsAndBoxes) {
   static const std::array kFamilies = {kUniform, kHub, kComb, kHoles};
-  expectGrowth({"Region::contains, sidesIn", "region.h",
+  expectGrowth({"Region::contains, sidesIn, sidesNear", "region.h",
                 [](const GrowthInput& input) {
                   const auto region = kept(input.region());
                   return [region] {
                     for (const Point& p : region->points()) {
                       EXPECT_TRUE(region->contains(p));
+                      static_cast<void>(region->contains({0.9 * p.x, 0.9 * p.y}));
                       EXPECT_FALSE(region->sidesIn({p.x, p.y, p.x, p.y}).empty());
+                      EXPECT_FALSE(region->sidesNear(std::array{p}, 0).empty());
                     }
                   };
                 },

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
+#include <span>
 
 #include "circle_voronoi/limits.h"
 #include "region_shapes.h"
@@ -243,19 +247,90 @@ bool isInPlainly(const Region& region, Point p) {
   return isOdd;
 }
 
+/// A star of long thin spikes, with a spiral of strips beside it: long slanted sides near each other.
+std::vector<Ring> slantedRings() {
+  std::vector<Ring> rings(1);
+  for (int k = 0; k < 400; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 400;
+    const double radius = k % 2 == 0 ? 0.4 : 1;
+    rings[0].push_back({9 + radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  for (int k = 0; k < 100; ++k) {
+    const double x = 10.5 + k / 50.0;
+    rings.push_back({{x, -1}, {x + 0.008, -1}, {x + 1.008, 1}, {x + 1, 1}});
+  }
+  return rings;
+}
+
 TEST(Region, ContainsIsThatOfAllSides) {
   std::mt19937_64 random(test::seedOr(7));
-  std::vector<Ring> rings = {test::coastRing(random, {0, 0}, 1, 3000)};
+  std::vector<Ring> rings = slantedRings();
+  rings.push_back(test::coastRing(random, {0, 0}, 1, 3000));
   for (int k = 0; k < 20; ++k) rings.push_back(test::starRing(random, {2.0 + k % 5, k / 5 - 2.0}, 0.1, 0.4, 9));
   rings.push_back(test::combRing({-3, 3, 5, 6}, 40));
   rings.push_back(test::spiralRing({-9, -2, -4, 3}, 6));
   const Region region = Region::fromRings(rings).value();
-  std::uniform_real_distribution<double> x(-9.5, 7);
+  std::uniform_real_distribution<double> x(-9.5, 14);
   std::uniform_real_distribution<double> y(-3, 6.5);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 30000; ++k) {
     const Point p = {x(random), y(random)};
     ASSERT_EQ(region.contains(p), isInPlainly(region, p)) << p.x << " " << p.y;
   }
+}
+
+TEST(Region, SidesNearATriangleIncludeAllThatMeetIt) {
+  const Region region = Region::fromRings(slantedRings()).value();
+  std::mt19937_64 random(test::seedOr(8));
+  std::uniform_real_distribution<double> x(7.5, 14);
+  std::uniform_real_distribution<double> y(-1.5, 1.5);
+  std::uniform_real_distribution<double> share(0, 1);
+  std::size_t found = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Point a = {x(random), y(random)};
+    const double size = k % 2 == 0 ? 0.02 : 2;
+    const auto beside = [&] { return Point{a.x + size * share(random), a.y + size * share(random)}; };
+    const std::vector<Point> corners = {a, beside(), beside()};
+    const auto sides = region.sidesNear(std::span(corners).first(1 + k % 3), 0);
+    ASSERT_TRUE(std::is_sorted(sides.begin(), sides.end()));
+    found += sides.size();
+    // Sides at random places of the triangle, or of its side or corner.
+    for (int tries = 0; tries < 20; ++tries) {
+      double u = k % 3 > 0 ? share(random) : 0;
+      double v = k % 3 > 1 ? share(random) * (1 - u) : 0;
+      const Point p = {a.x + u * (corners[1].x - a.x) + v * (corners[2].x - a.x),
+                       a.y + u * (corners[1].y - a.y) + v * (corners[2].y - a.y)};
+      for (const RegionSideIndex side : region.sidesIn({p.x, p.y, p.x, p.y})) {
+        const auto ring = static_cast<std::size_t>(region.ringOf(side));
+        const std::int32_t next = side + 1 == region.ringOffsets()[ring + 1] ? region.ringOffsets()[ring] : side + 1;
+        const Point from = region.points()[static_cast<std::size_t>(side)];
+        const Point to = region.points()[static_cast<std::size_t>(next)];
+        const double turn = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+        const double distance = std::abs(turn) / std::hypot(to.x - from.x, to.y - from.y);
+        const auto near = region.sidesNear(std::array{p}, distance * 1.001);
+        ASSERT_TRUE(std::binary_search(near.begin(), near.end(), side));
+        if (distance > 1e-3) continue;
+        const auto wide = region.sidesNear(std::span(corners).first(1 + k % 3), 1.001e-3);
+        ASSERT_TRUE(std::binary_search(wide.begin(), wide.end(), side)) << p.x << " " << p.y;
+      }
+    }
+  }
+  // Most sides whose boxes meet that of a triangle do not come near it.
+  EXPECT_LT(found, 2000U * 40);
+}
+
+/// Polygons by the first corners of their rings.
+TEST(Region, RingsNotInBoxesAreAllOthers) {
+  std::vector<Ring> rings;
+  for (int k = 0; k < 200; ++k) rings.push_back(square(k % 20, k / 20, 0.5));
+  const Region region = Region::fromRings(rings).value();
+  const auto found = region.ringsNotIn([](const Box& box, RegionRingIndex) { return box.minX > 3 || box.maxY < 2; });
+  std::vector<RegionRingIndex> expected;
+  for (std::size_t ring = 0; ring < region.ringCount(); ++ring) {
+    const Point p = region.points()[static_cast<std::size_t>(region.ringOffsets()[ring])];
+    if (!(p.x > 3 || p.y < 2)) expected.push_back(static_cast<std::int32_t>(ring));
+  }
+  for (const RegionRingIndex ring : expected) EXPECT_TRUE(std::binary_search(found.begin(), found.end(), ring));
+  EXPECT_LT(found.size(), region.ringCount() / 2);
 }
 
 }  // namespace

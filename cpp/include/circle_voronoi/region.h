@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -94,10 +95,18 @@ class Region {
 
   /// Returns whether the region, boundary included, contains a point. The point is rounded first, as the corners were
   /// (limits.h); the result is exact. Skips runs of sides that lie on one side of the point, so it takes O(log m) steps
-  /// for most regions.
+  /// for each run of sides of a ring that passes the point's right, a single one for most regions.
   [[nodiscard]] bool contains(Point p) const;
   /// Returns the sides whose bounding box meets a box, in increasing order. Takes O(log m) steps for each side found.
   [[nodiscard]] std::vector<RegionSideIndex> sidesIn(const Box& box) const;
+  /// Returns sides in increasing order, among them each one that comes within `margin` of a convex polygon, which may
+  /// be a segment or a point. Unlike `sidesIn`, skips slanted sides beside a slanted polygon. Takes O(log m) steps for
+  /// each side found, if consecutive rings lie near each other.
+  [[nodiscard]] std::vector<RegionSideIndex> sidesNear(std::span<const Point> polygon, double margin) const;
+  /// Returns rings in increasing order: those whose first corner lies in none of the boxes for which a function returns
+  /// true. The function gets a box around the first corners of consecutive rings, and the first of these rings.
+  [[nodiscard]] std::vector<RegionRingIndex> ringsNotIn(
+      const std::function<bool(const Box&, RegionRingIndex)>& isLeftOut) const;
   /// Returns the area, right to a few units of rounding.
   [[nodiscard]] double area() const;
   /// Returns the length of all sides.
@@ -114,18 +123,27 @@ class Region {
   static Region valid(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                       std::span<const std::int32_t> polygonOffsets, double limit = kCoordinateLimit);
 
-  /// The bounding box of a run of consecutive sides, for contains().
+  /// A run of consecutive sides: its bounding box, and its extent along its longest side and across.
   struct Run {
-    double minX, minY, maxX, maxY;
+    Box box;
+    Vector along;  ///< the longest side
+    double leastAlong, mostAlong;
+    double leastAcross, mostAcross;
   };
+  class Polygon;
   void index();
+  [[nodiscard]] std::vector<Run> runsOf(std::size_t size) const;
   bool isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoundary) const;
-  void addSidesIn(std::size_t level, std::size_t run, const Box& box, std::vector<RegionSideIndex>& sides) const;
+  template <class MeetsRun, class MeetsSide>
+  void addSides(std::size_t level, std::size_t run, const MeetsRun& meetsRun, const MeetsSide& meetsSide,
+                std::vector<RegionSideIndex>& sides) const;
 
   std::vector<Point> points_;
   std::vector<std::int32_t> ringOffsets_;
   std::vector<std::int32_t> polygonOffsets_;
   std::vector<std::vector<Run>> runs_;  ///< by level: runs of a few sides first, one run of all sides last
+  /// Boxes around the first corners of rings, by level: those of a few rings first, one of all rings last.
+  std::vector<std::vector<Box>> ringBoxes_;
 };
 
 }  // namespace circle_voronoi

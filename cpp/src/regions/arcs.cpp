@@ -2,8 +2,10 @@
 #include "arcs.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "at.h"
 #include "crossing_order.h"
@@ -27,18 +29,15 @@ std::int32_t windingAround(const Diagram& diagram, const Region& region, const S
   };
   if (isBeyond(v.x, bounds.minX, bounds.maxX) || isBeyond(v.y, bounds.minY, bounds.maxY)) return 0;
   // Away from the boundary the vertex is where its rounded place is.
-  if (region.sidesIn({v.x - error, v.y - error, v.x + error, v.y + error}).empty()) {
-    return region.contains({v.x, v.y}) ? 1 : 0;
-  }
-  // Sides that may cross the ray from the vertex to the right.
-  const Box ray = {v.x - error, v.y - error, std::max(bounds.maxX, v.x), v.y + error};
+  const std::array<Point, 2> ray = {Point{v.x, v.y}, Point{std::max(bounds.maxX, v.x), v.y}};
+  if (region.sidesNear(std::span(ray).first(1), error).empty()) return region.contains({v.x, v.y}) ? 1 : 0;
   const auto isAbove = [&](Point p) {
     // A horizontal line through the point, to the right.
     const Point right = {p.x == 0 ? 1 : p.x > 0 ? 2 * p.x : -p.x, p.y};
     return signs.sideOfEnd(beginning, false, {p, right}) < 0;
   };
   std::int32_t winding = 0;
-  for (const RegionSideIndex side : region.sidesIn(ray)) {
+  for (const RegionSideIndex side : region.sidesNear(ray, error)) {
     const Point from = region.points()[at(side)];
     const Point to = region.points()[at(sideAfter(region, side))];
     const bool goesUp = isAbove(to);

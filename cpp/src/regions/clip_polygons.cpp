@@ -211,7 +211,7 @@ void ClipFlattener::collectCorners() {
     last = p;
     if (clearance > 2 * tolerance_) return;
     clearance = kInfinite;
-    if (sectors.cell() != cell) sectors.setCell(cell);
+    sectors.setCell(cell);
     // A corner on a straight edge becomes a point of the edge, where the outline of a cell touches itself.
     const double rounding =
         kOnePlace * (std::abs(p.x) + std::abs(p.y) + lengthOf(vectorTo(centerOf(diagram, cell), p)));

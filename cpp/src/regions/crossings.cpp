@@ -2,6 +2,7 @@
 #include "crossings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -109,7 +110,8 @@ class Walk {
     CircleIndex cell;
     for (std::size_t r = 0; r < region_.ringCount(); ++r) {
       const Point start = region_.points()[at(region_.ringOffsets()[r])];
-      cell = nearestTo(start, finder.find(start, cell));
+      sectors_.setCellWith(start, finder.find(start, cell));
+      cell = sectors_.cell();
       walkRing(static_cast<std::int32_t>(r), cell);
     }
     return std::move(crossings_);
@@ -130,7 +132,7 @@ class Walk {
     const std::int32_t begin = region_.ringOffsets()[at(ring)];
     const std::int32_t end = region_.ringOffsets()[at(ring) + 1];
     const std::size_t firstCrossing = crossings_.all.size();
-    enter(first);
+    sectors_.setCell(first);
     clearance_ = 0;
     for (std::int32_t k = begin; k < end; ++k) {
       walkAlong(k, region_.points()[at(k)], region_.points()[at(k + 1 == end ? begin : k + 1)]);
@@ -147,16 +149,11 @@ class Walk {
 
   /// Adds the crossings of the border of a cell, and the rings inside it.
   void walkIn(CircleIndex cell) {
-    enter(cell);
-    Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
-    bool isBounded = !sectors_.sides().empty();
+    sectors_.setCell(cell);
     std::vector<std::int32_t> crossedRings;
     for (const SideIndex side : sectors_.sides()) {
-      isBounded = isBounded && diagram_.targetOf(side) != kNone;
-      const Box its = boxAround(side);
-      box = {std::min(box.minX, its.minX), std::min(box.minY, its.minY), std::max(box.maxX, its.maxX),
-             std::max(box.maxY, its.maxY)};
-      for (const RegionSideIndex index : region_.sidesIn(its)) {
+      const Hull hull = hullOf(side);
+      for (const RegionSideIndex index : region_.sidesNear(hull.corners, hull.margin)) {
         const RegionRingIndex ring = region_.ringOf(index);
         const auto [start, end] = endsOf(index, ring);
         if (!sectors_.isEnteredAcross(side, {start, end})) continue;
@@ -164,7 +161,7 @@ class Walk {
         follow(side, index, ring);
       }
     }
-    addRingsIn(isBounded ? box : region_.bounds(), std::move(crossedRings));
+    addRings(std::move(crossedRings));
   }
 
   /// Follows the boundary from where a side of the region comes into the cell of the walk, until it leaves the cell.
@@ -185,19 +182,33 @@ class Walk {
     crossings_.isOnSideOfNext.push_back(0);
   }
 
-  /// Adds the rings that lie in the cell of the walk: in a box, and not crossed.
-  void addRingsIn(const Box& box, std::vector<std::int32_t> crossedRings) {
+  /// Adds the rings that lie in the cell of the walk: those that begin there and are not crossed.
+  void addRings(std::vector<std::int32_t> crossedRings) {
     sortUnique(crossedRings);
-    const auto sides = region_.sidesIn(box);
-    const auto offsets = region_.ringOffsets();
-    for (std::size_t k = 0; k < sides.size();) {
-      const std::int32_t ring = region_.ringOf(sides[k]);
-      const std::size_t first = k;
-      while (k < sides.size() && sides[k] < offsets[at(ring) + 1]) ++k;
-      const bool isWhole = k - first == at(offsets[at(ring) + 1] - offsets[at(ring)]);
-      if (!isWhole || std::ranges::binary_search(crossedRings, ring)) continue;
-      if (isInCell(region_.points()[at(offsets[at(ring)])])) crossings_.rings.push_back({sectors_.cell(), ring});
+    const auto cornerOf = [&](std::int32_t ring) { return region_.points()[at(region_.ringOffsets()[at(ring)])]; };
+    const auto isOutside = [&](const Box& box, std::int32_t first) { return isBeyond(box, cornerOf(first)); };
+    for (const std::int32_t ring : region_.ringsNotIn(isOutside)) {
+      if (std::ranges::binary_search(crossedRings, ring) || !isInCell(cornerOf(ring))) continue;
+      crossings_.rings.push_back({sectors_.cell(), ring});
     }
+  }
+
+  /// Returns whether a neighbor of the cell of the walk is certainly nearer to all of a box around a corner.
+  bool isBeyond(const Box& box, Point corner) const {
+    const double reach = lengthOf(
+        {std::max(corner.x - box.minX, box.maxX - corner.x), std::max(corner.y - box.minY, box.maxY - corner.y)});
+    const auto isNearer = [&](SideIndex side) {
+      const CircleIndex neighbor = diagram_.neighborOf(side);
+      const auto lead = [&](Point p) { return signs_.compare(neighbor, sectors_.cell(), p); };
+      if (lead(corner).sign < 0) return false;
+      if (!isConvexBetween(neighbor, sectors_.cell())) return lead(corner).least * kClearance > reach;
+      const std::array<Point, 4> corners = {Point{box.minX, box.minY}, Point{box.maxX, box.minY},
+                                            Point{box.maxX, box.maxY}, Point{box.minX, box.maxY}};
+      return std::ranges::all_of(corners, [&](Point p) { return lead(p).sign > 0; });
+    };
+    if (!sectors_.isStarWithManySides()) return std::ranges::any_of(sectors_.sides(), isNearer);
+    const Sectors::Sector sector = sectors_.find(corner);
+    return sectors_.compareIn(sector, corner).sign < 0 && isNearer(sectors_.sides()[sector.side]);
   }
 
   /// Joins the crossings that were found from both cells of an edge. They were added in pairs: where the boundary comes
@@ -232,83 +243,73 @@ class Walk {
     return {region_.points()[at(side)], region_.points()[at(sideAfter(region_, side, ring))]};
   }
 
-  /// A box around a side of a cell. An arc lies in the triangle of its ends and its tangents there. Towards infinity it
-  /// goes between the directions of its tangent and of its asymptote.
-  Box boxAround(SideIndex side) const {
-    const EdgeCurve curve = edgeCurve(diagram_, Diagram::edgeOf(side));
-    Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
-    const auto include = [&](Point p, double margin) {
-      box = {std::min(box.minX, p.x - margin), std::min(box.minY, p.y - margin), std::max(box.maxX, p.x + margin),
-             std::max(box.maxY, p.y + margin)};
-    };
+  /// A convex polygon, around which a side of a cell lies in a margin as far as it is in the box of the region.
+  struct Hull {
+    std::vector<Point> corners;
     double margin = 0;
-    for (const VertexIndex vertex : {diagram_.originOf(side), diagram_.targetOf(side)}) {
+  };
+
+  /// An arc lies in the triangle of its ends and its tangents there. Towards infinity it goes between the directions of
+  /// its tangent and of its asymptote.
+  Hull hullOf(SideIndex side) const {
+    const EdgeCurve curve = edgeCurve(diagram_, Diagram::edgeOf(side));
+    const Edge& edge = diagram_.edges[at(Diagram::edgeOf(side))];
+    const Box box = region_.bounds();
+    const double most = kUncertainDirection * ((box.maxX - box.minX) + (box.maxY - box.minY));
+    Hull hull;
+    // A far vertex that is less exact counts as one at infinity.
+    const auto isOpen = [&](VertexIndex vertex) {
+      if (vertex == kNone) return true;
       // Twice the error of vertices, which moves the points between them.
-      if (vertex != kNone) margin = std::max(margin, 2 * signs_.errorOf(vertex));
-    }
-    if (!curve.startsAtInfinity()) include(curve.start, margin);
-    if (!curve.endsAtInfinity()) include(curve.end, margin);
-    if (curve.isBounded()) {
-      if (curve.isStraight()) return box;
+      const double margin = 2 * signs_.errorOf(vertex);
+      if (margin > most) return true;
+      hull.margin = std::max(hull.margin, margin);
+      return false;
+    };
+    const bool opensAtStart = isOpen(edge.start);
+    const bool opensAtEnd = isOpen(edge.end);
+    if (!opensAtStart && !opensAtEnd) {
+      hull.corners = {curve.start, curve.end};
+      if (curve.isStraight()) return hull;
       const Point control = rationalBezier(curve).control;
-      include(control, margin + kHeightRounding * (std::abs(control.x) + std::abs(control.y)));
-      return box;
+      hull.corners.push_back(control);
+      hull.margin += kHeightRounding * (std::abs(control.x) + std::abs(control.y));
+      return hull;
     }
     const Bisector& bisector = curve.bisector;
-    const double a = std::abs(bisector.a);
-    const auto extend = [&](double along, double across) {
+    const bool isWhole = opensAtStart && opensAtEnd;
+    const Point start = isWhole ? pointAt(bisector, 1) : opensAtStart ? curve.end : curve.start;
+    const double farthest =
+        lengthOf({std::max(start.x - box.minX, box.maxX - start.x), std::max(start.y - box.minY, box.maxY - start.y)});
+    // The tangent and the asymptote are less than a right angle apart, so the line between the places at this distance
+    // does not meet the box.
+    const double distance = 2 * farthest;
+    hull.margin += kUncertainDirection * distance;
+    const auto addToward = [&](double along, double across) {
       const Vector direction = {along * bisector.along.x + across * bisector.across.x,
                                 along * bisector.along.y + across * bisector.across.y};
-      const double least = kUncertainDirection * (std::abs(along) + std::abs(across));
-      if (!(direction.x > least)) box.minX = -kInfinite;
-      if (!(direction.x < -least)) box.maxX = kInfinite;
-      if (!(direction.y > least)) box.minY = -kInfinite;
-      if (!(direction.y < -least)) box.maxY = kInfinite;
+      const double share = distance / lengthOf(direction);
+      hull.corners.push_back({start.x + share * direction.x, start.y + share * direction.y});
     };
+    const double a = std::abs(bisector.a);
+    if (!isWhole) hull.corners.push_back(start);
     for (const double sign : {1.0, -1.0}) {
-      const bool isForward = sign > 0;
-      if (!(isForward ? curve.endsAtInfinity() : curve.startsAtInfinity())) continue;
-      extend(-a, sign * bisector.b);
-      // At a finite end, the derivative of point(s) times 2 s.
-      const double s = isForward ? curve.from : 1 / curve.to;
-      if (s > 0 && !curve.isStraight()) extend(-a * (s - 1 / s), sign * bisector.b * (s + 1 / s));
+      if (!(sign > 0 ? opensAtEnd : opensAtStart)) continue;
+      // At a finite end, and at the apex, the tangent is the derivative of point(s) times 2 s.
+      const double s = isWhole ? 1 : sign > 0 ? curve.from : 1 / curve.to;
+      const auto addTangent = [&] { addToward(-a * (s - 1 / s), sign * bisector.b * (s + 1 / s)); };
+      if (sign > 0 && !curve.isStraight()) addTangent();
+      addToward(-a, sign * bisector.b);
+      if (sign < 0 && !curve.isStraight()) addTangent();
     }
-    if (curve.startsAtInfinity() && curve.endsAtInfinity()) box = {-kInfinite, -kInfinite, kInfinite, kInfinite};
-    return box;
+    return hull;
   }
 
-  void enter(CircleIndex cell) {
-    if (sectors_.cell() != cell) sectors_.setCell(cell);
+  /// Whether the points nearer to a circle than to another one make up a convex set. The other circle is as large or
+  /// larger, then.
+  bool isConvexBetween(CircleIndex circle, CircleIndex other) const {
+    return diagram_.metric != Metric::circles || diagram_.circles[at(circle)].r <= diagram_.circles[at(other)].r;
   }
-
-  /// The circle whose cell has a corner, by steps to nearer neighbors.
-  CircleIndex nearestTo(Point corner, CircleIndex from) {
-    for (std::size_t steps = 0; steps <= diagram_.circles.size(); ++steps) {
-      enter(from);
-      const CircleIndex nearer = nearerNeighbor(corner);
-      if (nearer == kNone) return from;
-      from = nearer;
-    }
-    refuseClip("No cell of the diagram has a corner of the region.");
-  }
-
-  /// A neighbor of the cell of the walk whose circle is nearer to a corner, or kNone.
-  CircleIndex nearerNeighbor(Point corner) const {
-    CircleIndex best = sectors_.cell();
-    if (isStarWithManySides()) {
-      const Sectors::Sector sector = sectors_.find(corner);
-      return sectors_.compareIn(sector, corner).sign > 0 ? CircleIndex()
-                                                         : diagram_.neighborOf(sectors_.sides()[sector.side]);
-    }
-    for (const SideIndex side : sectors_.sides()) {
-      const CircleIndex neighbor = diagram_.neighborOf(side);
-      if (neighbor != best && signs_.compare(best, neighbor, corner).sign < 0) best = neighbor;
-    }
-    return best == sectors_.cell() ? CircleIndex() : best;
-  }
-
-  /// Whether the cell has so many sides that sectors are found faster.
-  bool isStarWithManySides() const { return sectors_.hasManySides() && diagram_.metric == Metric::circles; }
 
   void walkAlong(RegionSideIndex index, Point start, Point end) {
     if (isShort(start, end)) return;
@@ -318,7 +319,7 @@ class Walk {
     for (std::size_t steps = 0; steps <= 2 * diagram_.edges.size(); ++steps) {
       if (!exit) return;
       addCrossing(index, line, *exit);
-      enter(diagram_.neighborOf(*exit));
+      sectors_.setCell(diagram_.neighborOf(*exit));
       exit = exitAlong({start, end}, Diagram::twin(*exit));
     }
     refuseClip("A side of the region crosses edges again and again.");
@@ -351,8 +352,7 @@ class Walk {
   /// of its end from the border of the cell.
   bool staysInCell(Point start, Point end, double length) {
     clearance_ = kInfinite;
-    const Circle& c = diagram_.circles[at(sectors_.cell())];
-    if (isStarWithManySides()) {
+    if (sectors_.isStarWithManySides()) {
       clearance_ = clearanceInDisc(end);
       return clearance_ > 0 && clearanceInDisc(start) > 0;
     }
@@ -364,8 +364,7 @@ class Walk {
       clearance_ = std::min(clearance_, atEnd);
       if (length < atEnd) continue;
       const double atStart = signs_.compare(sectors_.cell(), neighbor, start).least;
-      // The region of points nearer to a circle than to a larger one is convex.
-      const bool isConvex = diagram_.metric != Metric::circles || c.r <= diagram_.circles[at(neighbor)].r;
+      const bool isConvex = isConvexBetween(sectors_.cell(), neighbor);
       stays = stays && (isConvex ? atStart > 0 : atStart + atEnd > length);
     }
     return stays;
@@ -375,7 +374,7 @@ class Walk {
   /// border of the cell.
   bool isInCell(Point corner) {
     clearance_ = kInfinite;
-    if (isStarWithManySides()) {
+    if (sectors_.isStarWithManySides()) {
       clearance_ = clearanceInDisc(corner);
       return clearance_ > 0 || sectors_.compareIn(sectors_.find(corner), corner).sign > 0;
     }
@@ -453,19 +452,6 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region) { return Wal
 
 Crossings crossingsOf(const Diagram& diagram, const Region& region, const Chosen& cells) {
   return Walk(diagram, region).run(cells);
-}
-
-CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from) {
-  for (std::size_t steps = 0; steps <= diagram.circles.size(); ++steps) {
-    CircleIndex best = from;
-    for (const SideIndex side : diagram.sides(from)) {
-      const CircleIndex neighbor = diagram.neighborOf(side);
-      if (neighbor != best && signs.compare(best, neighbor, corner).sign < 0) best = neighbor;
-    }
-    if (best == from) return from;
-    from = best;
-  }
-  refuseClip("No cell of the diagram has a corner of the region.");
 }
 
 }  // namespace circle_voronoi

@@ -54,7 +54,4 @@ Crossings crossingsOf(const Diagram& diagram, const Region& region);
 /// of sides of the region. Takes time for the edges of these cells and the sides of the region near them.
 Crossings crossingsOf(const Diagram& diagram, const Region& region, const Chosen& cells);
 
-/// Returns the circle whose cell has a corner, by steps from a circle to nearer neighbors.
-CircleIndex cellWith(const Diagram& diagram, const ShiftedSigns& signs, Point corner, CircleIndex from);
-
 }  // namespace circle_voronoi

@@ -196,9 +196,12 @@ class PathGraph {
 
   void castRays() {
     const Finder finder(diagram_);
-    for (std::size_t k = 0; k < 2; ++k) cells_[k] = cellWith(diagram_, signs_, given_[k], finder.find(given_[k]));
     RaySweep sweep(parts_.region, signs_);
     Sectors sectors(diagram_, signs_);
+    for (std::size_t k = 0; k < 2; ++k) {
+      sectors.setCellWith(given_[k], finder.find(given_[k]));
+      cells_[k] = sectors.cell();
+    }
     std::vector<CircleIndex> cells(cells_.begin(), cells_.end());
     for (const Corner& corner : corners_) {
       if (cells.back() != corner.cell) cells.push_back(corner.cell);

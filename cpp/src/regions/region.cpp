@@ -25,6 +25,49 @@ namespace {
 /// Sides of a run of the first level, and runs in one of the next.
 constexpr std::size_t kSidesOfRun = 8;
 constexpr std::size_t kRunsOfRun = 4;
+/// Rounding of places along an axis, as a share of the largest coordinate and of the axis.
+constexpr double kShadowRounding = 0x1p-48;
+
+constexpr Box kNothing = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+
+bool doMeet(const Box& one, const Box& other) {
+  return one.minX <= other.maxX && one.maxX >= other.minX && one.minY <= other.maxY && one.maxY >= other.minY;
+}
+
+Box boxAround(Point a, Point b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
+Vector leftOf(Vector v) { return {-v.y, v.x}; }
+
+/// Returns the place of the shadow of a point on an axis.
+double placeOn(Vector axis, Point p) { return axis.x * p.x + axis.y * p.y; }
+
+void grow(Box& box, const Box& other) {
+  box = {std::min(box.minX, other.minX), std::min(box.minY, other.minY), std::max(box.maxX, other.maxX),
+         std::max(box.maxY, other.maxY)};
+}
+
+/// A run of sides (Region::Run) without a side.
+template <class Run>
+constexpr Run kEmptyRun = {kNothing, {}, kInfinite, -kInfinite, kInfinite, -kInfinite};
+
+/// Lays a run along a side that is longer than those before.
+template <class Run>
+void lengthen(Run& run, Vector side) {
+  if (dot(side, side) > dot(run.along, run.along)) run.along = side;
+}
+
+/// Widens a run so that it has a point.
+template <class Run>
+void include(Run& run, Point p) {
+  const double along = placeOn(run.along, p);
+  const double across = placeOn(leftOf(run.along), p);
+  run.leastAlong = std::min(run.leastAlong, along);
+  run.mostAlong = std::max(run.mostAlong, along);
+  run.leastAcross = std::min(run.leastAcross, across);
+  run.mostAcross = std::max(run.mostAcross, across);
+}
 
 [[noreturn]] void refuse(std::string message, ErrorCode code = ErrorCode::badOption) {
   throw ThrownError{{code, kNone, std::move(message)}};
@@ -407,36 +450,139 @@ std::int32_t Region::polygonOf(RegionRingIndex ring) const {
 }
 
 void Region::index() {
-  std::vector<Run> runs;
-  const auto grow = [](Run& run, const Run& other) {
-    run = {std::min(run.minX, other.minX), std::min(run.minY, other.minY), std::max(run.maxX, other.maxX),
-           std::max(run.maxY, other.maxY)};
-  };
-  const Run nothing = {kInfinite, kInfinite, -kInfinite, -kInfinite};
-  for (std::size_t r = 0; r < ringCount(); ++r) {
-    const std::int32_t begin = ringOffsets_[r];
-    const std::int32_t end = ringOffsets_[r + 1];
-    for (std::int32_t k = begin; k < end; ++k) {
-      const std::size_t run = at(k) / kSidesOfRun;
-      if (run == runs.size()) runs.push_back(nothing);
-      for (const Point& p : {points_[at(k)], points_[at(k + 1 == end ? begin : k + 1)]}) {
-        grow(runs[run], {p.x, p.y, p.x, p.y});
-      }
-    }
-  }
-  runs_.push_back(std::move(runs));
+  runs_ = {runsOf(kSidesOfRun)};
   while (runs_.back().size() > 1) {
     const auto& below = runs_.back();
-    std::vector<Run> above((below.size() + kRunsOfRun - 1) / kRunsOfRun, nothing);
-    for (std::size_t k = 0; k < below.size(); ++k) grow(above[k / kRunsOfRun], below[k]);
+    std::vector<Run> above((below.size() + kRunsOfRun - 1) / kRunsOfRun, kEmptyRun<Run>);
+    for (std::size_t k = 0; k < below.size(); ++k) lengthen(above[k / kRunsOfRun], below[k].along);
+    for (std::size_t k = 0; k < below.size(); ++k) {
+      const Run& its = below[k];
+      Run& run = above[k / kRunsOfRun];
+      grow(run.box, its.box);
+      const Vector left = leftOf(its.along);
+      const double square = dot(its.along, its.along);
+      for (const double along : {its.leastAlong / square, its.mostAlong / square}) {
+        for (const double across : {its.leastAcross / square, its.mostAcross / square}) {
+          include(run, {along * its.along.x + across * left.x, along * its.along.y + across * left.y});
+        }
+      }
+    }
     runs_.push_back(std::move(above));
   }
+  ringBoxes_.clear();
+  std::vector<Box> boxes;
+  for (std::size_t r = 0; r < ringCount(); ++r) {
+    const Point p = points_[at(ringOffsets_[r])];
+    boxes.push_back({p.x, p.y, p.x, p.y});
+  }
+  do {
+    std::vector<Box> above((boxes.size() + kRunsOfRun - 1) / kRunsOfRun, kNothing);
+    for (std::size_t k = 0; k < boxes.size(); ++k) grow(above[k / kRunsOfRun], boxes[k]);
+    boxes = above;
+    ringBoxes_.push_back(std::move(above));
+  } while (boxes.size() > 1);
 }
+
+/// Returns the runs of so many sides.
+std::vector<Region::Run> Region::runsOf(std::size_t size) const {
+  std::vector<Run> runs((points_.size() + size - 1) / size, kEmptyRun<Run>);
+  const auto forEachSide = [&](auto visit) {
+    for (std::size_t r = 0; r < ringCount(); ++r) {
+      const std::size_t begin = at(ringOffsets_[r]);
+      const std::size_t end = at(ringOffsets_[r + 1]);
+      for (std::size_t k = begin; k < end; ++k) {
+        visit(runs[k / size], points_[k], points_[k + 1 == end ? begin : k + 1]);
+      }
+    }
+  };
+  forEachSide([](Run& run, Point from, Point to) { lengthen(run, vectorTo(from, to)); });
+  forEachSide([](Run& run, Point from, Point to) {
+    grow(run.box, boxAround(from, to));
+    include(run, from);
+    include(run, to);
+  });
+  return runs;
+}
+
+/// A convex polygon, widened by a margin. It lies apart from a thing if there is an axis on which their shadows do.
+class Region::Polygon {
+ public:
+  Polygon(std::span<const Point> corners, double margin, const Box& bounds) : corners_(corners) {
+    for (const Point& p : corners) grow(box_, {p.x, p.y, p.x, p.y});
+    double size = 0;
+    for (const Box& box : {box_, bounds}) size = std::max({size, -box.minX, -box.minY, box.maxX, box.maxY});
+    slack_ = margin + kShadowRounding * size;
+    box_ = {box_.minX - slack_, box_.minY - slack_, box_.maxX + slack_, box_.maxY + slack_};
+  }
+
+  bool meets(const Run& run) const {
+    if (!doMeet(run.box, box_)) return false;
+    if (isApart(run.along, run.leastAlong, run.mostAlong) ||
+        isApart(leftOf(run.along), run.leastAcross, run.mostAcross)) {
+      return false;
+    }
+    const Vector size = {run.box.maxX - run.box.minX, run.box.maxY - run.box.minY};
+    const Point middle = {run.box.minX + size.x / 2, run.box.minY + size.y / 2};
+    return !isApartAlongSides([&](Vector axis) {
+      const double half = (std::abs(axis.x) * size.x + std::abs(axis.y) * size.y) / 2;
+      return std::pair(placeOn(axis, middle) - half, placeOn(axis, middle) + half);
+    });
+  }
+
+  bool meets(Point from, Point to) const {
+    const auto shadow = [&](Vector axis) { return std::minmax({placeOn(axis, from), placeOn(axis, to)}); };
+    if (!doMeet(boxAround(from, to), box_)) return false;
+    const Vector across = leftOf(vectorTo(from, to));
+    const auto its = shadow(across);
+    return !isApart(across, its.first, its.second) && !isApartAlongSides(shadow);
+  }
+
+ private:
+  /// Returns whether all corners lie beyond a shadow on an axis, and farther than rounding and margin.
+  bool isApart(Vector axis, double low, double high) const {
+    double least = kInfinite;
+    double most = -kInfinite;
+    for (const Point& p : corners_) {
+      least = std::min(least, placeOn(axis, p));
+      most = std::max(most, placeOn(axis, p));
+    }
+    const double slack = slack_ * (std::abs(axis.x) + std::abs(axis.y));
+    return least - high > slack || low - most > slack;
+  }
+
+  template <class Shadow>
+  bool isApartAlongSides(Shadow shadow) const {
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const Vector axis = leftOf(vectorTo(corners_[k], corners_[k + 1 == corners_.size() ? 0 : k + 1]));
+      const auto its = shadow(axis);
+      if (isApart(axis, its.first, its.second)) return true;
+    }
+    return false;
+  }
+
+  std::span<const Point> corners_;
+  double slack_ = 0;  ///< of the margin and rounding, for an axis of length 1
+  Box box_ = kNothing;
+};
 
 /// Whether a ray from the point to the right crosses an odd number of sides of a run.
 bool Region::isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoundary) const {
-  const Run& box = runs_[level][run];
+  const Run& its = runs_[level][run];
+  const Box& box = its.box;
   if (p.y < box.minY || p.y > box.maxY || p.x > box.maxX) return false;
+  // Where all of the run lies beyond a line beside the point, so does the part at the height of the point.
+  const double largest =
+      std::max({largestOf({p.x, p.y}), largestOf({box.minX, box.minY}), largestOf({box.maxX, box.maxY})});
+  const double slack = kShadowRounding * largest * (std::abs(its.along.x) + std::abs(its.along.y));
+  const auto isPast = [&](double place, double direction, double least, double most) {
+    return direction > 0 ? place - most > slack : least - place > slack;
+  };
+  const double along = placeOn(its.along, p);
+  const double across = placeOn(leftOf(its.along), p);
+  if (isPast(along, its.along.x, its.leastAlong, its.mostAlong)) return false;
+  if (isPast(across, -its.along.y, its.leastAcross, its.mostAcross)) return false;
+  const bool isLeft = p.x < box.minX || isPast(along, -its.along.x, its.leastAlong, its.mostAlong) ||
+                      isPast(across, its.along.y, its.leastAcross, its.mostAcross);
   std::size_t size = kSidesOfRun;
   for (std::size_t k = 0; k < level; ++k) size *= kRunsOfRun;
   const std::size_t first = run * size;
@@ -447,7 +593,7 @@ bool Region::isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoun
   const auto endOf = [&](std::size_t side, std::int32_t ringBegin, std::int32_t ringEnd) {
     return points_[side + 1 == at(ringEnd) ? at(ringBegin) : side + 1];
   };
-  if (p.x < box.minX && static_cast<std::int32_t>(last) < end) {
+  if (isLeft && static_cast<std::int32_t>(last) < end) {
     return (points_[first].y > p.y) != (endOf(last, begin, end).y > p.y);
   }
   bool isOdd = false;
@@ -485,37 +631,64 @@ bool Region::contains(Point given) const {
 Region scaledRegion(const Region& region, double factor) {
   Region result = region;
   for (Point& p : result.points_) p = {factor * p.x, factor * p.y};
-  for (auto& level : result.runs_) {
-    for (auto& run : level) run = {factor * run.minX, factor * run.minY, factor * run.maxX, factor * run.maxY};
-  }
+  result.index();
   return result;
 }
 
 std::vector<RegionSideIndex> Region::sidesIn(const Box& box) const {
   std::vector<RegionSideIndex> sides;
-  addSidesIn(runs_.size() - 1, 0, box, sides);
+  addSides(
+      runs_.size() - 1, 0, [&](const Run& run) { return doMeet(run.box, box); },
+      [&](Point a, Point b) { return doMeet(boxAround(a, b), box); }, sides);
   return sides;
 }
 
-void Region::addSidesIn(std::size_t level, std::size_t run, const Box& box, std::vector<RegionSideIndex>& sides) const {
-  const auto meets = [&](const Run& its) {
-    return its.minX <= box.maxX && its.maxX >= box.minX && its.minY <= box.maxY && its.maxY >= box.minY;
-  };
-  if (!meets(runs_[level][run])) return;
+std::vector<RegionSideIndex> Region::sidesNear(std::span<const Point> polygon, double margin) const {
+  const Polygon its(polygon, margin, bounds());
+  std::vector<RegionSideIndex> sides;
+  addSides(
+      runs_.size() - 1, 0, [&](const Run& run) { return its.meets(run); },
+      [&](Point a, Point b) { return its.meets(a, b); }, sides);
+  return sides;
+}
+
+template <class MeetsRun, class MeetsSide>
+void Region::addSides(std::size_t level, std::size_t run, const MeetsRun& meetsRun, const MeetsSide& meetsSide,
+                      std::vector<RegionSideIndex>& sides) const {
+  if (!meetsRun(runs_[level][run])) return;
   if (level > 0) {
     const std::size_t end = std::min((run + 1) * kRunsOfRun, runs_[level - 1].size());
-    for (std::size_t k = run * kRunsOfRun; k < end; ++k) addSidesIn(level - 1, k, box, sides);
+    for (std::size_t k = run * kRunsOfRun; k < end; ++k) addSides(level - 1, k, meetsRun, meetsSide, sides);
     return;
   }
   std::size_t ring = at(ringOf(static_cast<std::int32_t>(run * kSidesOfRun)));
   for (std::size_t side = run * kSidesOfRun; side < std::min((run + 1) * kSidesOfRun, points_.size()); ++side) {
     while (static_cast<std::int32_t>(side) >= ringOffsets_[ring + 1]) ++ring;
-    const Point a = points_[side];
-    const Point b = points_[side + 1 == at(ringOffsets_[ring + 1]) ? at(ringOffsets_[ring]) : side + 1];
-    if (meets({std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)})) {
+    const std::size_t end = at(ringOffsets_[ring + 1]);
+    if (meetsSide(points_[side], points_[side + 1 == end ? at(ringOffsets_[ring]) : side + 1])) {
       sides.push_back(static_cast<std::int32_t>(side));
     }
   }
+}
+
+std::vector<RegionRingIndex> Region::ringsNotIn(
+    const std::function<bool(const Box&, RegionRingIndex)>& isLeftOut) const {
+  std::vector<RegionRingIndex> rings;
+  const auto add = [&](const auto& self, std::size_t level, std::size_t run) -> void {
+    std::size_t size = kRunsOfRun;
+    for (std::size_t k = 0; k < level; ++k) size *= kRunsOfRun;
+    if (isLeftOut(ringBoxes_[level][run], static_cast<std::int32_t>(run * size))) return;
+    const std::size_t count = level > 0 ? ringBoxes_[level - 1].size() : ringCount();
+    for (std::size_t k = run * kRunsOfRun; k < std::min((run + 1) * kRunsOfRun, count); ++k) {
+      if (level > 0) {
+        self(self, level - 1, k);
+      } else {
+        rings.push_back(static_cast<std::int32_t>(k));
+      }
+    }
+  };
+  add(add, ringBoxes_.size() - 1, 0);
+  return rings;
 }
 
 double Region::area() const {
@@ -542,9 +715,6 @@ double Region::perimeter() const {
   return sum.value();
 }
 
-Box Region::bounds() const {
-  const Run& all = runs_.back().front();
-  return {all.minX, all.minY, all.maxX, all.maxY};
-}
+Box Region::bounds() const { return runs_.back().front().box; }
 
 }  // namespace circle_voronoi

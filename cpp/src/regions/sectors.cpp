@@ -20,6 +20,7 @@ constexpr double kInside = 1 - 0x1p-40;
 }  // namespace
 
 void Sectors::setCell(CircleIndex cell) {
+  if (cell == cell_) return;
   cell_ = cell;
   few_.clear();
   many_ = nullptr;
@@ -30,6 +31,30 @@ void Sectors::setCell(CircleIndex cell) {
     break;
   }
   sides_ = many_ != nullptr ? std::span<const SideIndex>(many_->sides) : few_;
+}
+
+void Sectors::setCellWith(Point corner, CircleIndex from) {
+  for (std::size_t steps = 0; steps <= diagram_.circles.size(); ++steps) {
+    setCell(from);
+    const CircleIndex nearer = nearerNeighbor(corner);
+    if (nearer == kNone) return;
+    from = nearer;
+  }
+  refuseClip("No cell of the diagram has a corner of the region.");
+}
+
+/// Returns a neighbor of the cell whose circle is nearer to a corner, or kNone.
+CircleIndex Sectors::nearerNeighbor(Point corner) const {
+  if (isStarWithManySides()) {
+    const Sector sector = find(corner);
+    return compareIn(sector, corner).sign > 0 ? CircleIndex() : diagram_.neighborOf(sides_[sector.side]);
+  }
+  CircleIndex best = cell_;
+  for (const SideIndex side : sides_) {
+    const CircleIndex neighbor = diagram_.neighborOf(side);
+    if (neighbor != best && signs_.compare(best, neighbor, corner).sign < 0) best = neighbor;
+  }
+  return best == cell_ ? CircleIndex() : best;
 }
 
 const Sectors::Many& Sectors::manyOf(CircleIndex cell) {

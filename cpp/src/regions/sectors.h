@@ -40,9 +40,13 @@ class Sectors {
 
   /// Takes the sides of a cell, counter-clockwise.
   void setCell(CircleIndex cell);
+  /// Takes the sides of the cell that has a corner, by steps from a circle to nearer neighbors.
+  void setCellWith(Point corner, CircleIndex from);
   CircleIndex cell() const { return cell_; }
   std::span<const SideIndex> sides() const { return sides_; }
   bool hasManySides() const { return many_ != nullptr; }
+  /// Returns whether the cell has so many sides that sectors are found faster.
+  bool isStarWithManySides() const { return hasManySides() && diagram_.metric == Metric::circles; }
   /// Returns the radius of a disc around the center that certainly lies in the cell, if it has many sides.
   double innerRadius() const { return many_->innerRadius; }
 
@@ -85,6 +89,7 @@ class Sectors {
     double innerRadius = 0;
   };
   const Many& manyOf(CircleIndex cell);
+  CircleIndex nearerNeighbor(Point corner) const;
   std::size_t placeOf(SideIndex side) const;
   std::size_t sideNear(Point corner) const;
   bool isBeyond(std::size_t side, Vector toPlace, double reach) const;
