@@ -271,6 +271,7 @@ describe('keys in the table', () => {
 describe('clicks in the table', () => {
   it('choose one row, toggle rows, or choose all rows since the last one', async () => {
     await click(headings()[columnOf('y')])
+    grid().blur()
     for (const [id, more, chosen] of [
       [3, {}, [3]],
       [0, { shiftKey: true }, [0, 3]],
