@@ -24,7 +24,8 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// diagram from any program can reach 40 bits. The vertices of `compute` always pass.
 ///
 /// `certify` reads everything but `stats` and the diagram's own `certificate`. The links must equal the result of
-/// `linkSides`. For Metric::centers the radii are ignored. For Metric::power there is no certificate.
+/// `linkSides`. For Metric::centers the radii are ignored. For Metric::power there is no certificate. Takes linear
+/// time.
 ///
 /// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, coordinateTooSmall,
 /// tooManyCircles, badArithmetic;

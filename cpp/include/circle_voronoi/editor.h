@@ -103,7 +103,9 @@ struct EditorOptions {
 
 /// A certified Voronoi diagram whose circles can be inserted, removed, moved and resized.
 ///
-/// An edit changes its surroundings and leaves the rest alone. It takes microseconds, however many circles there are.
+/// An edit changes its surroundings and leaves the rest alone. It takes microseconds, however many circles there are,
+/// unless a cell that changes has many sides. Among many centers nearly on one line an edit may take longer: patches of
+/// their diagram are computed anew, or the whole.
 /// The editor certifies the changed parts (the judge of a step, ARCHITECTURE.md). An edit that hides or shows a large
 /// share of the circles computes the whole diagram. An edit that fails, for lack of memory or for any other reason,
 /// changes nothing.

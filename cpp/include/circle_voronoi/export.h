@@ -58,7 +58,7 @@ struct ExportOptions {
 // The functions below write a certified diagram to a stream. The polygons of cells are counter-clockwise and do not
 // cross themselves. Polygons of neighbors share their points bit for bit. A cell that is narrower than the rounding of
 // its vertices may have a polygon that crosses itself, or none. Such cells occur between circles that are tangent
-// inside up to rounding.
+// inside up to rounding. Each function takes about n log n steps for the size of diagram, region and text.
 //
 // The tolerance determines the number of decimals of coordinates. The last place is the largest power of ten for which
 // rounding uses up at most a tenth of the tolerance. The following keep all their digits: points on the box, arcs of
