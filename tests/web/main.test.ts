@@ -248,6 +248,7 @@ describe('the panels', () => {
     const panel = await page.panel('numbers')
     const menu = control(panel, 'Compute once more by')
     const parts = () => all(panel, 'dt').map(textOf)
+    const seen = new Set<string | undefined>()
     for (const [k, part] of [
       'Made by',
       'Antipodal discs',
@@ -262,7 +263,11 @@ describe('the panels', () => {
       expect([textOf(panel)?.endsWith('Computing …'), control(panel, 'Compute').disabled]).toEqual([true, true])
       await soon(() => expect(textOf(panel)).toMatch(/This one is certified, too\.$/))
       expect(parts()).toEqual(expect.arrayContaining([part, 'Signs by doubles', 'Time in all']))
+      for (const name of parts()) seen.add(name)
     }
+    // A stage that takes no time is not told.
+    const stages = [...seen].filter((name) => name?.startsWith('Time to '))
+    expect([stages.length > 0, stages.includes('Time to total')]).toEqual([true, false])
     await page.editing.edit([{ kind: 'remove', id: 0 }])
     await quiet()
     expect(parts(), 'it was about former circles').not.toContain('Made by')
