@@ -281,26 +281,29 @@ class Walk {
     const Point start = isWhole ? pointAt(bisector, 1) : opensAtStart ? curve.end : curve.start;
     const double farthest =
         lengthOf({std::max(start.x - box.minX, box.maxX - start.x), std::max(start.y - box.minY, box.maxY - start.y)});
-    // The tangent and the asymptote are less than a right angle apart, so the line between the places at this distance
-    // does not meet the box.
+    // The tangent, that at the apex if it comes later, and the asymptote are at most a right angle apart, so the lines
+    // between the places at this distance do not meet the box.
     const double distance = 2 * farthest;
     hull.margin += kUncertainDirection * distance;
-    const auto addToward = [&](double along, double across) {
-      const Vector direction = {along * bisector.along.x + across * bisector.across.x,
-                                along * bisector.along.y + across * bisector.across.y};
-      const double share = distance / lengthOf(direction);
-      hull.corners.push_back({start.x + share * direction.x, start.y + share * direction.y});
-    };
     const double a = std::abs(bisector.a);
     if (!isWhole) hull.corners.push_back(start);
     for (const double sign : {1.0, -1.0}) {
       if (!(sign > 0 ? opensAtEnd : opensAtStart)) continue;
-      // At a finite end, and at the apex, the tangent is the derivative of point(s) times 2 s.
-      const double s = isWhole ? 1 : sign > 0 ? curve.from : 1 / curve.to;
-      const auto addTangent = [&] { addToward(-a * (s - 1 / s), sign * bisector.b * (s + 1 / s)); };
-      if (sign > 0 && !curve.isStraight()) addTangent();
+      std::vector<Point> corners;
+      const auto addToward = [&](double along, double across) {
+        const Vector direction = {along * bisector.along.x + across * bisector.across.x,
+                                  along * bisector.along.y + across * bisector.across.y};
+        const double share = distance / lengthOf(direction);
+        corners.push_back({start.x + share * direction.x, start.y + share * direction.y});
+      };
+      // The derivative of point(s) times 2 s.
+      const auto addTangentAt = [&](double s) { addToward(-a * (s - 1 / s), sign * bisector.b * (s + 1 / s)); };
+      const double first = isWhole ? 1 : sign > 0 ? curve.from : 1 / curve.to;
+      if (!curve.isStraight()) addTangentAt(first);
+      if (!curve.isStraight() && first < 1) addTangentAt(1);
       addToward(-a, sign * bisector.b);
-      if (sign < 0 && !curve.isStraight()) addTangent();
+      if (sign < 0) std::ranges::reverse(corners);
+      hull.corners.insert(hull.corners.end(), corners.begin(), corners.end());
     }
     return hull;
   }
