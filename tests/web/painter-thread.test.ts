@@ -7,6 +7,7 @@ import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { answerViews } from '../../web/view/painter/painter-thread.ts'
 import type { DrawnSvg, FromPainter, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
 import { SHADES, type Style } from '../../web/view/style.ts'
+import { Path } from './page-canvas.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 const LARGEST = 16_384
@@ -28,15 +29,6 @@ class FakeCanvas {
   transferToImageBitmap() {
     return { width: this.width }
   }
-}
-
-class FakePath {
-  moveTo() {}
-  lineTo() {}
-  bezierCurveTo() {}
-  arc() {}
-  closePath() {}
-  addPath() {}
 }
 
 const said: FromPainter[] = []
@@ -66,7 +58,7 @@ send({ kind: 'start', module: await compileCircleVoronoi({}), others: {} })
 beforeEach(() => {
   vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))
   vi.stubGlobal('OffscreenCanvas', FakeCanvas)
-  vi.stubGlobal('Path2D', FakePath)
+  vi.stubGlobal('Path2D', Path)
   said.length = 0
 })
 afterEach(() => {
