@@ -225,7 +225,7 @@ std::optional<std::vector<Region::Ring>> movedRings(std::vector<Region::Ring> ri
 TEST_P(ClipFamilies, HaveThePartsOfEdgesOfARegionThatIsMovedALittle) {
   forFamily(clipFamilies()[GetParam()], seedOr(60),
             [](const ClipInput& input, const Region&, const Diagram& diagram, const ClippedDiagram& clipped) {
-              // Where both shifts differ, one is larger than other distances, or not large enough beside f.
+              // One shift is larger than other distances, or not large enough beside f, where the results differ.
               std::array<std::vector<std::array<std::int32_t, 3>>, 2> moved;
               for (std::size_t k = 0; k < moved.size(); ++k) {
                 const auto rings = movedRings(input.rings, k == 0 ? 0x1p-11 : 0x1p-20, 0x1p-44);

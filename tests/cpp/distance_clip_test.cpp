@@ -283,7 +283,7 @@ void expectCell(const ClippedDiagram& clipped, CircleIndex circle, const Indepen
   };
   expectSame(neighbors, longNeighbors, expected.neighbors, "neighbor");
   expectSame(sides, longSides, expected.sides, "side");
-  // Where a corner lies on an edge, a cell may have a loop that is a point up to rounding.
+  // A cell may have a loop that is a point up to rounding where a corner lies on an edge.
   const auto isPoint = [&](const auto& loop) {
     return std::ranges::all_of(loop, [&](const OutlinePiece& piece) { return lengthOfPiece(piece) <= rounding; });
   };

@@ -145,7 +145,7 @@ void expectGrowth(std::string_view input, std::size_t size, const std::function<
   SCOPED_TRACE(input);
   const double few = stepsAt(size);
   const double many = stepsAt(kFactor * size);
-  // Where there is next to nothing to do, a few steps more are no growth.
+  // A few steps more are no growth of next to nothing.
   const auto unit = static_cast<double>(size);
   const double growth = many / std::max(few, unit);
   std::cout << std::fixed << std::setprecision(1) << std::setw(24) << input << std::setw(12) << few / unit

@@ -66,8 +66,8 @@ Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
   const Vector toOther = between(origin, originIsLeft ? right : left);
   const double d = length(toOther);
   const double size = std::abs(difference);
-  // Where one circle is nearly inside the other, the difference of d and size has few digits, that of their squares
-  // all.
+  // The difference of d and size has few digits where one circle is nearly inside the other. The difference of their
+  // squares has all digits.
   const bool isNearlyInside = isCurved && d - size < kNearlyInside * d;
   const double square = isNearlyInside ? tangentSquare(left, right).square.value : (d - size) * (d + size);
 

@@ -294,7 +294,7 @@ RimPoint DistanceSigns::rimPoint(CircleIndex cell, const RimLine& line, bool isA
   }
   const double error = heightError + kSignError * (own.r + std::abs(distance_));
   double half = std::sqrt(std::max((r - std::abs(height)) * (r + std::abs(height)), 0.0));
-  // Where the line is nearly a tangent, the half has about half of the digits.
+  // The half has about half of the digits where the line is nearly a tangent.
   const bool isCertain = error * r < half * half * kTangentError;
   if (!isCertain) half = halfChord(cell, line);
   const double ahead = isAhead ? half : -half;

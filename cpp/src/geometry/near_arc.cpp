@@ -45,7 +45,7 @@ std::optional<NearArc> nearArc(const DistanceSigns& signs, const Edge& edge, con
   const double apex = std::abs(bisector.apex);
   const bool isNearApex = !(reach - apex > kNearApex * reach);
   const double most = parameterAtDistance(bisector, std::max(reach, apex));
-  // Where an end is exactly at the distance, the edge is cut there, if the end is on this side of the apex.
+  // An end exactly at the distance cuts the edge if it is on this side of the apex.
   const auto cutAt = [&](double parameter, int side) -> std::pair<double, Point> {
     if (first.isTie && pastApexOf(signs, edge, start, -1).sign == side) return {curve.from, curve.start};
     if (last.isTie && pastApexOf(signs, edge, end, 1).sign == side) return {curve.to, curve.end};

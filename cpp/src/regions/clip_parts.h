@@ -46,7 +46,8 @@ class ClippedDiagram::Parts {
         std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit);
 
   using Place = ClippedDiagram::Place;
-  /// How a cell lies to the region, whatever the maximum distance. A cell that is not clipped counts as outside.
+  /// Returns how a cell lies to the region, whatever the maximum distance. A cell that is not clipped counts as
+  /// outside.
   Place placeOf(CircleIndex circle) const {
     const std::int32_t row = scope.cells.rowOf(circle);
     return row == kNone ? Place::outside : places_[static_cast<std::size_t>(row)];

@@ -570,7 +570,7 @@ bool Region::isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoun
   const Run& its = runs_[level][run];
   const Box& box = its.box;
   if (p.y < box.minY || p.y > box.maxY || p.x > box.maxX) return false;
-  // Where all of the run lies beyond a line beside the point, so does the part at the height of the point.
+  // The part of the run at the height of the point lies beyond a line beside the point if all of the run does.
   const double largest =
       std::max({largestOf({p.x, p.y}), largestOf({box.minX, box.minY}), largestOf({box.maxX, box.maxY})});
   const double slack = kShadowRounding * largest * (std::abs(its.along.x) + std::abs(its.along.y));

@@ -486,8 +486,8 @@ bool ShiftedSigns::isTangent(CircleIndex left, CircleIndex right, const Line& li
   });
 }
 
-// Where the crossing of the unmoved line lies on the other line, the lines meet there. If the crossing of the other one
-// is elsewhere, either side is right for `isBefore`. Otherwise both sides of the region meet there in a corner. The
+// The lines meet at the crossing of the unmoved line if it lies on the other line. If the crossing of the other line is
+// elsewhere, either side is right for `isBefore`. Otherwise both sides of the region meet there in a corner. The
 // moved corner lies in one of both cells, so the line crosses the bisector after the corner, or before it.
 int ShiftedSigns::sideOfCrossing(CircleIndex left, CircleIndex right, const Line& line, const Line& other) const {
   const Circle& c = circle(left);

@@ -123,7 +123,8 @@ export function measureBisector(
   const size = Math.abs(difference)
   // Below 2^290: the radii are below 2^97, and the centers 2^-96 apart.
   const shift = metric === 'power' ? (leftRadius - rightRadius) * ((leftRadius + rightRadius) / (2 * d)) : 0
-  // Where one circle is nearly inside the other, the difference of d and size has few digits, that of their squares all.
+  // The difference of d and size has few digits where one circle is nearly inside the other. The difference of their
+  // squares has all digits.
   const isNearlyInside = metric === 'circles' && d - size < NEARLY_INSIDE * d
   const square = isNearlyInside ? tangentSquare(circles, left, right) : (d - size) * (d + size)
   target.a = difference / 2
