@@ -93,7 +93,8 @@ struct BranchCrossing {
     if (!(s > kLeastParameter && s < 1 / kLeastParameter)) return;
     parameter = s;
     // The height has an error of a rounding of `size`. It grows along the line by at least the ratio of root and size.
-    const double size = std::abs(bisector.a) + bisector.b + bisector.apex + std::abs(toLine.x) + std::abs(toLine.y);
+    const double reach = (std::abs(bisector.a) + bisector.b) * (s + 1 / s) / 2;  // the branch's own share of the place
+    const double size = reach + bisector.apex + std::abs(toLine.x) + std::abs(toLine.y);
     const double steepness = root / size;
     isCertain = kHeightRounding * size < kCertainShare * scale * steepness * steepness;
   }
