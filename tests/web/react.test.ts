@@ -1,123 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The component for React, with hooks that run at once.
-import { beforeEach, expect, it, vi } from 'vitest'
-import { CircleVoronoi, type CircleVoronoiComponentProps } from '../../web/element/react.ts'
+// The component for React on an element that only keeps what it is given.
+// @vitest-environment happy-dom
+import { act, createElement, createRef, type ReactNode } from 'react'
+// @ts-expect-error: it has no types
+import { createRoot } from 'react-dom/client'
+import { afterEach, beforeEach, expect, it } from 'vitest'
+import type { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
+import type { CircleVoronoiComponentProps } from '../../web/element/react.ts'
 
-const hooks = vi.hoisted(() => ({
-  refs: [] as { current: unknown }[],
-  next: 0,
-  effects: [] as { run: () => unknown; once: boolean }[],
-  handle: undefined as (() => unknown) | undefined,
-}))
-vi.mock('react', () => ({
-  createElement: (...args: unknown[]) => args,
-  forwardRef: (render: unknown) => ({ render }),
-  useRef: (first: unknown) => {
-    hooks.refs[hooks.next] ??= { current: first }
-    return hooks.refs[hooks.next++]
+/** The properties that were set since the last look. */
+const set: [name: string, value: unknown][] = []
+customElements.define(
+  'circle-voronoi',
+  class extends HTMLElement {
+    set circles(value: unknown) {
+      set.push(['circles', value])
+    }
+    set layers(value: unknown) {
+      set.push(['layers', value])
+    }
   },
-  useEffect: (run: () => unknown, on?: readonly unknown[]) => hooks.effects.push({ run, once: on?.length === 0 }),
-  useLayoutEffect: () => {
-    throw new Error('There is no layout on a server.')
-  },
-  useImperativeHandle: (_: unknown, handle: () => unknown) => {
-    hooks.handle = handle
-  },
-}))
-vi.mock('../../web/element/index.ts', () => ({}))
+)
+const { CircleVoronoi } = await import('../../web/element/react.ts')
 
-class Figure extends EventTarget {
-  readonly set: [string, unknown][] = []
-  constructor() {
-    super()
-    // biome-ignore lint/correctness/noConstructorReturn: every property is recorded.
-    return new Proxy(this, {
-      get: (target, name) => {
-        const value = Reflect.get(target, name)
-        return typeof value === 'function' ? value.bind(target) : value
-      },
-      set: (target, name, value) => Boolean(target.set.push([name as string, value])),
-    })
-  }
-}
-
-let figure: Figure
-let isMounted: boolean
-let unmount: () => void
+const place = document.createElement('div')
+let root: { render(node: ReactNode): void; unmount(): void }
+Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true })
 beforeEach(() => {
-  figure = new Figure()
-  isMounted = false
-  Object.assign(hooks, { refs: [], next: 0, effects: [], handle: undefined })
+  root = createRoot(place)
 })
+afterEach(() => act(() => root.unmount()))
 
-/** Renders with properties. Returns the tag, the attributes, the children, and the properties that were set. */
-function render(props: CircleVoronoiComponentProps) {
-  hooks.next = 0
-  hooks.effects = []
-  const { render } = CircleVoronoi as unknown as { render: (props: unknown, ref: unknown) => unknown[] }
-  const [tag, { ref, ...attributes }, children] = render(props, null) as [
-    string,
-    { ref: { current: unknown } },
-    unknown,
-  ]
-  ref.current = figure
-  for (const { run, once } of hooks.effects) {
-    if (once && isMounted) continue
-    const end = run()
-    if (once) unmount = end as () => void
-  }
-  isMounted = true
-  return { tag, attributes, children, set: figure.set.splice(0) }
+/** Renders with properties, and returns those of the element that were set. */
+function render(props: CircleVoronoiComponentProps, ref = createRef<CircleVoronoiElement>()) {
+  act(() => root.render(createElement(CircleVoronoi, { ...props, ref })))
+  return set.splice(0)
 }
+const figure = () => place.firstElementChild as HTMLElement
 
 it('has attributes for all that is no object, as React 18 and servers write them', () => {
-  expect(
-    render({
-      alt: 'Trees',
-      className: 'wide',
-      style: { width: 3 },
-      controls: true,
-      readonly: false,
-      step: 0,
+  const ref = createRef<CircleVoronoiElement>()
+  const props = {
+    ...{ alt: 'Trees', className: 'wide', style: { width: 3 }, controls: true, readonly: false, step: 0 },
+    ...{
       title: undefined,
-      view: null as never,
+      view: undefined,
       'aria-hidden': true,
-      'data-a': true,
+      'data-a': false,
       onError: () => {},
       children: 'inside',
-    }),
-  ).toEqual({
-    tag: 'circle-voronoi',
-    attributes: {
-      alt: 'Trees',
-      class: 'wide',
-      style: { width: 3 },
-      controls: '',
-      step: 0,
-      'aria-hidden': true,
-      'data-a': true,
     },
-    children: 'inside',
-    set: [],
+  }
+  expect(render(props, ref)).toEqual([])
+  const attributes = Object.fromEntries([...figure().attributes].map(({ name, value }) => [name, value]))
+  expect(attributes).toEqual({
+    ...{ alt: 'Trees', class: 'wide', style: expect.stringContaining('3px'), controls: '', step: '0' },
+    ...{ 'aria-hidden': 'true', 'data-a': 'false' },
   })
-  expect(hooks.handle?.()).toBe(figure)
+  expect([figure().textContent, ref.current]).toEqual(['inside', figure()])
 })
 
 it('sets objects as properties, once for each, and unsets those that are gone', () => {
   const circles = Float64Array.of(0, 0, 1)
-  const layers = { hull: true }
-  expect(render({ circles, layers }).set).toEqual([
+  const [layers, other] = [{ hull: true }, { hull: false }]
+  expect(render({ circles, layers })).toEqual([
     ['circles', circles],
     ['layers', layers],
   ])
-  expect(render({ circles, layers }).set).toEqual([])
-  const other = { hull: false }
-  expect(render({ circles, layers: other }).set).toEqual([['layers', other]])
-  expect(render({ circles: '[]', layers: other })).toMatchObject({
-    set: [['circles', '[]']],
-    attributes: { circles: '[]' },
-  })
-  expect(render({ circles: '[]' }).set).toEqual([['layers', undefined]])
+  expect(render({ circles, layers })).toEqual([])
+  expect(render({ circles, layers: other })).toEqual([['layers', other]])
+  expect(render({ circles: '[]', layers: other }).at(-1)).toEqual(['circles', '[]'])
+  expect(render({ circles: '[]' })).toEqual([['layers', undefined]])
 })
 
 it.each([
@@ -131,12 +84,13 @@ it.each([
   const told: string[] = []
   render({ [name]: () => told.push('first') })
   render({ [name]: () => told.push('second') })
-  figure.dispatchEvent(new Event(event))
+  const element = figure()
+  element.dispatchEvent(new Event(event))
   expect(told).toEqual(['second'])
   render({})
-  figure.dispatchEvent(new Event(event))
+  element.dispatchEvent(new Event(event))
   render({ [name]: () => told.push('third') })
-  unmount()
-  figure.dispatchEvent(new Event(event))
+  act(() => root.unmount())
+  element.dispatchEvent(new Event(event))
   expect(told).toEqual(['second'])
 })

@@ -126,8 +126,9 @@ function attributesOf(props: CircleVoronoiComponentProps): Record<string, unknow
     if (name === 'className') attributes.class = value
     else if (name === 'style') attributes.style = value
     else if (isOfElement(name) && !isObject(value)) {
-      // React 18 writes `true` and `false` as text.
-      const said = value === true && !/^(aria|data)-/.test(name) ? '' : value
+      // React 18 writes `true` and `false` as text, and React 19 writes `true` as an empty text.
+      const isText = typeof value === 'boolean' && /^(aria|data)-/.test(name)
+      const said = isText ? String(value) : value === true ? '' : value
       if (said !== false && said !== null && said !== undefined) attributes[name] = said
     }
   }
