@@ -117,6 +117,8 @@ export default defineConfig(({ isPreview }) => ({
     root: '.',
     include: ['tests/{web,scripts}/**/*.test.{ts,mjs}', 'tests/files/*.test.ts'],
     setupFiles: ['tests/random-inputs.ts'],
+    // Colors that programs read from style sheets.
+    css: { include: [/(theme|player)\.css/] },
     testTimeout: 60_000,
     hookTimeout: 60_000,
     maxWorkers: '100%',

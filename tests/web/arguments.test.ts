@@ -410,65 +410,49 @@ describe('a wrong argument or option', () => {
 })
 
 /** Calls with one wrong argument that no other function has. */
-const SINGLE: readonly (readonly [code: ErrorCode, says: string, act: () => unknown])[] = [
-  ['badInput', 'bisector takes two circles with different centers.', () => index.bisector(CIRCLES, 0, 0)],
-  ['badInput', 'bisector takes two circles with different centers.', () => index.bisector(NESTED, 0, 1)],
-  ['badInput', 'There is no metric "x".', () => index.bisector(CIRCLES, 0, 1, 'x' as index.Metric)],
+const SINGLE: readonly (readonly [title: string, code: ErrorCode, act: () => unknown])[] = [
+  ['the bisector of a circle and itself', 'badInput', () => index.bisector(CIRCLES, 0, 0)],
+  ['the bisector of concentric circles', 'badInput', () => index.bisector(NESTED, 0, 1)],
+  ['a metric that there is not', 'badInput', () => index.bisector(CIRCLES, 0, 1, 'x' as index.Metric)],
+  ['a path without circles', 'badInput', () => index.clearestPath(library.compute([]), P, P)],
+  ['weights as a text', 'badInput', () => library.certify(Object.assign({ ...diagram }, { weights: 'no' }))],
+  ['an editor of a power diagram', 'badInput', () => library.edit(power)],
   [
+    'a snapshot without ids',
     'badInput',
-    'clearestPath takes a diagram of one circle or more.',
-    () => index.clearestPath(library.compute([]), P, P),
+    () => new index.DiagramSnapshot(Object.assign({ ...snapshot }, { numbers: undefined })),
   ],
+  ['a long text as circles', 'badInput', () => (library.compute as Act)('0'.repeat(41))],
   [
+    'a radius as an object',
     'badInput',
-    'weights is not true or false, but "no".',
-    () => library.certify(Object.assign({ ...diagram }, { weights: 'no' })),
-  ],
-  ['badInput', 'edit takes a diagram of the metric circles, not of power.', () => library.edit(power)],
-  [
-    'badInput',
-    'new DiagramSnapshot takes the numbers of an editor, not undefined.',
-    () => new index.DiagramSnapshot({ ...snapshot, numbers: Object(undefined).numbers }),
-  ],
-  [
-    'badInput',
-    `The circles are neither a typed array nor a list, but "${'0'.repeat(40)}…".`,
-    () => (library.compute as Act)('0'.repeat(41)),
-  ],
-  [
-    'badInput',
-    'Circle 0 does not have three numbers x, y and r.',
     () => library.compute([1, 2], { x: () => 0, y: () => 0, r: () => Object('3') }),
   ],
+  ['ids in decreasing order', 'badOption', () => library.edit(NESTED, { ids: [2, 1] })],
   [
+    'dynamic candidates with too many samples',
     'badOption',
-    'ids must be whole numbers from 0 to 2147483646 in increasing order; 1 is not.',
-    () => library.edit(NESTED, { ids: [2, 1] }),
-  ],
-  [
-    'badOption',
-    'The number of samples is 1001; with dynamic candidates it is from 0 to 1000.',
     () => library.compute(CIRCLES, { method: 'touching-disc', samples: 1001 }),
   ],
   [
+    'uniform candidates without samples',
     'badOption',
-    'The number of samples is 0; with uniform candidates it is from 1 to 1000.',
     () => library.compute(CIRCLES, { method: 'touching-disc', candidates: 'uniform', samples: 0 }),
   ],
   [
+    'a region and a lattice',
     'badOption',
-    'fitAreas takes a region or a lattice, not both.',
     () => regions.fitAreas([[5, 1]], [1], Object.assign({ region }, { lattice: LATTICE as never })),
   ],
   [
+    'all pairs of too many circles',
     'tooManyCircles',
-    'All pairs of 10001 circles are too many; the limit is 10000 circles.',
     () => library.compute(new Float64Array(30_003), { method: 'touching-disc', candidates: 'all-pairs' }),
   ],
 ]
 
-it.each(SINGLE)('an argument that is wrong in its own way has the code %s: %s', async (code, message, act) => {
-  expect(await errorOf(act, [])).toMatchObject({ name: 'CircleVoronoiError', code, message })
+it.each(SINGLE)('%s is refused with the code %s', async (_, code, act) => {
+  expect(await errorOf(act, [])).toMatchObject({ name: 'CircleVoronoiError', code })
 })
 
 it('each array of a diagram is of its type and length where a core reads it', async () => {
@@ -482,7 +466,7 @@ it('each array of a diagram is of its type and length where a core reads it', as
     for (const array of [undefined, [], new other(size), ...(size === 1 ? [] : [new type(size + 1)])]) {
       const data = { ...diagram, [name]: array } as never
       for (const act of [library.certify, () => library.finalCells(data, KNOWN), files.writeDiagram]) {
-        const message = `${name} is no ${type.name} of ${size} numbers each.`
+        const message = expect.stringContaining(name)
         expect(await errorOf(() => (act as Act)(data), [])).toMatchObject({ code: 'badInput', message })
       }
     }
@@ -518,151 +502,4 @@ describe('the table', () => {
       if (!isLater(row)) expect(await errorOf(row.act, [...args, ...row.needed]), row.name).toBe('no error')
     }
   })
-})
-
-/** Returns the sentence of an error with marks in place of names and values. */
-function sentenceOf({ row, what, value }: Call, { message }: Error): string {
-  const [list] = /(?<= is | are )(\w+, )*(\w+ and )?\w+(?=\.$)/.exec(message) ?? []
-  const named = list
-    ?.split(/, | and /)
-    .toSorted()
-    .join()
-  return message
-    .replace(
-      named ===
-        Object.keys(row.options ?? {})
-          .toSorted()
-          .join()
-        ? (list as string)
-        : '',
-      '',
-    )
-    .replace(new RegExp(`\\b${row.name}\\b`), 'NAME')
-    .replace(new RegExp(what === '' ? '$^' : `\\b${what}\\b`), 'OPTION')
-    .replace(`not ${said(value)}.`, 'not VALUE.')
-    .replace(MARKED, 'ITEM')
-}
-const MARKED = /"[^"]*"|\ban object|\ban array|\b(undefined|null|NaN|Infinity)\b|-?\b\d+(\.\d+)?(e\d+)?( \(.*\))?/g
-
-/** Returns a value as it stands in a sentence. */
-function said(value: unknown): string {
-  if (typeof value === 'string') return JSON.stringify(value)
-  if (Array.isArray(value)) return 'an array'
-  if (typeof value === 'function') return 'a function'
-  return typeof value === 'object' && value !== null ? 'an object' : String(value)
-}
-
-/** Every sentence that says what is wrong with an argument or an option. */
-const SENTENCES = [
-  'A NAME is made of GeoJSON polygons or a list of rings, not VALUE.',
-  'A convex polygon needs three corners or more.',
-  'An edit has a kind, insert, remove or replace, not ITEM.',
-  'Bounds are a ConvexPolygon, or a box of four numbers: { minX, minY, maxX, maxY } or ITEM.',
-  'Circle ITEM does not have three numbers x, y and r.',
-  'Circle ITEM has a coordinate or a radius beyond ITEM.',
-  'Circle ITEM has a negative radius.',
-  'Circle ITEM has a number that is not finite.',
-  'Circle ITEM has a radius that is not a finite number.',
-  'Circle ITEM has a y that is not a finite number.',
-  'NAME needs a OPTION, which `region` of `loadRegions` makes, as its option region, or periods as its option lattice.',
-  'NAME takes a Diagram, not ITEM; new Diagram(data) makes one of plain data.',
-  'NAME takes a Float64Array of x and y for each point, not VALUE.',
-  'NAME takes a Float64Array of x, y and r for each circle, not VALUE.',
-  'NAME takes a OPTION as { a: [ax, ay], b: [bx, by] }, all numbers.',
-  'NAME takes a bisector, not VALUE.',
-  'NAME takes a curve with two ends; clipCurve makes some of one that goes to infinity.',
-  'NAME takes a curve, not VALUE.',
-  'NAME takes a diagram of the metric circles, not of power.',
-  'NAME takes a diagram, not VALUE.',
-  'NAME takes a finite number above ITEM as parameter, not VALUE.',
-  'NAME takes a lattice as { a: [ax, ay], b: [bx, by] }, all numbers.',
-  'NAME takes a list of edits, not VALUE.',
-  'NAME takes a list of numbers as OPTION, but item ITEM is ITEM.',
-  'NAME takes a list of numbers as OPTION, not VALUE.',
-  'NAME takes a list of numbers as areas, but item ITEM is ITEM.',
-  'NAME takes a list of numbers as areas, not VALUE.',
-  'NAME takes a number as a coordinate, not ITEM.',
-  'NAME takes a number as a coordinate, not VALUE.',
-  'NAME takes a number as hint, not VALUE.',
-  'NAME takes a number as nearZero, not VALUE.',
-  'NAME takes a number as the id of a circle, not ITEM.',
-  'NAME takes a number as the id of a circle, not VALUE.',
-  'NAME takes a number as the index of a circle, not VALUE.',
-  'NAME takes a number as the index of a vertex, not VALUE.',
-  'NAME takes a number as the index of an edge, not VALUE.',
-  'NAME takes a number as the index of an event, not VALUE.',
-  'NAME takes a number as the number of events, not VALUE.',
-  'NAME takes a number as tolerance, not VALUE.',
-  'NAME takes a number as x, not VALUE.',
-  'NAME takes a number as y, not VALUE.',
-  'NAME takes a number of events from ITEM to ITEM, not VALUE.',
-  'NAME takes a snapshot of an editor, not VALUE.',
-  'NAME takes a text or its bytes, not VALUE.',
-  'NAME takes an outline, a list of closed loops, not VALUE.',
-  'NAME takes bounds or a OPTION, not both.',
-  'NAME takes no maximum distance of a power diagram, which has no distances.',
-  'NAME takes points { x, y } of finite numbers, not VALUE.',
-  'NAME takes the data of a periodic diagram, not VALUE.',
-  'NAME takes three numbers for each circle, but there are ITEM.',
-  'NAME takes two numbers for each point, but there are ITEM.',
-  'NAME takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.',
-  'NAME: there is no circle ITEM; the diagram has ITEM.',
-  'NAME: there is no edge ITEM; the diagram has ITEM.',
-  'NAME: there is no event ITEM; the trace has ITEM.',
-  'NAME: there is no vertex ITEM; the diagram has ITEM.',
-  'OPTION is a number, not VALUE.',
-  'OPTION is a whole number, not VALUE.',
-  'OPTION is true or false, not VALUE.',
-  'OPTION must be a list of whole numbers, not VALUE.',
-  'OPTION must be a whole number from ITEM to ITEM, not VALUE.',
-  'OPTION must be whole numbers from ITEM to ITEM in increasing order; ITEM is not.',
-  'The OPTION is a finite number above ITEM, not VALUE.',
-  'The OPTION is nothing to draw on, but ITEM.',
-  'The OPTION of NAME are not ITEM.',
-  'The OPTION of NAME is made by loadRegions().region, not VALUE.',
-  'The box is empty, or a coordinate is not finite, or beyond ITEM.',
-  'The circles are neither a typed array nor a list, but ITEM.',
-  'The corners of a polygon are ITEM of points, not VALUE.',
-  'The diagram is that of the editor after ITEM changes; what is applied has to be the next one.',
-  'The format of the file is ITEM, not ITEM.',
-  'The maximum distance is a number up to ITEM, not VALUE.',
-  'The new circle does not have three numbers x, y and r.',
-  'The new circle has a coordinate or a radius beyond ITEM.',
-  'The new circle has a negative radius.',
-  'The new circle has a number that is not finite.',
-  'The number of OPTION is a whole number from ITEM, not VALUE.',
-  'The option OPTION is a function.',
-  'The option OPTION is a whole number from ITEM, not VALUE.',
-  'The option OPTION is an AbortSignal.',
-  'The option OPTION is an address, bytes, a Response or a module, not VALUE.',
-  'The option OPTION is true or false.',
-  'The option OPTION is what loadCircleVoronoi loads, not VALUE.',
-  'The options OPTION and candidates are strings.',
-  'The options method and OPTION are strings.',
-  'The polygon winds more than once, or has no area.',
-  'There are ITEM OPTION for ITEM site.',
-  'There is no NAME with id ITEM.',
-  'There is no OPTION ITEM for this: the choice is csv, json, geojson.',
-  'There is no OPTION ITEM for this: the choice is json, csv, stats, svg, geojson, geojsonl, wkt, obj.',
-  'There is no circle with id ITEM.',
-  'There is no option OPTION of NAME, which has none.',
-  'There is no option OPTION of NAME; its only one is .',
-  'There is no option OPTION of NAME; its options are .',
-  'There is no removed circle with id ITEM.',
-  'Three numbers per circle are needed, but there are ITEM.',
-  'Unknown OPTION: the choice is auto, touching-disc or flip.',
-  'Unknown OPTION: the choice is dynamic, uniform or all-pairs.',
-  'Unknown metric: the choice is circles, centers or power.',
-  'What NAME draws on is an option: { context }.',
-  'apply takes a list of OPTION, not VALUE.',
-  'circles is no Float64Array of ITEM numbers each.',
-  'the file is no object, but ITEM.',
-]
-
-it('each sentence names the function, the argument or option, and the value, and is read here once', async () => {
-  const sentences = new Set<string>()
-  for (const row of ROWS) {
-    for (const call of callsOf(row)) sentences.add(sentenceOf(call, (await errorOf(row.act, call.args)) as Error))
-  }
-  expect([...sentences].sort()).toEqual(SENTENCES)
 })

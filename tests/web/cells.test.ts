@@ -432,15 +432,6 @@ describe('a convex polygon', () => {
   ])('refuses %s', (__, corners) => {
     expect(() => ConvexPolygon.from(corners)).toThrow(expect.objectContaining({ code: 'badOption', circle: undefined }))
   })
-
-  it.each([
-    { minX: 0, minY: 0, maxX: 0, maxY: 1 },
-    { minX: 0, minY: 1, maxX: 1, maxY: 0 },
-    { minX: Number.NaN, minY: 0, maxX: 1, maxY: 1 },
-    { minX: 0, minY: 0, maxX: Number.POSITIVE_INFINITY, maxY: 1 },
-  ])('refuses the box %j', (box) => {
-    expect(() => library.compute(Float64Array.of(0, 0, 1)).cellPath(0, { bounds: box })).toThrow(/^The box is empty/)
-  })
 })
 
 describe('of equal radii, as d3-delaunay', () => {

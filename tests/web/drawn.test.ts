@@ -16,6 +16,7 @@ import { panelsOf, THREE_SHARES } from '../../web/tutorial/drawn/weight-plane.ts
 import { type DrawnSpec, sceneOf } from '../../web/tutorial/drawn.ts'
 import { shrunkenRims, stepsBetween } from '../../web/tutorial/extras.ts'
 import { library, seededRandom } from './library.ts'
+import { box as boxRing } from './shapes.ts'
 import { tuple } from './tuples.ts'
 
 const circlesOf = await loadFigureCircles()
@@ -180,15 +181,7 @@ describe('given areas', () => {
   it('the map says when all three areas are right: at the weights that the library finds', () => {
     const scene = drawnScene('by-hand')
     const { box, map } = panelsOf(new Pen(scene))
-    const { minX, minY, maxX, maxY } = box
-    const region = regions.region([
-      [
-        [minX, minY],
-        [maxX, minY],
-        [maxX, maxY],
-        [minX, maxY],
-      ],
-    ])
+    const region = regions.region([boxRing(box.minX, box.minY, box.maxX, box.maxY)])
     const { weights } = regions.fitAreas(scene.circles, [...THREE_SHARES], { region, shares: true })
     const [w0, w1, w2] = tuple(weights, 0, 3)
     const right = { x: (map.minX + map.maxX) / 2 + w1 - w0, y: (map.minY + map.maxY) / 2 + w2 - w0 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { NO_ATTRIBUTES, namedAs } from '../../web/editing/attributes.ts'
 import { type DiagramBackend, Editing, type Outcome } from '../../web/editing/editing.ts'
 import { EMPTY_HISTORY } from '../../web/editing/history.ts'
 import { problemOf } from '../../web/editing/problem.ts'
@@ -90,27 +89,21 @@ describe('Editing', () => {
     expect(circles()[0]).toBe(49)
   })
 
-  it('leaves out no edit of a drag that the next one does not repeat', async () => {
+  const add: Edit[] = [{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }]
+  const remove: Edit[] = [{ kind: 'remove', id: 1 }]
+  it.each([
+    [
+      'a drag whose steps do not repeat each other',
+      [moved(0, 1), moved(0, 2), moved(1, 2), moved(0, 3), add, add, []],
+      [],
+    ],
+    ['a drag of several circles', [moved(1, 2), [...moved(1, 3), ...moved(0, 3)], moved(0, 4)], []],
+    ['a drag in which a circle is removed', [moved(0, 4), remove, moved(0, 5)], []],
+    ['two drags at once', [moved(0, 1), moved(0, 2), moved(0, 3)], [2]],
+    ['a drag and what comes between its steps', [moved(0, 1), moved(0, 2), moved(1, 3), moved(0, 4)], [2]],
+  ] as const)('leaves out nothing of %s', async (_, steps, others) => {
     const { editing, asked } = await started()
-    const add: Edit[] = [{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }]
-    const drag = [moved(0, 1), moved(0, 2), moved(1, 2), [...moved(1, 3), ...moved(0, 3)], add, add, []]
-    await Promise.all(drag.map((edits) => editing.edit(edits, 5)))
-    expect(asked).toEqual(drag)
-    const remove: Edit[] = [{ kind: 'remove', id: 1 }]
-    await Promise.all([moved(0, 4), remove, moved(0, 5)].map((edits) => editing.edit(edits, 6)))
-    expect(asked.slice(drag.length)).toEqual([moved(0, 4), remove, moved(0, 5)])
-  })
-
-  it('keeps what of two drags waits at once', async () => {
-    const { editing, asked } = await started()
-    await Promise.all([editing.edit(moved(0, 1), 5), editing.edit(moved(0, 2), 5), editing.edit(moved(0, 3), 6)])
-    expect(asked).toEqual([moved(0, 1), moved(0, 2), moved(0, 3)])
-  })
-
-  it('keeps the order of a drag and of what comes between its steps', async () => {
-    const { editing, asked } = await started()
-    const steps = [moved(0, 1), moved(0, 2), moved(1, 3), moved(0, 4)]
-    await Promise.all(steps.map((edits, k) => editing.edit(edits, k === 2 ? 6 : 5)))
+    await Promise.all(steps.map((edits, k) => editing.edit(edits, others.some((other) => other === k) ? 6 : 5)))
     expect(asked).toEqual(steps)
   })
 
@@ -132,20 +125,6 @@ describe('Editing', () => {
     expect(problems).toEqual(['It failed.'])
   })
 
-  it('refuses areas that are not as many as circles', async () => {
-    const { editing, problems, circles } = await started()
-    const before = circles()
-    const domain = { region: undefined, areas: [1, 2, 3] }
-    expect(await editing.open({ ...sceneOf(TWO), domain })).toBeUndefined()
-    expect(await editing.edit([], editing.beginGesture(), domain)).toBeUndefined()
-    expect([circles(), editing.areas, problems.length, problems[0]]).toEqual([
-      before,
-      undefined,
-      2,
-      expect.stringMatching(/3.* 2/),
-    ])
-  })
-
   it('says that nothing has changed where what computes has failed', async () => {
     const { editing, problems, outcomes, circles, fail } = await started()
     const before = outcomes.length
@@ -154,17 +133,6 @@ describe('Editing', () => {
     expect(problems).toEqual(['The thread ended. Nothing has changed. Try again.'])
     expect([outcomes.length, circles()]).toEqual([before, [...TWO]])
     expect(await editing.edit(moved(0, 4))).toBeDefined()
-  })
-
-  it('knows whether the circles that one goes back to are those of their data set', async () => {
-    const { editing } = await started()
-    await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
-    await editing.undo()
-    expect(editing.scene).toEqual({ circles: TWO, dataSet: 'two', isEdited: false })
-    await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
-    await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
-    await editing.undo()
-    expect(editing.scene?.isEdited).toBe(true)
   })
 
   it('edits what it opens before anything else that is asked', async () => {
@@ -199,44 +167,6 @@ describe('Editing', () => {
     await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
     for (const step of ['undo', 'undo', 'redo', 'redo'] as const) await editing[step]()
     expect(openings).toEqual([true, false, true, true, false, false, true])
-  })
-
-  it('edits nothing where what it opens is refused', async () => {
-    const { editing, circles, asked } = await started()
-    expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)), [{ kind: 'remove', id: 0 }])).toBeUndefined()
-    expect([circles(), asked]).toEqual([[...TWO], []])
-  })
-
-  it('goes back to the domain of former circles', async () => {
-    const { editing } = await started()
-    const lattice = { a: [20, 0], b: [0, 20] } as const
-    await editing.open({ ...sceneOf(TWO), domain: { region: undefined, lattice, areas: undefined } })
-    await editing.edit(moved(0, 1))
-    await editing.open(sceneOf(TWO))
-    expect(editing.domain.lattice).toBeUndefined()
-    await editing.undo()
-    expect(editing.domain.lattice).toEqual(lattice)
-  })
-
-  it('keeps names and columns with their circles; an added circle has none', async () => {
-    const { editing } = await started()
-    expect([[...editing.valuesOf('height')], editing.nameOf(0)]).toEqual([[Number.NaN, Number.NaN], ''])
-    const { columns } = namedAs(['one', 'two'])
-    const attributes = { ...NO_ATTRIBUTES, columns: [{ name: 'height', values: ['3', '4'] }, ...columns] }
-    await editing.open({ ...sceneOf(TWO), attributes })
-    await editing.edit([{ kind: 'remove', id: 0 }])
-    await editing.undo()
-    await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
-    expect(Array.from(editing.circles.ids(), (id) => editing.nameOf(id))).toEqual(['one', 'two', ''])
-    expect([...editing.valuesOf('height')]).toEqual([3, 4, Number.NaN])
-    expect([...editing.valuesOf('width')]).toEqual(Array(3).fill(Number.NaN))
-  })
-
-  it('has no names and no columns before circles are opened', () => {
-    const computer = new LibraryBackend(async () => {})
-    const ignore = () => {}
-    const editing = new Editing(computer, ignore, ignore)
-    expect([editing.valuesOf('height'), editing.nameOf(0)]).toEqual([new Float64Array(), ''])
   })
 
   it('passes on the colors of circles once all of them are there', async () => {
@@ -296,22 +226,6 @@ describe('Editing', () => {
     expect(editing.colors, 'those of the circles that are there again').toBe('12')
   })
 
-  it('ends a gesture and an undo that were begun before other circles were opened', async () => {
-    const { editing, circles } = await started()
-    const gesture = editing.beginGesture()
-    await editing.edit(moved(0, 1), gesture)
-    const opened = editing.open(sceneOf(Float64Array.of(7, 7, 7, 9, 9, 1)))
-    const undone = editing.undo()
-    await opened
-    await undone
-    expect(circles(), 'the opening has not been seen').toEqual([7, 7, 7, 9, 9, 1])
-    expect(await editing.edit(moved(0, 3), gesture)).toBeUndefined()
-    expect(await editing.setValues('name', new Map([[0, '"A"']]), gesture)).toBeUndefined()
-    expect([circles(), editing.nameOf(0)]).toEqual([[7, 7, 7, 9, 9, 1], ''])
-    await editing.edit(moved(0, 3))
-    expect(circles()[0]).toBe(3)
-  })
-
   it('goes on with its history where its circles are opened again under their ids', async () => {
     const { editing } = await started()
     await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
@@ -341,19 +255,6 @@ describe('Editing', () => {
     expect(editing.latest(1)).toEqual({ x: 5, y: 5, r: 2 })
     await removed
     expect(editing.latest(0)).toBeUndefined()
-  })
-
-  it('knows of circles that it goes back to whether they were edited', async () => {
-    for (const isOpenedEdited of [false, true]) {
-      for (const isEdited of [false, true]) {
-        const { editing } = await started()
-        await editing.open({ ...sceneOf(TWO), isEdited: isOpenedEdited })
-        if (isEdited) await editing.edit(moved(0, 1))
-        await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
-        await editing.undo()
-        expect(editing.scene).toMatchObject({ dataSet: 'two', isEdited: isOpenedEdited || isEdited })
-      }
-    }
   })
 })
 

@@ -2,13 +2,15 @@
 // <circle-voronoi> in a page, with its threads and its buttons. Nothing of the project is replaced.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { paddingBelow } from '../../web/element/controls.ts'
 import { CircleVoronoiElement, defineCircleVoronoi } from '../../web/element/define.ts'
-import { CircleVoronoiError, type ErrorCode } from '../../web/lib/index.ts'
+import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { held, Observer } from './element-page.ts'
 import { control, controls, send } from './page-document.ts'
 import { ThreadHere } from './page-threads.ts'
+import { box } from './shapes.ts'
 import { fetchHere, quiet, soon, surround } from './whole-page.ts'
 
 const THREE = [
@@ -19,12 +21,7 @@ const THREE = [
 const FLAT = THREE.flat()
 const TEXT = JSON.stringify(THREE)
 const SQUARE = 'POLYGON ((-9 -9, 19 -9, 19 19, -9 19))'
-const RING = [
-  [-9, -9],
-  [19, -9],
-  [19, 19],
-  [-9, 19],
-]
+const RING = box(-9, -9, 19, 19)
 const LATTICE = { a: [30, 0], b: [0, 30] } as const
 const EVENTS = [
   'circleschange',
@@ -122,13 +119,10 @@ describe('a wrong attribute', () => {
   ] as const
 
   it.each(wrong)('%s="%s" is one error event, and is visible until it is right or gone', async (name, bad, good) => {
-    const { element, problem, errors, circles } = await shown(
-      name === 'areas'
-        ? { circles: TEXT, region: SQUARE }
-        : {
-            circles: TEXT,
-          },
-    )
+    const { element, problem, errors, circles } = await shown({
+      circles: TEXT,
+      ...(name === 'areas' && { region: SQUARE }),
+    })
     for (const end of [() => element.setAttribute(name, good), () => element.removeAttribute(name)]) {
       const [error, ...others] = await errors(() => element.setAttribute(name, bad))
       expect(error).toBeInstanceOf(CircleVoronoiError)
@@ -292,20 +286,6 @@ describe('attributes and properties', () => {
     ['selection', '', [1], [2]],
   ] as const
 
-  it.each(OWN)('the property %s is copied when it is set and when it is read', async (name, _, value, other) => {
-    const region = name === 'areas' ? { region: SQUARE } : {}
-    for (const { element, properties } of [made(), await shown({ circles: TEXT, ...region })]) {
-      const given = structuredClone(value)
-      properties[name] = given
-      await settled(element)
-      Object.assign(given, other)
-      const read = properties[name] as object
-      expect(read).toEqual(value)
-      Object.assign(read, other)
-      expect(properties[name]).toEqual(value)
-    }
-  })
-
   it.each(OWN.slice(0, 4))(
     'the property %s wins over "%s" until it is unset, or the attribute is set anew',
     (name, text, said, own) => {
@@ -395,54 +375,6 @@ describe('circles', () => {
     held.release()
     await settled(element)
     expect(circles()).toEqual([2, 2, 2])
-  })
-
-  it('of the newest event change nothing if they are set again; older ones and copies do', async () => {
-    const { element, events, told } = await shown()
-    const [{ detail }] = events as [CustomEvent]
-    const { circles } = detail
-    expect([detail.circles === circles, [...detail.ids]]).toEqual([true, [0, 1, 2]])
-    told()
-    for (const [value, tells] of [
-      [circles, []],
-      [Float64Array.from(circles), ['circleschange', 'diagramchange']],
-      [circles, ['circleschange', 'diagramchange']],
-    ]) {
-      element.circles = value
-      await settled(element)
-      expect(told()).toEqual(tells)
-    }
-  })
-
-  it('as a value are one object between changes, and setting them again, however written, changes nothing', async () => {
-    const { element, told } = await shown()
-    told()
-    const { value } = element
-    expect(element.value).toBe(value)
-    for (const [next, tells] of [
-      [value, []],
-      [THREE, []],
-      [THREE.slice(1), ['circleschange', 'diagramchange']],
-      [
-        [
-          [10, 0, 1],
-          [5, 8, 1.25],
-        ],
-        ['circleschange', 'diagramchange'],
-      ],
-    ] as const) {
-      element.value = next as number[][]
-      await settled(element)
-      expect(told()).toEqual(tells)
-    }
-    await element.setState({ edits: [{ kind: 'remove', id: 0 }] })
-    expect([...element.value]).toEqual([5, 8, 1.25])
-    for (const nothing of ['', undefined, null]) {
-      element.value = [[1, 1, 1]]
-      element.value = nothing
-      await settled(element)
-      expect([...element.value]).toEqual(FLAT)
-    }
   })
 
   it('have ids, before the figure runs and after circles are gone', async () => {
@@ -547,32 +479,6 @@ describe('readers', () => {
   const point = (figure: HTMLElement, type: string, aside = 0) =>
     send(figure, type, { pointerId: 1, button: 0, pointerType: 'mouse', offsetX: 150 + aside, offsetY: 100 })
 
-  it('cause input and, once they release the circles, change; programs cause neither', async () => {
-    const { element, figure, told, events, keys } = await shown({ circles: TEXT, view: '0 0 40' })
-    expect(told()).not.toContain('input')
-    await element.setState({ edits: [{ kind: 'remove', id: 1 }] })
-    element.circles = THREE
-    await settled(element)
-    expect(told()).not.toContain('input')
-    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) {
-      for (const type of ['pointerdown', 'pointermove']) point(figure, type, type === 'pointermove' ? 30 : 0)
-      await settled(element)
-      const names = told()
-      expect(names).toContain('input')
-      expect(names).not.toContain('change')
-      point(figure, end === 'lostpointercapture' ? 'pointerup' : end, 30)
-      point(figure, end, 30)
-      await settled(element)
-      expect(told().filter((name) => name === 'change')).toEqual(['change'])
-      if (end !== 'pointercancel') await keys(UNDO)
-      told()
-    }
-    await keys('ArrowRight')
-    const flags = new Map(events.map(({ type, bubbles, composed }) => [type, [bubbles, composed]]))
-    expect(flags.get('change')).toEqual([true, false])
-    for (const name of ['input', 'circleschange', 'diagramchange']) expect(flags.get(name), name).toEqual([true, true])
-  })
-
   it('release circles once all their edits are made', async () => {
     const { element, figure, told } = await shown({ circles: TEXT, view: '0 0 40' })
     point(figure, 'pointerdown')
@@ -615,6 +521,46 @@ describe('readers', () => {
     expect(circles()).toEqual(FLAT.slice(3))
     element.controls = null
     expect(buttons()).toBe(0)
+  })
+})
+
+describe('buttons', () => {
+  it('do what they say, and are disabled where there is nothing to do', async () => {
+    const { element, part, circles, press } = await shown({ circles: TEXT, controls: '' })
+    const button = (name: string) => control(part('.controls'), name)
+    const enabled = () => ['Delete what is selected', 'Undo', 'Redo'].map((name) => !button(name).disabled)
+    expect(enabled()).toEqual([false, false, false])
+    element.selection = [1]
+    await settled(element)
+    expect(enabled()).toEqual([true, false, false])
+    await press('Delete what is selected')
+    expect([circles().length, enabled()]).toEqual([6, [false, true, false]])
+    await press('Undo')
+    expect([circles().length, enabled()]).toEqual([9, [true, false, true]])
+    await press('Redo')
+    expect(circles()).toHaveLength(6)
+    for (const isPressed of ['true', 'false']) {
+      await press('Add a circle')
+      expect(button('Add a circle').ariaPressed).toBe(isPressed)
+    }
+    const spanAfter = async (name: string) => {
+      await press(name)
+      return element.getState().view?.span
+    }
+    const near = (await spanAfter('Zoom in')) as number
+    expect(await spanAfter('Zoom in')).toBeLessThan(near)
+    expect(await spanAfter('Zoom out')).toBeCloseTo(near, 6)
+    expect(await spanAfter('Fit')).toBeUndefined()
+  })
+
+  it('leave room above the picture where they are above it, and a margin without', () => {
+    let position = 'absolute'
+    vi.stubGlobal('getComputedStyle', () => ({ position }))
+    const padding = (clientHeight: number) => paddingBelow({ clientHeight } as HTMLElement)
+    expect(padding(40)).toEqual({ top: 52, right: 16, bottom: 16, left: 16 })
+    expect(padding(0)).toEqual({ top: 16, right: 16, bottom: 16, left: 16 })
+    position = 'static'
+    expect(padding(40).top).toBe(16)
   })
 })
 
@@ -694,50 +640,6 @@ describe('an element that leaves its page', () => {
     expect(control(part('.controls'), 'Undo').disabled).toBe(true)
   })
 
-  it('keeps areas and the lattice that was set meanwhile', async () => {
-    const { element, circles } = await shown()
-    await element.setState({ circles: THREE, region: [RING], areas: [3, 2, 1] })
-    const state = element.getState()
-    expect(state).toMatchObject({ areas: [3, 2, 1] })
-    for (const parent of [undefined, document.body]) {
-      if (parent === undefined) element.remove()
-      else parent.append(element)
-      await quiet()
-      await element.ready
-      expect(element.getState()).toEqual(state)
-    }
-    const moved = circles()
-    element.remove()
-    await quiet()
-    element.lattice = LATTICE
-    document.body.append(element)
-    await element.ready
-    await settled(element)
-    expect([element.lattice, element.region, element.areas]).toEqual([LATTICE, undefined, undefined])
-    expect(circles().length).toBe(moved.length)
-  })
-
-  it('leaves no promise open, and refuses what needs a figure', async () => {
-    Observer.areNear = false
-    const { element } = made()
-    for (let k = 0; k < 2; k++) {
-      document.body.append(element)
-      let isReady = false
-      const ready = element.ready.then(() => {
-        isReady = true
-      })
-      await new Promise((resolve) => setTimeout(resolve))
-      await quiet()
-      expect(isReady).toBe(false)
-      element.remove()
-      await ready
-      await element.ready
-    }
-    const acts = [() => element.toSVG(), () => element.compute(), () => element.play(), () => element.setState({})]
-    for (const act of acts) await expect(act()).rejects.toMatchObject({ code: 'badInput' satisfies ErrorCode })
-    element.pause()
-  })
-
   it('reports no circles that arrive afterwards', async () => {
     const { element, told } = await shown()
     held.hold()
@@ -777,26 +679,6 @@ describe('a figure', () => {
     Object.defineProperty(navigator, 'connection', { value: undefined, configurable: true })
     await soon(() => expect(other?.children).toHaveLength(2))
     expect(saving?.children).toHaveLength(0)
-  })
-
-  it('that is far has no pixels, unless it has many circles, which are printed from them', async () => {
-    const { element, figure, part } = await shown()
-    const hasPixels = (sight: 'near' | 'far') => {
-      Observer.see(element, sight)
-      return [(figure.firstElementChild as HTMLCanvasElement).width > 0, part('.frame').dataset.shown]
-    }
-    expect([hasPixels('far'), hasPixels('near')]).toEqual([
-      [false, 'false'],
-      [true, 'true'],
-    ])
-    for (const [count, isPrinted] of [
-      [5000, false],
-      [5001, true],
-    ] as const) {
-      element.circles = Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0 : k))
-      await settled(element)
-      expect(hasPixels('far')).toEqual([isPrinted, String(isPrinted)])
-    }
   })
 
   it('is complete once all is computed, checked and painted', async () => {
@@ -927,21 +809,13 @@ describe('a domain', () => {
 
   it('follows each attribute and each property of an element that runs', async () => {
     const { element, properties } = await shown({ circles: TEXT, region: SQUARE })
-    const ring = (size: number) => [
-      [
-        [-9, -9],
-        [size, -9],
-        [size, size],
-        [-9, size],
-      ],
-    ]
-    const box = (size: number) => ({ a: [size, 0], b: [0, size] })
+    const square = (size: number) => ({ a: [size, 0], b: [0, size] })
     const read = (name: string) =>
       name === 'region' ? JSON.stringify(properties[name])?.match(/1[79]/)?.[0] : properties[name]
     for (const [name, attribute, property, said, own] of [
       ['areas', '1 2 3', [3, 2, 1], [1, 2, 3], [3, 2, 1]],
-      ['region', SQUARE, ring(17), '19', '17'],
-      ['lattice', '30 0 0 30', box(40), box(30), box(40)],
+      ['region', SQUARE, [box(-9, -9, 17, 17)], '19', '17'],
+      ['lattice', '30 0 0 30', square(40), square(30), square(40)],
     ] as const) {
       const seen: unknown[] = []
       for (const act of [
@@ -1139,24 +1013,6 @@ describe('a state', () => {
 })
 
 describe('texts', () => {
-  it('are in the language of the element, errors too, also if the language was loaded before', async () => {
-    for (const isLoaded of [false, true]) {
-      const { element, part, problem } = await shown({ circles: TEXT, controls: 'buttons player', method: 'x' })
-      const texts = () => [problem(), part('#about').textContent, ...controls(part('.both')).keys()]
-      const english = texts()
-      element.lang = 'de'
-      if (!isLoaded) await soon(() => expect(part('.controls').lang).toBe('de'))
-      await quiet()
-      const german = texts()
-      expect(german).toHaveLength(english.length)
-      // "Schritt" and the glyphs of numbers may be alike.
-      expect(german.filter((text, k) => text === english[k])).toEqual([])
-      element.lang = null
-      await quiet()
-      expect(texts()).toEqual(english)
-    }
-  })
-
   it('are in the language around the element, also across shadow roots, once it is in its page', () => {
     const { element, part } = made({})
     const host = document.createElement('div')

@@ -19,7 +19,7 @@ import { openedFrom, regionFrom } from '../../web/element/data-of.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { circlesOfMarkdown, readCircles } from '../../web/element/read-circles.ts'
 import { type ElementRefusals, ENGLISH } from '../../web/element/refusals.ts'
-import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import type { Edit } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { sentenceOf } from '../../web/player/sentences.ts'
@@ -52,21 +52,21 @@ describe('circles', () => {
   })
 
   test.each([
-    ['', 'There are no circles in this.'],
-    ['x,y,r\n', 'There are no circles in this.'],
-    ['1,2,3\n4,5\n', 'Line 2 is not three numbers x, y and r: 4,5'],
-    ['name,x,y,r\r\n"a\r\nb",1,2,3\r\nc,4,5\r\n', 'Line 4 is not'],
-    ['1,2,3,4\n', 'Line 1 is not three numbers x, y and r: 1,2,3,4'],
-    ['x,y,r\n1,2,0x10\n', 'Line 2 is not three numbers x, y and r: 1,2,0x10'],
-    ['1,2,Infinity\n', 'Line 1 is not three numbers x, y and r: 1,2,Infinity'],
-    ['[[1, 2]]', 'Circle 0 does not have three numbers x, y and r.'],
-    ['[1, 2]', 'Circle 0 does not have three numbers x, y and r.'],
-    ['{"circles": [1, 2]}', 'Three numbers per circle are needed, but there are 2.'],
-    ['{"circles": 7}', 'The circles are neither a typed array nor a list, but 7.'],
-    ['[[1, 2, 3]', /^The circles are not valid JSON: /],
-    ['{"type": "FeatureCollection", "features": [null]}', 'Circle 0 does not have three numbers x, y and r.'],
-  ])('%j is refused', (text, message) => {
-    expect(() => readCircles(text)).toThrow(message)
+    ['', 0],
+    ['x,y,r\n', 0],
+    ['1,2,3\n4,5\n', 2],
+    ['name,x,y,r\r\n"a\r\nb",1,2,3\r\nc,4,5\r\n', 4],
+    ['1,2,3,4\n', 1],
+    ['x,y,r\n1,2,0x10\n', 2],
+    ['1,2,Infinity\n', 1],
+    ['[[1, 2]]', 0],
+    ['[1, 2]', 0],
+    ['{"circles": [1, 2]}', 0],
+    ['{"circles": 7}', 0],
+    ['[[1, 2, 3]', 0],
+    ['{"type": "FeatureCollection", "features": [null]}', 0],
+  ])('%j is refused, by its line if one is wrong: %d', (text, line) => {
+    expect(() => readCircles(text)).toThrow(line === 0 ? /./ : `Line ${line} `)
   })
 })
 
@@ -146,34 +146,22 @@ describe('attributes', () => {
     expect(parseLayers('')).toEqual(DEFAULT_LAYERS)
   })
 
-  test.each(['nonsense', 'hull=2', 'no-nearZero', 'cells', 'max-distance', 'path', '__proto__'])(
-    'there is no layer %s',
-    (word) => {
-      expect(() => parseLayers(`hull ${word}`)).toThrow(
-        `There is no layer ${word}. The layers are circles, cells, labels, grid, edges, vertices, near-zero, hidden, disc, hull,`,
-      )
-    },
-  )
-
   test.each([
-    [
-      'cells=blue',
-      'The layer cells must be auto, none, radius, area, filled, degree, gap, index or different (got "blue").',
-    ],
-    ['max-distance=far', 'The layer maxDistance must be a number (got "far").'],
-    ['near-zero=-1', 'The layer nearZero must be a number from 0 (got -1).'],
-    ['{"dsic": true}', /^There is no layer dsic\. /],
-    ['{"dual"', /^The layers are not valid JSON: /],
-  ])('a layer cannot be as in %s', (text, message) => {
-    expect(() => parseLayers(text)).toThrow(message)
+    ...['nonsense', 'hull=2', 'no-nearZero', 'cells', 'max-distance', 'path', '__proto__', 'cells=blue'],
+    ...['max-distance=far', 'near-zero=-1', '{"dsic": true}', '{"dual"'],
+  ])('layers are not %s', (word) => {
+    expect(() => parseLayers(word)).toThrow(expect.objectContaining({ code: 'badInput' }))
+    expect(() => parseLayers(`hull ${word}`)).toThrow()
   })
 
-  test('a method and samples are those of the library', () => {
-    expect(parseMethod('flip')).toBe('flip')
-    expect(() => parseMethod('magic')).toThrow('The method must be auto, touching-disc or flip (got "magic").')
-    expect(parseSamples('3')).toBe(3)
-    for (const text of ['', 'many', '-1', '1.5'])
-      expect(() => parseSamples(text)).toThrow('The samples must be a whole')
+  test.each([
+    [parseMethod, 'flip', 'flip', ['magic']],
+    [parseSamples, '3', 3, ['', 'many', '-1', '1.5']],
+    [parseView, '1, -2.5  4', { x: 1, y: -2.5, span: 4 }, ['', '1 2', '1 2 0', '1 2 -3', '1 2 3 4', 'a b c']],
+    [parseStep, ' 12 ', 12, ['', 'last', '-1', '1.5', '1e300']],
+  ] as const)('%O of %j is %j, and others are refused', (parse, text, value, wrong) => {
+    expect(parse(text)).toEqual(value)
+    for (const other of wrong) expect(() => parse(other)).toThrow(Refusal)
   })
 
   test('areas of a program are copied', () => {
@@ -183,17 +171,6 @@ describe('attributes', () => {
     expect(areas).toEqual([1, 2])
   })
 
-  test('a view is three numbers', () => {
-    expect(parseView('1, -2.5  4')).toEqual({ x: 1, y: -2.5, span: 4 })
-    for (const text of ['', '1 2', '1 2 0', '1 2 -3', '1 2 3 4', 'a b c'])
-      expect(() => parseView(text)).toThrow('A view is')
-  })
-
-  test('a step is a whole number', () => {
-    expect(parseStep(' 12 ')).toBe(12)
-    for (const text of ['', 'last', '-1', '1.5', '1e300']) expect(() => parseStep(text)).toThrow('A step is')
-  })
-
   test('controls are buttons, the player or both', () => {
     const both = (text: string | null) => Object.values(parseControls(text))
     expect(both(null)).toEqual([false, false])
@@ -201,36 +178,25 @@ describe('attributes', () => {
     expect(both('player')).toEqual([false, true])
     expect(both(' buttons  player ')).toEqual([true, true])
     for (const text of ['buttns', 'player buttns', 'false', 'true player']) {
-      expect(() => parseControls(text)).toThrow(`The controls must be buttons or player, or both (got "${text}").`)
+      expect(() => parseControls(text)).toThrow(Refusal)
     }
   })
 })
 
 describe('what it says', () => {
-  const counts = { circles: 12345, hidden: 1, vertices: 1, edges: 2 }
-
   test('is in the language of its page, if that is known, with its numbers', async () => {
-    const english = (number: string) =>
-      `${number} circles, 1 of them hidden inside others; the diagram has 1 vertex and 2 edges.`
-    const german = (number: string) =>
-      `${number} Kreise, 1 davon in anderen verborgen; das Diagramm hat 1 Ecke und 2 Kanten.`
-    expect(wordsOf('en').describe(counts)).toBe(english('12,345'))
     // The language is loaded on demand.
     for (const lang of ['', 'fr', 'den', 'zh-Hant', 'en']) expect(loadWords(lang)).toBeUndefined()
-    expect(wordsOf('de')).toMatchObject({ lang: 'en' })
+    expect(wordsOf('de').lang).toBe('en')
     await loadWords('de')
     expect(loadWords('de')).toBeUndefined()
-    expect(wordsOf('de').describe(counts)).toBe(german('12.345'))
-    expect(wordsOf('de-CH').describe(counts)).toMatch(/^12[^.]345 Kreise/)
-    expect(wordsOf('DE').describe({ ...counts, circles: 1, hidden: 0 })).toMatch(/^1 Kreis; /)
-    expect([wordsOf('de').editing.cell(true, 1), wordsOf('de').editing.cell(false, 2)]).toEqual([
-      'Begrenzte Zelle, 1 Nachbar',
-      'Unbegrenzte Zelle, 2 Nachbarn',
+    for (const lang of ['de', 'DE', 'de-CH', 'de-']) expect(wordsOf(lang).lang, lang).toMatch(/^de/i)
+    for (const lang of ['', 'fr', 'den', 'zh-Hant', 'en-@']) expect(wordsOf(lang).lang, lang).toMatch(/^en/)
+    const numbers = (lang: string) => wordsOf(lang).describe({ circles: 12345, hidden: 1, vertices: 1, edges: 2 })
+    expect([numbers('en'), numbers('de')]).toEqual([
+      expect.stringContaining('12,345'),
+      expect.stringContaining('12.345'),
     ])
-    for (const lang of ['', 'fr', 'den', 'zh-Hant']) expect(wordsOf(lang)).toMatchObject({ lang: 'en' })
-    // An odd language does not break the page.
-    expect(wordsOf('de-').describe(counts)).toBe(german('12.345'))
-    expect(wordsOf('en-@').describe(counts)).toBe(english('12,345'))
   })
 
   test('is all there in each language, and another text in each', async () => {
@@ -247,15 +213,11 @@ describe('what it says', () => {
         Object.entries(words).flatMap(([name, value]) => (value === undefined ? [] : [name]))
       expect(names(other).sort()).toEqual(names(one).sort())
     }
-    expect(german.others?.refusals.coded(new CircleVoronoiError('negativeRadius', '', { circle: 3 }))).toBe(
-      'Kreis 3: Der Radius darf nicht negativ sein.',
-    )
-    expect(problemOf(new Error('It broke.'), true, german.others?.refusals)).toBe(
-      'It broke. Nichts hat sich geändert. Versuchen Sie es noch einmal.',
-    )
-    expect(problemOf(new Refusal(ENGLISH, (words) => words.noCircles), true, german.others?.refusals)).toBe(
-      'Darin sind keine Kreise.',
-    )
+    const broken = new Error('It broke.')
+    for (const error of [new Refusal(ENGLISH, (words) => words.noCircles), broken]) {
+      expect(problemOf(error, true, german.others?.refusals)).not.toBe(problemOf(error, true))
+    }
+    expect(problemOf(broken, true, german.others?.refusals)).toContain('It broke.')
   })
 
   test('has the same values in each language, and all that it is given in one of them', async () => {
@@ -374,52 +336,34 @@ describe('a check', () => {
     expect(holds(parseCheck(JSON.stringify(given)), facts)).toBe(expected)
   })
 
-  test('is of circles that have been there', () => {
-    const check = parseCheck('{ "any": [{ "not": { "cell": 3, "edges": 3 } }, { "cell": 0, "neighbor": 5 }] }')
-    expect(() => checkCircles(check, 6)).not.toThrow()
-    expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the ids 0 to 4.')
-    expect(() => checkCircles(check, 3)).toThrow('there is no circle 3. ')
-    expect(() => checkCircles(check, 0)).toThrow('there is no circle 3. There are no circles.')
-  })
-
-  test('names other ids for all its circles', () => {
-    const check = parseCheck(
-      '{ "all": [{ "cell": 1, "neighbor": 2 }, { "not": { "any": [{ "cell": 3, "x": 1 }, { "circles": 2 }] } }] }',
-    )
-    expect(withIds(check, (number) => number + 10)).toEqual({
-      all: [{ cell: 11, neighbor: 12 }, { not: { any: [{ cell: 13, x: 1 }, { circles: 2 }] } }],
-    })
-  })
-
-  test('knows which circles it is about', () => {
+  test('names other ids for all its circles, which have been there', () => {
     const text =
-      '{ "all": [{ "cell": 3, "edges": 3 }, { "not": { "any": [{ "cell": 5, "x": 1 }, { "circles": 2 }] } }] }'
-    expect(idsOf(parseCheck(text))).toEqual([3, 5])
+      '{ "all": [{ "cell": 1, "neighbor": 2 }, { "not": { "any": [{ "cell": 3, "x": 1 }, { "circles": 2 }] } }] }'
+    const check = parseCheck(text)
+    expect(withIds(check, (number) => number + 10)).toEqual(JSON.parse(text.replace(/(cell|neighbor)": /g, '$&1')))
+    expect(idsOf(check)).toEqual([1, 3])
+    expect(() => checkCircles(check, 4)).not.toThrow()
+    for (const count of [3, 1, 0]) expect(() => checkCircles(check, count)).toThrow(Refusal)
   })
 
   test.each([
-    ['edges == 3', 'it is not valid JSON'],
-    ['[]', 'each part is an object'],
-    ['{}', 'a part says nothing'],
-    ['{"cell": 3}', 'it says nothing of the cell'],
-    ['{"cell": -1, "edges": 3}', 'cell is the id of a circle'],
-    ['{"cell": 0.5, "edges": 3}', 'cell is the id of a circle'],
-    ['{"cell": 1, "edges": "3"}', 'edges is a number, or an object with min and max'],
-    ['{"cell": 1, "edges": {}}', 'edges is a number, or an object with min and max'],
-    ['{"cell": 1, "edges": {"least": 1}}', 'edges is a number, or an object with min and max'],
-    ['{"cell": 1, "bounded": 1}', 'bounded is true or false'],
-    [
-      '{"cell": 1, "constructor": 1}',
-      'a cell has no constructor; it has edges, neighbors, area, x, y, r, neighbor, bounded and hidden',
-    ],
-    ['{"area": 1}', 'a diagram has no area; it has circles, hidden, vertices and edges'],
-    ['{"all": []}', 'all has a list'],
-    ['{"any": {"circles": 1}}', 'any has a list'],
-    ['{"not": {"circles": 1}, "circles": 1}', 'not stands alone'],
-    [`${'{"not":'.repeat(9)}{"circles":1}${'}'.repeat(9)}`, 'it has too many parts'],
-    [JSON.stringify({ all: Array(300).fill({ circles: 1 }) }), 'it has too many parts'],
-  ])('%.40s is refused', (text, reason) => {
-    expect(() => parseCheck(text)).toThrow(`The check cannot be read: ${reason}.`)
+    'edges == 3',
+    '[]',
+    '{}',
+    '{"cell": 3}',
+    '{"cell": -1, "edges": 3}',
+    '{"cell": 0.5, "edges": 3}',
+    '{"cell": 1, "edges": "3"}',
+    '{"cell": 1, "edges": {}}',
+    '{"cell": 1, "edges": {"least": 1}}',
+    '{"cell": 1, "bounded": 1}',
+    '{"cell": 1, "constructor": 1}',
+    '{"area": 1}',
+    '{"all": []}',
+    '{"any": {"circles": 1}}',
+    '{"not": {"circles": 1}, "circles": 1}',
+  ])('%s is refused', (text) => {
+    expect(() => parseCheck(text)).toThrow(Refusal)
   })
 })
 
@@ -427,9 +371,9 @@ test('a check may be as deep and have as many parts as it may, and no more', () 
   const nested = (depth: number): unknown => (depth === 0 ? { circles: 1 } : { not: nested(depth - 1) })
   const many = (count: number) => JSON.stringify({ all: Array(count).fill({ circles: 1 }) })
   expect(parseCheck(JSON.stringify(nested(7)))).toEqual(nested(7))
-  expect(() => parseCheck(JSON.stringify(nested(8)))).toThrow('it has too many parts')
+  expect(() => parseCheck(JSON.stringify(nested(8)))).toThrow(Refusal)
   expect(parseCheck(many(199))).toHaveProperty('all')
-  expect(() => parseCheck(many(200))).toThrow('it has too many parts')
+  expect(() => parseCheck(many(200))).toThrow(Refusal)
 })
 
 interface Named {

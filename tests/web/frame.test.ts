@@ -69,7 +69,6 @@ let main: HTMLElement
 let told: FrameMessage[]
 let frame: Frame
 let loads: Map<string, (circles: Float64Array) => void>
-let resized: () => void
 let height: number
 let observed: unknown[]
 const part = (id: string) => main.querySelector(`#${id}`) as HTMLElement
@@ -86,9 +85,6 @@ beforeEach(() => {
   vi.stubGlobal(
     'ResizeObserver',
     class {
-      constructor(change: () => void) {
-        resized = change
-      }
       observe = (node: unknown) => observed.push(node)
     },
   )
@@ -118,39 +114,6 @@ const texts = () => ({
   met: part('met').textContent,
   page: document.title,
   lang: document.documentElement.lang,
-})
-const hidden = () => PARTS.filter((id) => part(id).hidden)
-const unseen = () => PARTS.filter((id) => part(id).classList.contains('visually-hidden'))
-
-it('has the texts of a question, and the usual ones without', async () => {
-  await frame.open(await encodeLink(QUESTION))
-  expect(texts()).toEqual({
-    title: 'Neighbors',
-    question: 'Which?',
-    open: 'Öffnen',
-    again: 'Neu beginnen',
-    met: 'Noch nicht gelöst',
-    page: 'Neighbors',
-    lang: 'de',
-  })
-  expect([hidden(), unseen()]).toEqual([['again', 'open', 'problem'], []])
-  expect([figure.readonly, figure.alt, figure.lang]).toEqual([true, 'Two circles', 'de'])
-  await frame.open(await encodeLink({ circles: CIRCLES }))
-  expect(texts()).toMatchObject({ title: 'Voronoi diagram of circles', question: '', open: 'Open', lang: 'en' })
-  expect(document.title).toBe('Voronoi diagram of circles')
-  expect([hidden(), unseen()]).toEqual([
-    ['question', 'met', 'again', 'problem'],
-    ['texts', 'title'],
-  ])
-  expect([figure.readonly, figure.alt, figure.lang]).toEqual([false, '', undefined])
-  for (const [state, seen] of [
-    [{ title: 'A' }, []],
-    [{ question: 'A' }, ['title']],
-    [{ check: { circles: 1 } }, ['title']],
-  ] as const) {
-    await frame.open(await encodeLink({ circles: CIRCLES, ...state }))
-    expect(unseen()).toEqual(seen)
-  }
 })
 
 it('has its texts before its circles, and none of either where a link has none', async () => {
@@ -201,58 +164,6 @@ it('has no check of other circles while it shows new ones, and tells an error of
   expect(told.at(-1)?.error).toBeUndefined()
 })
 
-it('says whether the check is met, once for each change, and reports it with the circles', async () => {
-  await frame.open(await encodeLink({ ...QUESTION, lang: '' }))
-  let assigned = 0
-  const met = part('met')
-  let text = met.textContent
-  Object.defineProperty(met, 'textContent', {
-    get: () => text,
-    set: (next: string) => {
-      assigned += 1
-      text = next
-    },
-  })
-  for (const [isMet, said, count] of [
-    [false, 'Not solved yet', 0],
-    [true, 'Solved', 1],
-    [true, 'Solved', 1],
-    [false, 'Not solved yet', 2],
-  ] as const) {
-    send(figure, 'checkchange', { detail: { isMet } })
-    expect([text, met.dataset.met, assigned]).toEqual([said, String(isMet), count])
-    await aTurn()
-    expect(told.at(-1)?.met).toBe(isMet)
-    expect(JSON.parse(told.at(-1)?.answer as string)).toEqual({ circles: figure.state.circles, check: isMet })
-  }
-  await frame.open(await encodeLink({ circles: CIRCLES }))
-  expect(told.at(-1)).toMatchObject({ type: 'circle-voronoi', height: 100, met: undefined, error: undefined })
-  expect(JSON.parse(told.at(-1)?.answer as string)).toEqual({ circles: CIRCLES.flat() })
-})
-
-it('starts over once the circles of a question have changed', async () => {
-  await frame.open(await encodeLink({ ...QUESTION, region: REGION }))
-  expect(part('again').hidden).toBe(true)
-  send(figure, 'circleschange')
-  await aTurn()
-  expect(part('again').hidden).toBe(false)
-  await frame.request({ state: { layers: { hull: true } } })
-  expect(part('again').hidden).toBe(false)
-  part('again').click()
-  await aTurn()
-  await aTurn()
-  expect(figure.states.at(-1)).toHaveProperty('region', REGION)
-  expect([...(figure.states.at(-1) as { circles: Float64Array }).circles]).toEqual(CIRCLES.flat())
-  expect([document.activeElement === figure, part('again').hidden]).toEqual([true, true])
-  await frame.open(await encodeLink(QUESTION))
-  await frame.startOver()
-  expect(figure.states.at(-1)).toHaveProperty('region', null)
-  await frame.open(await encodeLink({ circles: CIRCLES }))
-  send(figure, 'circleschange')
-  await aTurn()
-  expect(part('again').hidden).toBe(true)
-})
-
 it('shows the newest state, however late others are, and no error of older ones', async () => {
   const first = frame.open(await encodeLink({ dataSet: 'first' }))
   const second = frame.open(await encodeLink({ dataSet: 'second', title: 'Second' }))
@@ -280,16 +191,6 @@ it('shows the newest state, however late others are, and no error of older ones'
   expect(told.at(-1)?.state?.circles).toEqual(CIRCLES.flat())
 })
 
-it('shows what is wrong with a link, until another one is right, and tells it', async () => {
-  await frame.open('v1.AAAA')
-  expect([part('problem').hidden, part('problem').textContent]).toEqual([false, told.at(-1)?.error])
-  expect(told.at(-1)).toMatchObject({ state: undefined, met: undefined, answer: '', error: expect.any(String) })
-  await frame.open(await encodeLink({ circles: CIRCLES }))
-  expect([part('problem').hidden, part('problem').textContent]).toEqual([true, ''])
-  await frame.request({ state: `https://example.org/#${await encodeLink({ circles: [[1, 1, 1]] })}` })
-  expect(figure.state.circles).toEqual([1, 1, 1])
-})
-
 it('tells changes together once they are computed, and the current state where it is asked', async () => {
   await frame.open(await encodeLink({ circles: CIRCLES }))
   told.length = 0
@@ -310,26 +211,4 @@ it('tells changes together once they are computed, and the current state where i
   expect(told).toHaveLength(3)
   frame.restore(Float64Array.of(1, 1, 1))
   expect(Reflect.get(figure, 'circles')).toEqual(Float64Array.of(1, 1, 1))
-})
-
-it('tells its height where that changes, and keeps all circles visible where they are', async () => {
-  expect(observed).toEqual([main, part('texts')])
-  resized()
-  expect(figure.view).toBe('unset')
-  await frame.open(await encodeLink({ circles: CIRCLES }))
-  told.length = 0
-  resized()
-  await aTurn()
-  expect([told, figure.view]).toEqual([[], undefined])
-  height = 199.5
-  resized()
-  expect(told.map(({ height }) => height)).toEqual([200])
-  expect(main.classList.contains('natural')).toBe(false)
-  await aTurn()
-  figure.state = { circles: [], view: { x: 1, y: 2, span: 3 } }
-  await frame.request({})
-  figure.view = 'kept'
-  resized()
-  await aTurn()
-  expect(figure.view).toBe('kept')
 })

@@ -133,7 +133,6 @@ describe('the colors of cells', () => {
 })
 
 describe('the touching disc method', () => {
-  const shown = () => control(panel, 'Candidates')
   const count = () => all(panel, '#sample-count')[0] as HTMLInputElement | undefined
 
   it('has candidates with their own number of samples, which is checked', async () => {
@@ -159,21 +158,19 @@ describe('the touching disc method', () => {
   })
 
   it('is offered for few circles, and all pairs for fewer', async () => {
-    const circles = (many: number) =>
-      Float64Array.from({ length: 3 * many }, (_, k) => (k % 3 === 2 ? 0.1 : (k * k) % 1009))
     await pressed(panel, 'Samples')
-    await page.open(circles(MOST_PAIRED))
-    const isAllowed = () => !(all(shown(), 'option').at(-1) as HTMLOptionElement).disabled
-    expect(isAllowed()).toBe(true)
-    // All pairs of that many take a while.
-    await page.open(FIVE)
-    await entered(panel, 'Candidates', 'all-pairs')
-    await page.open(circles(MOST_PAIRED + 1))
-    expect(isAllowed()).toBe(false)
-    expect(element('method-found').textContent).toMatch(/too many/)
-    page.view.setLayers(DEFAULT_LAYERS)
-    await page.open(circles(MOST_TRACED + 1))
-    expect(controls(panel).has('Samples')).toBe(false)
+    const offered = async (circles: number) => {
+      page.store.update((state) => {
+        const edited = state.edited as NonNullable<typeof state.edited>
+        return { ...state, edited: { ...edited, counts: { ...edited.counts, circles } } }
+      })
+      await quiet()
+      return [controls(panel).has('Samples'), ...all(panel, '[value=all-pairs]:not(:disabled)').map(() => 'all pairs')]
+    }
+    expect(await offered(MOST_PAIRED)).toEqual([true, 'all pairs'])
+    expect(await offered(MOST_PAIRED + 1)).toEqual([true])
+    expect(await offered(MOST_TRACED)).toEqual([true])
+    expect(await offered(MOST_TRACED + 1)).toEqual([false])
   })
 })
 

@@ -226,9 +226,7 @@ describe('areas', () => {
 
   it('and a box exclude each other, and the box gives radii back and moves circles into it', async () => {
     await open([-50, 3, 1, -40, 3, 1])
-    await page.actions.setDomain({
-      region: [ring(-99, -99, 99, -99, 0, 99)],
-    })
+    await page.actions.setDomain({ region: [ring(-99, -99, 99, -99, 0, 99)] })
     await page.actions.setAreas('equal')
     await page.actions.repeat()
     const [x = 0, , , other = 0] = circles()
@@ -243,19 +241,5 @@ describe('areas', () => {
     expect([problem() === '', page.editing.domain.lattice?.a[1]]).toEqual([false, 0])
     await page.actions.setDomain({ region: REGION })
     expect(page.editing.domain).toMatchObject({ lattice: undefined, region: REGION })
-  })
-})
-
-describe('the number of selected circles', () => {
-  it.each([
-    [[], '0 circles selected'],
-    [[1, 2], '2 circles selected'],
-  ])('of %j is said', async (ids, said) => {
-    const all = page.editing.circles
-    const box =
-      ids.length === 0 ? { minX: 90, minY: 90, maxX: 91, maxY: 91 } : { minX: 15, minY: -5, maxX: 25, maxY: 25 }
-    page.actions.selectWithin(box)
-    await quiet()
-    expect([all.count, page.store.get().said.text]).toEqual([5, said])
   })
 })

@@ -2,10 +2,9 @@
 // Services around the figure: data sets that are fetched, links in threads, free space, print, and style sheets.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { printWorksheet } from '../../web/app/files/worksheet.ts'
 import { workOffline } from '../../web/app/offline.ts'
 import { styleSheetsLoaded } from '../../web/app/style-sheets.ts'
-import { all, element, openPage, textOf } from './page-document.ts'
+import { all, element, openPage } from './page-document.ts'
 import { settled } from './turns.ts'
 
 beforeEach(() => void openPage())
@@ -88,56 +87,6 @@ describe('the free part of the picture', () => {
     const { top, right, bottom, left } = await padding(boxes, page)
     expect([top, right, bottom, left]).toEqual(sides)
   })
-})
-
-describe('print', () => {
-  it.each([
-    [{}, 'en', ['Name:', 'Date:'], 'Try it: a.example/page/embed.html', 'The figure is too large for a code.'],
-    [
-      { lang: 'de' },
-      'de',
-      ['Name:', 'Datum:'],
-      'Probiere es aus: a.example/page/embed.html',
-      'Die Figur ist zu groß für einen Code.',
-    ],
-  ])(
-    'has a worksheet with the question and a code, until it is closed: %j',
-    async (frame, lang, names, tried, long) => {
-      let prints = 0
-      vi.stubGlobal('print', () => prints++)
-      const place = element('worksheet')
-      const sheet = async (address: string) => {
-        const printing = printWorksheet(place, { title: 'T', question: 'Q?', ...frame }, '<svg><g/></svg>', address)
-        const shown = {
-          spans: all(place, 'span').map(textOf),
-          texts: [textOf(place.querySelector('h1')), textOf(all(place, 'p')[1])],
-          figures: all(place, 'figure *').map(({ localName }) => localName),
-          foot: textOf(place.querySelector('footer')),
-          code: place.querySelector('footer svg')?.getAttribute('viewBox'),
-          isShown: !place.hidden,
-          lang: place.lang,
-        }
-        window.dispatchEvent(new Event('afterprint'))
-        await printing
-        return shown
-      }
-      const address = 'https://a.example/page/embed.html#v1'
-      const { code, ...shown } = await sheet(address)
-      expect(shown).toEqual({
-        spans: names,
-        texts: ['T', 'Q?'],
-        figures: ['svg', 'g'],
-        foot: tried,
-        isShown: true,
-        lang,
-      })
-      // The white squares around the code.
-      expect(code).toMatch(/^-4 -4 (\d+) \1$/)
-      expect([prints, place.hidden, place.childNodes.length]).toEqual([1, true, 0])
-      expect((await sheet(address.padEnd(1800, 'a'))).code).toBeDefined()
-      expect(await sheet(address.padEnd(1801, 'a'))).toMatchObject({ code: undefined, foot: long })
-    },
-  )
 })
 
 it.each(['load', 'error'])('style sheets are waited for until each has loaded or failed: %s', async (kind) => {

@@ -35,16 +35,6 @@ function key(target: HTMLElement, key: string, more: KeyboardEventInit = {}) {
 }
 
 describe('a panel', () => {
-  it('opens again after a reload if it is kept', async () => {
-    localStorage.setItem(STORED, 'a')
-    const [a, b, other] = [panelOf('a'), panelOf('b'), panelOf('a', false)]
-    expect(a.panel.isOpen, 'the caller has no panel yet').toBe(false)
-    await Promise.resolve()
-    expect([a.panel.isOpen, b.panel.isOpen, other.panel.isOpen]).toEqual([true, false, false])
-    other.button.click()
-    expect(localStorage.getItem(STORED)).toBe('')
-  })
-
   it('opens and closes without storage', () => {
     const forbidden = () => {
       throw new Error('forbidden')
@@ -85,15 +75,6 @@ describe('a panel', () => {
     control(place, 'Close').focus()
     panel.close()
     expect(document.activeElement).toBe(button)
-  })
-
-  it('has the focus after Tab on its button while it is open', () => {
-    const { panel, place, button } = panelOf('a')
-    expect(key(button, 'Tab')).toBe(false)
-    panel.open()
-    expect([key(button, 'Tab', { shiftKey: true }), key(button, 'a')]).toEqual([false, false])
-    expect(key(button, 'Tab')).toBe(true)
-    expect(document.activeElement).toBe(control(place, 'Close'))
   })
 })
 

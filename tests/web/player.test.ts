@@ -5,11 +5,10 @@ import { ringOf, testedAt, testedCircles, turnTo, waitingCount, waitingDiscs } f
 import { arcOf, FinishedArcs } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS } from '../../web/player/program.ts'
-import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
-import { type Colors, circlesAt, overlayOf } from '../../web/player/step-overlay.ts'
+import { numberOf, sentenceOf } from '../../web/player/sentences.ts'
+import { circlesAt, overlayOf } from '../../web/player/step-overlay.ts'
 import { concerns, kindAt, kindOf, nextStep, programOf, type Step, stepsOf } from '../../web/player/steps.ts'
 import { columnsOf, drawTimeline } from '../../web/player/timeline.ts'
-import { ENGLISH_PLAYER } from '../../web/player/words.ts'
 import { MOST_PLAYED } from '../../web/view/layers.ts'
 import { traced } from '../../web/view/painter/traced.ts'
 import { library, seededRandom } from './library.ts'
@@ -83,25 +82,7 @@ describe('the steps of a trace', () => {
     }
   })
 
-  it('are told in plain sentences with numbers', () => {
-    const trace = library.trace([
-      [0, 0, 1],
-      [6, 0, 1],
-      [0, 8, 1],
-    ])
-    const told = stepsOf(trace).map((step) => sentenceOf(trace, step))
-    expect(told[0]).toBe('There are 3 circles.')
-    expect(told).toContain('The Delaunay graph of the centers has 3 edges.')
-    expect(told).toContain('The smallest disc in the list lies between circles 0 and 1, with radius 2.')
-    expect(told).toContain('The disc of circles 0 and 1 is empty: directed edges 0→1 and 1→0 are placed.')
-    expect(ENGLISH_PLAYER.place(0, 1, [4])).toMatch(/is empty, because circle 4 does not reach into it: directed/)
-    expect(ENGLISH_PLAYER.place(0, 1, [4, 5])).toContain('because circles 4 and 5 do not reach into it')
-    expect(
-      told.some((text) => /is empty: its center \(3, 4\) is a vertex, at distance 4 from all three/.test(text)),
-    ).toBe(true)
-    expect(told.at(-1)).toBe(
-      'The list is empty. The 3 directed edges left over lead once around the hull. The judge proves the diagram.',
-    )
+  it('are told with short numbers', () => {
     expect([1234567, 0.000012345, 0, -2.34567, 1234.5678].map(numberOf)).toEqual([
       '1.23e+6',
       '1.23e-5',
@@ -109,15 +90,6 @@ describe('the steps of a trace', () => {
       '-2.35',
       '1234.57',
     ])
-  })
-
-  it('are told in the singular of one thing, and in the plural of more or none', () => {
-    const trace = library.trace(randomCircles(40, 3))
-    const told = stepsOf(trace).map((step) => sentenceOf(trace, step))
-    const formed = told.filter((text) => /three-touch discs? .*into the list/.test(text))
-    expect(formed.some((text) => /^1 three-touch disc goes into the list: \d+·\d+·\d+ /.test(text))).toBe(true)
-    expect(formed.some((text) => /^\d+ three-touch discs go into the list: /.test(text))).toBe(true)
-    expect(formed.filter((text) => !/^(1 three-touch disc goes|\d+ three-touch discs go) into/.test(text))).toEqual([])
   })
 
   it('are those of flips where the trace begins with faces, and of the method where it has neither', () => {
@@ -147,17 +119,23 @@ describe('the steps of a trace', () => {
     expect(new Set(counts).size).toBeGreaterThan(2)
   })
 
-  it('are marked as far as the canvas is wide, also where that has changed', () => {
+  it('are marked by kind as far as the canvas is wide, also where that has changed', () => {
     vi.stubGlobal('devicePixelRatio', 1)
     const steps = stepsOf(library.trace(SMALL))
     for (const clientWidth of [400, 90, 300]) {
       let rightmost = 0
+      const colors = new Set<string>()
       const context = {
-        fillRect: (x: number, _: number, width: number) => (rightmost = Math.max(rightmost, x + width)),
+        fillStyle: '',
+        fillRect: (x: number, _: number, width: number) => {
+          rightmost = Math.max(rightmost, x + width)
+          colors.add(context.fillStyle)
+        },
       }
       const canvas = canvasOf({ clientWidth, clientHeight: 20, getContext: () => context })
-      drawTimeline(canvas, steps, 0, new Set(), {} as Colors)
+      drawTimeline(canvas, steps, 0, new Set(), COLORS)
       expect(Math.abs(rightmost - clientWidth)).toBeLessThan(2)
+      expect(colors.size).toBeGreaterThan(4)
     }
     vi.unstubAllGlobals()
   })
@@ -168,7 +146,7 @@ describe('the steps of a trace', () => {
     const context = { fillRect() {}, beginPath() {}, fill() {}, arc: (...dot: number[]) => dots.push(dot.slice(0, 3)) }
     const canvas = canvasOf({ clientWidth: 101, clientHeight: 20, getContext: () => context })
     const steps = stepsOf(library.trace(SMALL)).slice(0, 11)
-    drawTimeline(canvas, steps, 0, new Set([0, 5, 10]), {} as Colors)
+    drawTimeline(canvas, steps, 0, new Set([0, 5, 10]), COLORS)
     const width = 101 * pixelRatio - 1
     expect(dots).toEqual([0, width / 2, width].map((x) => [x, 16 * pixelRatio, 4 * pixelRatio]))
     vi.unstubAllGlobals()
@@ -188,14 +166,6 @@ it.each([
   // The arrow lies to the right of its segment, with the head at the tip.
   const expected = [r, -head / 2, r + gap, -head / 2, r + gap - head, -head]
   for (const [k, value] of [x, y, tipX, tipY, headX, headY].entries()) expect(value).toBeCloseTo(expected[k] as number)
-})
-
-it('parts of a program are numbered in their order', () => {
-  for (const program of Object.values(PROGRAMS)) {
-    const numbers = program.flatMap(({ title }) => /^\d+/.exec(ENGLISH_PLAYER.titles[title])?.[0] ?? [])
-    expect(numbers).toEqual(numbers.map((_, k) => String(k + 1)))
-  }
-  expect(PROGRAMS.touching.filter(({ title }) => /^\d/.test(ENGLISH_PLAYER.titles[title]))).toHaveLength(4)
 })
 
 describe('what is shown beside a step', () => {
@@ -489,41 +459,6 @@ describe('what is shown beside a step', () => {
     expect(waitingCount(events, state, 5)).toBe(1)
   })
 
-  it('are marks on a timeline: a row for each kind, stronger where there are more, and the current place above', () => {
-    vi.stubGlobal('devicePixelRatio', 2)
-    const drawn: unknown[][] = []
-    const context = {
-      fillStyle: '',
-      globalAlpha: 1,
-      fillRect: (...box: number[]) => drawn.push([context.fillStyle, context.globalAlpha, ...box]),
-    }
-    const canvas = { clientWidth: 5.5, clientHeight: 10, width: 0, height: 0, getContext: () => context }
-    const lines = ['begin', 'used', 'stale', 'take', 'place', 'branch', 'form', 'edit', 'hull'] as const
-    const few = lines.map((line, k): Step => ({ line, event: k, end: k + 1 }))
-    drawTimeline(canvasOf(canvas), few, 4, new Set(), COLORS)
-    expect([canvas.width, canvas.height]).toEqual([11, 20])
-    const rows = (color: string, top: number, bottom: number) =>
-      drawn.flatMap(([fill, alpha, x, y, width, height]) =>
-        fill === color && y === 20 * top && height === 20 * (bottom - top) ? [[alpha, x, width]] : [],
-      )
-    expect(rows('a', 0, 1)).toEqual([
-      [1, 0, 2],
-      [1, 10, 2],
-    ])
-    expect(rows('e', 0.42, 0.66).map(([, x]) => x)).toEqual([1, 3])
-    expect(rows('a', 0.2, 0.36).map(([, x]) => x)).toEqual([5])
-    expect(rows('f', 0.04, 0.36).map(([, x]) => x)).toEqual([6])
-    expect(rows('b', 0.72, 0.95).map(([, x]) => x)).toEqual([8])
-    expect(rows('c', 0, 0.3).map(([, x]) => x)).toEqual([9])
-    expect(drawn.at(-1)).toEqual(['g', 1, 5 - 2, 0, 4, 20])
-    // Columns for many steps show their numbers.
-    drawn.length = 0
-    const many = [...few.slice(1, 4), ...few.slice(1, 2), ...Array(8).fill(few[3])] as Step[]
-    drawTimeline(canvasOf({ ...canvas, clientWidth: 1 }), many, 0, new Set(), COLORS)
-    expect(rows('e', 0.42, 0.66)).toEqual([[1, 0, 2]])
-    vi.unstubAllGlobals()
-  })
-
   it('draws each segment that is finished, from its antipodal or its branch disc to its vertex', () => {
     const last = steps.findLast(({ line }) => line === 'placeThird' || line === 'finish') as Step
     const state = trace.at(last.end)
@@ -631,13 +566,15 @@ describe('a trace of circles that were edited', () => {
       ['circleRemoved', last + 1],
     ])
     for (const id of [1, last + 1]) {
-      expect(() => traced(library, diagram, { edits: [{ kind: 'remove', id }] })).toThrow(`no circle with id ${id}`)
+      expect(() => traced(library, diagram, { edits: [{ kind: 'remove', id }] })).toThrow(
+        expect.objectContaining({ code: 'unknownCircle' }),
+      )
     }
   })
 
   it('is refused where there are too many', () => {
     const many = library.edit(randomCircles(MOST_PLAYED + 1, 4)).snapshot()
-    expect(() => traced(library, many, {})).toThrow('A method is played for 1,000 circles at most; there are 1,001.')
+    expect(() => traced(library, many, {})).toThrow(expect.objectContaining({ code: 'tooManyCircles' }))
   })
 })
 
@@ -645,23 +582,19 @@ describe('questions', () => {
   it('have one right answer, which the next step gives', () => {
     const trace = library.trace(randomCircles(30, 8))
     const steps = stepsOf(trace)
-    const asked = new Set<string>()
+    const answers = new Map<string, string[]>()
     for (const [k, step] of steps.entries()) {
       const question = questionAfter(trace, steps, k)
       expect(question !== undefined).toBe(step.line === 'take')
       if (question === undefined) continue
       const next = (steps[k + 1] as Step).line
       const right = question.answers[question.right] as string
-      asked.add(`${next}: ${right}`)
+      answers.set(next, [...new Set([...(answers.get(next) ?? []), right])])
     }
-    expect([...asked].sort()).toEqual([
-      'branch: Three edges end',
-      'branch: Two edges end, one begins',
-      'notEmpty: Another circle reaches into it',
-      'place: It is empty',
-      'stale: Nothing: one of its edges has ended',
-      'used: A foot lies where another border has already passed',
-    ])
+    expect([...answers.keys()].sort()).toEqual(['branch', 'notEmpty', 'place', 'stale', 'used'])
+    // Two or three edges end in a branch disc.
+    expect([...answers].map(([next, { length }]) => length === (next === 'branch' ? 2 : 1))).not.toContain(false)
+    expect(new Set([...answers.values()].flat()).size).toBe(6)
   })
 
   it('ask of a flip which edge comes', () => {
@@ -677,7 +610,5 @@ describe('questions', () => {
       expect(sentenceOf(trace, steps[k + 1] as Step)).toContain(`becomes ${question.answers[question.right]}.`)
     }
     expect(asked).toBeGreaterThan(5)
-    expect(flipOf([], [])).toBeUndefined()
-    expect(ENGLISH_PLAYER.lines.flip).toContain('replace')
   })
 })

@@ -143,22 +143,6 @@ describe('the player', () => {
     expect(step()).toBe(10)
   })
 
-  it('stops at a breakpoint, goes on from there, and has none after an edit', async () => {
-    await go(2)
-    await press(WORDS.breakHere)
-    expect(button(WORDS.breakHere).getAttribute('aria-pressed')).toBe('true')
-    await go(0)
-    await press(WORDS.play)
-    await seconds(4)
-    expect(step()).toBe(2)
-    await press(WORDS.play)
-    await seconds(2)
-    expect(step()).toBe(4)
-    await replayed(() => figure.editing.edit([insert]))
-    await go(2)
-    expect(button(WORDS.breakHere).getAttribute('aria-pressed')).toBe('false')
-  })
-
   it('asks before each step whose outcome is open, and counts right answers by the trace', async () => {
     await press(WORDS.ask)
     await choose(WORDS.speed, '30')
@@ -300,13 +284,6 @@ describe('keys in the player', () => {
     await key('x')
     expect(reached).toEqual(['x'])
   })
-
-  it('keep the focus in the player where their button is disabled', async () => {
-    await go(1)
-    button(WORDS.back).focus()
-    await press(WORDS.back)
-    expect(document.activeElement).toBe(button(WORDS.stepLabel))
-  })
 })
 
 describe('circles that change while their method is shown', () => {
@@ -320,17 +297,6 @@ describe('circles that change while their method is shown', () => {
     expect(text()).toMatch(/disc/)
     await replayed(() => figure.editing.edit([{ ...insert, circle: { x: -20, y: 20, r: 1 } }]))
     expect(step()).toBe(0)
-  })
-
-  it('are refused where they are too many, with their diagram, and played again where they are few', async () => {
-    await replayed(() => figure.open(scene(MANY)))
-    expect([sentence(), figure.view.hasDiagram, above()]).toEqual([
-      expect.stringMatching(/1,000 circles at most; there are 1,001/),
-      true,
-      [],
-    ])
-    await replayed(() => figure.open(scene()))
-    expect([last() > 10, sentence()]).toEqual([true, 'There are 6 circles.'])
   })
 })
 

@@ -2,9 +2,7 @@
 // The cards of the selection, the menu and the clipboard on the whole page: what is done there, and the circles afterwards.
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
-import { areasOf } from './areas-of.ts'
-import { all, control, controls, element, press, send, textOf } from './page-document.ts'
-import { box } from './shapes.ts'
+import { all, control, controls, element, send, textOf } from './page-document.ts'
 import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
@@ -94,30 +92,6 @@ describe('the card of the selected circle', () => {
       expect(document.activeElement).toBe(element('figure'))
     }
     expect([card().hidden, ids()]).toEqual([true, [0, 1, 2, 4]])
-  })
-
-  it('has the measures of the cell, or of its part inside the region', async () => {
-    const facts = () => all(card(), '#inspector-facts dd').map((one) => Number(textOf(one)))
-    const [area] = (await areasOf(page.view, 4)).slice(3)
-    await soon(() => expect(facts()[0]).toBeCloseTo(area as number, 1))
-    expect(textOf(element('inspector-cell'))).toBe('Bounded cell, 4 neighbors')
-    await select(0)
-    await soon(() => expect(textOf(element('inspector-facts'))).toBe('Area of the cell∞ Perimeter of the cell∞'))
-    await page.actions.setDomain({
-      region: [box(-1, -1, 1, 1)],
-    })
-    await soon(() => expect(facts()).toEqual([4, 8]))
-    expect(textOf(element('inspector-facts'))).toMatch(/^Area inside the region4 Perimeter inside the region8$/)
-  })
-
-  it('has the number of a circle with a name, and its place where numbers are missing', async () => {
-    const about = () => [element('inspector-place').hidden, textOf(element('inspector-place'))]
-    expect([textOf(element('inspector-title')), about()]).toEqual(['Dd', [false, 'Circle 3']])
-    await select(4)
-    expect([textOf(element('inspector-title')), about()]).toEqual(['Circle 4', [true, '']])
-    await page.editing.edit([{ kind: 'remove', id: 1 }])
-    await quiet()
-    expect(about()).toEqual([false, '4 of 4; numbers are not used again'])
   })
 
   it('has the columns of the file beside the name', async () => {
@@ -265,25 +239,6 @@ describe('the color of the selection', () => {
   })
 })
 
-it('the card of a previewed circle says what it would take, or which circle hides it', async () => {
-  const trial = element('trial')
-  await page.view.tryCircle({ x: 5, y: 9, r: 0.5 })
-  await quiet()
-  expect([trial.hidden, textOf(trial)]).toEqual([
-    false,
-    expect.stringMatching(/would have the area [\d.]+, taken from .*Dd/),
-  ])
-  await page.view.tryCircle({ x: 0, y: 0, r: 0.5 })
-  await quiet()
-  expect(textOf(trial)).toContain('hidden inside Aa')
-  await page.view.tryCircle({ x: -50, y: 0, r: 0.5 })
-  await quiet()
-  expect(textOf(trial)).toMatch(/no end; taken from/)
-  await page.view.tryCircle(undefined)
-  await quiet()
-  expect(trial.hidden).toBe(true)
-})
-
 describe('the menu', () => {
   const menu = () => element('menu')
   const labels = () => all(menu(), 'span').map(textOf)
@@ -337,29 +292,6 @@ describe('the menu', () => {
     expect(page.view.camera).toEqual(camera)
     expect(document.activeElement).toBe(figure())
   })
-
-  it('is used with arrows, around its ends', async () => {
-    await openAt({ x: 10, y: 9 })
-    const buttons = all(menu(), 'button')
-    const key = (name: string) => {
-      send(menu(), 'keydown', { key: name })
-      return buttons.findIndex((button) => button === document.activeElement)
-    }
-    expect(['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'Delete'].map(key)).toEqual([
-      1, 2, 3, 0, 3, 3,
-    ])
-    expect(ids()).toHaveLength(5)
-  })
-
-  it('opens at the selected circle by its key, and not after a long press', async () => {
-    await select(1)
-    expect(await openAt({ x: 5, y: 12 }, 'touch')).toBe(false)
-    send(figure(), 'keydown', { key: 'ContextMenu' })
-    send(figure(), 'contextmenu', { offsetX: 0, offsetY: 0 })
-    const { x, y } = page.view.toScreen({ x: 20, y: 0 })
-    await soon(() => expect(Number.parseFloat(menu().style.left)).toBeCloseTo(x, 3))
-    expect(Number.parseFloat(menu().style.top)).toBeCloseTo(y, 3)
-  })
 })
 
 describe('the clipboard', () => {
@@ -377,34 +309,6 @@ describe('the clipboard', () => {
     return { isTaken: event.defaultPrevented, known: clipboardData.known }
   }
 
-  it('has the selected circles as lines of numbers, and gives them back each time farther aside', async () => {
-    await select(1, 3)
-    const { known } = clipboard('copy')
-    expect(known['text/plain']).toBe('20\t0\t3\n10\t9\t2\n')
-    const places: number[] = []
-    for (let k = 0; k < 2; k++) {
-      await expectOneStep(async () => {
-        expect(clipboard('paste', dataOf(known)).isTaken).toBe(true)
-        await soon(() => expect(ids()).toHaveLength(7))
-        places.push(page.circle(ids()[5] as number)?.x as number)
-      })
-    }
-    expect((places[1] as number) - 20).toBeCloseTo(2 * ((places[0] as number) - 20), 6)
-    await select(1, 3)
-    await expectOneStep(async () => {
-      clipboard('cut')
-      await soon(() => expect(ids()).toEqual([0, 2, 4]))
-    })
-  })
-
-  it('is left to the browser in a field, and where no circle is selected', async () => {
-    expect(clipboard('copy').isTaken).toBe(false)
-    await select(1)
-    expect(clipboard('copy', dataOf(), element('field-name')).isTaken).toBe(false)
-    expect(clipboard('paste', dataOf({ 'text/plain': '1 2 3' }), element('field-name')).isTaken).toBe(false)
-    expect(clipboard('paste').isTaken).toBe(false)
-  })
-
   it.each(['', '[]', '{}', '[[1,2]]', '[[1,2,"3"]]', '[[1,2,null]]', '[1,2,3]', 'circles'])(
     'with %j in the format of the page pastes nothing',
     async (text) => {
@@ -413,56 +317,4 @@ describe('the clipboard', () => {
       expect(ids()).toHaveLength(5)
     },
   )
-
-  it('adds the circles of a text, or replaces all by them', async () => {
-    await expectOneStep(async () => {
-      expect(clipboard('paste', dataOf({ 'text/plain': 'x,y,r,name\n50,50,1,New\n60,60,2,Newer\n' })).isTaken).toBe(
-        true,
-      )
-      await soon(() => expect(textOf(element('toast'))).toMatch(/^2 circles were added, without the columns name\./))
-      expect(page.circle(6)).toEqual({ x: 60, y: 60, r: 2 })
-    })
-    await page.actions.redo()
-    press(element('toast'), 'Replace all circles instead')
-    await soon(() => expect(ids()).toEqual([0, 1]))
-    expect(page.editing.nameOf(1)).toBe('Newer')
-  })
-})
-
-it('on a phone, a card is one line from the press of a finger until a tap', async () => {
-  document.body.classList.remove('one-line')
-  await select(3)
-  const touch = (type: string, clientX: number, pointerType = 'touch') => {
-    send(element('figure'), type, {
-      pointerType,
-      pointerId: 1,
-      button: 0,
-      clientX,
-      clientY: 0,
-      offsetX: 790,
-      offsetY: 5,
-    })
-    return document.body.classList.contains('one-line')
-  }
-  expect([touch('pointerdown', 0, 'mouse'), touch('pointerup', 0, 'mouse')]).toEqual([false, false])
-  expect([touch('pointerdown', 0), touch('pointerup', 4)]).toEqual([true, true])
-  expect([touch('pointerdown', 0), touch('pointerup', 3.9)]).toEqual([true, false])
-  for (const id of ['inspector', 'group']) {
-    touch('pointerdown', 0)
-    element(id).click()
-    expect(document.body.classList.contains('one-line')).toBe(false)
-    touch('pointerup', 0)
-  }
-})
-
-it('the focus is marked while Tab moves it, until a pointer is pressed', () => {
-  const marked = (type: string, more = {}) => {
-    send(window, type, more)
-    return document.body.classList.contains('tabbing')
-  }
-  expect([marked('keydown', { key: 'a' }), marked('keydown', { key: 'Tab' }), marked('pointerdown')]).toEqual([
-    false,
-    true,
-    false,
-  ])
 })

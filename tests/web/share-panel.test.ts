@@ -2,7 +2,7 @@
 // The panel Share on the whole page: what is copied, sent, saved and asked.
 // @vitest-environment happy-dom
 import { unzipSync } from 'fflate'
-import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { KINDS } from '../../web/app/question/conditions.ts'
 import { decodeLink, encodeLink, type LinkFrame } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -34,17 +34,6 @@ async function stateIn(text: string) {
 }
 
 describe('the panel Share', () => {
-  it('copies a link that opens what is seen', async () => {
-    page.view.setLayers({ hull: true })
-    await page.editing.edit([{ kind: 'remove', id: 4 }])
-    page.actions.look({ x: 3, y: 4, span: 50 })
-    await pressed(panel, 'Copy link')
-    const { address, state } = await stateIn(await out.text())
-    expect([address, [...(state.circles as Float64Array)]]).toEqual([`${location.origin}/`, [...FIVE.slice(0, 12)]])
-    expect(state).toMatchObject({ layers: { hull: true }, view: { x: 3, y: 4, span: 50 } })
-    await soon(() => expect(toast()).toBe('The link is in the clipboard.'))
-  })
-
   it('copies the code of a frame, which is higher where the method is played', async () => {
     await pressed(panel, 'Copy embed code')
     const code = await out.text()
@@ -58,21 +47,6 @@ describe('the panel Share', () => {
     const played = await out.text()
     expect(played).toMatch(/aspect-ratio: 1;/)
     expect((await stateIn(played)).state).toMatchObject({ step: 2 })
-    page.actions.showStep(undefined)
-  })
-
-  it('copies the element with the circles themselves, also of a data set', async () => {
-    await page.actions.load('start')
-    await pressed(panel, 'Copy element')
-    const code = await out.text()
-    expect(code).toMatch(
-      /^<script type="module" src="[^"]*\/element\.js"><\/script>\n<circle-voronoi src="#v1[^"]*" controls>/,
-    )
-    const { state } = await stateIn(code)
-    expect([state.dataSet, (state.circles as Float64Array).length]).toEqual([undefined, 24])
-    page.actions.showStep(0)
-    await pressed(panel, 'Copy element')
-    expect(await out.text()).toContain(' controls="player"')
     page.actions.showStep(undefined)
   })
 
@@ -96,47 +70,6 @@ describe('the panel Share', () => {
     await pressed(panel, 'Send')
     await soon(() => expect(page.store.get().problem).toBe('not allowed'))
     out.failing.share = undefined
-  })
-
-  it('saves a card of all circles in the size that other sites show', async () => {
-    page.view.setCamera({ x: 900, y: 900, scale: 100 })
-    await pressed(panel, 'Save a card')
-    const { name, type, text } = await out.file()
-    expect([name, type, text]).toEqual(['circles-card.png', 'image/png', '1200 x 630'])
-  })
-
-  it.each([
-    ['circles that breathe', undefined, 4],
-    ['the method', 3, 8],
-  ])('records a clip of %s, after which everything is as before', async (_, step, seconds) => {
-    class MediaRecorder {
-      static isTypeSupported = (type: string) => type === 'video/webm'
-      ondataavailable = (_: { data: Blob }) => {}
-      onstop = () => {}
-      start() {
-        this.ondataavailable({ data: new Blob(['film']) })
-      }
-      stop() {
-        this.onstop()
-      }
-    }
-    Object.assign(globalThis, { MediaRecorder })
-    page.actions.showStep(step)
-    page.actions.select([1])
-    await quiet()
-    const moved = () => [page.store.get().step, page.circle(1)?.r]
-    const before = moved()
-    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'setInterval', 'clearInterval', 'performance'] })
-    control(panel, 'Record a clip').click()
-    await soon(() => expect(moved()).not.toEqual(before))
-    expect(page.store.get().selection).toEqual([])
-    await vi.advanceTimersByTimeAsync(1000 * seconds)
-    vi.useRealTimers()
-    const { name, text } = await out.file()
-    await quiet()
-    expect([name, text, moved(), page.store.get().selection]).toEqual(['circles-clip.webm', 'film', before, [1]])
-    page.actions.showStep(undefined)
-    Reflect.deleteProperty(globalThis, 'MediaRecorder')
   })
 
   it('says why there is no clip in a browser that records none', async () => {
@@ -203,12 +136,6 @@ describe('the form for a question', () => {
     expect(longest).toEqual([2000, 200, 200])
   })
 
-  it('names circles by their places in the link where some are missing', async () => {
-    await page.editing.edit([{ kind: 'remove', id: 1 }])
-    await quiet()
-    expect(await frameNow()).toMatchObject({ check: { cell: 2, edges: 3 } })
-  })
-
   it('combines conditions, and removes each alone', async () => {
     await pressed(panel, 'Add a condition')
     await entered(panel, 'Circle of condition 2', '2')
@@ -267,18 +194,6 @@ describe('the form for a question', () => {
     expect(chosenOf(control(panel, 'Comparison of condition 1')), 'areas are not compared exactly').toBe('at least')
     await entered(panel, 'Circle of condition 1', '0')
     expect(textOf(conditions()[0]?.querySelector('small'))).toBe('now infinite')
-  })
-
-  it('says whether there is something to do, also after an edit', async () => {
-    expect(now()).toEqual(['The circles do not meet this yet, so there is something to do.', 'quiet'])
-    await entered(panel, 'Value of condition 1', '4')
-    expect(now()).toEqual([expect.stringMatching(/^The circles meet this already\./), 'wrong'])
-    await page.editing.edit([{ kind: 'remove', id: 2 }])
-    await quiet()
-    await soon(() => expect(now()[1]).toBe('quiet'))
-    await entered(panel, 'Circle of condition 1', '9')
-    expect(now()).toEqual(['There is no circle 9.', 'wrong'])
-    expect(textOf(conditions()[0]?.querySelector('small'))).toBe('no such circle')
   })
 
   it('copies, prints, packs and opens the question', async () => {

@@ -5,7 +5,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { whenIdle } from '../../web/element/idle.ts'
 import { watchVisibility } from '../../web/element/visibility.ts'
-import { Paper } from '../../web/view/paper.ts'
 import { parsedSvg } from '../../web/view/parsed-svg.ts'
 import { make } from './page-document.ts'
 
@@ -102,83 +101,6 @@ it('an element is told that it comes near or goes far, by two observers for all,
   for (const { seen } of observers) expect([...seen]).toEqual([other])
   both(true)
   expect(told).toEqual([['other', 'near']])
-})
-
-describe('the drawing for print', () => {
-  let drawings: (string | Error)[]
-  let place: HTMLElement
-  let paper: Paper
-  const print_ = (name: string) => window.dispatchEvent(new Event(name))
-  const shown = () => [...place.children].map(({ id }) => id)
-  const svg = (id: string) => `<svg id="${id}"></svg>`
-  /** The window and its media query, to which all drawings of a page listen once. */
-  let first: readonly [EventTarget, typeof print] | undefined
-
-  beforeEach(() => {
-    vi.useFakeTimers()
-    drawings = []
-    first ??= [window, print]
-    ;[window, print] = first
-    print.matches = false
-    place = make('div')
-    paper = new Paper(place, async () => {
-      const next = drawings.shift() ?? ''
-      if (typeof next !== 'string') throw next
-      return next
-    })
-  })
-  afterEach(() => paper.dispose())
-  const rest = () => vi.advanceTimersByTimeAsync(300)
-
-  it('is made once nothing changes, shown while the page is printed, and gone afterwards', async () => {
-    drawings = [svg('a'), svg('b')]
-    paper.change()
-    await vi.advanceTimersByTimeAsync(299)
-    paper.change()
-    await vi.advanceTimersByTimeAsync(299)
-    expect(drawings).toHaveLength(2)
-    await vi.advanceTimersByTimeAsync(1)
-    expect([drawings.length, shown()]).toEqual([1, []])
-    print_('beforeprint')
-    expect([shown(), place.hidden]).toEqual([['a'], false])
-    print_('beforeprint')
-    expect(shown()).toEqual(['a'])
-    print_('afterprint')
-    expect([shown(), place.hidden]).toEqual([[], true])
-    for (const matches of [true, false]) {
-      print.dispatchEvent(Object.assign(new Event('change'), { matches }))
-      expect([shown(), place.hidden]).toEqual([matches ? ['a'] : [], !matches])
-    }
-  })
-
-  it('is the newest, and none after the figure is gone', async () => {
-    let finish = (_: string) => {}
-    const slow = new Paper(place, () => new Promise((resolve) => (finish = resolve)))
-    slow.change()
-    await rest()
-    const first = finish
-    slow.change()
-    await rest()
-    finish(svg('new'))
-    await vi.advanceTimersByTimeAsync(0)
-    first(svg('old'))
-    await vi.advanceTimersByTimeAsync(0)
-    slow.show(true)
-    expect(shown()).toEqual(['new'])
-    slow.change()
-    await rest()
-    slow.dispose()
-    expect([shown(), place.hidden]).toEqual([[], true])
-    finish(svg('late'))
-    await vi.advanceTimersByTimeAsync(0)
-    slow.change()
-    slow.dispose()
-    const before = finish
-    await rest()
-    expect(finish).toBe(before)
-    print_('beforeprint')
-    expect(shown()).toEqual([])
-  })
 })
 
 it('elements of an SVG are made from its text', () => {

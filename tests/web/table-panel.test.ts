@@ -3,7 +3,7 @@
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { all, element, send, textOf } from './page-document.ts'
-import { pressed, quiet, soon, wholePage } from './whole-page.ts'
+import { quiet, soon, wholePage } from './whole-page.ts'
 
 const CIRCLES = Float64Array.of(0, 9, 1, 30.123456789, 5, 3, 60, 7, 2, 30, 20, 1)
 const COLUMNS = [
@@ -131,34 +131,6 @@ describe('the cells of the table of circles', () => {
     expect(cell(1, 'area').getAttribute('aria-label')).toBe('hidden')
     expect(texts('x')).toEqual(['-12345.7', '-12345', '-1.23e-10', '-1.2e-100'])
   })
-
-  it('of names can be written where no file has any', async () => {
-    await page.open(CIRCLES)
-    expect(headings().map(textOf).at(-1)).toBe('name')
-    await edit(1, 'name')
-    await write('Kiel')
-    expect([page.editing.nameOf(1), texts('name')]).toEqual(['Kiel', ['', 'Kiel', '', '']])
-  })
-
-  it('are elements for the rows in sight and for the current one alone', async () => {
-    await page.open(MANY)
-    grid().focus()
-    expect([rows().length, grid().ariaRowCount]).toEqual([11, '101'])
-    await key('End', { ctrlKey: true })
-    grid().scrollTop = 1900
-    send(grid(), 'scroll')
-    await soon(() => expect(ids()).toEqual(Array.from({ length: 11 }, (_, k) => 89 + k)))
-    await soon(() => expect(texts('nbrs')).not.toContain(''))
-    expect(new Set(all(grid(), '[id]').map(({ id }) => id)).size).toBe(all(grid(), '[id]').length)
-    expect(rows()[0]?.style.transform).toBe('translateY(1780px)')
-    grid().scrollTop = 0
-    send(grid(), 'scroll')
-    await soon(() => expect(ids()).toEqual([...Array(11).keys(), 99]))
-    page.actions.select([99])
-    await page.actions.removeSelected()
-    await quiet()
-    expect([ids().length, current()]).toEqual([12, '98 x'])
-  })
 })
 
 describe('the rows of the table', () => {
@@ -205,14 +177,6 @@ describe('the rows of the table', () => {
     await page.editing.edit([{ kind: 'remove', id: 1 }])
     await quiet()
     expect(ids()).toEqual([0, 2, 3])
-  })
-
-  it('are added and deleted by buttons', async () => {
-    await pressed(element('table'), 'Add')
-    await soon(() => expect(ids()).toEqual([0, 1, 2, 3, 4]))
-    page.actions.select([0, 1])
-    await pressed(element('table'), 'Delete')
-    await soon(() => expect(ids()).toEqual([2, 3, 4]))
   })
 })
 
@@ -365,19 +329,6 @@ describe('a cell that is edited', () => {
     expect(current()).toBe('3 x')
   })
 
-  it.each([
-    ['r', 'a', '“a” is not a number. Nothing has changed.'],
-    ['r', '-1', expect.stringMatching(/negative/)],
-    ['n', 'a', '“a” is not a number. Nothing has changed.'],
-  ])('of %s stays for correction where %s is refused', async (column, text, said) => {
-    await edit(1, column)
-    await write(text)
-    expect([problem(), field().ariaInvalid, field().value, current()]).toEqual([said, 'true', text, `1 ${column}`])
-    expect([...page.editing.circles.circles()]).toEqual([...CIRCLES])
-    await write('7')
-    expect([input(), texts(column)[1]]).toEqual([null, '7'])
-  })
-
   it('is written when it loses the focus, and closed even if it is refused', async () => {
     for (const [text, r] of [
       ['4', 4],
@@ -390,18 +341,6 @@ describe('a cell that is edited', () => {
       expect([input(), page.circle(1)?.r]).toEqual([null, r])
     }
   })
-
-  it('belongs to its circle, wherever its row goes, unless other circles are opened', async () => {
-    await edit(1, 'y')
-    field().value = '8'
-    await page.editing.edit([{ kind: 'remove', id: 0 }])
-    await quiet()
-    await key('Enter')
-    expect(page.circle(1)?.y).toBe(8)
-    await edit(1, 'y')
-    await page.open(CIRCLES)
-    expect(input()).toBeNull()
-  })
 })
 
 describe('a text that is pasted into the table', () => {
@@ -409,20 +348,6 @@ describe('a text that is pasted into the table', () => {
     await click(cell(id, column))
     await paste(text)
   }
-
-  it('goes into rows from a cell on, and into new circles below, which are selected', async () => {
-    await pasteAt(1, 'y', '10\t1\n11\t2\n')
-    expect([page.circle(1), page.circle(2)]).toMatchObject([
-      { x: 30.123456789, y: 10, r: 1 },
-      { x: 60, y: 11, r: 2 },
-    ])
-    await pasteAt(3, '#', '1\t2\t3\n100\t5\t6')
-    expect([page.circle(3), page.circle(4), selection()]).toEqual([
-      { x: 1, y: 2, r: 3 },
-      { x: 100, y: 5, r: 6 },
-      [3, 4],
-    ])
-  })
 
   it('goes into a column of texts line by line, as one step', async () => {
     await pasteAt(1, 'name', 'Kiel\tX\r\nBonn\r\n')
@@ -457,12 +382,5 @@ describe('a text that is pasted into the table', () => {
     expect(await paste(text)).toBe(isTable)
     expect([input() === null, page.circle(1)?.x === 30.123456789]).toEqual([isTable, !isTable])
     if (!isTable) await key('Escape')
-  })
-
-  it('goes nowhere at the heading', async () => {
-    await click(cell(0, 'x'))
-    await key('ArrowUp')
-    await paste('1\t2')
-    expect([problem(), ...page.editing.circles.circles()]).toEqual(['', ...CIRCLES])
   })
 })

@@ -16,6 +16,7 @@ import { slideFigures } from '../../web/tutorial/sliders.ts'
 import { followTrials } from '../../web/tutorial/trials.ts'
 import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
 import { all, make, openPage, send } from './page-document.ts'
+import { box } from './shapes.ts'
 import { aTurn, eventually } from './turns.ts'
 import { fetchHere } from './whole-page.ts'
 
@@ -235,7 +236,6 @@ describe('a diagram that is corrupted', () => {
     return { figure, box, choice }
   }
   const verdict = () => document.querySelector('output')?.value
-  const RIGHT = 'The judge: this diagram is right.'
 
   it('is refused by the judge with its flaw marked, and right again by the button and with other circles', async () => {
     const { figure, box, choice } = await corrupted()
@@ -246,8 +246,9 @@ describe('a diagram that is corrupted', () => {
       figure.layers.cells,
       figure.layers.data.map(({ id }) => id),
     ]
+    const right = [verdict(), about()]
     const isRight = () => {
-      expect([verdict(), choice.value, about()]).toEqual([RIGHT, '', 'This is the right diagram. Choose a change.'])
+      expect([verdict(), about(), choice.value]).toEqual([...right, ''])
       expect(drawn()).toEqual([true, true, 'auto', []])
     }
     isRight()
@@ -258,7 +259,7 @@ describe('a diagram that is corrupted', () => {
       choice.value = '0'
       send(choice, 'change')
       await aTurn()
-      expect(verdict()).toMatch(/^The judge: no\. \w/)
+      expect(verdict()).not.toBe(right[0])
       expect(about()).toBe(CORRUPTIONS[0]?.about)
       expect(drawn()).toEqual([false, false, 'none', ['claimed', 'marked']])
       expect(figure.layers.hull).toBe(true)
@@ -270,15 +271,15 @@ describe('a diagram that is corrupted', () => {
     choice.value = `${CORRUPTIONS.length - 1}`
     send(choice, 'change')
     await aTurn()
-    expect(about()).toMatch(/^These circles leave nothing/)
-    expect(verdict()).toBe(RIGHT)
+    expect(right).not.toContain(about())
+    expect(verdict()).toBe(right[0])
   })
 
   it('has a table whose vertices are marked while they are looked at, and can be changed', async () => {
     const { figure, box } = await corrupted()
+    const right = verdict()
     const table = box.querySelector('table') as HTMLElement
     const rows = all(table, 'tr')
-    expect(rows[0]?.textContent).toBe('Vertextouches these circles')
     expect(rows.length).toBeGreaterThan(3)
     const marked = () => figure.layers.data.map(({ id }) => id)
     for (const [come, leave] of [
@@ -291,24 +292,19 @@ describe('a diagram that is corrupted', () => {
       expect(marked()).toEqual([])
     }
     const selects = all(rows[1] as Element, 'select')
-    expect(selects.map((select) => select.getAttribute('aria-label'))).toEqual([
-      'vertex 0, circle 1',
-      'vertex 0, circle 2',
-      'vertex 0, circle 3',
-    ])
+    expect(new Set(selects.map((select) => select.getAttribute('aria-label'))).size).toBe(3)
     const [select] = selects as [HTMLSelectElement]
     const now = select.value
     expect(new Set(selects.map(({ value }) => value)).size, 'circles of the vertex').toBe(3)
     select.value = `${(Number(now) + 1) % 6}`
     send(select, 'change')
     await aTurn()
-    expect(box.querySelector('p')?.textContent).toBe('You changed a vertex.')
-    expect(verdict()).toMatch(/^The judge: no\. \w/)
+    expect(verdict()).not.toBe(right)
     expect(marked()).toEqual(['claimed', 'marked'])
     select.value = now
     send(select, 'change')
     await aTurn()
-    expect(verdict()).toBe(RIGHT)
+    expect(verdict()).toBe(right)
   })
 })
 
@@ -369,63 +365,48 @@ describe('a figure that the tutorial draws', () => {
     const last = Number(slider.max)
     expect(last).toBeGreaterThan(3)
     const seen = new Set<string>()
-    const at = (value: number) => {
+    const slideTo = (value: number) => {
+      slider.valueAsNumber = value
+      send(slider, 'input')
+    }
+    for (const [act, value] of [
+      [() => back.click(), 0],
+      [() => forth.click(), 1],
+      [() => forth.click(), 2],
+      [() => back.click(), 1],
+      [() => slideTo(1.5), 1.5],
+      [() => forth.click(), 2],
+      [() => slideTo(1.5), 1.5],
+      [() => back.click(), 1],
+      [() => slideTo(last), last],
+      [() => forth.click(), last],
+    ] as const) {
+      act()
       expect(slider.valueAsNumber).toBe(value)
       expect(slider.getAttribute('aria-valuetext')).toBe(told.value)
       seen.add(content.innerHTML)
     }
-    at(0)
-    back.click()
-    at(0)
-    forth.click()
-    at(1)
-    forth.click()
-    at(2)
-    back.click()
-    at(1)
-    slider.valueAsNumber = 1.5
-    send(slider, 'input')
-    at(1.5)
-    forth.click()
-    at(2)
-    slider.valueAsNumber = 1.5
-    send(slider, 'input')
-    back.click()
-    at(1)
-    slider.valueAsNumber = last
-    send(slider, 'input')
-    forth.click()
-    at(last)
     expect(seen.size).toBe(5)
   })
 
   it('plays an event in 1.4 s, of which it rests half, to the end, from where it begins again; it pauses', async () => {
-    const { slider, play, forth } = await drawn()
+    const { slider, play } = await drawn()
     const last = Number(slider.max)
-    play.click()
-    expect(play.textContent).toBe('Pause')
-    const seen = [0, 700, 1050, 1400, 2800].map((now) => {
+    const at = (now: number) => {
       frame(now)
       return slider.valueAsNumber
-    })
-    expect(seen).toEqual([0, 0, 0.5, 1, 2])
+    }
     play.click()
-    expect(play.textContent).toBe('Play')
-    frame(9000)
-    expect(slider.valueAsNumber).toBe(2)
+    const pause = play.textContent
+    const isPlaying = () => play.textContent === pause
+    expect([0, 700, 1050, 1400, 2800].map(at)).toEqual([0, 0, 0.5, 1, 2])
     play.click()
-    frame(20_000)
-    frame(20_000 + 1400)
-    expect(slider.valueAsNumber).toBe(3)
-    forth.click()
-    expect([play.textContent, slider.valueAsNumber]).toEqual(['Play', 4])
+    expect([isPlaying(), at(9000)]).toEqual([false, 2])
     play.click()
-    frame(50_000)
-    frame(50_000 + 1400 * last)
-    expect([play.textContent, slider.valueAsNumber]).toEqual(['Play', last])
+    expect([20_000, 20_000 + 1400, 20_000 + 1400 * last].map(at)).toEqual([2, 3, last])
+    expect(isPlaying()).toBe(false)
     play.click()
-    frame(0)
-    expect([play.textContent, slider.valueAsNumber]).toEqual(['Pause', 0])
+    expect([isPlaying(), at(0)]).toEqual([true, 0])
   })
 
   it('jumps from event to event for readers who want less motion', async () => {
@@ -439,33 +420,10 @@ describe('a figure that the tutorial draws', () => {
     expect(seen).toEqual([0, 0, 1, 1])
   })
 
-  it('colors points that are evenly spread over its box', async () => {
-    const { slider, content } = await drawn({ kind: 'nearest', point: [3, 3] })
-    slider.valueAsNumber = 36
-    send(slider, 'input')
-    const dots = [...content.querySelectorAll('.dot:not(.point)')].map(place)
-    const partsOf = (axis: 0 | 1, count: number) => {
-      const sorted = dots.map((dot) => dot[axis] as number).sort((one, other) => one - other)
-      return dots.map((dot) => Math.floor((sorted.indexOf(dot[axis] as number) / sorted.length) * count))
-    }
-    // Among 36 points of the Halton sequence, each sixth of the box has six.
-    const [halves, thirds] = [partsOf(0, 2), partsOf(1, 3)]
-    const sixths = halves.map((half, k) => 3 * half + (thirds[k] as number))
-    expect([0, 1, 2, 3, 4, 5].map((sixth) => sixths.filter((other) => other === sixth).length)).toEqual([
-      6, 6, 6, 6, 6, 6,
-    ])
-  })
-
   it('has handles that are dragged and moved by keys within the picture, and its link follows', async () => {
     const { svg, handles, content, link, play, resize } = await drawn({ kind: 'nearest', point: [3, 3] })
     expect([svg.getAttribute('aria-label'), svg.getAttribute('role')]).toEqual(['Discs', 'group'])
-    expect(handles.map((handle) => handle.getAttribute('aria-label')?.split(':')[0])).toEqual([
-      'Circle 0',
-      'Circle 1',
-      'Circle 2',
-      'Circle 3',
-      'Point',
-    ])
+    expect(new Set(handles.map((handle) => handle.getAttribute('aria-label'))).size).toBe(5)
     const [, , width = 0, height = 0] = svg.getAttribute('viewBox')?.split(' ').map(Number) ?? []
     const scale = width / 24
     const [x, y, r] = place(handles[0])
@@ -521,16 +479,7 @@ describe('a figure that the tutorial draws', () => {
 
   it('is drawn with regions where its kind needs them', async () => {
     const [name] = Object.entries(KINDS).find(([, kind]) => kind.hasRegions) as [string, unknown]
-    const square = [
-      [
-        [
-          [-6, -4],
-          [18, -4],
-          [18, 12],
-          [-6, 12],
-        ],
-      ],
-    ]
+    const square = [[box(-6, -4, 18, 12)]]
     const { content } = await drawn({ kind: name, region: { type: 'MultiPolygon', coordinates: square } })
     expect(content.innerHTML).not.toBe('')
   })

@@ -2,7 +2,6 @@
 // A view with its thread, without pixels: what is drawn above the picture, what is written, and what it tells.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import type { Circle } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { mount } from '../../web/view/mount.ts'
 import type { GlobalResults } from '../../web/view/protocol.ts'
@@ -81,17 +80,6 @@ describe('above the picture', () => {
     expect(await drawnAbove()).toBe(0)
   })
 
-  it('nothing is drawn while the picture moves, if nothing is there', async () => {
-    view.setCamera({ x: 6, y: 4, scale: 4 })
-    expect(await drawnAbove()).toBe(0)
-    view.choose([view.circles.get(0) as Circle])
-    expect(await drawnAbove()).toBeGreaterThan(0)
-    view.setCamera({ x: 7, y: 4, scale: 4 })
-    expect(await drawnAbove()).toBeGreaterThan(0)
-    view.choose([])
-    expect(await drawnAbove()).toBe(0)
-  })
-
   it.each([
     [
       'a band',
@@ -118,19 +106,6 @@ describe('above the picture', () => {
     calls.delete(canvases()[1] as HTMLCanvasElement)
     view.setCamera({ x: 6, y: 4, scale: 4 })
     expect(await drawnAbove()).toBe(0)
-  })
-
-  it('highlights are not printed', async () => {
-    view.select(1)
-    expect(await drawnAbove()).toBeGreaterThan(0)
-    for (const [matches, isDrawn] of [
-      [true, false],
-      [false, true],
-    ] as const) {
-      media.matches = matches
-      media.dispatchEvent(new Event('change'))
-      expect((await drawnAbove()) > 0).toBe(isDrawn)
-    }
   })
 
   it('the selection has a handle at its corner, which scales about its middle', () => {

@@ -82,23 +82,11 @@ describe('the frame of a picture', () => {
     expect(pictureFrame(camera, { width: 0, height: 0 }, 1)).toMatchObject({ width: 1, height: 1 })
   })
 
-  it.each([0, -1, Number.NaN, '2', undefined])('is not %j times as large', (scale) => {
-    expect(() => pictureFrame(camera, SIZE, scale as number)).toThrow(
-      /^The scale of a picture is a positive number, not /,
-    )
-  })
-
   it.each([
-    [SIZE, 21],
-    [{ width: 10_000, height: 10_000 }, 1.2],
-    [SIZE, Number.POSITIVE_INFINITY],
-  ])('is none that no browser draws: %j times %d', (size, scale) => {
-    expect(() => pictureFrame(camera, size, scale)).toThrow(
-      expect.objectContaining({
-        code: 'badInput',
-        message: `A picture ${scale} times as large as this one is too large.`,
-      }),
-    )
+    ...[0, -1, Number.NaN, '2', undefined, 21, Number.POSITIVE_INFINITY].map((scale) => [SIZE, scale] as const),
+    [{ width: 10_000, height: 10_000 }, 1.2] as const,
+  ])('is none that no browser draws: %j times %j', (size, scale) => {
+    expect(() => pictureFrame(camera, size, scale as number)).toThrow(expect.objectContaining({ code: 'badInput' }))
   })
 })
 
@@ -106,32 +94,14 @@ describe('what is hit', () => {
   const circles = new CircleTable(Float64Array.of(0, 0, 10, 3, 0, 2, 40, 0, 0.1))
 
   it.each([
-    [
-      { x: -5, y: 0 },
-      { id: 0, part: 'disc' },
-    ],
-    [
-      { x: -10.2, y: 0 },
-      { id: 0, part: 'rim' },
-    ],
-    [
-      { x: 3, y: 0.5 },
-      { id: 1, part: 'disc' },
-    ],
-    [
-      { x: 5.1, y: 0 },
-      { id: 1, part: 'rim' },
-    ],
-    [
-      { x: 40.4, y: 0 },
-      { id: 2, part: 'disc' },
-    ],
-    [
-      { x: 38, y: 0 },
-      { id: 2, part: 'cell' },
-    ],
-  ])('at %j is %j', (point, hit) => {
-    expect(circles.hitAt(point, 0.5)).toEqual(hit)
+    [-5, 0, 0, 'disc'],
+    [-10.2, 0, 0, 'rim'],
+    [3, 0.5, 1, 'disc'],
+    [5.1, 0, 1, 'rim'],
+    [40.4, 0, 2, 'disc'],
+    [38, 0, 2, 'cell'],
+  ])('at %d, %d is circle %d by its %s', (x, y, id, part) => {
+    expect(circles.hitAt({ x, y }, 0.5)).toEqual({ id, part })
   })
 
   it('is the nearest of two rims that overlap', () => {
