@@ -5,7 +5,6 @@ import { afterEach, describe, expect, test, vi } from 'vitest'
 import { manifest } from '../../scripts/manifest.mjs'
 import { problemOf } from '../../web/editing/problem.ts'
 import {
-  checkedAreas,
   parseControls,
   parseLayers,
   parseMethod,
@@ -162,13 +161,6 @@ describe('attributes', () => {
   ] as const)('%O of %j is %j, and others are refused', (parse, text, value, wrong) => {
     expect(parse(text)).toEqual(value)
     for (const other of wrong) expect(() => parse(other)).toThrow(Refusal)
-  })
-
-  test('areas of a program are copied', () => {
-    const given = [1, 2]
-    const areas = checkedAreas(given)
-    given[0] = 9
-    expect(areas).toEqual([1, 2])
   })
 
   test('controls are buttons, the player or both', () => {

@@ -49,6 +49,11 @@ describe('layers of data', () => {
     const { data } = checkedLayers({ data: untyped([{ ...layer, act: () => 0 }]) })
     expect(data).toEqual([layer])
     expect(data[0]?.points).not.toBe(layer.points)
+    const column = { name: 'n', values: Float64Array.of(1), categories: ['A'] }
+    const checked = checkedLayers({ column })
+    column.values[0] = 2
+    column.categories[0] = 'B'
+    expect(checked.column).toEqual({ name: 'n', values: Float64Array.of(1), categories: ['A'] })
     expect(Object.isFrozen(DEFAULT_LAYERS) && Object.isFrozen(DEFAULT_LAYERS.data)).toBe(true)
   })
 

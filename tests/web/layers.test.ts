@@ -698,18 +698,6 @@ describe('layers that are set', () => {
   })
 })
 
-it('layers that are set are copies: a column, its categories, and the data', () => {
-  const [values, categories, points] = [Float64Array.of(1), ['A'], Float64Array.of(1, 2)]
-  const layers = checkedLayers({ column: { name: 'a', values, categories }, data: [{ id: 'a', color: 'red', points }] })
-  values[0] = 2
-  categories[0] = 'B'
-  points[0] = 3
-  expect(layers).toMatchObject({
-    column: { name: 'a', values: Float64Array.of(1), categories: ['A'] },
-    data: [{ id: 'a', color: 'red', points: Float64Array.of(1, 2) }],
-  })
-})
-
 it.each([
   ['dynamic', 0, 20],
   ['uniform', 1, 100],

@@ -5,7 +5,7 @@ import MiniSearch from 'minisearch'
 import { afterEach, describe, expect, it, test, vi } from 'vitest'
 import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'
 import { find, offerSearch, type Section, snippetOf } from '../../web/reading/search.ts'
-import { all, make, openPage, send, textOf } from './page-document.ts'
+import { all, openPage, send, textOf } from './page-document.ts'
 import { aTurn, eventually } from './turns.ts'
 
 function searchIn(sections: readonly Section[]): MiniSearch<Section> {
@@ -28,14 +28,6 @@ const addressesOf = (sections: readonly Section[], words: string) =>
   find(searchIn(sections), words).map(({ address }) => address)
 
 describe('order', () => {
-  it('has exact words of pages before names of the reference', () => {
-    const sections = [
-      section('api/functions-clearestPath.html', 'Function: clearestPath()', '', 'Finds the clearest path. A path.'),
-      section('docs/cookbook.html#path', 'Cookbook', 'Walk', 'How to find a path between two points of the plane.'),
-    ]
-    expect(addressesOf(sections, 'path')).toEqual(['docs/cookbook.html#path', 'api/functions-clearestPath.html'])
-  })
-
   it('has words as they are written before those that begin so or are spelled so', () => {
     const sections = [
       section('docs/a.html', 'Reactions', '', 'Reaction, reactor, reactive: react.ions'),
@@ -194,41 +186,6 @@ describe('the field of a search', () => {
     expect([shown(), list.hidden]).toEqual([['Nothing found.'], false])
     await type('')
     expect([shown(), list.hidden]).toEqual([[], true])
-  })
-
-  it('is walked through by arrows, left by Escape or a press elsewhere, and opens the first result', async () => {
-    const { field, form, list, box, shown } = offered('disc')
-    await eventually(() => expect(shown()).toHaveLength(2))
-    const [first, second] = all(list, 'a') as [HTMLAnchorElement, HTMLAnchorElement]
-    field.focus()
-    const go = (key: string) => [send(box, 'keydown', { key }).defaultPrevented, document.activeElement]
-    expect(['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'ArrowUp', 'ArrowUp', 'a'].map(go)).toEqual([
-      [true, first],
-      [true, second],
-      [false, second],
-      [true, first],
-      [true, field],
-      [false, field],
-      [false, field],
-    ])
-    let clicks = 0
-    first.addEventListener('click', () => {
-      clicks += 1
-    })
-    expect(send(form, 'submit').defaultPrevented).toBe(true)
-    expect(clicks).toBe(1)
-    list.hidden = false
-    go('ArrowDown')
-    go('Escape')
-    expect([list.hidden, document.activeElement]).toEqual([true, field])
-    const press = (target: HTMLElement) => {
-      list.hidden = false
-      send(target, 'pointerdown')
-      return list.hidden
-    }
-    const other = make('p')
-    document.body.append(other)
-    expect([press(first), press(other)]).toEqual([false, true])
   })
 })
 

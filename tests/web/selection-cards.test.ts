@@ -55,30 +55,6 @@ describe('the card of the selected circle', () => {
     expect(control(card(), label).value).toBe(String({ x: 10, y: 9, r: 2 }[label as 'x']))
   })
 
-  it('keeps a refused number with its problem until the field is left', async () => {
-    const field = control(card(), 'r')
-    field.focus()
-    await entered(card(), 'r', '-1')
-    await soon(() => expect(page.store.get().problem).toMatch(/radius|negative/))
-    await quiet()
-    expect([field.value, field.getAttribute('aria-invalid'), element('problem').hidden]).toEqual(['-1', 'true', false])
-    expect(page.circle(3)).toEqual({ x: 10, y: 9, r: 2 })
-    field.blur()
-    await quiet()
-    expect([field.value, field.getAttribute('aria-invalid'), element('problem').hidden]).toEqual(['2', 'false', true])
-  })
-
-  it('gives a field its last number again if it is left with an invalid one', async () => {
-    const field = control(card(), 'x')
-    field.focus()
-    send(field, 'focusin')
-    await entered(card(), 'x', '')
-    send(field, 'focusout')
-    field.blur()
-    await quiet()
-    expect([field.value, page.circle(3)]).toEqual(['10', { x: 10, y: 9, r: 2 }])
-  })
-
   it('gives the focus to the figure at Escape, when it is deselected, and when its circle is deleted', async () => {
     for (const leave of [
       async () => send(control(card(), 'x'), 'keydown', { key: 'Escape' }),

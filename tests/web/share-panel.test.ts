@@ -4,9 +4,8 @@
 import { unzipSync } from 'fflate'
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { KINDS } from '../../web/app/question/conditions.ts'
-import { decodeLink, encodeLink, type LinkFrame } from '../../web/lib/link.ts'
+import { decodeLink } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { untyped } from './errors.ts'
 import { all, chosenOf, control, controls, element, limitsOf, optionsOf, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
 import { entered, FIVE, fetchHere, pressed, quiet, soon, wholePage } from './whole-page.ts'
@@ -223,50 +222,5 @@ describe('the form for a question', () => {
     await soon(() => expect(printed).toMatch(/^Name:Date:A <title>Move the circles.*Try it:/))
     await soon(() => expect([worksheet.hidden, worksheet.childElementCount]).toEqual([true, 0]))
     observer.disconnect()
-  })
-
-  it('has the question of an opened link, with a condition of its own, until another one is opened', async () => {
-    const check = { cell: 1, edges: { min: 3 }, bounded: false }
-    const open = async (frame: LinkFrame) => {
-      expect(await page.actions.openLink(await encodeLink({ circles: FIVE, ...frame }))).toBe('opened')
-      await pressed(panel, 'Close')
-      panel = await page.panel('share')
-    }
-    await open({ title: 'T', question: 'Q?', check: untyped({ not: check }), lang: 'de-AT' }).catch(() => {})
-    await open({
-      title: 'T',
-      question: 'Q?',
-      check: untyped({ all: [check] }),
-      alt: 'A',
-      readonly: true,
-      lang: 'de-AT',
-    })
-    const texts = ['Question', 'Title', 'Description for screen readers'].map((label) => control(panel, label).value)
-    expect(texts).toEqual(['Q?', 'T', 'A'])
-    expect(['Readers may', 'Language'].map((label) => chosenOf(control(panel, label)))).toEqual(['only look', 'German'])
-    await open({
-      title: 'Other',
-      check: {
-        any: [
-          { cell: 1, x: { max: 2 } },
-          { cell: 1, bounded: false },
-        ],
-      },
-    })
-    expect(conditions()).toHaveLength(2)
-    expect([
-      chosenOf(control(panel, 'Comparison of condition 1')),
-      chosenOf(control(panel, 'Value of condition 2')),
-      chosenOf(control(panel, 'How many conditions are needed')),
-    ]).toEqual(['at most', 'no', 'one of these is met'])
-    expect(await frameNow()).toMatchObject({
-      title: 'Other',
-      check: {
-        any: [
-          { cell: 1, x: { max: 2 } },
-          { cell: 1, bounded: false },
-        ],
-      },
-    })
   })
 })

@@ -218,15 +218,6 @@ class Browser {
 }
 
 describe('the storage of scenes', () => {
-  it('goes on in a new tab where one that was closed ended', async () => {
-    const browser = new Browser()
-    const first = await browser.open()
-    expect(first.storage.read()).toBeUndefined()
-    await first.storage.write('v1.a')
-    first.close()
-    expect((await browser.open()).storage.read()).toBe('v1.a')
-  })
-
   it('has a place for each tab', async () => {
     const browser = new Browser()
     const [first, second] = [await browser.open(), await browser.open()]
@@ -454,27 +445,6 @@ describe('what a page leaves late', () => {
     made[0]?.('v1.a')
     await vi.advanceTimersByTimeAsync(0)
     expect(address.hash).toBe('#v1.a')
-  })
-
-  it('is not shown in place of a link that is opened, and not later either', async () => {
-    const { leave } = await begun('navigate', await hash())
-    leave({ dataSet: 'spruces' })
-    expect((await begun('navigate', await hash())).dataSet).toBe('introduction')
-    expect((await begun('reload', await hash())).dataSet).toBe('introduction')
-  })
-
-  it('is in the storage alone where it is too long for an address', async () => {
-    const { made, replaced, keeping: kept } = keeping('#v1.a')
-    await kept.begin()
-    for (const letters of [100_000, 100_001]) {
-      kept.changed()
-      await vi.advanceTimersByTimeAsync(400)
-      made.shift()?.('v'.repeat(letters))
-      await vi.advanceTimersByTimeAsync(0)
-    }
-    expect(replaced.map((to) => to.slice(0, 3))).toEqual(['#vv', '/?q'])
-    const { keeping: again } = keeping('')
-    expect(await again.begin()).toHaveLength(100_001)
   })
 
   it('is nowhere where the circles are too many, and what was there stays in the storage', async () => {

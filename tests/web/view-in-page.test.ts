@@ -7,7 +7,6 @@ import { mount } from '../../web/view/mount.ts'
 import type { GlobalResults } from '../../web/view/protocol.ts'
 import type { View } from '../../web/view/view.ts'
 import { held } from './element-page.ts'
-import { Canvas } from './page-canvas.ts'
 import { make, measure } from './page-document.ts'
 import { quiet, soon, surround } from './whole-page.ts'
 
@@ -172,14 +171,6 @@ describe('a view tells', () => {
     expect(view.circles.count).toBe(1)
   })
 
-  it('of results that are known, and that those of former circles are not', async () => {
-    const found = heard('found')
-    view.setLayers({ largestDisc: true })
-    await soon(() => expect(found.at(-1)).toMatchObject({ largestDisc: expect.anything() }))
-    await view.setCircles(CIRCLES.slice(0, 3))
-    expect(found).toContain(undefined)
-  })
-
   it('of its camera until listeners unsubscribe, and nobody after its end', () => {
     const told: string[] = []
     const stop = view.on('camera', () => told.push('first'))
@@ -249,56 +240,6 @@ describe('layers', () => {
 })
 
 describe('a picture', () => {
-  it('is written as it is seen or as is asked, in light colors for print, and as large as is asked', async () => {
-    const seen = await view.toSVG()
-    expect(seen).toContain('viewBox="0 0 80 60"')
-    expect(await view.toSVG({ camera: view.camera, size: { width: 7, height: 8 } })).toContain('viewBox="0 0 7 8"')
-    place.style.colorScheme = 'dark'
-    const schemes: string[] = []
-    const { getComputedStyle } = globalThis
-    vi.stubGlobal('getComputedStyle', (element: Element) => {
-      schemes.push(place.style.colorScheme)
-      return getComputedStyle(element)
-    })
-    expect(await view.toPrint()).toContain('#ffffff')
-    expect([new Set(schemes), place.style.colorScheme]).toEqual([new Set(['light']), 'dark'])
-    const textOf = async (png: Promise<Blob>) => (await png).text()
-    expect(await textOf(view.toPNG(2))).toBe('160 x 120')
-    vi.stubGlobal('devicePixelRatio', 3)
-    expect(await textOf(view.toPNG())).toBe('240 x 180')
-    const getContext = vi.spyOn(Canvas.prototype, 'getContext')
-    const drawn: PropertyKey[] = []
-    getContext.mockReturnValue(
-      new Proxy({}, { get: (_, name) => drawn.push(name) && (() => ({ width: 0 })), set: () => true }),
-    )
-    await view.toPNG()
-    const count = drawn.length
-    view.above = [{ id: 'a', color: 'red', points: Float64Array.of(5, 4) }]
-    await view.toPNG()
-    expect(drawn.length - count).toBeGreaterThan(count)
-    getContext.mockRestore()
-    await expect(view.toPNG(0)).rejects.toMatchObject({ code: 'badInput' })
-    view.dispose()
-    for (const write of [() => view.toSVG(), () => view.toPNG(), () => view.toPrint()])
-      await expect(write()).rejects.toThrow()
-  })
-
-  it('is streamed with its highlights, frame by frame, until the stream has ended', async () => {
-    const tracks = [{ readyState: 'live' }, { readyState: 'ended' }]
-    let canvas: HTMLCanvasElement | undefined
-    HTMLCanvasElement.prototype.captureStream = function () {
-      canvas = this
-      return { getTracks: () => tracks } as never
-    }
-    view.stream()
-    await soon(() => expect(calls.get(canvas as HTMLCanvasElement)).toBeGreaterThan(3))
-    tracks[0] = { readyState: 'ended' }
-    await quiet()
-    const count = calls.get(canvas as HTMLCanvasElement)
-    await quiet()
-    expect([calls.get(canvas as HTMLCanvasElement), count && count % 2]).toEqual([count, 0])
-  })
-
   const widths = () => canvases().map(({ width }) => width)
 
   it('has no pixels while it is not shown', async () => {
@@ -309,20 +250,6 @@ describe('a picture', () => {
     expect([widths(), view.isShown]).toEqual([[0, 0], false])
     view.isShown = true
     expect([widths(), view.isShown]).toEqual([[80, 80], true])
-  })
-
-  it('has pixels as fine as it is enlarged on the screen, up to four times, and in print as before', async () => {
-    const enlarged = async (scale: number) => {
-      place.getBoundingClientRect = () => ({ width: 80 * scale, height: 60 * scale }) as DOMRect
-      view.setCamera(view.camera)
-      await quiet()
-      return (widths()[0] as number) / 80
-    }
-    const seen: number[] = []
-    for (const scale of [1, 1.04, 2, 2.08, 3, 9, 0.5, 2]) seen.push(await enlarged(scale))
-    expect(seen).toEqual([1, 1, 2, 2, 3, 4, 1, 2])
-    media.matches = true
-    expect(await enlarged(3)).toBe(2)
   })
 
   it('follows the resolution of the screen, again and again', async () => {
