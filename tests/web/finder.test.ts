@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
 import { Finder } from '../../web/lib/diagram/finder.ts'
 import { NONE } from '../../web/lib/index.ts'
 import { disjointCircles } from './disjoint-circles.ts'
@@ -103,6 +104,64 @@ describe('find', () => {
     diagram.apply(editor.remove(61))
     expect(diagram.find(between.x, between.y, 0)).toBeLessThan(61)
     editor.dispose()
+  })
+
+  it.each([1, 3, 8])('finds the way around a circle whose many neighbors are edited between searches: %d', (power) => {
+    const random = seededRandom(11)
+    const rim = () => {
+      const turn = 2 * Math.PI * random() ** power
+      return { x: 5 + 102 * Math.cos(turn), y: 7 + 102 * Math.sin(turn), r: 0.01 }
+    }
+    const editor = library.edit([{ x: 5, y: 7, r: 100 }, ...Array.from({ length: 300 }, rim)])
+    const diagram = editor.snapshot()
+    const ids = Array.from({ length: 300 }, (_, k) => k + 1)
+    for (let k = 0; k < 1200; k++) {
+      const place = Math.floor(random() * ids.length)
+      const id = ids[place] as number
+      const kind = random()
+      // At first there are more insertions, at last more removals, until few neighbors are left.
+      if (kind < 0.2) diagram.apply(editor.replace(id, rim()))
+      else if (kind < 0.6 === k < 500) {
+        const change = editor.insert(rim())
+        diagram.apply(change)
+        ids.push(change.inserted[0] as number)
+      } else if (ids.length > 3) {
+        diagram.apply(editor.remove(id))
+        ids.splice(place, 1)
+      }
+      const { x, y } = rim()
+      for (const share of [0.5, 0.99, 1, 1.01]) {
+        const point = { x: 5 + share * (x - 5), y: 7 + share * (y - 7) }
+        const hub = diagram.indexOf(0)
+        for (const found of [diagram.find(point.x, point.y), diagram.find(point.x, point.y, hub)]) {
+          const excess = signedDistance(diagram.circles, found, point) - leastDistance(diagram.circles, point)
+          expect(excess).toBeLessThanOrEqual(1e-12)
+        }
+      }
+    }
+    editor.dispose()
+  })
+
+  it('finds the way around a circle that lies outside of its cell with many sides', async () => {
+    const { computeComparison } = await loadComparison({ library })
+    const random = seededRandom(7)
+    const points = Array.from({ length: 300 }, () => {
+      const turn = 2 * Math.PI * random()
+      return { x: 12 * Math.cos(turn), y: 12 * Math.sin(turn) }
+    })
+    points.unshift({ x: 0, y: 0 })
+    // These circles have the cells of the points.
+    const circles = Float64Array.from(points.flatMap(({ x, y }) => [x + 20, y, Math.sqrt(40 * x + 500)]))
+    const diagram = computeComparison(circles, 'power')
+    expect(diagram.contains(0, 20, 0)).toBe(false)
+    const centers = Float64Array.from(points.flatMap(({ x, y }) => [x, y, 0]))
+    for (let k = 0; k < 2000; k++) {
+      const point = { x: 30 * random() - 15, y: 30 * random() - 15 }
+      for (const hint of [NONE, 0]) {
+        const found = diagram.find(point.x, point.y, hint)
+        expect(signedDistance(centers, found, point) - leastDistance(centers, point)).toBeLessThanOrEqual(1e-12)
+      }
+    }
   })
 
   it('finds the only circle that an edit leaves visible', () => {

@@ -112,7 +112,8 @@ export class Diagram implements DiagramData {
   readonly stats: Stats
   #cells: Cells | undefined
   #finder: Finder | undefined
-  #bounds: ConvexPolygon | undefined
+  /** The default bounds, by maximum distance. */
+  readonly #bounds = new Map<number | undefined, ConvexPolygon>()
   #halfedges: Int32Array | undefined
   #lastLimits: Limits | undefined
   #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
@@ -150,7 +151,7 @@ export class Diagram implements DiagramData {
   protected renew(data: Partial<DiagramData>, follow?: (finder: Finder) => boolean): void {
     Object.assign(this, data)
     if (this.#finder !== undefined && !follow?.(this.#finder)) this.#finder = undefined
-    this.#bounds = undefined
+    this.#bounds.clear()
     this.#clip = undefined
     this.#alone = 0
     this.#halfedges = undefined
@@ -412,7 +413,7 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, 'hullPolygon', HULL_OPTIONS)
     const region = this.#regionIn('hullPolygon', options)
     if (region !== undefined) return hullInRegion(this, region, toleranceOf(options, region))
-    return hullRing(this, toleranceOf(options, this.#defaultBounds()))
+    return hullRing(this, toleranceOf(options, this.#defaultBounds(undefined)))
   }
 
   /**
@@ -586,8 +587,7 @@ export class Diagram implements DiagramData {
     const last = this.#lastLimits
     let polygon: ConvexPolygon
     if (bounds === undefined) {
-      const isCut = maxDistance !== undefined
-      polygon = isCut ? ConvexPolygon.of(exportBox(this.circles, maxDistance)) : this.#defaultBounds()
+      polygon = this.#defaultBounds(maxDistance)
     } else {
       polygon = last !== undefined && isBoxOf(last.bounds, bounds) ? last.bounds : ConvexPolygon.of(bounds)
     }
@@ -596,9 +596,16 @@ export class Diagram implements DiagramData {
     return this.#lastLimits
   }
 
-  #defaultBounds(): ConvexPolygon {
-    this.#bounds ??= ConvexPolygon.of(exportBox(this.circles))
-    return this.#bounds
+  /** Returns the default bounds, which take linear time for each new distance. */
+  #defaultBounds(maxDistance: number | undefined): ConvexPolygon {
+    let bounds = this.#bounds.get(maxDistance)
+    if (bounds === undefined) {
+      // A slider passes many distances.
+      if (this.#bounds.size === MOST_BOUNDS) this.#bounds.clear()
+      bounds = ConvexPolygon.of(exportBox(this.circles, maxDistance))
+      this.#bounds.set(maxDistance, bounds)
+    }
+    return bounds
   }
 
   #checkCircle(i: number, caller: string): void {
@@ -612,6 +619,9 @@ function isBoxOf({ isBox, box }: ConvexPolygon, bounds: Bounds): boolean {
   const { minX, minY, maxX, maxY } = box
   return bounds[0] === minX && bounds[1] === minY && bounds[2] === maxX && bounds[3] === maxY
 }
+
+/** The largest number of default bounds that are kept. */
+const MOST_BOUNDS = 8
 
 /** The number of cells that are clipped together in the time of one cell alone. */
 const CELLS_FOR_ONE = 64

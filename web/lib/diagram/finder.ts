@@ -2,8 +2,9 @@
 
 import { refuseArrays, refuseInfinite } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
+import { between } from '../base/point.ts'
 import { facing, turn } from '../base/scale.ts'
-import type { Vector } from '../base/types.ts'
+import type { Point, Vector } from '../base/types.ts'
 import type { Cells } from '../regions/cells.ts'
 import { BucketGrid } from './bucket-grid.ts'
 
@@ -16,6 +17,10 @@ const FEW_SIDES = 24
 const ROUNDING = 2 ** -49
 /** Squares of smaller numbers lose digits. */
 const SMALL = 1e-140
+/** Sides that are tested around the one in the direction of a point. */
+const SIDES_TESTED = 4
+/** Sides of a cell before the direction of a point where a walk to the point may start. */
+const SIDES_BEFORE = 3
 /** Growth of the number of circles, as a factor and a constant, after which the grid is rebuilt. */
 const MOST_GROWTH = 4
 const FEW_CIRCLES = 16
@@ -27,7 +32,8 @@ const FEW_CIRCLES = 16
  * cells are star-shaped around their centers, so if p is outside cell i, the segment from c_i to p leaves it across a
  * side, and from there on it is nearer to the neighbor across that side (the points nearer to i than to j are
  * star-shaped around c_i too). In a cell with many sides, the side is found by bisection. For the metric `power`, cells
- * are intersections of half-planes, one for each neighbor, and some half-plane excludes p.
+ * are intersections of half-planes, one for each neighbor, and some half-plane excludes p. Its border is crossed on the
+ * way from any point of the cell to p.
  *
  * A grid of starting circles shortens the walk to a step or two if the circles are spread evenly.
  */
@@ -35,11 +41,8 @@ export class Finder {
   readonly #cells: Cells
   /** The circles to start from; `undefined` if no circle has a cell. */
   readonly #starts: BucketGrid | undefined
-  /**
-   * The sides of cells with more than `FEW_SIDES` sides. Changed cells map to `undefined` until their sides are read
-   * again.
-   */
-  readonly #manySides: Map<number, Int32Array | undefined>
+  /** The sides of cells that have or had more than `FEW_SIDES`; `undefined` for changed cells that were not read yet. */
+  readonly #manySides: Map<number, ManySides | undefined>
   /** The number of circles that the grid was made for. */
   readonly #circleCount: number
   /** The circle found last, as a start if the circle of a bucket is gone. */
@@ -57,7 +60,7 @@ export class Finder {
       if (!Number.isFinite(at(circles, 3 * i) + at(circles, 3 * i + 1))) refuseInfinite(circles)
     }
     if (visible.length > 0) this.#starts = new BucketGrid(circles, Int32Array.from(visible))
-    this.#manySides = manySidesOf(cells)
+    this.#manySides = this.#allManySides()
   }
 
   /**
@@ -107,7 +110,7 @@ export class Finder {
     const { circles } = cells.diagram
     if (this.#starts === undefined || circles.length / 3 > MOST_GROWTH * this.#circleCount + FEW_CIRCLES) return false
     for (const circle of changed) {
-      this.#manySides.set(circle, undefined)
+      if (!this.#manySides.has(circle)) this.#manySides.set(circle, undefined)
       if (cells.exists(circle)) this.#starts.put(at(circles, 3 * circle), at(circles, 3 * circle + 1), circle)
     }
     return true
@@ -124,18 +127,101 @@ export class Finder {
     return NONE
   }
 
-  /** Returns the sides of a cell if it has more than `FEW_SIDES`. */
-  #manySidesOf(circle: number): Int32Array | undefined {
+  #allManySides(): Map<number, ManySides> {
+    const { circles, edges } = this.#cells.diagram
+    const count = new Int32Array(circles.length / 3)
+    for (let side = 0; side < edges.length / 2; side++) {
+      const circle = this.#cells.circleOf(side)
+      count[circle] = at(count, circle) + 1
+    }
+    const sides = new Map<number, ManySides>()
+    count.forEach((its, circle) => {
+      if (its > FEW_SIDES) sides.set(circle, this.#manySidesNow(circle, this.#cells.sides(circle)))
+    })
+    return sides
+  }
+
+  #manySidesNow(circle: number, sides: Int32Array): ManySides {
+    const { circles, metric } = this.#cells.diagram
+    const center = { x: at(circles, 3 * circle), y: at(circles, 3 * circle + 1) }
+    const origin = metric === 'power' ? this.#middleOf(sides) : center
+    return {
+      center,
+      origin,
+      sides,
+      directions: Array.from(sides, (side) => this.#beginningOf(side, origin)),
+      walked: 0,
+    }
+  }
+
+  /** Returns the mean of the vertices of a cell, which is inside the cells of the metric `power`, unlike the center. */
+  #middleOf(sides: Int32Array): Point {
+    const { vertices } = this.#cells.diagram
+    const origins = sides.map((side) => this.#cells.originOf(side)).filter((origin) => origin !== NONE)
+    const mean = (k: number) => origins.reduce((sum, v) => sum + at(vertices, 3 * v + k) / origins.length, 0)
+    return { x: mean(0), y: mean(1) }
+  }
+
+  /** Returns the known sides of a cell with more than `FEW_SIDES`, some of which may have changed since. */
+  #manySidesOf(circle: number): ManySides | undefined {
     if (this.#manySides.size === 0) return undefined
     const known = this.#manySides.get(circle)
-    if (known !== undefined || !this.#manySides.has(circle)) return known
+    if (known === undefined && !this.#manySides.has(circle)) return undefined
+    const { circles } = this.#cells.diagram
+    const isThere = known?.center.x === at(circles, 3 * circle) && known.center.y === at(circles, 3 * circle + 1)
+    return isThere ? known : this.#readAgain(circle)
+  }
+
+  #readAgain(circle: number): ManySides | undefined {
     const sides = this.#cells.sides(circle)
-    if (sides.length > FEW_SIDES) {
-      this.#manySides.set(circle, sides)
-      return sides
+    const many = sides.length > FEW_SIDES ? this.#manySidesNow(circle, sides) : undefined
+    if (many === undefined) this.#manySides.delete(circle)
+    else this.#manySides.set(circle, many)
+    return many
+  }
+
+  /** Returns the side before the one in the direction of a point; `undefined` if the cell has few sides. */
+  #sideBefore(circle: number, x: number, y: number): number | undefined {
+    const many = this.#manySidesOf(circle)
+    if (many === undefined) return undefined
+    const found = this.#walkToward(many, circle, { x, y })
+    if (found !== undefined) return found
+    const again = this.#readAgain(circle)
+    return again && this.#walkToward(again, circle, { x, y })
+  }
+
+  /**
+   * Bisection finds an earlier side that is where it was when the sides were read. The walk from there passes the sides
+   * that are new. The result is `undefined` if all walks together took more steps than it takes to read the sides.
+   */
+  #walkToward(many: ManySides, circle: number, point: Point): number | undefined {
+    const { nextSide } = this.#cells.diagram
+    const { origin, sides, directions } = many
+    const toPoint = between(origin, point)
+    const count = sides.length
+    let place = (sidesUpTo(directions, toPoint) + count - SIDES_BEFORE) % count
+    for (; many.walked <= count; many.walked++, place = (place + count - 1) % count) {
+      if (!this.#isUnmoved(many, place, circle)) continue
+      const first = at(sides, place)
+      const reference = directions[place] as Vector
+      let [before, side, next] = [first, first, at(nextSide, first)]
+      for (let k = 0; next !== first && noLater(reference, this.#beginningOf(next, origin), toPoint); k++) {
+        if (k >= SIDES_BEFORE) many.walked += 1
+        if (many.walked > count) return undefined
+        ;[before, side, next] = [side, next, at(nextSide, next)]
+      }
+      if (before !== side) return before
     }
-    this.#manySides.delete(circle)
     return undefined
+  }
+
+  /** Whether a side is still a side of the cell that begins in the same direction. */
+  #isUnmoved({ origin, sides, directions }: ManySides, place: number, circle: number): boolean {
+    const side = at(sides, place)
+    if (side >= this.#cells.diagram.nextSide.length || this.#cells.circleOf(side) !== circle) return false
+    const { x, y } = this.#beginningOf(side, origin)
+    const then = directions[place] as Vector
+    return x === then.x && y === then.y
   }
 
   /** Returns a neighbor that is nearer to the point than the circle itself, or `NONE`. */
@@ -145,12 +231,12 @@ export class Finder {
     let side = at(firstSide, circle)
     if (side === NONE) return NONE
     let stop = side
-    const many = metric === 'power' ? undefined : this.#manySidesOf(circle)
-    if (many !== undefined) {
+    const before = this.#sideBefore(circle, x, y)
+    if (before !== undefined) {
       // Rounding may choose the wrong side if a side has almost no length.
-      const after = this.#sidesUpTo(many, circle, x, y)
-      side = at(many, (after + many.length - 2) % many.length)
-      stop = at(many, (after + 2) % many.length)
+      side = before
+      stop = at(nextSide, before)
+      for (let k = 1; k < SIDES_TESTED && stop !== before; k++) stop = at(nextSide, stop)
     }
     let most = 0
     let nearest = NONE
@@ -190,32 +276,11 @@ export class Finder {
     return this.#cells.lead(circle, other, x, y)
   }
 
-  /** Returns the number of sides between the start of the first side and the direction of a point. */
-  #sidesUpTo(sides: Int32Array, circle: number, x: number, y: number): number {
-    const { circles } = this.#cells.diagram
-    const toPoint = { x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) }
-    const reference = this.#beginningOf(at(sides, 0))
-    let low = 0
-    let high = sides.length
-    while (low < high) {
-      const middle = (low + high) >> 1
-      if (noLater(reference, this.#beginningOf(at(sides, middle)), toPoint)) low = middle + 1
-      else high = middle
-    }
-    return low
-  }
-
-  /** Returns the direction from the cell's center to the start of a side. */
-  #beginningOf(side: number): Vector {
-    const { circles, vertices } = this.#cells.diagram
-    const circle = this.#cells.circleOf(side)
+  /** Returns the direction from a point of the cell to the start of a side. */
+  #beginningOf(side: number, from: Point): Vector {
+    const { vertices } = this.#cells.diagram
     const origin = this.#cells.originOf(side)
-    if (origin !== NONE) {
-      return {
-        x: at(vertices, 3 * origin) - at(circles, 3 * circle),
-        y: at(vertices, 3 * origin + 1) - at(circles, 3 * circle + 1),
-      }
-    }
+    if (origin !== NONE) return { x: at(vertices, 3 * origin) - from.x, y: at(vertices, 3 * origin + 1) - from.y }
     // The limit of point(s) as s goes to 0.
     const { a, b, along, across } = this.#cells.curveOf(side).bisector
     const size = Math.abs(a)
@@ -223,18 +288,30 @@ export class Finder {
   }
 }
 
-function manySidesOf(cells: Cells): Map<number, Int32Array | undefined> {
-  const { circles, edges } = cells.diagram
-  const count = new Int32Array(circles.length / 3)
-  for (let side = 0; side < edges.length / 2; side++) {
-    const circle = cells.circleOf(side)
-    count[circle] = at(count, circle) + 1
+/** The sides of a cell in order, as they were when they were read. */
+interface ManySides {
+  /** The center of the circle. */
+  readonly center: Point
+  /** The center, or another point from which the whole cell is seen. */
+  readonly origin: Point
+  readonly sides: Int32Array
+  /** The directions from the origin to the starts of the sides. */
+  readonly directions: readonly Vector[]
+  /** Steps of walks to points, past sides that have changed. */
+  walked: number
+}
+
+/** Returns the number of directions up to the one to a point, counter-clockwise from the first. */
+function sidesUpTo(directions: readonly Vector[], toPoint: Vector): number {
+  const reference = directions[0] as Vector
+  let low = 0
+  let high = directions.length
+  while (low < high) {
+    const middle = (low + high) >> 1
+    if (noLater(reference, directions[middle] as Vector, toPoint)) low = middle + 1
+    else high = middle
   }
-  const sides = new Map<number, Int32Array | undefined>()
-  count.forEach((its, circle) => {
-    if (its > FEW_SIDES) sides.set(circle, cells.sides(circle))
-  })
-  return sides
+  return low
 }
 
 /** Returns the distance to the center of a circle. The squares may overflow or underflow. */
