@@ -169,6 +169,7 @@ const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
   tolerance: option(0, -1, Number.NaN, Infinity, '1', null),
   digits: option(-1, 0.5, Number.NaN, '3', null),
   context: option({}, 5, 'x'),
+  text: option(1, null),
   truth: option(1, 'true', null),
   function: option(1, 'x', null),
   samples: option(-1, 0.5, 2 ** 31, null, '3', Number.NaN),
@@ -183,7 +184,7 @@ const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
   startWeights: [...input(5, ['1'], 'x'), ...option([1, 2], [])],
   edits: input(5, {}, [null], [{ kind: 'move', id: 0 }]),
   signal: option({}, 5, 'now'),
-  format: option('pdf', 5),
+  format: option('pdf', 5, null, ''),
   wasm: option(5, null, () => {}),
   library: option(5, {}, null, { compute: 5 }),
 }
@@ -232,7 +233,7 @@ const COMPUTING = 'weights:truth samples resample:truth progress:function'
 const EDITING = 'weights:truth ids nextId'
 const FITTING =
   'region lattice shares:truth tolerance:number maxSteps:count relax:count weights:startWeights onStep:function signal'
-const READING = 'name:any weights:any points:any x:any y:any radius:any id:any skipInvalid:any'
+const READING = 'name:text weights:truth points:truth x:text y:text radius:text id:text skipInvalid:truth'
 const IN_THREAD = `${COMPUTING} ${FINDING} method:name candidates:name signal`
 
 /** Methods with limits of cells. */
@@ -297,8 +298,8 @@ const ROWS: readonly Row[] = [
   row(comparison, 'computeComparison', 'circles metric'),
   row(files, 'readCircles', 'circleText', READING),
   row(files, 'readCircleFile', 'circleText', READING),
-  row(files, 'readDiagram', 'diagramText', 'name:any'),
-  row(files, 'readDiagramFile', 'diagramText', 'name:any'),
+  row(files, 'readDiagram', 'diagramText', 'name:text'),
+  row(files, 'readDiagramFile', 'diagramText', 'name:text'),
   row(files, 'holdsDiagram', 'diagramText'),
   row(files, 'writeCircles', 'weights', 'format attributes:any'),
   row(files, 'writeDiagram', 'data', `${POLYGONS} format digits attributes:any`, { format: 'svg' }),
@@ -318,9 +319,9 @@ const ROWS: readonly Row[] = [
   row(index, 'parameterAt', 'bisector number number'),
   row(index, 'clipCurve', 'curve', 'bounds', { bounds: BOX }),
   row(index, 'rationalBezier', 'arc'),
-  row(index, 'cubicBeziers', 'arc length'),
-  row(index, 'polyline', 'arc length'),
-  row(index, 'traceArc', 'sink arc length'),
+  row(index, 'cubicBeziers', 'arc above0'),
+  row(index, 'polyline', 'arc above0'),
+  row(index, 'traceArc', 'sink arc above0'),
   ...['outlineArea', 'outlineCentroid', 'outlinePerimeter'].map((name) => row(index, name, 'outline')),
   row(ConvexPolygon, 'from', 'corners'),
   row({ 'new Diagram': (data: index.Diagram) => new index.Diagram(data) }, 'new Diagram', 'data'),

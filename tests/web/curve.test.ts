@@ -199,7 +199,7 @@ describe('edgeCurve', () => {
     expect(turnOf(curve.start, curve.end, left)).toBeGreaterThan(0)
     expect(turnOf(curve.start, curve.end, right)).toBeLessThan(0)
     expect(curveLength(curve)).toBe(5)
-    expect(cubicBeziers(curve, 0)).toHaveLength(1)
+    expect(cubicBeziers(curve, Number.MIN_VALUE)).toHaveLength(1)
   })
 })
 
@@ -270,19 +270,17 @@ describe('cubicBeziers', () => {
     expect(sink.points.every(({ x }) => x === 2)).toBe(true)
   })
 
-  it('end even if the tolerance is nothing', () => {
+  it('end even if the tolerance is next to nothing', () => {
     const curve = arcOf(Float64Array.of(0, 0, 3, 5, 0, 1), 0.01, 100)
-    for (const tolerance of [0, -1]) {
-      expect(cubicBeziers(curve, tolerance).length).toBeLessThan(2000)
-      expect(polyline(curve, tolerance).length).toBeLessThan(1e5)
-    }
+    expect(cubicBeziers(curve, Number.MIN_VALUE).length).toBeLessThan(2000)
+    expect(polyline(curve, Number.MIN_VALUE).length).toBeLessThan(1e5)
     // The shortest arcs at the tips of needles, where steps are as small as rounding.
     for (const gap of [0, 1e-15, 1e-9, 1e-3]) {
       for (const length of [1e-15, 1e-12, 1e-9, 1e-6, 1e-3]) {
         for (const from of [0.5, 1 - length / 2, 1, 2]) {
           const short = arcOf(Float64Array.of(0, 0, 10, 6 + gap, 0, 4), from, from * (1 + length))
-          expect(polyline(short, 0).length).toBeLessThan(1e5)
-          expect(cubicBeziers(short, 0).length).toBeLessThan(1e4)
+          expect(polyline(short, Number.MIN_VALUE).length).toBeLessThan(1e5)
+          expect(cubicBeziers(short, Number.MIN_VALUE).length).toBeLessThan(1e4)
         }
       }
     }

@@ -262,14 +262,14 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
     },
     writeCircles(circles, options = {}) {
       checkOptionNames(options, 'writeCircles', ['format', 'attributes'])
-      const format = formatOf(options.format ?? 'csv', CIRCLE_FORMATS)
+      const format = formatOf(options.format, 'csv', CIRCLE_FORMATS)
       const coordinates = coordinatesOf(circles)
       const attributes = linesOf(options.attributes, coordinates.length / 3)
       return decoder.decode(unwrap(module.writeCircles(coordinates, format, attributes)).text)
     },
     writeDiagram(diagram, options = {}) {
       checkOptionNames(options, 'writeDiagram', ['format', ...DRAWN_OPTIONS, 'digits', 'attributes'])
-      const format = formatOf(options.format ?? 'json', DIAGRAM_FORMATS)
+      const format = formatOf(options.format, 'json', DIAGRAM_FORMATS)
       const unused = DRAWN.includes(format) ? undefined : DRAWN_OPTIONS.find((name) => options[name] !== undefined)
       if (unused !== undefined) refuseOption(`The format ${format} takes no ${unused}.`)
       if (options.attributes !== undefined && !ATTRIBUTED.includes(format)) {
@@ -295,12 +295,12 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
 /** Returns the options about columns, with an empty text for each that is missing. */
 function columnsOf(options: ReadCirclesOptions) {
   const flag = (name: 'weights' | 'points' | 'skipInvalid'): boolean => {
-    const value: unknown = options[name] ?? false
+    const { [name]: value = false }: { readonly [Name in typeof name]?: unknown } = options
     if (typeof value !== 'boolean') refuseOption(`The option ${name} is true or false.`)
     return value
   }
   const column = (name: 'x' | 'y' | 'radius' | 'id'): string => {
-    const value: unknown = options[name] ?? ''
+    const { [name]: value = '' }: { readonly [Name in typeof name]?: unknown } = options
     if (typeof value !== 'string') refuseOption(`The option ${name} is the name of a column, not ${shown(value)}.`)
     return value
   }
@@ -382,7 +382,8 @@ function nameOf(options: ReadOptions, caller: string, known: readonly string[]):
   return name
 }
 
-function formatOf(format: unknown, known: readonly string[]): string {
+function formatOf(given: unknown, usual: string, known: readonly string[]): string {
+  const format = given === undefined ? usual : given
   if (!known.includes(format as string)) {
     refuseOption(`There is no format ${shown(format)} for this: the choice is ${known.join(', ')}.`)
   }

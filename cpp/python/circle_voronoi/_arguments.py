@@ -101,16 +101,28 @@ def choice(value: Any, choices: Sequence[str], name: str) -> str:
 
 
 def positive(value: Any, name: str) -> float:
-    """Return a positive finite number."""
-    number = float(column([value], 1, name)[0])
+    """Return a positive finite number, which is an option."""
+    number = _number_option(value, name)
     if not (0 < number < np.inf):
         raise CircleVoronoiError(f"{name} must be a positive number (got {value!r}).", "badOption")
     return number
 
 
 def optional_number(value: Any, name: str) -> float | None:
-    """Return a number or None."""
-    return None if value is None else float(column([value], 1, name)[0])
+    """Return a number, which is an option, or None."""
+    return None if value is None else _number_option(value, name)
+
+
+def box(value: Any, name: str) -> list[float]:
+    """Return least x and y, largest x and y as four numbers, which are an option."""
+    try:
+        numbers = column(value, None, name)
+    except CircleVoronoiError:
+        numbers = np.empty(0)
+    if len(numbers) != 4:
+        message = f"{name} must be four numbers: least x and y, largest x and y (got {value!r})."
+        raise CircleVoronoiError(message, "badOption")
+    return [float(number) for number in numbers]
 
 
 def whole(value: Any, least: int, most: int, name: str) -> int:
@@ -143,6 +155,14 @@ def array_of(data: Any, name: str) -> npt.NDArray[Any]:
         raise
     except (TypeError, ValueError, BufferError, NotImplementedError) as error:
         raise CircleVoronoiError(f"{name} must be an array of numbers (got {type(data).__name__}: {error}).") from error
+
+
+def _number_option(value: Any, name: str) -> float:
+    """Return a number, which is an option."""
+    try:
+        return float(column([value], 1, name)[0])
+    except CircleVoronoiError:
+        raise CircleVoronoiError(f"{name} must be a number (got {value!r}).", "badOption") from None
 
 
 def _integer(value: Any) -> int | None:

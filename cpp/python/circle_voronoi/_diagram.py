@@ -15,6 +15,7 @@ from . import _core, _figure, _plot
 from ._arguments import (
     Floats,
     Indices,
+    box,
     choice,
     column,
     finite_points,
@@ -30,7 +31,7 @@ from ._arguments import (
 )
 from ._errors import CircleVoronoiError
 from ._frames import circles_of, is_frame
-from ._regions import box, region_of
+from ._regions import region_of
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -38,6 +39,9 @@ if TYPE_CHECKING:
 METHODS = ("auto", "touching-disc", "flip")
 CANDIDATES = ("dynamic", "uniform", "all-pairs")
 FORMATS = ("json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj")
+# The formats that are not clipped to bounds, and those that say more about circles than x, y and r.
+_UNCLIPPED = ("json", "csv")
+_ATTRIBUTED = ("json", "geojson", "geojsonl")
 _XYR = ("x", "y", "r")
 
 
@@ -443,12 +447,19 @@ class Diagram:
         ----------
         format : {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj"}
         bounds, region, max_distance, tolerance : optional
-            See `polygons`.
+            See `polygons`. The formats json and csv take none of them.
         digits : int, optional
             The largest number of digits after the decimal point.
         attributes : sequence of n mappings, optional
-            More properties for the features of GeoJSON.
+            More members for the circles of json, or properties for the features of GeoJSON.
         """
+        choice(format, FORMATS, "format")
+        limits = {"bounds": bounds, "region": region, "max_distance": max_distance, "tolerance": tolerance}
+        for name, value in limits.items():
+            if format in _UNCLIPPED and value is not None:
+                raise CircleVoronoiError(f"The format {format} takes no {name}.", "badOption")
+        if attributes is not None and format not in _ATTRIBUTED:
+            raise CircleVoronoiError(f"The format {format} takes no attributes.", "badOption")
         if bounds is not None and region is not None:
             raise CircleVoronoiError("Give either bounds or region, not both.", "badOption")
         rows = [] if attributes is None else items_of(attributes, "attributes")
@@ -456,8 +467,8 @@ class Diagram:
             raise CircleVoronoiError(f"attributes has {len(rows)} items; expected {len(self)}.")
         return _core.write_diagram(
             self._core,
-            choice(format, FORMATS, "format"),
-            None if bounds is None else box(bounds),
+            format,
+            None if bounds is None else box(bounds, "bounds"),
             region_of(None, region),
             _distance(max_distance),
             None if tolerance is None else positive(tolerance, "tolerance"),

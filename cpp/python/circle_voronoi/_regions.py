@@ -11,7 +11,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from . import _core
-from ._arguments import Floats, array_of, column, items_of, matrix
+from ._arguments import Floats, array_of, box, items_of, matrix
 from ._errors import CircleVoronoiError
 
 
@@ -72,18 +72,10 @@ def region_of(bounds: Any, region: Any) -> _core.Region | None:
     if bounds is not None and region is not None:
         raise CircleVoronoiError("Give either bounds or region, not both.", "badOption")
     if bounds is not None:
-        return _core.region_of_box(box(bounds))
+        return _core.region_of_box(box(bounds, "bounds"))
     if region is None:
         return None
     return region._core if isinstance(region, Region) else Region(region)._core
-
-
-def box(bounds: Any) -> list[float]:
-    """Return least x and y, largest x and y as four numbers."""
-    numbers = column(bounds, None, "bounds")
-    if len(numbers) != 4:
-        raise CircleVoronoiError(f"bounds must be four numbers: least x and y, largest x and y (got {bounds!r}).")
-    return [float(number) for number in numbers]
 
 
 def _read(shape: Any, dissolve: bool) -> _core.Region:

@@ -80,7 +80,6 @@ NAN, INF = np.nan, np.inf
 TEXT_AS_Y = [[0, 0, 1], [4, "0", 1]]
 MASKED = np.ma.array(CIRCLES, mask=[[0] * 3, [0] * 3, [0, 1, 0], [0] * 3])
 CROSSED = [[0, 0], [1, 1], [1, 0], [0, 1]]
-NO_NUMBER = [Wrong(value, row=0) for value in ("x", 1j)]
 NO_INDICES = ["x", [1, 2], {}, 1j, None, True, 1.0, -1, 4, NAN]
 KINDS = {
     "rows": Kind(
@@ -112,12 +111,13 @@ KINDS = {
     "starting weights": Kind(0, [1, 2, 3], "x", None),
     "region": Kind(None, 7, *options(CROSSED, [[0, 0], [0, 0], [0, 0]])),
     "needed region": Kind(CIRCLES[:3, :2], 7, *options(None, CROSSED)),
-    "bounds": Kind(None, (0, 0, 1), 5, "x", Wrong((0, 0, 1, "1"), row=3), *options((0, 0, 0, 1), (0, 0, NAN, 1))),
-    "distance": Kind(None, [1], *NO_NUMBER, *options(NAN)),
-    "tolerance": Kind(0.1, [1], *NO_NUMBER, *options(0, -1, NAN, INF)),
+    "bounds": Kind(None, *options((0, 0, 1), 5, "x", (0, 0, 1, "1"), (0, 0, 0, 1), (0, 0, NAN, 1))),
+    "distance": Kind(None, *options([1], "x", 1j, NAN)),
+    "tolerance": Kind(0.1, *options([1], "x", 1j, 0, -1, NAN, INF)),
+    "unused": Kind(None, *options(1, "x", (0, 0, 9, 9), CIRCLES[:3, :2], [{}] * 4)),
     "method": Kind("auto", *options("fast", 5, None)),
     "candidates": Kind("dynamic", *options("some", 5, None)),
-    "format": Kind("svg", *options("pdf", 5, None)),
+    "format": Kind("geojson", *options("pdf", 5, None)),
     "samples": Kind(3, *options("x", -1, 1001, 0.5, True)),
     "threads": Kind(1, *options("x", None, -1, 1025, 0.5, True)),
     "digits": Kind(3, *options("x", -1, 2**31, 0.5, True)),
@@ -134,6 +134,11 @@ COMPUTE = {"method": "method", "candidates": "candidates", "samples": "samples",
 def of(name):
     """A call of a method of a diagram."""
     return lambda *args, **more: getattr(cv.compute(CIRCLES), name)(*args, **more)
+
+
+def to_bytes(format):
+    """A call of `to_bytes` with a format."""
+    return lambda **more: cv.compute(CIRCLES).to_bytes(format, **more)
 
 
 def periodic(name):
@@ -156,6 +161,8 @@ FUNCTIONS = [
     (of("clearest_path"), ["point", "point"], WITHIN),
     (of("update"), [], {"remove": "ids", "replace": "replacements", "insert": "new circles"}),
     (of("to_bytes"), ["format"], {**LIMITS, "tolerance": "tolerance", "digits": "digits", "attributes": "attributes"}),
+    *((to_bytes(name), [], dict.fromkeys((*LIMITS, "tolerance"), "unused")) for name in ("json", "csv")),
+    *((to_bytes(name), [], {"attributes": "unused"}) for name in ("csv", "svg", "wkt", "obj")),
     (periodic("neighbors"), ["index"], {}),
     (periodic("find"), ["points"], {}),
     (periodic("polygons"), [], {"tolerance": "tolerance"}),
@@ -216,6 +223,9 @@ def test_an_error_is_a_value_error_with_a_code_and_survives_pickling():
         (lambda d: d.find([[0, 1], [0, -np.inf]]), "Row 1 of points is not finite: (0.0, -inf)."),
         (lambda d: d.polygons(tolerance=0), "tolerance must be a positive number (got 0)."),
         (lambda d: d.areas(bounds=(0, 0, 1)), "bounds must be four numbers: least x and y, largest x and y (got "),
+        (lambda d: d.areas(max_distance="x"), "max_distance must be a number (got 'x')."),
+        (lambda d: d.to_bytes("json", bounds=(0, 0, 1, 1)), "The format json takes no bounds."),
+        (lambda d: d.to_bytes("svg", attributes=[{}] * 4), "The format svg takes no attributes."),
         (lambda d: d.areas(bounds=(0, 0, 1, 1), region=CROSSED), "Give either bounds or region, not both."),
         (lambda d: d.areas(region=7), "region must be"),
         (lambda d: d.areas(region=CROSSED), "cross"),

@@ -68,6 +68,13 @@ export function checkLength(length: unknown, caller: string, name: string): void
   checkNumber(length, caller, name)
 }
 
+/** @throws CircleVoronoiError `badInput`, if `value` is not a finite number above 0 */
+export function checkAbove0(value: unknown, caller: string, name: string): void {
+  if (!(Number.isFinite(value) && (value as number) > 0)) {
+    refuseInput(`${caller} takes a finite number above 0 as ${name}, not ${shown(value)}.`)
+  }
+}
+
 /** @throws CircleVoronoiError `badInput`, if `index` is not one of `count` things */
 export function checkIndex(index: unknown, count: number, caller: string, thing: string): void {
   checkNumber(index, caller, `the index of ${thing === 'edge' ? 'an' : 'a'} ${thing}`)

@@ -6,7 +6,7 @@
 //
 //     w = (sqrt(to / from) + sqrt(from / to)) / 2.
 
-import { checkBoundedCurve, checkLength } from '../base/check.ts'
+import { checkAbove0, checkBoundedCurve } from '../base/check.ts'
 import { hypotenuse } from '../base/scale.ts'
 import type { PathSink, Point } from '../base/types.ts'
 import { type Bisector, inPlane, pointOf } from './bisector.ts'
@@ -67,8 +67,8 @@ export function bezierPointAt(bezier: RationalBezier, u: number): Point {
 
 /**
  * Converts a bounded arc to as few cubic Bézier curves as possible, no farther than `tolerance` from the arc. Each
- * curve has the tangents of the arc at both ends and meets it in the middle, or is straight. The smallest effective
- * tolerance is 1e-12 of the extent of the arc.
+ * curve has the tangents of the arc at both ends and meets it in the middle, or is straight. The tolerance is above 0;
+ * the smallest effective one is 1e-12 of the extent of the arc.
  *
  * @throws CircleVoronoiError `badInput`
  *
@@ -79,7 +79,7 @@ export function bezierPointAt(bezier: RationalBezier, u: number): Point {
  */
 export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezier[] {
   checkBoundedCurve(curve, 'cubicBeziers')
-  checkLength(tolerance, 'cubicBeziers', 'tolerance')
+  checkAbove0(tolerance, 'cubicBeziers', 'tolerance')
   const pieces: CubicBezier[] = []
   let start = curve.start
   const add = (control1: Point, control2: Point, end: Point) => {
@@ -118,7 +118,7 @@ export function traceArc(
   tolerance: number,
 ): void {
   checkBoundedCurve(curve, 'traceArc')
-  checkLength(tolerance, 'traceArc', 'tolerance')
+  checkAbove0(tolerance, 'traceArc', 'tolerance')
   addArc(sink, curve, tolerance)
 }
 
@@ -168,7 +168,7 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
 
 /**
  * Converts a bounded arc to a polyline no farther than `tolerance` from the arc. It has as few points as possible, at
- * least two. The smallest effective tolerance is 1e-9 of the extent of the arc.
+ * least two. The tolerance is above 0; the smallest effective one is 1e-9 of the extent of the arc.
  *
  * @throws CircleVoronoiError `badInput`
  *
@@ -179,7 +179,7 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
  */
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   checkBoundedCurve(curve, 'polyline')
-  checkLength(tolerance, 'polyline', 'tolerance')
+  checkAbove0(tolerance, 'polyline', 'tolerance')
   return polylineOf(curve, tolerance)
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkCircles, checkIndex, checkNumber, checkThing, refuseInput, shown } from '../base/check.ts'
+import { checkAbove0, checkCircles, checkIndex, checkNumber, checkThing, refuseInput, shown } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
 import { hypotenuse } from '../base/scale.ts'
 import { tangentSquare } from '../base/two-part.ts'
@@ -149,9 +149,7 @@ export function measureBisector(
  */
 export function pointAt(bisector: Bisector, s: number): Point {
   checkThing(bisector, 'apex', 'pointAt', 'a bisector')
-  if (!(typeof s === 'number' && s > 0 && s < Number.POSITIVE_INFINITY)) {
-    refuseInput(`pointAt takes a finite number above 0 as parameter, not ${shown(s)}.`)
-  }
+  checkAbove0(s, 'pointAt', 'parameter')
   return pointOf(bisector, s)
 }
 
