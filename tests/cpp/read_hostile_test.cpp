@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts that would cost a reader its stack.
+// Regions that would cost a reader its stack. io_mutation_test.cpp has such circles and diagrams.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -46,31 +46,16 @@ TEST(ReadHostile, GeometriesNestedTooDeepAreOneError) {
 
 TEST(ReadHostile, NothingElseThatIsNestedTakesTheStack) {
   const std::string arrays = nested("[", "", "]");
-  const std::string objects = nested(R"({"a":)", "1", "}");
-  const std::vector<std::string> texts = {
-      arrays,
-      objects,
-      nested("[", "", ""),
-      nested("(", "", ""),
-      "POLYGON " + nested("(", "", ")"),
-      "MULTIPOLYGON " + nested("(", "1 2", ")"),
-      R"({"type":"Polygon","coordinates":)" + arrays + "}",
-      R"({"type":"Polygon","a":)" + objects + "," + kPolygon.substr(1),
-      R"({"type":"FeatureCollection","features":)" + arrays + "}",
-      R"([{"x":1,"y":1,"r":1,"a":)" + objects + "}]",
-      R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"Point","coordinates":)" +
-          arrays + "}}]}",
-      R"({"format":"circle-voronoi diagram","version":1,"circles":)" + arrays + "}"};
-  for (const std::string& text : texts) {
-    for (const auto& error : {readRegion(text, "text").ok() ? "" : readRegion(text, "text").error().message,
-                              readCircles(text, "text").ok() ? "" : readCircles(text, "text").error().message,
-                              readDiagram(text, "text").ok() ? "" : readDiagram(text, "text").error().message,
-                              readTile(text, "text").ok() ? "" : readTile(text, "text").error().message}) {
-      EXPECT_TRUE(error.empty() || (error.starts_with("text:") && error.ends_with('.'))) << error;
-    }
-
-    if (const auto file = readCircleFile(text, "text")) (void)numbersIn(file->attributes, "a");
-    (void)holdsDiagram(text);
+  for (const std::string& text :
+       {arrays, nested("[", "", ""), nested("(", "", ""), "POLYGON " + nested("(", "", ")"),
+        "MULTIPOLYGON " + nested("(", "1 2", ")"), R"({"type":"Polygon","coordinates":)" + arrays + "}",
+        R"({"type":"Polygon","a":)" + nested(R"({"a":)", "1", "}") + "," + kPolygon.substr(1),
+        R"({"type":"FeatureCollection","features":)" + arrays + "}"}) {
+    const auto region = readRegion(text, "text");
+    EXPECT_TRUE(region || region.error().message.starts_with("text:")) << region.error().message;
+  }
+  if (const auto file = readCircleFile(R"([{"x":1,"y":1,"r":1,"a":)" + arrays + "}]", "text")) {
+    (void)numbersIn(file->attributes, "a");
   }
 }
 
