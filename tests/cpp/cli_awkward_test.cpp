@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -17,20 +16,18 @@ using Json = nlohmann::json;
 
 class CliAwkward : public test::Cli {
  protected:
-  static std::string fixture(const std::string& name) {
-    return (std::filesystem::path(test::pathOfFixture("any")).parent_path() / name).string();
-  }
   const std::string square_ = " --region " + write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1))");
   std::string fit(const std::string& file) const { return "fit " + file + " --areas a --shares" + square_; }
 };
 
 TEST_F(CliAwkward, SharesWhoseSumIsNoNumberAreRefused) {
-  expectFailure(run(fit(fixture("fits/huge-shares.csv"))), 2, "The areas sum to more than the largest number.");
+  expectFailure(run(fit(test::fileOfFixtures("fits/huge-shares.csv"))), 2,
+                "The areas sum to more than the largest number.");
 }
 
 TEST_F(CliAwkward, AnAreaThatNoWeightGivesDoesNotConverge) {
   // The two weights that come nearest hide the cell or give it a hundred times its area.
-  expectFailure(run(fit(fixture("fits/two-fit.csv"))), 1, "The fit stopped after");
+  expectFailure(run(fit(test::fileOfFixtures("fits/two-fit.csv"))), 1, "The fit stopped after");
 }
 
 TEST_F(CliAwkward, ThinCellsAreAsAccurateAsTheLastBitsAllow) {
@@ -49,7 +46,7 @@ TEST_F(CliAwkward, ThinCellsAreAsAccurateAsTheLastBitsAllow) {
 TEST_F(CliAwkward, CountiesThatShareABorderAreMergedOnRequest) {
   const std::string circles = write("circles.csv", "x,y,r,share\n2,2,0,1\n7,6,1,2\n");
   const std::string compute =
-      "compute " + circles + " --format geojson --region " + fixture("regions/shared-border.wkt");
+      "compute " + circles + " --format geojson --region " + test::fileOfFixtures("regions/shared-border.wkt");
   expectFailure(run(compute), 2, "overlap beside (5, 0). Set --dissolve to merge them.");
   const auto [status, out, err] = run(compute + " --dissolve");
   ASSERT_EQ(status, 0) << err;
@@ -57,7 +54,7 @@ TEST_F(CliAwkward, CountiesThatShareABorderAreMergedOnRequest) {
   const Json cells = Json::parse(out);
   for (const Json& feature : cells["features"]) sum += feature["properties"]["area"].get<double>();
   EXPECT_NEAR(sum, 100, 1e-10);
-  const std::string merged = " --dissolve --format wkt --region " + fixture("regions/shared-border.wkt");
+  const std::string merged = " --dissolve --format wkt --region " + test::fileOfFixtures("regions/shared-border.wkt");
   EXPECT_EQ(run("fit " + circles + " --areas share --shares" + merged).status, 0);
   expectFailure(run("compute " + circles + " --dissolve"), 2, "--dissolve needs --region.");
 }

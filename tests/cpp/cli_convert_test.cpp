@@ -120,14 +120,6 @@ TEST_F(CliConvert, CellsAreCutAtAMaximumDistance) {
                 "--max-distance: expected a number up to 1.2e30 (2^100).");
 }
 
-TEST_F(CliConvert, ADiscThatCollapsesInCoordinatesIsEmpty) {
-  const std::string circles = "1,1,1e-17\n5,5,1\n";
-  for (const std::string format : {"svg", "geojson", "geojsonl", "wkt", "obj"}) {
-    EXPECT_NE(textOf("compute - --max-distance 0 --format " + format, circles), "") << format;
-  }
-  EXPECT_EQ(textOf("compute - --max-distance 0 --format wkt", circles).substr(0, 14), "POLYGON EMPTY\n");
-}
-
 TEST_F(CliConvert, TheNameOfTheOutputTellsTheFormat) {
   for (const char* name : {"circles.csv", "circles.geojson", "circles.json", "circles"}) {
     EXPECT_EQ(textOf("convert " + fixture_ + " -o " + path(name)), "");

@@ -85,26 +85,6 @@ TEST_F(CliEdit, AScriptMayBeginWithAByteOrderMark) {
   expectFailure(run(edit + "-", "\xEF\xBB\xBFmove,1\n"), 2, "standard input:1: \"move\" is no edit");
 }
 
-TEST_F(CliEdit, TellsWhatEachEditChanges) {
-  textOf("edit " + circles_ + " --script - --changes " + path("changes.jsonl") + " -o " + path("after.json"),
-         "insert,2,2,0.5\nreplace,3,0,0,3\nremove,3\n");
-  std::vector<Json> changes;
-  for (const std::string& line : test::linesOf(readFile(path("changes.jsonl")))) changes.push_back(Json::parse(line));
-  ASSERT_EQ(changes.size(), 3U);
-  EXPECT_EQ(changes[0]["way"], "local");
-  EXPECT_EQ(changes[0]["inserted"], Json({3}));
-  EXPECT_EQ(changes[0]["circles"], Json({2, 2, 0.5}));
-  EXPECT_EQ(changes[0]["vertices"].size(), 3 * changes[0]["addedVertices"].size());
-  EXPECT_EQ(changes[0]["edges"].size(), 4 * changes[0]["addedEdges"].size());
-  EXPECT_EQ(changes[1]["replaced"], Json({3}));
-  EXPECT_EQ(changes[1]["hidden"], Json({0}));
-  EXPECT_EQ(changes[1]["hiders"], Json({0, 3}));
-  EXPECT_EQ(changes[2]["shown"], Json({0}));
-  EXPECT_EQ(changes[2]["removed"], Json({3}));
-  EXPECT_EQ(changes[2]["hullSides"].size() % 2, 0U);
-  EXPECT_EQ(partsOf(readFile(path("after.json"))), partsOf(textOf("compute " + circles_)));
-}
-
 double numberOf(double value) { return value; }
 std::int32_t numberOf(std::int32_t value) { return value; }
 

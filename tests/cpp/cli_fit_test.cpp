@@ -71,15 +71,7 @@ TEST_F(CliFit, SaysWhereLastBitsAllowNoBetterAreas) {
   EXPECT_EQ(fine.err, "");
 }
 
-TEST_F(CliFit, TakesAreasFromPropertiesOfPoints) {
-  const std::string points = write("points.geojson", R"({"type":"FeatureCollection","features":[
-{"type":"Feature","geometry":{"type":"Point","coordinates":[1,1]},"properties":{"r":0,"people":3}},
-{"type":"Feature","geometry":{"type":"Point","coordinates":[3,2]},"properties":{"r":0,"people":1}},
-{"type":"Feature","geometry":{"type":"Point","coordinates":[2,3]},"properties":{"r":0,"people":4}}]})");
-  expectAreas(textOf(points + " --areas people --shares --format geojson" + region_));
-}
-
-TEST_F(CliFit, TakesPointsWithoutARadius) {
+TEST_F(CliFit, TakesPointsWithoutARadiusAndAreasFromProperties) {
   const std::string options = " --areas people --shares --format geojson" + region_;
   expectAreas(textOf(write("points.csv", "people,y,x\n3,1,1\n1,2,3\n4,3,2\n") + options));
   expectAreas(
@@ -159,14 +151,9 @@ TEST_F(CliFit, RefusesInvalidAreasAndOptions) {
         "sites.csv: The areas sum to 8, but the area of the region is 16. Set --shares to scale them.");
   fails(sites_ + " --areas persons --shares" + region_, "sites.csv: circle 0 has no number \"persons\".");
   fails(sites_ + " --areas name --shares" + region_, "sites.csv: circle 0 has no number \"name\".");
-  const std::string zero = write("zero.csv", "x,y,r,a\n1,1,0,1\n2,2,0,0\n");
-  fails(zero + " --areas a --shares" + region_, "zero.csv: Area 1 must be positive and finite (got 0).");
-  const std::string equal = write("equal.csv", "x,y,r,a\n1,1,0,1\n1,1,0,2\n");
-  fails(equal + " --areas a --shares" + region_, "equal.csv: Site 1 has the same position as site 0.");
   const std::string options = " --areas people --shares";
   fails(sites_ + options + region_ + " --area-tolerance 2", "--area-tolerance must be above 0 and below 1 (got 2).");
   fails(sites_ + options + region_ + " --max-steps 0", "--max-steps must be 1 or more (got 0).");
-  fails(sites_ + options + " --region " + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"), "cross at (1, 1).");
   fails(sites_ + options + region_ + " -o " + path("region.wkt"), "region.wkt would be overwritten");
   EXPECT_EQ(readFile(path("region.wkt")), kSquare);
 }

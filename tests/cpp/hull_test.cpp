@@ -111,21 +111,6 @@ TEST(Hull, TurnsOnceThoughACircleBarelyReachesOut) {
   EXPECT_NEAR(turn, 2 * std::numbers::pi, 1e-14);
 }
 
-TEST(Hull, IsTheSameHoweverSmallOrLarge) {
-  const std::vector<Circle> circles = {{0, 0, 0.1}, {1, 0, 0.2}, {0, 1, 0.3}, {0.9, 0.9, 0.05}};
-  const Hull large = hullOf(circles);
-  for (const double size : {0x1p-30, 0x1p90}) {
-    std::vector<Circle> scaled;
-    for (const Circle& c : circles) scaled.push_back({size * c.x, size * c.y, size * c.r});
-    const Hull small = hullOf(scaled);
-    ASSERT_EQ(small.arcs.size(), large.arcs.size());
-    for (std::size_t k = 0; k < large.arcs.size(); ++k) {
-      EXPECT_EQ(small.arcs[k].angle, large.arcs[k].angle);
-      EXPECT_EQ(small.arcs[k].start, (Point{size * large.arcs[k].start.x, size * large.arcs[k].start.y}));
-    }
-  }
-}
-
 TEST(Hull, HasTheLengthAndAreaOfTheSupportFunction) {
   for (const FamilyInfo& family : families()) {
     for (const std::size_t count : {2U, 3U, 10U, 60U}) {

@@ -16,7 +16,6 @@
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "circle_voronoi/compute.h"
@@ -257,22 +256,14 @@ TEST(Writers, RefuseDiagramsAndListsThatDoNotFitTogether) {
   }
   const std::vector<std::uint8_t> all(kCircles.size(), 1);
   const std::vector<std::int64_t> ids(many.begin(), many.end() - 1);
-  EXPECT_EQ(refusalOf([&](std::ostream& out) {
-              return writeTile(out, {kCircles, {}, all}, all);
-            }),
-            ErrorCode::badInput);
-  EXPECT_EQ(refusalOf([&](std::ostream& out) {
-              return writeTile(out, {kCircles, ids, {}}, all);
-            }),
-            ErrorCode::badInput);
-  EXPECT_EQ(refusalOf([&](std::ostream& out) {
-              return writeTile(out, {kCircles, ids, all}, few);
-            }),
-            ErrorCode::badInput);
-  EXPECT_EQ(refusalOf([](std::ostream& out) {
-              return writeCirclesCsv(out, std::vector<Circle>{{NAN, 0, 1}});
-            }),
-            ErrorCode::nonFinite);
+  const auto refusalOfTile = [](const Tile& tile, const std::vector<std::uint8_t>& chosen) {
+    return refusalOf([&](std::ostream& out) { return writeTile(out, tile, chosen); });
+  };
+  EXPECT_EQ(refusalOfTile({kCircles, {}, all}, all), ErrorCode::badInput);
+  EXPECT_EQ(refusalOfTile({kCircles, ids, {}}, all), ErrorCode::badInput);
+  EXPECT_EQ(refusalOfTile({kCircles, ids, all}, few), ErrorCode::badInput);
+  const std::vector<Circle> invalid = {{NAN, 0, 1}};
+  EXPECT_EQ(refusalOf([&](std::ostream& out) { return writeCirclesCsv(out, invalid); }), ErrorCode::nonFinite);
   diagram.certificate.flaw = Flaw::cellNotClosed;
   EXPECT_EQ(refusalOf([&](std::ostream& out) { return writeSvg(out, diagram); }), ErrorCode::notCertified);
   EXPECT_EQ(refusalOf([&](std::ostream& out) { return writeGeoJsonLines(out, diagram); }), ErrorCode::notCertified);
@@ -280,22 +271,6 @@ TEST(Writers, RefuseDiagramsAndListsThatDoNotFitTogether) {
   for (const auto write : {writeJson, writeDiagramCsv}) {
     EXPECT_EQ(refusalOf([&](std::ostream& out) { return write(out, diagram, {}); }), ErrorCode::badInput);
   }
-}
-
-TEST(Editor, AnErrorNamesTheEditAndTheCircle) {
-  auto editor = DiagramEditor::from(kCircles).value();
-  const std::vector<Edit> edits = {{Edit::Kind::remove, 1, {}}, {Edit::Kind::replace, 2, {0, 8, -1}}};
-  const auto refused = editor.apply(edits);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::negativeRadius);
-  EXPECT_EQ(refused.error().edit, 1);
-  EXPECT_EQ(refused.error().circle, 2);
-  EXPECT_EQ(refused.error().message, "Circle 2 has a negative radius.");
-  const auto inserted = editor.insert({NAN, 0, 1});
-  ASSERT_FALSE(inserted);
-  EXPECT_EQ(inserted.error().edit, 0);
-  EXPECT_EQ(inserted.error().circle, kNone);
-  EXPECT_EQ(inserted.error().message, "The new circle has an x that is not a finite number.");
 }
 
 }  // namespace

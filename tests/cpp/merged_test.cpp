@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
-#include <set>
 #include <vector>
 
 #include "circle_voronoi/compute.h"
@@ -18,25 +15,6 @@ namespace circle_voronoi {
 namespace {
 
 using Around = std::vector<std::int32_t>;
-
-/// The circles around each merged vertex, by their names in `names`, counter-clockwise from the smallest.
-std::multiset<Around> circlesAround(const MergedDiagram& merged, const std::vector<std::int32_t>& names) {
-  std::multiset<Around> result;
-  for (std::size_t v = 0; v < merged.vertices.size(); ++v) {
-    Around around;
-    for (std::int32_t i = merged.firstCircle[v]; i < merged.firstCircle[v + 1]; ++i)
-      around.push_back(names[merged.circles[i]]);
-    std::rotate(around.begin(), std::min_element(around.begin(), around.end()), around.end());
-    result.insert(around);
-  }
-  return result;
-}
-
-std::vector<std::int32_t> identity(std::size_t count) {
-  std::vector<std::int32_t> names(count);
-  std::iota(names.begin(), names.end(), 0);
-  return names;
-}
 
 TEST(Merged, GridHasVerticesOfDegreeFour) {
   std::vector<Circle> circles;
@@ -75,22 +53,6 @@ TEST(Merged, CocircularCirclesMeetInOneVertex) {
   ASSERT_EQ(merged.vertices.size(), 1u);
   EXPECT_EQ(merged.circles.size(), 100u);
   EXPECT_EQ(merged.edges.size(), 100u);
-}
-
-TEST(Merged, DoesNotDependOnTheOrderOfTheInput) {
-  std::mt19937 random(20);
-  for (const Family family : {Family::grid, Family::gridColumns, Family::cocircularVaried, Family::hexagonal}) {
-    const auto circles = generate(family, 64, 3);
-    std::vector<std::int32_t> names = identity(circles.size());
-    const auto expected = circlesAround(mergeVertices(compute(circles).value()), names);
-    for (int trial = 0; trial < 10; ++trial) {
-      std::shuffle(names.begin(), names.end(), random);
-      std::vector<Circle> shuffled;
-      for (const std::int32_t i : names) shuffled.push_back(circles[i]);
-      EXPECT_EQ(circlesAround(mergeVertices(compute(shuffled).value()), names), expected)
-          << familyName(family) << ", trial " << trial;
-    }
-  }
 }
 
 TEST(Merged, GeneralPositionStaysAsItIs) {

@@ -5,7 +5,6 @@
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <locale>
 #include <sstream>
 #include <string>
@@ -179,30 +178,6 @@ TEST(Messages, AndFilesHaveTheSameNumbersInEveryLocale) {
   std::filesystem::remove_all(folder);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found[k], expected[k]) << "text " << k;
-}
-
-TEST(TileStream, LongRecordsInShortPiecesAreTheSameAsInOne) {
-  std::string text;
-  for (int k = 0; k < 3000; ++k) text += "# comment " + std::to_string(k) + "\n";
-  text += "note,x,y,r\n\"";
-  for (int k = 0; k < 3000; ++k) text += "line " + std::to_string(k) + " \"\"quoted\"\"\n";
-  text += "\",1,2,3\n";
-  for (int k = 0; k < 100; ++k) text += "a," + std::to_string(k) + ",0,1\n";
-  text += "b,7,7,7";
-  for (const std::size_t size : {std::size_t{9}, std::size_t{100}, std::size_t{5000}, text.size()}) {
-    TileStream stream("test");
-    std::vector<Circle> circles;
-    const auto add = [&](const Result<Tile>& tile) {
-      ASSERT_TRUE(tile) << tile.error().message;
-      circles.insert(circles.end(), tile->circles.begin(), tile->circles.end());
-    };
-    for (std::size_t at = 0; at < text.size(); at += size) add(stream.read(std::string_view(text).substr(at, size)));
-    add(stream.end());
-    ASSERT_EQ(circles.size(), 102U);
-    EXPECT_EQ(circles.front(), (Circle{1, 2, 3}));
-    EXPECT_EQ(circles[50], (Circle{49, 0, 1}));
-    EXPECT_EQ(circles.back(), (Circle{7, 7, 7}));
-  }
 }
 
 }  // namespace

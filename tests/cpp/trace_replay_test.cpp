@@ -4,9 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,59 +112,6 @@ TEST(TraceReplay, CountsTheRoundsThatEditsBegin) {
   const std::vector<Edit> many(60, {Edit::Kind::replace, 7, {1, 2, 3}});
   for (int k = 0; k < 2; ++k) ASSERT_EQ(editor.apply(many).value().way, EditWay::whole);
   EXPECT_EQ(rounds, (std::vector<int>{0, 1, 2}));
-}
-
-TEST(TraceReplay, TellsWhyAnEditChangesWhat) {
-  auto made = DiagramEditor::from(std::vector<Circle>{{0, 0, 1}, {6, 0, 1}, {0, 8, 1}});
-  DiagramEditor editor = std::move(made).value();
-  std::vector<TraceEvent> events;
-  EXPECT_TRUE(editor.observe([&](const TraceEvent& event) { events.push_back(event); }));
-  EXPECT_EQ(events.at(0).kind, TraceKind::roundBegun);
-  EXPECT_EQ(events.size(), 5U) << "a vertex, and the three ends of its edges";
-  const auto toldOf = [&](TraceKind kind) {
-    const auto found = std::ranges::find(events, kind, [](const TraceEvent& event) { return event.kind; });
-    return found == events.end() ? TraceEvent{} : *found;
-  };
-
-  events.clear();
-  ASSERT_TRUE(editor.insert({10, 10, 1}).ok());
-  EXPECT_EQ(events.at(0).kind, TraceKind::circleInserted);
-  EXPECT_EQ(events.at(0).circles[0], 3);
-  EXPECT_EQ(events.at(0).disc, (Vertex{10, 10, 1}));
-  EXPECT_EQ(toldOf(TraceKind::tangentNotClear).circles, (test::Triple{2, 1, 3}));
-
-  events.clear();
-  ASSERT_TRUE(editor.insert({3, 4, 0.5}).ok());
-  const TraceEvent met = toldOf(TraceKind::discNotEmpty);
-  EXPECT_EQ(met.circles[2], 4) << "the new circle";
-  EXPECT_NEAR(met.disc.r, 4, 1e-12);
-
-  events.clear();
-  ASSERT_TRUE(editor.remove(4).ok());
-  const TraceEvent shrunk = toldOf(TraceKind::circleShrunk);
-  EXPECT_EQ(shrunk.circles[0], 4);
-  EXPECT_LT(shrunk.disc.r, 0.5);
-  EXPECT_NE(toldOf(TraceKind::circleRemoved).circles[0], 0);
-
-  events.clear();
-  ASSERT_TRUE(editor.replace(0, {0, -1, 1}).ok());
-  EXPECT_EQ(toldOf(TraceKind::circleReplaced).disc, (Vertex{0, -1, 1}));
-
-  events.clear();
-  std::vector<Edit> refused(60, {Edit::Kind::replace, 0, {0, -2, 1}});
-  refused.push_back({Edit::Kind::remove, 99, {}});
-  EXPECT_FALSE(editor.apply(refused).ok());
-  EXPECT_TRUE(events.empty()) << "a refused edit is not told";
-
-  EXPECT_TRUE(editor.observe({}));
-  ASSERT_TRUE(editor.remove(0).ok());
-  EXPECT_TRUE(events.empty());
-
-  ASSERT_TRUE(editor.observe([](const TraceEvent& event) {
-    if (event.kind == TraceKind::circleInserted) throw std::runtime_error("enough");
-  }));
-  EXPECT_THROW(editor.insert({0, 0, 1}), std::runtime_error);
-  EXPECT_EQ(editor.size(), 4U) << "the edit is done";
 }
 
 }  // namespace
