@@ -8,7 +8,6 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -246,7 +245,9 @@ bool moveVertexToOtherDisc(Diagram& diagram, CircleSpan circles, Random& random)
 bool makeVertexInfinite(Diagram& diagram, CircleSpan, Random& random) {
   if (diagram.vertices.empty()) return false;
   Vertex& v = pick(diagram.vertices, random);
-  v.x = random.below(2) == 0 ? std::nan("") : HUGE_VAL;
+  double* const numbers[] = {&v.x, &v.y, &v.r};
+  constexpr double kWrong[] = {NAN, HUGE_VAL, -HUGE_VAL};
+  *numbers[random.below(3)] = kWrong[random.below(3)];
   return true;
 }
 

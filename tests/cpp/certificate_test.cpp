@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -89,17 +87,6 @@ TEST(Certificate, AcceptsVerticesRoundedOtherwise) {
     v.r = std::nextafter(v.r, 100);
   }
   EXPECT_EQ(judged(kSquare, diagram).flaw, Flaw::none);
-}
-
-TEST(Certificate, RefusesAVertexAtInfinity) {
-  for (const double value : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                             std::numeric_limits<double>::quiet_NaN()}) {
-    for (double Vertex::*const number : {&Vertex::x, &Vertex::y, &Vertex::r}) {
-      Diagram diagram = diagramOf(kSquare);
-      diagram.vertices[0].*number = value;
-      EXPECT_EQ(judged(kSquare, diagram).flaw, Flaw::vertexMisplaced);
-    }
-  }
 }
 
 TEST(Certificate, NamesTheCircleThatIsNotHidden) {

@@ -19,9 +19,11 @@
 #include "circle_voronoi/compute.h"
 #include "clip_families.h"
 #include "clip_parts.h"
+#include "fixtures.h"
 #include "independent_clip.h"
 #include "judge_clip.h"
 #include "report.h"
+#include "rings.h"
 #include "same_cells.h"
 
 namespace circle_voronoi {
@@ -31,13 +33,11 @@ using test::areasByBruteForce;
 using test::clipFamilies;
 using test::ClipFamily;
 using test::ClipInput;
+using test::extentOf;
 using test::hasPolygons;
+using test::polygonsOf;
+using test::regionFrom;
 using test::seedOr;
-
-double extentOf(const Region& region) {
-  const Box box = region.bounds();
-  return std::max(box.maxX - box.minX, box.maxY - box.minY);
-}
 
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
   double most = a.size() == b.size() ? 0 : 1e300;
@@ -74,7 +74,10 @@ class ClipFamilies : public testing::TestWithParam<std::size_t> {};
 /// Expects the areas of an independent clip.
 void expectAreas(const ClipInput& input, const ClippedDiagram& clipped) {
   const Region& region = clipped.region();
-  const double most = 1e-7 * extentOf(region) * extentOf(region);
+  const double extent = extentOf(region);
+  // The rounding of rims is that of coordinates.
+  const double rounding = clipped.maxDistance() ? 1e-15 * test::farthestOf(input) : 0;
+  const double most = (1e-7 * extent + rounding) * extent;
   const auto areas = clipped.areas();
   const auto difference = [&](bool isLong) {
     return largestDifference(areas,
@@ -92,37 +95,13 @@ TEST_P(ClipFamilies, HaveTheAreasOfAnIndependentClip) {
             });
 }
 
-/// A maximum distance with which the disc around a circle has a corner on its rim, or touches a side, or neither.
-double distanceFor(const ClipInput& input, const Region& region, std::mt19937_64& random) {
-  const auto below = [&](std::size_t count) {
-    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
-  };
-  const Circle& c = input.circles[below(input.circles.size())];
-  const double r = input.metric == Metric::circles ? c.r : 0;
-  const auto points = region.points();
-  const std::size_t k = below(points.size() - 1);
-  const Point a = points[k];
-  const Vector toCenter = {c.x - a.x, c.y - a.y};
-  const Vector along = {points[k + 1].x - a.x, points[k + 1].y - a.y};
-  switch (below(3)) {
-    case 0:
-      return std::hypot(toCenter.x, toCenter.y) - r;
-    case 1:
-      // Two rings may touch in these corners.
-      if (along.x == 0 && along.y == 0) return 1;
-      return std::abs(along.x * toCenter.y - along.y * toCenter.x) / std::hypot(along.x, along.y) - r;
-    default:
-      return std::uniform_real_distribution<double>(0.3, 1.3)(random) * std::hypot(toCenter.x, toCenter.y) - r;
-  }
-}
-
 TEST_P(ClipFamilies, HaveTheAreasOfAnIndependentClipWithinADistance) {
   const std::uint64_t seed = seedOr(57);
   std::mt19937_64 random(seed + 1);
   forFamily(clipFamilies()[GetParam()], seed,
             [&](const ClipInput& input, const Region& region, const Diagram& diagram, const ClippedDiagram&) {
               if (input.metric == Metric::power) return;
-              const double distance = distanceFor(input, region, random);
+              const double distance = test::anyDistance(input, random);
               SCOPED_TRACE("within " + std::to_string(distance));
               const auto clipped = ClippedDiagram::from(diagram, region, distance);
               ASSERT_TRUE(clipped) << clipped.error().message;
@@ -145,11 +124,8 @@ TEST_P(ClipFamilies, HaveTheSameSingleCellsToTheBit) {
 
 TEST_P(ClipFamilies, AreConsistent) {
   forFamily(clipFamilies()[GetParam()], seedOr(52),
-            [](const ClipInput&, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
+            [](const ClipInput& input, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
               const double extent = extentOf(region);
-              // Vertices are rounded as the circles are, however small the region is.
-              double farthest = 0;
-              for (const Circle& c : diagram.circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y)});
               const auto areas = clipped.areas();
               EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), region.area(), 1e-13 * extent * extent);
               double inner = 0;
@@ -158,7 +134,7 @@ TEST_P(ClipFamilies, AreConsistent) {
               }
               const auto perimeters = clipped.perimeters();
               EXPECT_NEAR(std::accumulate(perimeters.begin(), perimeters.end(), 0.0), region.perimeter() + 2 * inner,
-                          1e-9 * (region.perimeter() + inner) + 1e-12 * farthest);
+                          1e-9 * (region.perimeter() + inner) + 1e-12 * test::farthestOf(input));
               for (std::int32_t i = 0; i < static_cast<std::int32_t>(areas.size()); ++i) {
                 const auto at = static_cast<std::size_t>(i);
                 EXPECT_NEAR(area(clipped.outline(i)), areas[at], 1e-12 * extent * extent);
@@ -170,10 +146,9 @@ TEST_P(ClipFamilies, AreConsistent) {
 }
 
 /// Expects that loops go counter-clockwise and holes clockwise, except for rounding.
-void expectOrientations(const ClippedDiagram& clipped) {
+void expectOrientations(const ClipInput& input, const ClippedDiagram& clipped) {
   const double extent = extentOf(clipped.region());
-  double farthest = extent;
-  for (const Circle& c : clipped.diagram().circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y), c.r});
+  const double farthest = std::max(extent, test::farthestOf(input));
   const ClippedCells cells = clipped.cells();
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(clipped.diagram().circles.size()); ++i) {
     const Outline outline = clipped.outline(i);
@@ -189,13 +164,13 @@ TEST_P(ClipFamilies, HaveLoopsInTheirDirectionsAlsoWithinADistance) {
   std::mt19937_64 random(seed + 1);
   forFamily(clipFamilies()[GetParam()], seed,
             [&](const ClipInput& input, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
-              expectOrientations(clipped);
+              expectOrientations(input, clipped);
               if (input.metric == Metric::power) return;
-              const double distance = distanceFor(input, region, random);
+              const double distance = test::anyDistance(input, random);
               SCOPED_TRACE("within " + std::to_string(distance));
               const auto near = ClippedDiagram::from(diagram, region, distance);
               ASSERT_TRUE(near) << near.error().message;
-              expectOrientations(*near);
+              expectOrientations(input, *near);
             });
 }
 
@@ -237,19 +212,6 @@ TEST_P(ClipFamilies, HaveThePartsOfEdgesOfARegionThatIsMovedALittle) {
                 EXPECT_EQ(partsInside(clipped), moved[0]);
               }
             });
-}
-
-/// The polygons of a cell, as a region is made from.
-std::vector<std::vector<Region::Ring>> polygonsOf(const ClippedPolygons& all, std::size_t cell) {
-  std::vector<std::vector<Region::Ring>> polygons;
-  for (std::int32_t p = all.polygonOffsets[cell]; p < all.polygonOffsets[cell + 1]; ++p) {
-    auto& rings = polygons.emplace_back();
-    for (std::int32_t r = all.ringOffsets[at(p)]; r < all.ringOffsets[at(p) + 1]; ++r) {
-      rings.emplace_back(all.points.begin() + all.pointOffsets[at(r)],
-                         all.points.begin() + all.pointOffsets[at(r) + 1]);
-    }
-  }
-  return polygons;
 }
 
 /// Expects that the polygons of each cell are valid, and returns their areas.
@@ -357,7 +319,7 @@ TEST(ClippedDiagram, ACellIsTheSameAloneWhereASideIsTangentToAnEdgeInItsCorner) 
   for (int turn = 0; turn < 8; ++turn) {
     SCOPED_TRACE("turn " + std::to_string(turn));
     const Diagram diagram = compute(circles).value();
-    const Region region = Region::fromRings(std::vector<Region::Ring>{ring}).value();
+    const Region region = test::regionFrom({ring});
     const auto clipped = ClippedDiagram::from(diagram, region).value();
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) test::expectSameAlone(clipped, i);
     // Quarter turns, and then their mirror images.
@@ -390,7 +352,7 @@ TEST(ClippedDiagram, AreasFarFromTheOriginAreThoseAtTheOrigin) {
         for (Circle& c : there) c = {c.x + offset, c.y - offset, c.r};
         for (Point& p : corners) p = {p.x + offset, p.y - offset};
         const Diagram diagram = computeComparison(there, metric).value();
-        const Region region = Region::fromRings(std::vector<Region::Ring>{corners}).value();
+        const Region region = test::regionFrom({corners});
         return ClippedDiagram::from(diagram, region).value().areas();
       };
       const auto near = areasAt(0);
@@ -410,7 +372,7 @@ struct ClipFixture {
 
 std::vector<ClipFixture> clipFixtures() {
   std::vector<ClipFixture> fixtures;
-  for (const auto& entry : std::filesystem::directory_iterator(CIRCLE_VORONOI_FIXTURES "/clips")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::fileOfFixtures("clips"))) {
     std::ifstream file(entry.path());
     const nlohmann::json json = nlohmann::json::parse(file);
     ClipFixture& fixture = fixtures.emplace_back();
@@ -449,28 +411,6 @@ TEST(ClipFixtures, HaveTheRightAreas) {
   }
 }
 
-TEST(ClippedDiagram, TheLargestEmptyDiscIsRightWhereCornersAreNearVertices) {
-  struct Case {
-    std::vector<Circle> circles;
-    Region::Ring ring;
-    double radius;
-  };
-  // The radii were found with a fine grid.
-  const std::vector<Case> cases = {
-      {{{0, 1, 0}, {2, 2, 0}, {1, 0, 0}}, {{1.25, 1.5}, {.5, -.5}, {1, .5}}, 1.17851130},
-      {{{2, 0, 0}, {1, 1, .2}, {2, 2, .2}}, {{1.25, .75}, {2.5, .5}, {1, 2}}, 0.90508909},
-      {{{1, 2, .75}, {0, 0, .25}, {2, 1, .75}}, {{2.5, 1}, {1.25, 1.25}, {.5, .5}}, 0.65603196},
-      {{{2, 0, .5}, {0, 2, .5}, {-2, 0, .5}}, {{0, 0}, {0, 2.5}, {-.75, .25}}, 1.5},
-      {{{6.187499999996362, -6, 0.046875}, {6.156249999998181, -5.9999999999956026, 0.015625000001818989}},
-       {{6.15, -6.1}, {6.17, -6.1}, {6.15, -6}},
-       0.05992505}};
-  for (const auto& [circles, ring, radius] : cases) {
-    const Diagram diagram = compute(circles).value();
-    const Region region = Region::fromRings(std::vector<Region::Ring>{ring}).value();
-    EXPECT_NEAR(ClippedDiagram::from(diagram, region)->largestEmptyDisc()->disc.r, radius, 1e-8);
-  }
-}
-
 TEST(ClipFixtures, HaveValidPolygons) {
   for (const ClipFixture& fixture : clipFixtures()) {
     SCOPED_TRACE(fixture.name);
@@ -502,7 +442,7 @@ TEST(ClippedPolygons, AreRightWhereManyCornersLieAlongOneEdge) {
   }
   ring.push_back({110, 150});
   ring.push_back({-110, 150});
-  const Region region = Region::fromRings(std::vector<Region::Ring>{ring}).value();
+  const Region region = test::regionFrom({ring});
   const auto clipped = ClippedDiagram::from(diagram, region).value();
   for (const double tolerance : {1e-6, 1e-3, 10.0}) {
     const auto areas = areasOfValidPolygons(clipped, tolerance);
@@ -535,10 +475,18 @@ class CorruptedClip : public testing::Test {
   const char* fault() const { return faultOf(record()); }
   const char* areaFault() const { return faultOf(record(), moments_); }
 
+  /// Expects that the judge notices a change of a part, and takes it back.
+  template <class Part, class Change>
+  void expectRefused(Part& part, Change change) {
+    const Part right = part;
+    change();
+    EXPECT_NE(fault(), nullptr);
+    part = right;
+  }
+
   /// With a hole in one cell.
-  Region region_ = Region::fromRings(std::vector<Region::Ring>{{{0.1, 0.2}, {0.9, 0.1}, {0.8, 0.9}, {0.15, 0.8}},
-                                                               {{0.5, 0.5}, {0.5001, 0.5}, {0.5, 0.5001}}})
-                       .value();
+  Region region_ =
+      test::regionFrom({{{0.1, 0.2}, {0.9, 0.1}, {0.8, 0.9}, {0.15, 0.8}}, {{0.5, 0.5}, {0.5001, 0.5}, {0.5, 0.5001}}});
   Diagram diagram_;
   ClipScope scope_ = {diagram_, std::nullopt};
   Crossings crossings_;
@@ -559,81 +507,54 @@ TEST_F(CorruptedClip, IsRefusedForEachLevelThatIsWrong) {
 }
 
 TEST_F(CorruptedClip, IsRefusedForEachCrossingThatIsWrong) {
-  const Crossings right = crossings_;
-  for (std::size_t c = 0; c < right.all.size(); ++c) {
-    crossings_.all[c].isEntry = !crossings_.all[c].isEntry;
-    EXPECT_NE(fault(), nullptr);
-    crossings_ = right;
-    crossings_.all[c].edge = (crossings_.all[c].edge + 1) % static_cast<std::int32_t>(diagram_.edges.size());
-    EXPECT_NE(fault(), nullptr);
-    crossings_ = right;
-    crossings_.all[c].side = 4;  // of the hole
-    EXPECT_NE(fault(), nullptr);
-    crossings_ = right;
-    crossings_.all[c].share = 1.5;
-    EXPECT_NE(fault(), nullptr);
-    crossings_ = right;
-    crossings_.next[c] = crossings_.next[at(right.next[c])];
-    EXPECT_NE(fault(), nullptr);
-    crossings_.next[c] = kNone;
-    EXPECT_NE(fault(), nullptr);
-    crossings_ = right;
+  const auto edges = static_cast<std::int32_t>(diagram_.edges.size());
+  for (std::size_t c = 0; c < crossings_.all.size(); ++c) {
+    auto& crossing = crossings_.all[c];
+    auto& next = crossings_.next[c];
+    expectRefused(crossing, [&] { crossing.isEntry = !crossing.isEntry; });
+    expectRefused(crossing, [&] { crossing.edge = (crossing.edge + 1) % edges; });
+    expectRefused(crossing, [&] { crossing.side = 4; });  // of the hole
+    expectRefused(crossing, [&] { crossing.share = 1.5; });
+    expectRefused(next, [&] { next = crossings_.next[at(next)]; });
+    expectRefused(next, [&] { next = kNone; });
   }
-  crossings_.all.pop_back();
-  crossings_.next.pop_back();
-  EXPECT_NE(fault(), nullptr);
-}
-
-TEST_F(CorruptedClip, IsRefusedForAreasThatAreOffByLittleMoreThanRounding) {
-  for (Moments& its : moments_.moments) {
-    const Moments right = its;
-    its.area += 5e-11;
-    EXPECT_NE(areaFault(), nullptr);
-    its = right;
-  }
+  expectRefused(crossings_, [&] {
+    crossings_.all.pop_back();
+    crossings_.next.pop_back();
+  });
 }
 
 TEST_F(CorruptedClip, IsRefusedForEachArcThatIsWrong) {
-  const std::vector<Arc> right = arcs_;
-  for (std::size_t a = 0; a < right.size(); ++a) {
-    arcs_.erase(arcs_.begin() + static_cast<std::ptrdiff_t>(a));
-    EXPECT_NE(fault(), nullptr);
-    arcs_ = right;
-    arcs_.push_back(right[a]);
-    EXPECT_NE(fault(), nullptr);
-    arcs_ = right;
-    std::swap(arcs_[a].start, arcs_[a].end);
-    EXPECT_NE(fault(), nullptr);
-    arcs_ = right;
-    arcs_[a].edge = (arcs_[a].edge + 1) % static_cast<std::int32_t>(diagram_.edges.size());
-    EXPECT_NE(fault(), nullptr);
-    arcs_ = right;
+  const auto edges = static_cast<std::int32_t>(diagram_.edges.size());
+  for (std::size_t a = 0; a < arcs_.size(); ++a) {
+    expectRefused(arcs_, [&] { arcs_.erase(arcs_.begin() + static_cast<std::ptrdiff_t>(a)); });
+    expectRefused(arcs_, [&] { arcs_.push_back(Arc(arcs_[a])); });
+    expectRefused(arcs_, [&] { std::swap(arcs_[a].start, arcs_[a].end); });
+    expectRefused(arcs_, [&] { arcs_[a].edge = (arcs_[a].edge + 1) % edges; });
   }
 }
 
 TEST_F(CorruptedClip, IsRefusedForARingThatIsNowhereOrTwice) {
-  const auto right = crossings_.rings;
-  crossings_.rings.clear();
-  EXPECT_NE(fault(), nullptr);
-  crossings_.rings = right;
-  crossings_.rings.push_back(right.front());
-  EXPECT_NE(fault(), nullptr);
-  crossings_.rings = right;
-  crossings_.rings.front().ring = 7;
-  EXPECT_NE(fault(), nullptr);
+  auto& rings = crossings_.rings;
+  expectRefused(rings, [&] { rings.clear(); });
+  expectRefused(rings, [&] { rings.insert(rings.end(), rings.front()); });
+  expectRefused(rings, [&] { rings.front().ring = 7; });
 }
 
-TEST_F(CorruptedClip, IsRefusedForAreasThatAreNegativeOrDoNotMakeUpTheRegion) {
-  const CellMoments right = moments_;
-  for (std::size_t i = 0; i < right.moments.size(); ++i) {
-    moments_.moments[i].area += 1e-6;
-    EXPECT_NE(areaFault(), nullptr);
-    moments_.moments[(i + 1) % right.moments.size()].area -= 1e-6;
-    EXPECT_EQ(areaFault() == nullptr, moments_.moments[(i + 1) % right.moments.size()].area >= -1e-9);
-    moments_ = right;
-    moments_.moments[i].area = std::nan("");
-    EXPECT_NE(areaFault(), nullptr);
-    moments_ = right;
+TEST_F(CorruptedClip, IsRefusedForAreasThatAreOffByLittleMoreThanRoundingOrNegative) {
+  auto& moments = moments_.moments;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const std::size_t other = (i + 1) % moments.size();
+    const auto right = moments;
+    for (const double wrong : {moments[i].area + 5e-11, std::nan("")}) {
+      moments[i].area = wrong;
+      EXPECT_NE(areaFault(), nullptr);
+    }
+    moments = right;
+    moments[i].area += 1e-6;
+    moments[other].area -= 1e-6;
+    EXPECT_EQ(areaFault() == nullptr, moments[other].area >= -1e-9);
+    moments = right;
   }
 }
 

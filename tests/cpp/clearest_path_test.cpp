@@ -13,6 +13,7 @@
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi_families/families.h"
 #include "parameters.h"
+#include "path_checks.h"
 #include "random.h"
 #include "regions.h"
 #include "vectors.h"
@@ -20,11 +21,7 @@
 namespace circle_voronoi {
 namespace {
 
-double clearanceAt(const std::vector<Circle>& circles, Point p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Circle& c : circles) least = std::min(least, distance(Metric::circles, c, p));
-  return least;
-}
+double clearanceAt(const std::vector<Circle>& circles, Point p) { return test::clearanceAlong(circles, p, p); }
 
 /// A grid of pixels over a square: the greatest clearance with which pixels that touch lead from one to another.
 class Pixels {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "at.h"
+
 namespace circle_voronoi::test {
 namespace {
 
@@ -331,6 +333,64 @@ ClipInput anything(Random& random) {
 }
 
 }  // namespace
+
+double extentOf(const Region& region) {
+  const Box box = region.bounds();
+  return std::max(box.maxX - box.minX, box.maxY - box.minY);
+}
+
+double farthestOf(const ClipInput& input) {
+  double farthest = 0;
+  for (const Circle& c : input.circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y), c.r});
+  for (const auto& ring : input.rings) {
+    for (const Point& p : ring) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+  }
+  return farthest;
+}
+
+double radiusOf(const ClipInput& input, const Circle& circle) { return input.metric == Metric::circles ? circle.r : 0; }
+
+double anyDistance(const ClipInput& input, std::mt19937_64& random) {
+  const auto& circles = input.circles;
+  const Circle& c = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
+  const Circle& d = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
+  const double r = radiusOf(input, c);
+  const auto& ring = input.rings.back();
+  const auto corner = static_cast<std::size_t>(pick(random, 0, static_cast<int>(ring.size()) - 1));
+  const Point p = ring[corner];
+  const double toCorner = std::hypot(p.x - c.x, p.y - c.y);
+  switch (pick(random, 0, 5)) {
+    case 0:
+      return toCorner - r;
+    case 1:
+      // The circles of many families touch one disc around the origin.
+      return std::hypot(c.x, c.y) - r;
+    case 2:
+      return (std::hypot(d.x - c.x, d.y - c.y) - r - radiusOf(input, d)) / 2;
+    case 3:
+      return toss(random) ? 0 : -std::floor(r / 2);
+    case 4: {
+      const Point q = ring[(corner + 1) % ring.size()];
+      const double size = std::hypot(p.x - q.x, p.y - q.y);
+      const double height = (p.x - q.x) * (c.y - q.y) - (p.y - q.y) * (c.x - q.x);
+      return size > 0 ? std::abs(height) / size - r : 1;
+    }
+    default:
+      return (0.2 + 1.2 * unit(random)) * toCorner - r;
+  }
+}
+
+std::vector<std::vector<Region::Ring>> polygonsOf(const ClippedPolygons& all, std::size_t cell) {
+  std::vector<std::vector<Region::Ring>> polygons;
+  for (std::int32_t p = all.polygonOffsets[cell]; p < all.polygonOffsets[cell + 1]; ++p) {
+    auto& rings = polygons.emplace_back();
+    for (std::int32_t r = all.ringOffsets[at(p)]; r < all.ringOffsets[at(p) + 1]; ++r) {
+      rings.emplace_back(all.points.begin() + all.pointOffsets[at(r)],
+                         all.points.begin() + all.pointOffsets[at(r) + 1]);
+    }
+  }
+  return polygons;
+}
 
 bool hasPolygons(const ClipInput& input) {
   constexpr double kMost = 1e6;

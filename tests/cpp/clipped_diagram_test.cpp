@@ -19,6 +19,7 @@
 #include "in_outline.h"
 #include "region_shapes.h"
 #include "report.h"
+#include "rings.h"
 #include "same_cells.h"
 
 namespace circle_voronoi {
@@ -77,16 +78,6 @@ void forHardRegions(Check check) {
   }
 }
 
-TEST(ClippedDiagram, AreasSumToThatOfTheRegion) {
-  forHardRegions([](const Diagram&, const Region& region, const ClippedDiagram& clipped) {
-    const double area = region.area();
-    const Box box = region.bounds();
-    // For regions that are thinner than rounding.
-    const double thin = 1e-16 * region.perimeter() * (box.maxX - box.minX + box.maxY - box.minY);
-    EXPECT_NEAR(sumOf(clipped.areas()), area, 1e-12 * area + thin);
-  });
-}
-
 TEST(ClippedDiagram, OutlinesAreClosedAndShareTheirPoints) {
   forHardRegions([](const Diagram& diagram, const Region&, const ClippedDiagram& clipped) {
     // The ends of each piece of an edge, in the direction of the edge, and how often it occurs.
@@ -108,10 +99,13 @@ TEST(ClippedDiagram, OutlinesAreClosedAndShareTheirPoints) {
   });
 }
 
-TEST(ClippedDiagram, AreasAreThoseOfTheOutlines) {
+TEST(ClippedDiagram, AreasAreThoseOfTheOutlinesAndSumToThatOfTheRegion) {
   forHardRegions([](const Diagram&, const Region& region, const ClippedDiagram& clipped) {
     const std::vector<double> areas = clipped.areas();
     const Box box = region.bounds();
+    // For regions that are thinner than rounding.
+    const double thin = 1e-16 * region.perimeter() * (box.maxX - box.minX + box.maxY - box.minY);
+    EXPECT_NEAR(sumOf(areas), region.area(), 1e-12 * region.area() + thin);
     const double farthest = std::max({std::abs(box.minX), std::abs(box.minY), std::abs(box.maxX), std::abs(box.maxY)});
     const double rounding = 1e-14 * farthest * region.perimeter();
     for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -120,25 +114,32 @@ TEST(ClippedDiagram, AreasAreThoseOfTheOutlines) {
   });
 }
 
+/// Expects that cells have the random points of a box that are in the region, nearest to their circles, and within the
+/// distance.
+void expectSamples(const ClippedDiagram& clipped, const Box& box, int count, std::mt19937_64& random) {
+  const Diagram& diagram = clipped.diagram();
+  const Finder finder(diagram);
+  std::uniform_real_distribution<double> x(box.minX, box.maxX);
+  std::uniform_real_distribution<double> y(box.minY, box.maxY);
+  for (int k = 0; k < count; ++k) {
+    const Point p = {x(random), y(random)};
+    const CircleIndex nearest = finder.find(p);
+    const double gap = clipped.maxDistance() ? distanceFrom(diagram, nearest, p) - *clipped.maxDistance() : -1e300;
+    double least = std::abs(gap);
+    for (const SideIndex side : diagram.sides(nearest)) {
+      least = std::min(least, lead(diagram, nearest, diagram.neighborOf(side), p));
+    }
+    if (least < 1e-9 * (std::abs(p.x) + std::abs(p.y))) continue;
+    bool isInside = false;
+    for (const auto& loop : clipped.outline(nearest)) isInside ^= hasInLoop(loop, p);
+    EXPECT_EQ(isInside, gap < 0 && clipped.region().contains(p)) << p.x << " " << p.y << " in " << nearest;
+  }
+}
+
 TEST(ClippedDiagram, ContainsWhatIsInTheRegionAndNearest) {
   std::mt19937_64 random(seedOr(31));
-  forHardRegions([&](const Diagram& diagram, const Region& region, const ClippedDiagram& clipped) {
-    const Finder finder(diagram);
-    const Box box = region.bounds();
-    std::uniform_real_distribution<double> x(box.minX, box.maxX);
-    std::uniform_real_distribution<double> y(box.minY, box.maxY);
-    for (int k = 0; k < 40; ++k) {
-      const Point p = {x(random), y(random)};
-      const CircleIndex nearest = finder.find(p);
-      double least = 1e300;
-      for (const SideIndex side : diagram.sides(nearest)) {
-        least = std::min(least, lead(diagram, nearest, diagram.neighborOf(side), p));
-      }
-      if (least < 1e-9 * (std::abs(p.x) + std::abs(p.y))) continue;
-      bool isInside = false;
-      for (const auto& loop : clipped.outline(nearest)) isInside ^= hasInLoop(loop, p);
-      EXPECT_EQ(isInside, region.contains(p)) << p.x << " " << p.y << " in " << nearest;
-    }
+  forHardRegions([&](const Diagram&, const Region& region, const ClippedDiagram& clipped) {
+    expectSamples(clipped, region.bounds(), 40, random);
   });
 }
 
@@ -148,9 +149,9 @@ TEST(ClippedDiagram, ARegionAndItsComplementAddUp) {
   for (const auto& [name, circles] : inputs(random)) {
     const Diagram diagram = computeComparison(circles, Metric::circles).value();
     const Region::Ring star = test::starRing(random, {0.5, 0.5}, 0.1, 0.9, 50);
-    const Region whole = Region::fromRings(std::vector<Region::Ring>{box}).value();
-    const Region inside = Region::fromRings(std::vector<Region::Ring>{star}).value();
-    const Region outside = Region::fromRings(std::vector<Region::Ring>{box, star}).value();
+    const Region whole = test::regionFrom({box});
+    const Region inside = test::regionFrom({star});
+    const Region outside = test::regionFrom({box, star});
     const auto areasIn = [&](const Region& region) { return ClippedDiagram::from(diagram, region)->areas(); };
     const auto all = areasIn(whole);
     const auto parts = areasIn(inside);
@@ -168,49 +169,23 @@ TEST(ClippedDiagram, NeighborsShareAnEdgeInTheRegion) {
   const Region below = Region::from(Box{-1, -5, 5, 0}).value();
   EXPECT_EQ(ClippedDiagram::from(diagram, below)->neighbors(0), std::vector<CircleIndex>{1});
   EXPECT_TRUE(ClippedDiagram::from(diagram, below)->neighbors(2).empty());
-  const Region ring = Region::fromRings(std::vector<Region::Ring>{{{-1, -5}, {1.9, -5}, {1.9, 0}, {-1, 0}},
-                                                                  {{2.1, -5}, {5, -5}, {5, 0}, {2.1, 0}}})
-                          .value();
+  const Region ring =
+      test::regionFrom({{{-1, -5}, {1.9, -5}, {1.9, 0}, {-1, 0}}, {{2.1, -5}, {5, -5}, {5, 0}, {2.1, 0}}});
   EXPECT_TRUE(ClippedDiagram::from(diagram, ring)->neighbors(0).empty());
 }
 
 TEST(ClippedDiagram, MaxDistanceAndRegionAreWhatSamplesSay) {
   std::mt19937_64 random(seedOr(34));
-  std::uniform_real_distribution<double> unit(-0.2, 1.2);
   for (const auto& [name, circles] : inputs(random)) {
     if (name == "grid" || name == "grid of two sizes" || name == "far from the origin") continue;
     for (const Metric metric : {Metric::circles, Metric::centers}) {
       const Diagram diagram = computeComparison(circles, metric).value();
-      const Finder finder(diagram);
-      const Region region =
-          Region::fromRings(std::vector<Region::Ring>{test::starRing(random, {0.5, 0.5}, 0.3, 0.8, 40),
-                                                      test::starRing(random, {0.5, 0.5}, 0.02, 0.2, 11)})
-              .value();
+      const Region region = test::regionFrom(
+          {test::starRing(random, {0.5, 0.5}, 0.3, 0.8, 40), test::starRing(random, {0.5, 0.5}, 0.02, 0.2, 11)});
       for (const double distance : {0.02, 0.1, 0.3, 5.0}) {
         SCOPED_TRACE(name + ", " + std::string(metricName(metric)) + ", " + std::to_string(distance));
         const ClippedDiagram clipped = ClippedDiagram::from(diagram, region, distance).value();
-        std::vector<Outline> outlines;
-        for (std::size_t i = 0; i < circles.size(); ++i) {
-          outlines.push_back(clipped.outline(static_cast<std::int32_t>(i)));
-          for (const auto& loop : outlines.back()) {
-            for (std::size_t k = 0; k < loop.size(); ++k) {
-              EXPECT_EQ(loop[k].curve.end, loop[(k + 1) % loop.size()].curve.start);
-            }
-          }
-        }
-        for (int k = 0; k < 200; ++k) {
-          const Point p = {unit(random), unit(random)};
-          const CircleIndex nearest = finder.find(p);
-          const double gap = distanceFrom(diagram, nearest, p) - distance;
-          double least = std::abs(gap);
-          for (const SideIndex side : diagram.sides(nearest)) {
-            least = std::min(least, lead(diagram, nearest, diagram.neighborOf(side), p));
-          }
-          if (least < 1e-9) continue;
-          bool isInside = false;
-          for (const auto& loop : outlines[static_cast<std::size_t>(nearest)]) isInside ^= hasInLoop(loop, p);
-          EXPECT_EQ(isInside, gap < 0 && region.contains(p)) << p.x << " " << p.y << " in " << nearest;
-        }
+        expectSamples(clipped, {-0.2, -0.2, 1.2, 1.2}, 200, random);
         if (distance < 5) continue;
         const auto near = clipped.areas();
         const auto all = ClippedDiagram::from(diagram, region)->areas();
@@ -224,9 +199,8 @@ TEST(ClippedDiagram, FlatArraysAreTheOutlines) {
   std::mt19937_64 random(seedOr(35));
   const auto circles = inputs(random)[1].second;
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Region region = Region::fromRings(std::vector<Region::Ring>{test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40),
-                                                                    test::starRing(random, {0.5, 0.5}, 0.001, 0.01, 5)})
-                            .value();
+  const Region region = test::regionFrom(
+      {test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40), test::starRing(random, {0.5, 0.5}, 0.001, 0.01, 5)});
   for (const std::optional<double> distance : {std::optional<double>(), std::optional<double>(0.05)}) {
     const ClippedDiagram clipped = ClippedDiagram::from(diagram, region, distance).value();
     const ClippedCells cells = clipped.cells();
@@ -268,15 +242,12 @@ TEST(ClippedDiagram, FlatArraysAreTheOutlines) {
   }
 }
 
-TEST(ClippedDiagram, MeasuresAndPolygonsWithinADistanceAreThoseOfTheOutlines) {
+TEST(ClippedDiagram, MeasuresWithinADistanceAreThoseOfTheOutlines) {
   std::mt19937_64 random(seedOr(37));
   const auto circles = inputs(random)[1].second;
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Region region =
-      Region::fromRings(std::vector<Region::Ring>{test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40)}).value();
+  const Region region = test::regionFrom({test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40)});
   const ClippedDiagram clipped = ClippedDiagram::from(diagram, region, 0.05).value();
-  constexpr double kTolerance = 1e-4;
-  const ClippedPolygons polygons = clipped.polygons(kTolerance);
   const std::vector<double> areas = clipped.areas();
   const std::vector<Point> centroids = clipped.centroids();
   const std::vector<double> perimeters = clipped.perimeters();
@@ -293,28 +264,13 @@ TEST(ClippedDiagram, MeasuresAndPolygonsWithinADistanceAreThoseOfTheOutlines) {
       EXPECT_EQ(centroids[i], centroid(outline));
     }
     for (const auto& loop : outline) arcs += static_cast<int>(std::ranges::count_if(loop, &OutlinePiece::isOnCircle));
-    double twice = 0;
-    const std::int32_t firstRing = polygons.ringOffsets[static_cast<std::size_t>(polygons.polygonOffsets[i])];
-    const std::int32_t endRing = polygons.ringOffsets[static_cast<std::size_t>(polygons.polygonOffsets[i + 1])];
-    for (auto ring = static_cast<std::size_t>(firstRing); ring < static_cast<std::size_t>(endRing); ++ring) {
-      const auto points =
-          std::span(polygons.points)
-              .subspan(static_cast<std::size_t>(polygons.pointOffsets[ring]),
-                       static_cast<std::size_t>(polygons.pointOffsets[ring + 1] - polygons.pointOffsets[ring]));
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        const Point& p = points[k];
-        const Point& q = points[(k + 1) % points.size()];
-        twice += (p.x - 0.5) * (q.y - 0.5) - (q.x - 0.5) * (p.y - 0.5);
-      }
-    }
-    EXPECT_NEAR(twice / 2, areas[i], kTolerance * perimeters[i]) << i;
   }
   EXPECT_GT(empty, 0);
   EXPECT_GT(arcs, 10);
 }
 
 TEST(ClippedDiagram, AnEndThatTheMaximumDistanceCutsLiesOnNoSideOfTheRegion) {
-  const Region region = Region::fromRings(std::vector<Region::Ring>{{{-4, -1}, {4, -1}, {4, 4}, {-4, 4}}}).value();
+  const Region region = test::regionFrom({{{-4, -1}, {4, -1}, {4, 4}, {-4, 4}}});
   // The edge goes along the y axis, up or down.
   for (const std::vector<Circle>& circles : {std::vector<Circle>{{-1, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {-1, 0, 0}}}) {
     const Diagram diagram = compute(circles).value();
@@ -330,56 +286,28 @@ TEST(ClippedDiagram, AnEndThatTheMaximumDistanceCutsLiesOnNoSideOfTheRegion) {
 
 TEST(ClippedDiagram, SomeCellsAreClippedAsAllAre) {
   std::mt19937_64 random(seedOr(36));
-  for (const auto& [name, circles] : inputs(random)) {
-    const Diagram diagram = computeComparison(circles, Metric::circles).value();
-    const std::vector<std::vector<Region::Ring>> shapes = {
-        {test::starRing(random, {0.5, 0.5}, 0.1, 0.7, 60), test::starRing(random, {0.5, 0.5}, 0.02, 0.09, 11)},
-        {test::coastRing(random, {0.4, 0.5}, 0.4, 2000)},
-        {test::combRing({0.1, 0.1, 0.9, 0.9}, 20)},
-        {test::starRing(random, {0.3, 0.4}, 1e-4, 1e-3, 20)}};
-    for (const auto& rings : shapes) {
-      const Region region = Region::fromRings(rings).value();
-      const ClippedDiagram all = ClippedDiagram::from(diagram, region).value();
-      const std::vector<double> areas = all.areas();
-      std::uniform_int_distribution<std::int32_t> pick(0, static_cast<std::int32_t>(circles.size()) - 1);
-      for (int trial = 0; trial < 12; ++trial) {
-        std::vector<CircleIndex> some;
-        for (int k = 0; k <= trial; ++k) some.push_back(pick(random));
-        for (int k = 0; k < 3 && trial % 2 == 0; ++k) {
-          for (const CircleIndex neighbor : neighbors(diagram, some[static_cast<std::size_t>(k) % some.size()])) {
-            some.push_back(neighbor);
-          }
-        }
-        const auto clipped = ClippedDiagram::ofCells(diagram, region, some);
-        ASSERT_TRUE(clipped) << name << ": " << clipped.error().message;
-        const std::vector<double> theirs = clipped->areas();
-        for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-          const bool isChosen = std::ranges::find(some, i) != some.end();
-          if (!isChosen) {
-            EXPECT_EQ(clipped->placeOf(i), ClippedDiagram::Place::outside);
-            continue;
-          }
-          SCOPED_TRACE(name + ", cell " + std::to_string(i));
-          test::expectSameCell(all, i, *clipped, i, [](CircleIndex j) { return std::int32_t{j}; });
-          EXPECT_EQ(theirs[static_cast<std::size_t>(i)], areas[static_cast<std::size_t>(i)]);
-        }
-      }
+  forHardRegions([&](const Diagram& diagram, const Region& region, const ClippedDiagram& clipped) {
+    const auto count = static_cast<std::int32_t>(diagram.circles.size());
+    std::set<CircleIndex> some;
+    for (std::int32_t i = 0; i < count; i += 3) some.insert(i);
+    // A few at random, some with all neighbors.
+    std::uniform_int_distribution<std::int32_t> pick(0, count - 1);
+    for (int k = 0; k < 3; ++k) {
+      const CircleIndex i = pick(random);
+      some.insert(i);
+      for (const CircleIndex neighbor : neighbors(diagram, i)) some.insert(neighbor);
     }
-  }
-}
-
-TEST(ClippedDiagram, SomeCellsHaveTheAreasTheyHaveAmongAllInHardRegions) {
-  forHardRegions([](const Diagram& diagram, const Region& region, const ClippedDiagram& clipped) {
-    std::vector<CircleIndex> some;
-    for (std::size_t i = 0; i < diagram.circles.size(); i += 3) some.push_back(static_cast<std::int32_t>(i));
-    const auto theirs = ClippedDiagram::ofCells(diagram, region, some);
-    ASSERT_TRUE(theirs) << theirs.error().message;
-    const std::vector<double> areas = clipped.areas();
-    const std::vector<double> partial = theirs->areas();
-    for (std::size_t i = 0; i < areas.size(); i += 3) {
+    const auto chosen = ClippedDiagram::ofCells(diagram, region, std::vector<CircleIndex>(some.rbegin(), some.rend()));
+    ASSERT_TRUE(chosen) << chosen.error().message;
+    for (std::int32_t i = 0; i < count; ++i) {
       SCOPED_TRACE("cell " + std::to_string(i));
-      EXPECT_EQ(partial[i], areas[i]);
-      test::expectSameAlone(clipped, static_cast<std::int32_t>(i));
+      if (some.contains(i)) {
+        test::expectSameCell(clipped, i, *chosen, i, [](CircleIndex j) { return std::int32_t{j}; });
+        EXPECT_EQ(chosen->areas()[static_cast<std::size_t>(i)], clipped.area(i));
+        test::expectSameAlone(clipped, i);
+      } else {
+        EXPECT_EQ(chosen->placeOf(i), ClippedDiagram::Place::outside);
+      }
     }
   });
 }

@@ -14,10 +14,12 @@
 
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/comparison.h"
+#include "clip_families.h"
 #include "in_circle.h"
 #include "region_shapes.h"
 #include "regions.h"
 #include "report.h"
+#include "rings.h"
 #include "rounded.h"
 #include "valid_polygons.h"
 
@@ -36,27 +38,17 @@ std::vector<Circle> randomCircles(std::mt19937_64& random, int count, double lar
   return circles;
 }
 
-BoostPolygons boostOf(const Region& region) {
-  BoostPolygons polygons;
-  for (std::size_t p = 0; p < region.polygonCount(); ++p) {
-    BoostPolygon polygon;
-    for (std::int32_t r = region.polygonOffsets()[p]; r < region.polygonOffsets()[p + 1]; ++r) {
-      std::vector<BoostPoint> ring;
-      const auto ringAt = static_cast<std::size_t>(r);
-      for (std::int32_t k = region.ringOffsets()[ringAt]; k < region.ringOffsets()[ringAt + 1]; ++k) {
-        const Point q = region.points()[static_cast<std::size_t>(k)];
-        ring.emplace_back(q.x, q.y);
-      }
-      if (r == region.polygonOffsets()[p]) {
-        polygon.outer().assign(ring.begin(), ring.end());
-      } else {
-        polygon.inners().emplace_back(ring.begin(), ring.end());
-      }
+BoostPolygons boostOf(const std::vector<std::vector<Region::Ring>>& polygons) {
+  BoostPolygons result;
+  for (const auto& rings : polygons) {
+    BoostPolygon& polygon = result.emplace_back();
+    for (const Region::Ring& ring : rings) {
+      auto& target = &ring == &rings.front() ? polygon.outer() : polygon.inners().emplace_back();
+      for (const Point& p : ring) target.emplace_back(p.x, p.y);
     }
     bg::correct(polygon);
-    polygons.push_back(polygon);
   }
-  return polygons;
+  return result;
 }
 
 /// A cell in a large box as a fine polygon.
@@ -87,26 +79,12 @@ TEST(ClippedPolygons, AreasAreThoseOfBoostGeometry) {
       const Region region = Region::fromRings(rings).value();
       const ClippedDiagram clipped = ClippedDiagram::from(diagram, region).value();
       const std::vector<double> areas = clipped.areas();
-      const BoostPolygons clip = boostOf(region);
+      const BoostPolygons clip = boostOf(test::polygonsOf(region));
       for (std::size_t i = 0; i < circles.size(); ++i) {
         BoostPolygons parts;
         bg::intersection(fineCell(diagram, static_cast<std::int32_t>(i), box, 1e-8), clip, parts);
         EXPECT_NEAR(areas[i], bg::area(parts), 1e-7) << "cell " << i;
       }
-    }
-  }
-}
-
-/// Rings of a row, in the order of polygons.
-template <class Visit>
-void visitRings(const ClippedPolygons& polygons, std::size_t row, Visit visit) {
-  const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
-  for (std::int32_t p = polygons.polygonOffsets[row]; p < polygons.polygonOffsets[row + 1]; ++p) {
-    for (std::int32_t r = polygons.ringOffsets[at(p)]; r < polygons.ringOffsets[at(p) + 1]; ++r) {
-      visit(r == polygons.ringOffsets[at(p)],
-            std::span(polygons.points)
-                .subspan(at(polygons.pointOffsets[at(r)]),
-                         at(polygons.pointOffsets[at(r) + 1] - polygons.pointOffsets[at(r)])));
     }
   }
 }
@@ -117,19 +95,17 @@ void expectCoverage(const ClippedPolygons& polygons, const Region& region, doubl
   std::map<std::tuple<double, double, double, double>, int> sides;
   double area = 0;
   for (std::size_t row = 0; row + 1 < polygons.polygonOffsets.size(); ++row) {
-    BoostPolygons cell;
-    visitRings(polygons, row, [&](bool isOuter, std::span<const Point> ring) {
-      if (isOuter) cell.emplace_back();
-      auto& target = isOuter ? cell.back().outer() : cell.back().inners().emplace_back();
-      for (std::size_t k = 0; k <= ring.size(); ++k) {
-        const Point p = ring[k % ring.size()];
-        target.emplace_back(p.x, p.y);
+    const auto cell = test::polygonsOf(polygons, row);
+    for (const Region::Ring& ring : cell | std::views::join) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Point p = ring[k];
         const Point q = ring[(k + 1) % ring.size()];
-        if (k < ring.size()) ++sides[{p.x, p.y, q.x, q.y}];
+        ++sides[{p.x, p.y, q.x, q.y}];
       }
-    });
-    area += bg::area(cell);
-    for (const BoostPolygon& polygon : cell) {
+    }
+    const BoostPolygons shapes = boostOf(cell);
+    area += bg::area(shapes);
+    for (const BoostPolygon& polygon : shapes) {
       std::string reason;
       EXPECT_TRUE(bg::is_valid(polygon, reason)) << reason << " in cell " << row;
     }
@@ -137,18 +113,9 @@ void expectCoverage(const ClippedPolygons& polygons, const Region& region, doubl
   const Box box = region.bounds();
   const double near =
       1e-14 * std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
+  const auto boundary = test::sidesOf(region);
   const auto isOnBoundary = [&](Point p) {
-    for (std::size_t k = 0; k < region.sideCount(); ++k) {
-      const auto ring = static_cast<std::size_t>(std::int32_t{region.ringOf(static_cast<std::int32_t>(k))});
-      const auto next = static_cast<std::int32_t>(k) + 1 == region.ringOffsets()[ring + 1]
-                            ? static_cast<std::size_t>(region.ringOffsets()[ring])
-                            : k + 1;
-      const Point a = region.points()[k];
-      const Point b = region.points()[next];
-      bg::model::segment<BoostPoint> side({a.x, a.y}, {b.x, b.y});
-      if (bg::distance(BoostPoint(p.x, p.y), side) <= near) return true;
-    }
-    return false;
+    return std::ranges::any_of(boundary, [&](const auto& side) { return test::distanceToSide(p, side) <= near; });
   };
   for (const auto& [side, count] : sides) {
     const auto& [x, y, u, v] = side;
@@ -164,7 +131,7 @@ TEST(ClippedPolygons, APartThatIsThinnerThanTheToleranceLeavesNoPoints) {
   // The right side of the region cuts off the tip of the first cell, which a chord along that side stands for.
   const std::vector<Circle> circles = {{4, 0, 0}, {0, 0, 2}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Region region = Region::fromRings(std::vector<Region::Ring>{{{-1, -2}, {3.1, -2}, {3.1, 2}, {-1, 2}}}).value();
+  const Region region = test::regionFrom({{{-1, -2}, {3.1, -2}, {3.1, 2}, {-1, 2}}});
   const ClippedPolygons polygons = ClippedDiagram::from(diagram, region).value().polygons(1);
   EXPECT_EQ(polygons.polygonOffsets, (std::vector<std::int32_t>{0, 0, 1}));
   EXPECT_EQ(polygons.pointOffsets, (std::vector<std::int32_t>{0, 6}));
@@ -218,8 +185,7 @@ TEST(ClippedPolygons, HaveRoundedCornersAlsoAtCirclesOfTheSmallestNumbers) {
   const auto number = [&] {
     return std::ldexp(static_cast<double>(random() % 8), static_cast<int>(random() % 94) - 96);
   };
-  const Region region =
-      Region::fromRings(std::vector<Region::Ring>{{{-1, -1}, {1, -1}, {1, 1}, {0, 0.5}, {-1, 1}}}).value();
+  const Region region = test::regionFrom({{{-1, -1}, {1, -1}, {1, 1}, {0, 0.5}, {-1, 1}}});
   for (int trial = 0; trial < 200; ++trial) {
     SCOPED_TRACE(trial);
     std::vector<Circle> circles = {{0, 0, 0}, {0.5, 0, number()}};

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <numeric>
 #include <sstream>
-#include <tuple>
 #include <vector>
 
 #include "three_touch_disc.h"

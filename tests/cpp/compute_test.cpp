@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <new>
 #include <string>
@@ -261,58 +260,42 @@ TEST(ComputeOptions, ExceptionsOfCallbacksPassThrough) {
   EXPECT_EQ(events, 100);
 }
 
-TEST(ComputeOptions, ProgressGrowsInSampling) {
-  const auto circles = generate(Family::uniform, 2000, 1);
-  for (const Candidates candidates : {Candidates::dynamic, Candidates::uniform}) {
-    Options options;
-    options.method = Method::touchingDisc;
-    options.candidates = candidates;
-    options.samples = 100;
-    std::vector<double> told;
-    struct Enough {};
-    options.progress = [&](Stage stage, double done) {
-      if (stage == Stage::pair) throw Enough{};
-      if (stage == Stage::sample) told.push_back(done);
-    };
-    EXPECT_THROW(compute(circles, options), Enough);
-    ASSERT_GT(told.size(), 2U);
-    EXPECT_EQ(told.front(), 0);
-    EXPECT_TRUE(std::ranges::is_sorted(told));
-    EXPECT_LE(told.back(), 1);
-  }
-}
-
 TEST(Compute, VerticesBeginWithTheirFirstCircle) {
   const Diagram diagram = compute(generate(Family::uniform, 100, 1)).value();
   for (const auto& triple : diagram.vertexCircles) EXPECT_EQ(triple[0], *std::ranges::min_element(triple));
 }
 
 // However many samples there are, a computation can be stopped while they are paired.
-TEST(ComputeOptions, ProgressGrowsInPairing) {
-  constexpr double kMost = 0.1;  // of the stage, between two calls
-  const auto circles = generate(Family::uniform, 2000, 1);
-  Options options;
-  options.method = Method::touchingDisc;
-  options.samples = 50;
-  std::vector<double> told;
-  struct Enough {};
-  options.progress = [&](Stage stage, double done) {
-    if (stage == Stage::touch) throw Enough{};
-    if (stage == Stage::pair) told.push_back(done);
+TEST(ComputeOptions, ProgressGrowsInLongStages) {
+  struct Case {
+    Candidates candidates;
+    int samples;
+    Stage stage;
+    double mostStep;  ///< of the stage, between two calls
+    std::size_t count = 2000;
   };
-  EXPECT_THROW(compute(circles, options), Enough);
-  EXPECT_TRUE(std::ranges::is_sorted(told));
-  ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.front(), 0);
-  EXPECT_LE(told.back(), 1);
-  told.push_back(1);
-  for (std::size_t i = 1; i < told.size(); ++i) EXPECT_LE(told[i] - told[i - 1], kMost) << i;
-
-  struct Stop {};
-  options.progress = [](Stage stage, double done) {
-    if (stage == Stage::pair && done > 0.5) throw Stop{};
-  };
-  EXPECT_THROW(compute(circles, options), Stop);
+  for (const auto& [candidates, samples, stage, mostStep, count] :
+       {Case{Candidates::dynamic, 100, Stage::sample, 1}, Case{Candidates::uniform, 100, Stage::sample, 1},
+        Case{Candidates::dynamic, 50, Stage::pair, 0.1}, Case{Candidates::dynamic, 0, Stage::touch, 1, 10'000}}) {
+    SCOPED_TRACE(std::string(stageName(stage)) + ", " + std::string(candidatesName(candidates)));
+    Options options;
+    options.method = Method::touchingDisc;
+    options.candidates = candidates;
+    options.samples = samples;
+    std::vector<double> told;
+    struct Enough {};
+    options.progress = [&, last = stage](Stage now, double done) {
+      if (now == last) told.push_back(done);
+      if (now != last && !told.empty()) throw Enough{};
+    };
+    EXPECT_THROW(compute(generate(Family::uniform, count, 1), options), Enough);
+    ASSERT_GT(told.size(), 1U);
+    EXPECT_EQ(told.front(), 0);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_LE(told.back(), 1);
+    told.push_back(1);
+    for (std::size_t i = 1; i < told.size(); ++i) EXPECT_LE(told[i] - told[i - 1], mostStep) << i;
+  }
 }
 
 TEST(ComputeOptions, ProgressTellsEachStageAsItBegins) {
@@ -327,17 +310,6 @@ TEST(ComputeOptions, ProgressTellsEachStageAsItBegins) {
                                                              {"touch", 0},
                                                              {"certify", 0},
                                                              {"assemble", 0}}));
-}
-
-TEST(ComputeOptions, ProgressGrowsInTheEventLoop) {
-  const auto circles = generate(Family::uniform, 10000, 1);
-  std::vector<double> parts;
-  for (const auto& [stage, done] : progressOf(circles, Method::touchingDisc)) {
-    if (stage == "touch") parts.push_back(done);
-  }
-  EXPECT_GT(parts.size(), 1u);
-  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
-  EXPECT_LE(parts.back(), 1);
 }
 
 }  // namespace

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <fstream>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -29,47 +31,22 @@ struct WayCase {
   int repairs;
 };
 
-// All but the first touch one disc from inside, so that their three-touch discs nearly coincide.
-const std::vector<WayCase> kWays = {{Way::flip, {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, {5, 3, 0}}, 0},
-                                    {Way::repair, {{30, 16, 25}, {3, 4, 54}, {1, 0, 58}, {24, -10, 33}}, 1},
-                                    {Way::insert,
-                                     {{0, 0, 4.2652012471865333e+58},
-                                      {-2.9415181015079542e+58, -3.088594006583352e+58, 0},
-                                      {-3.088594006583352e+58, 2.9415181015079542e+58, 0},
-                                      {-3.6768976268849428e+57, -8.8245543045238622e+57, 3.3827458167341471e+58}},
-                                     0},
-                                    {Way::insert,
-                                     {{0, 0, 6.343317977441683e-56},
-                                      {-8.7494041068161149e-57, 1.6405132700280215e-56, 4.4840696047432588e-56},
-                                      {-1.749880821363223e-56, 3.281026540056043e-56, 2.6248212320448346e-56},
-                                      {-1.0936755133520143e-56, 2.6248212320448346e-56, 3.4997616427264459e-56},
-                                      {-1.6405132700280215e-56, 8.7494041068161149e-57, 4.5934371560784603e-56},
-                                      {3.281026540056043e-56, 1.749880821363223e-56, 2.7341887833800361e-56},
-                                      {2.1873510267040287e-56, -2.2967185780392301e-56, 3.281026540056043e-56}},
-                                     0},
-                                    // All but the first touch it from inside; three touch one another in one point.
-                                    {Way::insert,
-                                     {{0, 0, 5.9387630162789081e-113},
-                                      {-3.0717739739373661e-113, -1.6382794527665954e-113, 2.5598116449478053e-113},
-                                      {-4.300483563512313e-113, 4.0956986319164883e-113, 0},
-                                      {2.1502417817561565e-113, 2.0478493159582442e-113, 2.9693815081394541e-113},
-                                      {-8.191397263832977e-114, 1.5358869869686831e-113, 4.300483563512313e-113},
-                                      {4.300483563512313e-113, 4.0956986319164883e-113, 0}},
-                                     0}};
-
-/// Returns the circles times a power of two that makes the largest number about 2^20.
-std::vector<Circle> inRange(std::vector<Circle> circles) {
-  double largest = 0;
-  for (const Circle& c : circles) largest = std::max({largest, std::abs(c.x), std::abs(c.y), c.r});
-  const int scaling = 20 - std::ilogb(largest);
-  for (Circle& c : circles) c = {std::ldexp(c.x, scaling), std::ldexp(c.y, scaling), std::ldexp(c.r, scaling)};
-  return circles;
+std::vector<WayCase> wayCases() {
+  std::ifstream file(test::fileOfFixtures("ways.json"));
+  std::vector<WayCase> cases;
+  for (const auto& json : nlohmann::json::parse(file)) {
+    const auto numbers = json["circles"].get<std::vector<std::array<double, 3>>>();
+    auto& one = cases.emplace_back(WayCase{wayFromName(json["way"].get<std::string>()).value(), {}, json["repairs"]});
+    for (const auto& [x, y, r] : numbers) one.circles.push_back({x, y, r});
+  }
+  return cases;
 }
 
 TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
-  for (const auto& [way, given, repairs] : kWays) {
+  const auto cases = wayCases();
+  EXPECT_GE(cases.size(), 5U);
+  for (const auto& [way, circles, repairs] : cases) {
     SCOPED_TRACE(wayName(way));
-    const std::vector<Circle> circles = inRange(given);
     const auto diagram = compute(circles);
     ASSERT_TRUE(diagram.ok()) << diagram.error().message;
     const Stats& stats = diagram.value().stats;
@@ -199,8 +176,8 @@ TEST(Construct, TheLaterWaysAreRare) {
 }
 
 TEST(Construct, EveryStageHasItsTime) {
-  for (const auto& [way, circles, repairs] : kWays) {
-    const Seconds seconds = compute(inRange(circles)).value().stats.seconds;
+  for (const auto& [way, circles, repairs] : wayCases()) {
+    const Seconds seconds = compute(circles).value().stats.seconds;
     EXPECT_GT(seconds.order, 0);
     EXPECT_GT(seconds.triangulate, 0);
     EXPECT_GT(seconds.flip, 0);

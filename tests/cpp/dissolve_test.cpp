@@ -13,6 +13,7 @@
 
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/region.h"
+#include "fixtures.h"
 #include "report.h"
 #include "rings.h"
 
@@ -220,15 +221,6 @@ Ring movedByDigits(Ring ring, int most, std::mt19937& random) {
   return ring;
 }
 
-double perimeterOf(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point q = ring[(k + 1) % ring.size()];
-    sum += std::hypot(q.x - ring[k].x, q.y - ring[k].y);
-  }
-  return sum;
-}
-
 /// Sides of copies of a polygon that differ in their last digits cross anew wherever crossings are rounded.
 TEST(Dissolve, EndsForCopiesThatDifferInTheLastDigits) {
   std::mt19937 random(static_cast<std::uint32_t>(test::seedOr(3)));
@@ -250,14 +242,15 @@ TEST(Dissolve, EndsForCopiesThatDifferInTheLastDigits) {
     }
     const Region region = unionOf(polygons);
     const double digit = 0x1p-52 * (std::abs(far) + radius);
-    EXPECT_NEAR(region.area(), test::areaOf(ring), 4 * (digits + 4) * digit * perimeterOf(ring)) << trial;
+    EXPECT_NEAR(region.area(), test::areaOf(ring), 4 * (digits + 4) * digit * test::regionFrom({ring}).perimeter())
+        << trial;
     // Two copies of a side cross once at most.
     EXPECT_LE(region.sideCount(), corners * (copies * copies + 4 * copies)) << trial;
   }
 }
 
 TEST(Dissolve, EndsForTheCopiesOfAFixture) {
-  std::ifstream file(CIRCLE_VORONOI_FIXTURES "/regions/copies-off-by-last-digits.geojson");
+  std::ifstream file(test::fileOfFixtures("regions/copies-off-by-last-digits.geojson"));
   const std::string text((std::istreambuf_iterator<char>(file)), {});
   const auto region = readRegion(text, "copies", kDissolve);
   ASSERT_TRUE(region) << region.error().message;

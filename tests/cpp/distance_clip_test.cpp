@@ -19,6 +19,7 @@
 #include "judge_near.h"
 #include "near_part.h"
 #include "report.h"
+#include "rings.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -28,6 +29,8 @@ using test::cellsByBruteForce;
 using test::ClipFamily;
 using test::ClipInput;
 using test::IndependentCell;
+using test::radiusOf;
+using test::regionFrom;
 using test::seedOr;
 
 using Generator = std::mt19937_64;
@@ -40,8 +43,6 @@ int trials() {
   const char* count = std::getenv("CIRCLE_VORONOI_CLIPS");
   return count == nullptr ? 12 : std::atoi(count);
 }
-
-double radiusOf(const ClipInput& input, const Circle& c) { return input.metric == Metric::circles ? c.r : 0; }
 
 /// An input and a distance.
 struct DistanceInput {
@@ -169,8 +170,7 @@ DistanceInput rimsAtSide(Generator& random) {
   return input;
 }
 
-/// A clip of another family with a distance at which the disc of a circle meets a corner, a side, a vertex, or another
-/// disc, up to rounding, or something else.
+/// A clip of another family with any distance.
 DistanceInput anyFamily(Generator& random) {
   const auto& families = test::clipFamilies();
   DistanceInput input;
@@ -178,37 +178,7 @@ DistanceInput anyFamily(Generator& random) {
     input.clip =
         families[static_cast<std::size_t>(pick(random, 0, static_cast<int>(families.size()) - 1))].make(random);
   } while (input.clip.metric == Metric::power);
-  const auto& circles = input.clip.circles;
-  const Circle& c = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
-  const Circle& d = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
-  const double r = radiusOf(input.clip, c);
-  const auto& ring = input.clip.rings.back();
-  const Point p = ring[static_cast<std::size_t>(pick(random, 0, static_cast<int>(ring.size()) - 1))];
-  const double toCorner = std::hypot(p.x - c.x, p.y - c.y);
-  switch (pick(random, 0, 5)) {
-    case 0:
-      input.distance = toCorner - r;
-      break;
-    case 1:
-      // The circles of many families touch one disc around the origin.
-      input.distance = std::hypot(c.x, c.y) - r;
-      break;
-    case 2:
-      input.distance = (std::hypot(d.x - c.x, d.y - c.y) - r - radiusOf(input.clip, d)) / 2;
-      break;
-    case 3:
-      input.distance = pick(random, 0, 1) == 0 ? 0 : -std::floor(r / 2);
-      break;
-    case 4: {
-      const Point q = ring[0];
-      const double size = std::hypot(p.x - q.x, p.y - q.y);
-      const double height = (p.x - q.x) * (c.y - q.y) - (p.y - q.y) * (c.x - q.x);
-      input.distance = size > 0 ? std::abs(height) / size - r : 1;
-      break;
-    }
-    default:
-      input.distance = (0.2 + 1.2 * unit(random)) * toCorner - r;
-  }
+  input.distance = test::anyDistance(input.clip, random);
   return input;
 }
 
@@ -302,12 +272,11 @@ void expectCell(const ClippedDiagram& clipped, CircleIndex circle, const Indepen
 
 class DistanceFamilies : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(DistanceFamilies, HaveTheCellsOfAnIndependentClip) {
-  const DistanceFamily& family = kFamilies[GetParam()];
-  const std::uint64_t seed = seedOr(71);
+/// Calls `check` with clips of a family.
+template <class Check>
+void forFamily(const DistanceFamily& family, std::uint64_t seed, int count, Check check) {
   Generator random(seed);
-  std::size_t cells = 0;
-  for (int done = 0; done < trials();) {
+  for (int done = 0; done < count;) {
     DistanceInput input = family.make(random);
     // Also tiny and huge ones.
     const double scale = pick(random, 0, 3) == 0 ? std::ldexp(1.0, pick(random, -30, 30)) : 1;
@@ -323,33 +292,23 @@ TEST_P(DistanceFamilies, HaveTheCellsOfAnIndependentClip) {
     const Diagram diagram = computeComparison(input.clip.circles, input.clip.metric).value();
     const auto clipped = ClippedDiagram::from(diagram, *region, input.distance);
     ASSERT_TRUE(clipped) << clipped.error().message;
-    const auto expected = cellsByBruteForce(input.clip.circles, *region, input.clip.metric, input.distance);
-    const Box box = region->bounds();
-    const double extent = std::max(box.maxX - box.minX, box.maxY - box.minY);
-    double farthest = std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
-    for (const Circle& c : input.clip.circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y), c.r});
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      const double reach = radiusOf(input.clip, input.clip.circles[i]) + input.distance;
-      const double size = std::min(extent, std::max(2 * reach, 0.0));
-      expectCell(*clipped, static_cast<std::int32_t>(i), expected[i], size, 1e-15 * farthest);
-      ++cells;
-    }
-    if (HasFailure()) {
-      for (const auto& ring : input.clip.rings) {
-        std::string text;
-        char number[80];
-        for (const Point& p : ring) {
-          std::snprintf(number, sizeof number, "{%.17g, %.17g}, ", p.x, p.y);
-          text += number;
-        }
-        ADD_FAILURE() << "ring " << text;
-      }
-      char number[40];
-      std::snprintf(number, sizeof number, "%.17g", input.distance);
-      FAIL() << test::describe(input.clip.circles) << " within " << number;
-    }
+    check(input, *clipped, random);
+    if (testing::Test::HasFailure()) FAIL() << test::describe(input.clip.circles) << " within " << input.distance;
   }
-  RecordProperty("cells", static_cast<int>(cells));
+}
+
+TEST_P(DistanceFamilies, HaveTheCellsOfAnIndependentClip) {
+  forFamily(kFamilies[GetParam()], seedOr(71), trials(),
+            [](const DistanceInput& input, const ClippedDiagram& clipped, Generator&) {
+              const auto& [clip, distance] = input;
+              const Region& region = clipped.region();
+              const auto expected = cellsByBruteForce(clip.circles, region, clip.metric, distance);
+              for (std::size_t i = 0; i < expected.size(); ++i) {
+                const double reach = radiusOf(clip, clip.circles[i]) + distance;
+                const double size = std::min(test::extentOf(region), std::max(2 * reach, 0.0));
+                expectCell(clipped, static_cast<std::int32_t>(i), expected[i], size, 1e-15 * test::farthestOf(clip));
+              }
+            });
 }
 
 std::string nameOfFamily(const testing::TestParamInfo<std::size_t>& family) { return kFamilies[family.param].name; }
@@ -360,14 +319,7 @@ void expectValidPolygons(const ClippedDiagram& clipped, double tolerance, double
   const ClippedPolygons all = clipped.polygons(tolerance);
   for (std::size_t i = 0; i + 1 < all.polygonOffsets.size(); ++i) {
     SCOPED_TRACE("cell " + std::to_string(i) + ", tolerance " + std::to_string(tolerance));
-    std::vector<std::vector<Region::Ring>> polygons;
-    for (std::int32_t p = all.polygonOffsets[i]; p < all.polygonOffsets[i + 1]; ++p) {
-      auto& rings = polygons.emplace_back();
-      for (std::int32_t r = all.ringOffsets[at(p)]; r < all.ringOffsets[at(p) + 1]; ++r) {
-        rings.emplace_back(all.points.begin() + all.pointOffsets[at(r)],
-                           all.points.begin() + all.pointOffsets[at(r) + 1]);
-      }
-    }
+    const auto polygons = test::polygonsOf(all, i);
     const Outline outline = clipped.outline(static_cast<std::int32_t>(i));
     double size = 0;
     if (!polygons.empty()) {
@@ -380,53 +332,42 @@ void expectValidPolygons(const ClippedDiagram& clipped, double tolerance, double
 }
 
 TEST_P(DistanceFamilies, HaveValidPolygonsAtAnyTolerance) {
-  const DistanceFamily& family = kFamilies[GetParam()];
-  const std::uint64_t seed = seedOr(72);
-  Generator random(seed);
-  for (int done = 0; done < 5 * trials();) {
-    const DistanceInput input = family.make(random);
-    const auto region = Region::fromRings(input.clip.rings);
-    if (!region || !test::hasPolygons(input.clip)) continue;
-    ++done;
-    SCOPED_TRACE(std::string(family.name) + ", clip " + std::to_string(done) + ", seed " + std::to_string(seed));
-    const Diagram diagram = computeComparison(input.clip.circles, input.clip.metric).value();
-    const auto clipped = ClippedDiagram::from(diagram, *region, input.distance);
-    ASSERT_TRUE(clipped) << clipped.error().message;
-    const Box box = region->bounds();
-    const double extent = std::max(box.maxX - box.minX, box.maxY - box.minY);
-    double farthest = std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
-    for (const Circle& c : input.clip.circles) farthest = std::max({farthest, std::abs(c.x), std::abs(c.y), c.r});
-    const double relative = std::pow(10.0, -6 + 9 * unit(random));
-    expectValidPolygons(*clipped, relative * extent, 1e-12 * farthest * extent);
-    if (HasFailure()) return;
+  forFamily(kFamilies[GetParam()], seedOr(72), 5 * trials(),
+            [](const DistanceInput& input, const ClippedDiagram& clipped, Generator& random) {
+              if (!test::hasPolygons(input.clip)) return;
+              const double extent = test::extentOf(clipped.region());
+              const double tolerance = std::pow(10.0, -6 + 9 * unit(random)) * extent;
+              expectValidPolygons(clipped, tolerance, 1e-12 * test::farthestOf(input.clip) * extent);
+            });
+}
+
+/// Expects all cells of an independent clip.
+void expectCells(const std::vector<Circle>& circles, const Region& region, double distance, double size) {
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const auto clipped = ClippedDiagram::from(diagram, region, distance);
+  ASSERT_TRUE(clipped) << clipped.error().message;
+  const auto expected = cellsByBruteForce(circles, region, Metric::circles, distance);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    expectCell(*clipped, static_cast<std::int32_t>(i), expected[i], size, 1e-12);
   }
 }
 
-struct Fixed {
-  std::vector<Circle> circles;
-  Region::Ring ring;
-  double distance;
-};
-
 // Discs exactly through corners of the region, which double arithmetic decides wrongly.
 TEST(DistanceClip, DiscsThroughCornersHaveTheRightAreas) {
-  const std::vector<Fixed> cases = {
-      {{{-117, -156, 103}, {-199, 133, 24}},
-       {{-57.08088757790469, 70.339640768159228}, {0, 0}, {-200, 0}},
-       131.13656918675733},
-      {{{-32, -126, 12}, {32, -126, 12}}, {{0, -373}, {25, -373}, {25, 137}, {0, 137}}, 237.06424873915566},
-      {{{0, 195, 210}, {117, 156, 210}}, {{-76, -165}, {-55, -165}, {-55, -30.5}, {-76, -30.5}}, 154.17715469260287},
-  };
-  for (const Fixed& one : cases) {
-    const Diagram diagram = computeComparison(one.circles, Metric::circles).value();
-    const Region region = Region::fromRings(std::vector<Region::Ring>{one.ring}).value();
-    const auto clipped = ClippedDiagram::from(diagram, region, one.distance);
-    ASSERT_TRUE(clipped) << clipped.error().message;
-    const auto expected = cellsByBruteForce(one.circles, region, Metric::circles, one.distance);
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      expectCell(*clipped, static_cast<std::int32_t>(i), expected[i], 500, 1e-12);
-    }
-  }
+  expectCells({{-117, -156, 103}, {-199, 133, 24}},
+              regionFrom({{{-57.08088757790469, 70.339640768159228}, {0, 0}, {-200, 0}}}), 131.13656918675733, 500);
+  expectCells({{-32, -126, 12}, {32, -126, 12}}, regionFrom({{{0, -373}, {25, -373}, {25, 137}, {0, 137}}}),
+              237.06424873915566, 500);
+  expectCells({{0, 195, 210}, {117, 156, 210}}, regionFrom({{{-76, -165}, {-55, -165}, {-55, -30.5}, {-76, -30.5}}}),
+              154.17715469260287, 500);
+}
+
+// A circle in the notch between a huge one and another, tangent and nested ones: cells bounded by arcs of all kinds.
+TEST(DistanceClip, NestedTangentAndHugeCirclesHaveTheRightCells) {
+  const std::vector<Circle> circles = {{0, 0, 3}, {1, 0, 1}, {5, 0, 2}, {2.5, 1.5, 2},   {1e6, 0, 1e6 - 7},
+                                       {3, 0, 0}, {5, 1, 1}, {0, 0, 3}, {-4, -4, 0.125}, {-1, 0, 2}};
+  const Region box = regionFrom({{{-50, -50}, {50, -50}, {50, 40}, {-50, 40}}});
+  for (const double d : {0.01, 0.5, 1.0, 3.0, 50.0}) expectCells(circles, box, d, 1e6);
 }
 
 // An edge touches the rim at its apex, where a vertex is, and another edge meets the rim there and elsewhere.
@@ -434,7 +375,7 @@ TEST(DistanceClip, ARimThatTouchesAnEdgeInAPointOfAnotherEdgeGoesTheShortWay) {
   const std::vector<Circle> circles = {{8, 6, 0},   {20, 15, 15},  {90, -48, 92}, {90, 56, 96},     {100, -105, 135},
                                        {0, 76, 66}, {-40, 75, 75}, {28, 45, 43},  {105, -100, 135}, {8, -15, 7}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Region region = Region::fromRings(std::vector<Region::Ring>{{{0, 0}, {-42, 7}, {-74, -94}}}).value();
+  const Region region = test::regionFrom({{{0, 0}, {-42, 7}, {-74, -94}}});
   const auto clipped = ClippedDiagram::from(diagram, region, 10);
   ASSERT_TRUE(clipped) << clipped.error().message;
   const auto expected = cellsByBruteForce(circles, region, Metric::circles, 10);
@@ -447,9 +388,7 @@ TEST(DistanceClip, ARimThatTouchesAnEdgeInAPointOfAnotherEdgeGoesTheShortWay) {
 TEST(DistanceClip, DiscsThatCollapseInCoordinatesAreEmpty) {
   const std::vector<Circle> circles = {{1, 1, 1e-17}, {5, 5, 1}, {1e15, -1e15, 0.25}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Region region =
-      Region::fromRings(std::vector<Region::Ring>{{{-2e15, -2e15}, {2e15, -2e15}, {2e15, 2e15}, {-2e15, 2e15}}})
-          .value();
+  const Region region = test::regionFrom({{{-2e15, -2e15}, {2e15, -2e15}, {2e15, 2e15}, {-2e15, 2e15}}});
   for (const double distance : {0.0, 1e-18, -1e-17, -5e-18, 1e-300}) {
     const auto clipped = ClippedDiagram::from(diagram, region, distance).value();
     for (const CircleIndex i : {0, 1, 2}) {
@@ -470,9 +409,7 @@ TEST(DistanceClip, DiscsThatCollapseInCoordinatesAreEmpty) {
 TEST(DistanceClip, ChordsOfRimsDoNotCutHoles) {
   const std::vector<Circle> circles = {{0, 130, 50}, {200, 0, 0}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Region region =
-      Region::fromRings(std::vector<Region::Ring>{{{0, -800}, {800, 0}, {0, 800}}, {{0, 0}, {60, 40}, {10, 0}}})
-          .value();
+  const Region region = test::regionFrom({{{0, -800}, {800, 0}, {0, 800}}, {{0, 0}, {60, 40}, {10, 0}}});
   const auto clipped = ClippedDiagram::from(diagram, region, 60).value();
   for (double tolerance = 1e-7; tolerance < 1e5; tolerance *= 3) expectValidPolygons(clipped, tolerance, 1e-9);
 }
@@ -486,53 +423,44 @@ void expectFaultsRefused(const ClippedDiagram& clipped, CircleIndex circle) {
   const AreaBounds bounds = areaBounds(clipped.parts(), circle, loops);
   const double rounding = 1e-12;
   EXPECT_EQ(faultOf(right, bounds, rounding), nullptr);
-  const auto expectRefused = [&](const NearLoops& wrong) { EXPECT_NE(faultOf(wrong, bounds, rounding), nullptr); };
-  NearLoops wrong = right;
-  wrong.isSound = false;
-  expectRefused(wrong);
   const double its = area(right.outline);
   EXPECT_NE(faultOf(right, {0, its - 1e-9}, rounding), nullptr);
   EXPECT_NE(faultOf(right, {its + 1e-9, its + 1}, rounding), nullptr);
+  const auto expectRefused = [&](auto change) {
+    NearLoops wrong = right;
+    change(wrong);
+    EXPECT_NE(faultOf(wrong, bounds, rounding), nullptr);
+  };
+  expectRefused([](NearLoops& wrong) { wrong.isSound = false; });
+  expectRefused([&](NearLoops& wrong) {
+    wrong.outline.push_back(right.outline.front());
+    wrong.isHole.push_back(0);
+  });
   for (std::size_t k = 0; k < right.outline.size(); ++k) {
     for (std::size_t p = 0; p < right.outline[k].size(); ++p) {
-      wrong = right;
-      wrong.outline[k].erase(wrong.outline[k].begin() + static_cast<std::ptrdiff_t>(p));
-      expectRefused(wrong);
+      expectRefused(
+          [&](NearLoops& wrong) { wrong.outline[k].erase(wrong.outline[k].begin() + static_cast<std::ptrdiff_t>(p)); });
     }
-    wrong = right;
-    wrong.outline[k].clear();
-    expectRefused(wrong);
-    wrong = right;
-    wrong.isHole[k] = wrong.isHole[k] != 0 ? 0 : 1;
-    expectRefused(wrong);
-    wrong = right;
-    wrong.isHole.pop_back();
-    expectRefused(wrong);
-    wrong = right;
-    for (OutlinePiece& piece : wrong.outline[k]) piece.curve = reversed(piece.curve);
-    std::ranges::reverse(wrong.outline[k]);
-    expectRefused(wrong);
-  }
-  wrong = right;
-  wrong.outline.push_back(right.outline.front());
-  wrong.isHole.push_back(0);
-  expectRefused(wrong);
-  // Without one of its loops.
-  for (std::size_t k = 0; k < right.outline.size(); ++k) {
-    if (bounds.least < bounds.most) break;
-    wrong = right;
-    wrong.outline.erase(wrong.outline.begin() + static_cast<std::ptrdiff_t>(k));
-    wrong.isHole.erase(wrong.isHole.begin() + static_cast<std::ptrdiff_t>(k));
-    expectRefused(wrong);
+    expectRefused([&](NearLoops& wrong) { wrong.outline[k].clear(); });
+    expectRefused([&](NearLoops& wrong) { wrong.isHole[k] = wrong.isHole[k] != 0 ? 0 : 1; });
+    expectRefused([](NearLoops& wrong) { wrong.isHole.pop_back(); });
+    expectRefused([&](NearLoops& wrong) {
+      for (OutlinePiece& piece : wrong.outline[k]) piece.curve = reversed(piece.curve);
+      std::ranges::reverse(wrong.outline[k]);
+    });
+    if (bounds.least < bounds.most) continue;
+    // Without one of its loops.
+    expectRefused([&](NearLoops& wrong) {
+      wrong.outline.erase(wrong.outline.begin() + static_cast<std::ptrdiff_t>(k));
+      wrong.isHole.erase(wrong.isHole.begin() + static_cast<std::ptrdiff_t>(k));
+    });
   }
 }
 
 TEST(DistanceClip, LoopsThatAreWrongAreRefused) {
   const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 2}, {1, 5, 1}};
   const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Region region = Region::fromRings(std::vector<Region::Ring>{{{-3, -3}, {6, -2}, {5, 6}, {-2, 6}},
-                                                                    {{-1, 0}, {-0.5, -0.5}, {-0.5, 0.5}}})
-                            .value();
+  const Region region = test::regionFrom({{{-3, -3}, {6, -2}, {5, 6}, {-2, 6}}, {{-1, 0}, {-0.5, -0.5}, {-0.5, 0.5}}});
   const auto clipped = ClippedDiagram::from(diagram, region, 1.25).value();
   for (const CircleIndex i : {0, 1, 2}) expectFaultsRefused(clipped, i);
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <ranges>
+#include <set>
 #include <sstream>
 #include <tuple>
 

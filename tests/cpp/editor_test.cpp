@@ -8,7 +8,6 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -40,13 +39,40 @@ Change changeOf(Result<Change> change) {
   return change.ok() ? std::move(change).value() : Change{};
 }
 
-std::vector<CircleId> hiddenOf(const DiagramEditor& editor) {
-  std::vector<CircleId> hidden;
-  for (const CircleId id : editor.ids()) {
-    if (editor.isHidden(id)) hidden.push_back(id);
+/// An editor and a mirror of its changes. After each change the mirror, the snapshot and a computed diagram are the
+/// same.
+class Watched {
+ public:
+  explicit Watched(DiagramEditor editor) : editor_(std::move(editor)) { mirror_.apply(editor_.all().value()); }
+  explicit Watched(const std::vector<Circle>& circles) : Watched(editorOf(circles)) {}
+
+  DiagramEditor* operator->() { return &editor_; }
+
+  std::vector<CircleId> hidden() const {
+    std::vector<CircleId> hidden;
+    for (const CircleId id : editor_.ids()) {
+      if (editor_.isHidden(id)) hidden.push_back(id);
+    }
+    return hidden;
   }
-  return hidden;
-}
+
+  Change apply(const std::vector<Edit>& edits) { return changed(editor_.apply(edits)); }
+  Change insert(const Circle& circle) { return changed(editor_.insert(circle)); }
+  Change remove(CircleId id) { return changed(editor_.remove(id)); }
+  Change replace(CircleId id, const Circle& circle) { return changed(editor_.replace(id, circle)); }
+
+ private:
+  Change changed(Result<Change> result) {
+    Change change = changeOf(std::move(result));
+    EXPECT_EQ(mirror_.apply(change), "");
+    EXPECT_EQ(mirror_.difference(editor_.snapshot().value(), editor_.ids()), "");
+    expectRight(editor_);
+    return change;
+  }
+
+  DiagramEditor editor_;
+  test::Mirror mirror_;
+};
 
 TEST(Editor, IsRightThroughRandomScriptsInEveryFamily) {
   const std::uint64_t seed = test::seedOr(1);
@@ -71,19 +97,11 @@ TEST(Editor, IsRightThroughRandomScriptsInEveryFamily) {
 TEST(Editor, MakesADiagramOfNothingAndNothingOfADiagram) {
   for (const Family family : {Family::uniform, Family::hidden, Family::grid, Family::collinear, Family::duplicates}) {
     const std::vector<Circle> circles = generate(family, 60, 3);
-    DiagramEditor editor = editorOf({});
-    test::Mirror mirror;
-    for (const Circle& circle : circles) {
-      ASSERT_EQ(mirror.apply(changeOf(editor.insert(circle))), "");
-      expectRight(editor);
-    }
-    EXPECT_EQ(editor.circles(), circles);
-    for (CircleId id = 0; id < 60; ++id) {
-      ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
-      expectRight(editor);
-      EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-    }
-    EXPECT_EQ(editor.size(), 0U);
+    Watched editor(std::vector<Circle>{});
+    for (const Circle& circle : circles) editor.insert(circle);
+    EXPECT_EQ(editor->circles(), circles);
+    for (CircleId id = 0; id < 60; ++id) editor.remove(id);
+    EXPECT_EQ(editor->size(), 0U);
   }
 }
 
@@ -106,30 +124,21 @@ TEST(Editor, NeverGivesAnIdAgain) {
 
 TEST(Editor, InsertsARemovedCircleUnderItsId) {
   const std::vector<Circle> circles = generate(Family::uniform, 300, 1);
-  DiagramEditor editor = editorOf(circles);
-  test::Mirror mirror;
-  mirror.apply(editor.all().value());
-  const auto apply = [&](const std::vector<Edit>& edits) {
-    Change change = changeOf(editor.apply(edits));
-    EXPECT_EQ(mirror.apply(change), "");
-    EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-    expectRight(editor);
-    return change;
-  };
-  apply({{Edit::Kind::remove, 7, {}}, {Edit::Kind::remove, 3, {}}});
-  const Change local = apply({{Edit::Kind::insert, 7, circles[7]},
-                              {Edit::Kind::insert, kNone, {0.5, 0.25, 0}},
-                              {Edit::Kind::insert, 3, circles[3]},
-                              {Edit::Kind::replace, 3, circles[7]}});
+  Watched editor(circles);
+  editor.apply({{Edit::Kind::remove, 7, {}}, {Edit::Kind::remove, 3, {}}});
+  const Change local = editor.apply({{Edit::Kind::insert, 7, circles[7]},
+                                     {Edit::Kind::insert, kNone, {0.5, 0.25, 0}},
+                                     {Edit::Kind::insert, 3, circles[3]},
+                                     {Edit::Kind::replace, 3, circles[7]}});
   EXPECT_EQ(local.way, EditWay::local);
   EXPECT_EQ(local.inserted, (std::vector<CircleId>{7, 300, 3}));
   // Identical circles: the lower id is visible.
-  EXPECT_TRUE(editor.isHidden(7));
-  EXPECT_FALSE(editor.isHidden(3));
+  EXPECT_TRUE(editor->isHidden(7));
+  EXPECT_FALSE(editor->isHidden(3));
   // A circle that comes and goes in a batch may come again later.
-  apply({{Edit::Kind::remove, 300, {}}});
-  EXPECT_TRUE(apply({{Edit::Kind::insert, 300, {1, 1, 0}}, {Edit::Kind::remove, 300, {}}}).inserted.empty());
-  apply({{Edit::Kind::insert, 300, {1, 1, 0}}});
+  editor.apply({{Edit::Kind::remove, 300, {}}});
+  EXPECT_TRUE(editor.apply({{Edit::Kind::insert, 300, {1, 1, 0}}, {Edit::Kind::remove, 300, {}}}).inserted.empty());
+  editor.apply({{Edit::Kind::insert, 300, {1, 1, 0}}});
   std::vector<Edit> removals;
   std::vector<Edit> insertions;
   for (CircleId id = 0; id < 300; ++id) {
@@ -138,34 +147,31 @@ TEST(Editor, InsertsARemovedCircleUnderItsId) {
     insertions.push_back({Edit::Kind::insert, id, circles[static_cast<std::size_t>(id)]});
   }
   std::ranges::reverse(insertions);
-  EXPECT_EQ(apply(removals).way, EditWay::whole);
+  EXPECT_EQ(editor.apply(removals).way, EditWay::whole);
   insertions.push_back({Edit::Kind::insert, kNone, {0.5, 0.25, 0}});
-  const Change whole = apply(insertions);
+  const Change whole = editor.apply(insertions);
   EXPECT_EQ(whole.way, EditWay::whole);
   EXPECT_EQ(whole.inserted.size(), insertions.size());
-  EXPECT_EQ(editor.ids().back(), 301);
-  EXPECT_EQ(*editor.circle(100), circles[100]);
+  EXPECT_EQ(editor->ids().back(), 301);
+  EXPECT_EQ(*editor->circle(100), circles[100]);
 }
 
 TEST(Editor, RefusesAnIdThatIsNotOfARemovedCircle) {
-  const std::vector<Circle> circles = generate(Family::uniform, 40, 1);
   const auto insertion = [](CircleId id) { return Edit{Edit::Kind::insert, id, {0.5, 0.5, 0.1}}; };
   const Edit away = {Edit::Kind::remove, 7, {}};
-  DiagramEditor editor = editorOf(circles);
-  changeOf(editor.remove(3));
+  Watched editor(generate(Family::uniform, 40, 1));
+  editor.remove(3);
   const auto expectRefusal = [&](std::vector<Edit> edits, CircleId id) {
     // Large batches compute the whole diagram.
     for (const std::size_t others : {0U, 100U}) {
       edits.insert(edits.begin(), others, insertion(kNone));
-      const auto change = editor.apply(edits);
+      const auto change = editor->apply(edits);
       ASSERT_FALSE(change.ok());
       EXPECT_EQ(change.error().code, ErrorCode::unknownCircle);
-      EXPECT_EQ(change.error().message, "There is no removed circle with id " + std::to_string(id) + ".");
       EXPECT_EQ(change.error().circle, id);
       EXPECT_EQ(change.error().edit, static_cast<std::int64_t>(edits.size()) - 1);
-      EXPECT_EQ(editor.size(), 39U);
-      EXPECT_FALSE(editor.circle(3));
-      expectRight(editor);
+      EXPECT_EQ(editor->size(), 39U);
+      EXPECT_FALSE(editor->circle(3));
     }
   };
   expectRefusal({insertion(5)}, 5);
@@ -174,34 +180,27 @@ TEST(Editor, RefusesAnIdThatIsNotOfARemovedCircle) {
   expectRefusal({insertion(3), insertion(3)}, 3);
   expectRefusal({away, insertion(7)}, 7);
   expectRefusal({insertion(3), {Edit::Kind::remove, 3, {}}, insertion(3)}, 3);
-  EXPECT_EQ(editor.apply({{{Edit::Kind::insert, 3, {0, 0, -1}}}}).error().message, "Circle 3 has a negative radius.");
-  EXPECT_EQ(changeOf(editor.apply(std::vector<Edit>{insertion(3), insertion(kNone)})).inserted,
-            (std::vector<CircleId>{3, 40}));
-  expectRight(editor);
+  EXPECT_EQ(editor->apply({{{Edit::Kind::insert, 3, {0, 0, -1}}}}).error().circle, 3);
+  EXPECT_EQ(editor.apply({insertion(3), insertion(kNone)}).inserted, (std::vector<CircleId>{3, 40}));
 }
 
 TEST(Editor, StartsWithGivenIds) {
   const std::vector<Circle> circles = generate(Family::hidden, 60, 1);
   std::vector<CircleId> ids;
   for (std::int32_t i = 0; i < 60; ++i) ids.push_back(1000 * i + 5);
-  DiagramEditor editor = DiagramEditor::from(circles, {.ids = ids, .nextId = 70'000}).value();
-  EXPECT_EQ(editor.ids(), ids);
-  EXPECT_EQ(editor.circles(), circles);
-  test::Mirror mirror;
-  mirror.apply(editor.all().value());
+  Watched editor(DiagramEditor::from(circles, {.ids = ids, .nextId = 70'000}).value());
+  EXPECT_EQ(editor->ids(), ids);
+  EXPECT_EQ(editor->circles(), circles);
   // Another editor may have removed circles with the ids between.
-  const Change change = changeOf(editor.apply(std::vector<Edit>{{Edit::Kind::insert, 69'999, circles[0]},
-                                                                {Edit::Kind::insert, 0, circles[0]},
-                                                                {Edit::Kind::remove, 5, {}},
-                                                                {Edit::Kind::insert, kNone, circles[1]}}));
+  const Change change = editor.apply({{Edit::Kind::insert, 69'999, circles[0]},
+                                      {Edit::Kind::insert, 0, circles[0]},
+                                      {Edit::Kind::remove, 5, {}},
+                                      {Edit::Kind::insert, kNone, circles[1]}});
   EXPECT_EQ(change.inserted, (std::vector<CircleId>{69'999, 0, 70'000}));
-  EXPECT_EQ(mirror.apply(change), "");
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-  expectRight(editor);
-  EXPECT_FALSE(editor.apply({{{Edit::Kind::insert, 70'001, circles[0]}}}).ok());
-  editor = DiagramEditor::from(circles, {.ids = ids}).value();
-  EXPECT_FALSE(editor.remove(99).ok());
-  EXPECT_EQ(changeOf(editor.insert(circles[0])).inserted.at(0), ids.back() + 1);
+  EXPECT_FALSE(editor->apply({{{Edit::Kind::insert, 70'001, circles[0]}}}).ok());
+  DiagramEditor other = DiagramEditor::from(circles, {.ids = ids}).value();
+  EXPECT_FALSE(other.remove(99).ok());
+  EXPECT_EQ(changeOf(other.insert(circles[0])).inserted.at(0), ids.back() + 1);
 }
 
 TEST(Editor, RefusesNewCirclesOnceAllIdsAreGivenOut) {
@@ -213,7 +212,6 @@ TEST(Editor, RefusesNewCirclesOnceAllIdsAreGivenOut) {
     const auto change = editor.apply(std::vector<Edit>(count, insertion));
     ASSERT_FALSE(change.ok());
     EXPECT_EQ(change.error().code, ErrorCode::tooManyCircles);
-    EXPECT_EQ(change.error().message, "There is no id left for the new circle.");
     EXPECT_EQ(change.error().edit, 1);
     EXPECT_EQ(editor.ids(), ids);
   }
@@ -226,123 +224,95 @@ TEST(Editor, RefusesNewCirclesOnceAllIdsAreGivenOut) {
 
 TEST(Editor, RefusesIdsThatDoNotFit) {
   const std::vector<Circle> circles = {{0, 0, 1}, {6, 0, 1}};
-  const auto messageFor = [&](const std::vector<CircleId>& ids, CircleId nextId = kNone) {
+  const std::vector<std::pair<std::vector<CircleId>, CircleId>> cases = {
+      {{4}, kNone}, {{4, 4}, kNone}, {{-1, 4}, kNone}, {{4, 2147483647}, kNone}, {{4, 7}, 7}, {{}, 1}};
+  for (const auto& [ids, nextId] : cases) {
     const auto editor = DiagramEditor::from(circles, {.ids = ids, .nextId = nextId});
-    EXPECT_FALSE(editor.ok());
+    ASSERT_FALSE(editor.ok()) << testing::PrintToString(ids.size());
     EXPECT_EQ(editor.error().code, ErrorCode::badOption);
-    return editor.error().message;
-  };
-  EXPECT_EQ(messageFor({4}), "ids must be as many as there are circles: 2, not 1.");
-  EXPECT_EQ(messageFor({4, 4}), "ids must be whole numbers from 0 to 2147483646 in increasing order; 4 is not.");
-  EXPECT_EQ(messageFor({-1, 4}), "ids must be whole numbers from 0 to 2147483646 in increasing order; -1 is not.");
-  EXPECT_EQ(messageFor({4, 2147483647}),
-            "ids must be whole numbers from 0 to 2147483646 in increasing order; 2147483647 is not.");
-  EXPECT_EQ(messageFor({4, 7}, 7), "nextId must be above all ids: at least 8, not 7.");
-  EXPECT_EQ(messageFor({}, 1), "nextId must be above all ids: at least 2, not 1.");
+  }
+}
+
+double reachOf(const std::vector<Circle>& circles) {
+  double reach = 0;
+  for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
+  return reach;
 }
 
 TEST(Editor, RestoresTheCirclesThatAHugeCircleHid) {
   const std::vector<Circle> circles = generate(Family::uniform, 12'000, 1);
-  DiagramEditor editor = editorOf(circles);
-  double reach = 0;
-  for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
-  test::Mirror mirror;
-  mirror.apply(editor.all().value());
-  const Change hiding = changeOf(editor.insert({0.4 * reach, 0.5 * reach, 0.26 * reach}));
+  Watched editor(circles);
+  const double reach = reachOf(circles);
+  const Change hiding = editor.insert({0.4 * reach, 0.5 * reach, 0.26 * reach});
   EXPECT_EQ(hiding.way, EditWay::local);
   EXPECT_GT(hiding.hidden.size(), 2'000U);
-  EXPECT_EQ(mirror.apply(hiding), "");
-  expectRight(editor);
   // It moves, and hides others.
-  const Change moving = changeOf(editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.25 * reach}));
+  const Change moving = editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.25 * reach});
   EXPECT_FALSE(moving.hidden.empty());
   EXPECT_FALSE(moving.shown.empty());
   EXPECT_EQ(moving.way, EditWay::local);
-  EXPECT_EQ(mirror.apply(moving), "");
-  expectRight(editor);
-  const Change showing = changeOf(editor.remove(12'000));
-  EXPECT_EQ(showing.way, EditWay::local);
-  EXPECT_EQ(mirror.apply(showing), "");
-  EXPECT_TRUE(hiddenOf(editor).empty());
-  EXPECT_EQ(editor.circles(), circles);
-  expectRight(editor);
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  EXPECT_EQ(editor.remove(12'000).way, EditWay::local);
+  EXPECT_TRUE(editor.hidden().empty());
+  EXPECT_EQ(editor->circles(), circles);
 }
 
 TEST(Editor, ComputesTheWholeDiagramIfMostCirclesAreHiddenOrShown) {
   const std::vector<Circle> circles = generate(Family::uniform, 2'000, 1);
-  DiagramEditor editor = editorOf(circles);
-  double reach = 0;
-  for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
-  test::Mirror mirror;
-  mirror.apply(editor.all().value());
-  const auto expectWhole = [&](const Change& change) {
+  Watched editor(circles);
+  const auto expectWhole = [](const Change& change) {
     EXPECT_EQ(change.way, EditWay::whole);
     EXPECT_GT(change.hidden.size() + change.shown.size(), 1'000U);
-    EXPECT_EQ(mirror.apply(change), "");
-    EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-    expectRight(editor);
   };
+  const double reach = reachOf(circles);
   const Circle hider = {0.5 * reach, 0.5 * reach, 0.5 * reach};
-  expectWhole(changeOf(editor.insert(hider)));
-  expectWhole(changeOf(editor.remove(2'000)));
-  expectWhole(changeOf(editor.replace(7, hider)));
-  expectWhole(changeOf(editor.replace(7, circles[7])));
+  expectWhole(editor.insert(hider));
+  expectWhole(editor.remove(2'000));
+  expectWhole(editor.replace(7, hider));
+  expectWhole(editor.replace(7, circles[7]));
 }
 
 TEST(Editor, PassesHiddenCirclesToAnotherHider) {
   // 0 hides 3 and 4, and then comes to lie in 1, with 3.
-  DiagramEditor editor =
-      editorOf({{-2, 0, 4}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 4}));
-  const Change change = changeOf(editor.replace(0, {5, 0, 3.9}));
+  Watched editor({{-2, 0, 4}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
+  EXPECT_EQ(editor.hidden(), (std::vector<CircleId>{3, 4}));
+  const Change change = editor.replace(0, {5, 0, 3.9});
   EXPECT_EQ(change.hidden, std::vector<CircleId>{0});
   EXPECT_EQ(change.shown, std::vector<CircleId>{4});
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{0, 3}));
-  expectRight(editor);
+  EXPECT_EQ(editor.hidden(), (std::vector<CircleId>{0, 3}));
   // The circles that it handed over are not in its list any more when it comes back.
-  EXPECT_EQ(changeOf(editor.replace(0, {-2, 0, 4})).way, EditWay::local);
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 4}));
-  expectRight(editor);
-  EXPECT_EQ(changeOf(editor.replace(0, {5, 0, 3.9})).way, EditWay::local);
-  EXPECT_EQ(changeOf(editor.remove(0)).way, EditWay::local);
-  changeOf(editor.insert({5, 0, 3.9}));
-  EXPECT_EQ(changeOf(editor.remove(3)).way, EditWay::local);
-  expectRight(editor);
-  editor = editorOf({{5, 0, 3.9}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
+  EXPECT_EQ(editor.replace(0, {-2, 0, 4}).way, EditWay::local);
+  EXPECT_EQ(editor.hidden(), (std::vector<CircleId>{3, 4}));
+  EXPECT_EQ(editor.replace(0, {5, 0, 3.9}).way, EditWay::local);
+  EXPECT_EQ(editor.remove(0).way, EditWay::local);
+  editor.insert({5, 0, 3.9});
+  EXPECT_EQ(editor.remove(3).way, EditWay::local);
   // It comes to be identical with 1, and takes its place.
-  changeOf(editor.replace(0, {11, 0, 10}));
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{1, 3}));
-  expectRight(editor);
+  Watched other({{5, 0, 3.9}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
+  other.replace(0, {11, 0, 10});
+  EXPECT_EQ(other.hidden(), (std::vector<CircleId>{1, 3}));
 }
 
 TEST(Editor, OfIdenticalCirclesShowsTheFirst) {
   const std::vector<Circle> circles = {{0, 0, 1}, {10, 0, 2}, {0, 9, 1}, {-8, -7, 1}, {5, 5, 1}};
-  DiagramEditor editor = editorOf(circles);
-  const CircleId copy = changeOf(editor.insert(circles[4])).inserted.at(0);
-  EXPECT_EQ(hiddenOf(editor), std::vector<CircleId>{copy});
+  Watched editor(circles);
+  const CircleId copy = editor.insert(circles[4]).inserted.at(0);
+  EXPECT_EQ(editor.hidden(), std::vector<CircleId>{copy});
   // Circle 2 comes to be identical with both, and has the lowest id.
-  const Change change = changeOf(editor.replace(2, circles[4]));
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{4, copy}));
-  EXPECT_EQ(change.hidden, std::vector<CircleId>{4});
-  expectRight(editor);
-  changeOf(editor.remove(2));
-  EXPECT_EQ(hiddenOf(editor), std::vector<CircleId>{copy});
-  expectRight(editor);
+  EXPECT_EQ(editor.replace(2, circles[4]).hidden, std::vector<CircleId>{4});
+  EXPECT_EQ(editor.hidden(), (std::vector<CircleId>{4, copy}));
+  editor.remove(2);
+  EXPECT_EQ(editor.hidden(), std::vector<CircleId>{copy});
   // A circle that shrinks onto one of lower id that it hid.
-  changeOf(editor.insert({5, 5, 2}));
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{4, copy}));
-  changeOf(editor.replace(6, {5, 5, 1}));
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{copy, 6}));
-  expectRight(editor);
+  editor.insert({5, 5, 2});
+  EXPECT_EQ(editor.hidden(), (std::vector<CircleId>{4, copy}));
+  editor.replace(6, {5, 5, 1});
+  EXPECT_EQ(editor.hidden(), (std::vector<CircleId>{copy, 6}));
 }
 
 TEST(Editor, ShowsHiddenCirclesThatNoOtherCircleHides) {
-  DiagramEditor editor = editorOf({{0, 0, 9}, {40, 0, 1}, {0, 40, 1}, {1, 0, 1}, {1, 0, 3}, {1, 0, 2}, {-4, 0, 1}});
-  const Change change = changeOf(editor.remove(0));
-  EXPECT_EQ(change.way, EditWay::local);
-  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 5}));
-  expectRight(editor);
+  Watched editor({{0, 0, 9}, {40, 0, 1}, {0, 40, 1}, {1, 0, 1}, {1, 0, 3}, {1, 0, 2}, {-4, 0, 1}});
+  EXPECT_EQ(editor.remove(0).way, EditWay::local);
+  EXPECT_EQ(editor.hidden(), (std::vector<CircleId>{3, 5}));
 }
 
 TEST(Editor, RefusesWithoutATrace) {
@@ -383,13 +353,11 @@ TEST(Editor, RefusesWithoutATrace) {
 }
 
 TEST(Editor, NumbersNewEdgesWithFreeNumbersAfterARefusal) {
-  DiagramEditor editor = editorOf({});
-  test::Mirror mirror;
+  Watched editor(std::vector<Circle>{});
   for (const Circle& circle : generate(Family::uniform, 30, 1)) {
-    EXPECT_EQ(mirror.apply(changeOf(editor.insert(circle))), "");
-    EXPECT_FALSE(editor.remove(99).ok());
+    editor.insert(circle);
+    EXPECT_FALSE(editor->remove(99).ok());
   }
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
 }
 
 // A refused batch restores the list of circles that a circle hides, whichever entry it edits: any later edit there is
@@ -421,30 +389,21 @@ TEST(Editor, ABatchIsOneChange) {
                                    {Edit::Kind::insert, kNone, circles[7]},
                                    {Edit::Kind::remove, 301, {}},
                                    {Edit::Kind::replace, 9, circles[9]}};
-  DiagramEditor editor = editorOf(circles);
-  test::Mirror mirror;
-  mirror.apply(editor.all().value());
-  const Change change = changeOf(editor.apply(edits));
+  Watched editor(circles);
+  const Change change = editor.apply(edits);
   EXPECT_EQ(change.way, EditWay::local);
   EXPECT_EQ(change.inserted, std::vector<CircleId>{300});
   EXPECT_EQ(change.removed, std::vector<CircleId>{5});
   EXPECT_TRUE(change.replaced.empty());
   EXPECT_EQ(change.hidden, std::vector<CircleId>{300});
-  EXPECT_EQ(mirror.apply(change), "");
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-  expectRight(editor);
   // Enough edits that everything is recomputed.
   std::vector<Edit> many;
   for (CircleId id = 100; id < 300; ++id) many.push_back({Edit::Kind::remove, id, {}});
   for (int i = 0; i < 50; ++i) many.push_back({Edit::Kind::insert, kNone, {i * 0.01, i * 0.02, 0.001}});
   many.push_back({Edit::Kind::remove, 310, {}});
-  const Change whole = changeOf(editor.apply(many));
-  EXPECT_EQ(whole.way, EditWay::whole);
-  EXPECT_EQ(mirror.apply(whole), "");
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-  EXPECT_FALSE(editor.circle(310));
-  EXPECT_EQ(editor.ids().back(), 351);
-  expectRight(editor);
+  EXPECT_EQ(editor.apply(many).way, EditWay::whole);
+  EXPECT_FALSE(editor->circle(310));
+  EXPECT_EQ(editor->ids().back(), 351);
 }
 
 TEST(Editor, ASnapshotCountsAllCirclesAndTheHiddenOnes) {
@@ -495,43 +454,23 @@ TEST(Editor, AnEditOfNothingChangesNothing) {
 }
 
 TEST(Editor, GrowsByManyOrdersOfMagnitude) {
-  DiagramEditor editor = editorOf(generate(Family::uniform, 30, 1));
-  test::Mirror mirror;
-  mirror.apply(editor.all().value());
+  Watched editor(generate(Family::uniform, 30, 1));
   for (const double size : {1e6, 1e9, 1e15, 1e20, 1e21, 1e28}) {
-    for (int i = 0; i < 3; ++i) {
-      ASSERT_EQ(mirror.apply(changeOf(editor.insert({size, i * size, size / 4}))), "");
-      expectRight(editor);
-    }
+    for (int i = 0; i < 3; ++i) editor.insert({size, i * size, size / 4});
   }
-  for (std::int32_t id = 47; id >= 30; --id) {
-    ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
-    expectRight(editor);
-  }
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  for (std::int32_t id = 47; id >= 30; --id) editor.remove(id);
 }
 
 TEST(Editor, APointFarAwayIsALocalEdit) {
-  DiagramEditor editor = editorOf(generate(Family::uniform, 300, 1));
-  test::Mirror mirror;
-  mirror.apply(editor.all().value());
-  for (const double x : {1e20, 1e24, 7e28}) {
-    const Change change = changeOf(editor.insert({x, 0, 0}));
-    EXPECT_EQ(change.way, EditWay::local);
-    ASSERT_EQ(mirror.apply(change), "");
-    expectRight(editor);
-  }
+  Watched editor(generate(Family::uniform, 300, 1));
+  for (const double x : {1e20, 1e24, 7e28}) EXPECT_EQ(editor.insert({x, 0, 0}).way, EditWay::local);
   for (CircleId id = 0; id < 100; ++id) {
-    Circle moved = *editor.circle(id);
+    Circle moved = *editor->circle(id);
     moved.r *= 1.5;
-    ASSERT_EQ(mirror.apply(changeOf(editor.replace(id, moved))), "");
-    ASSERT_EQ(mirror.apply(changeOf(editor.remove(id + 100))), "");
+    editor.replace(id, moved);
+    editor.remove(id + 100);
   }
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-  expectRight(editor);
-  for (CircleId id = 300; id < 303; ++id) ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
-  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
-  expectRight(editor);
+  for (CircleId id = 300; id < 303; ++id) editor.remove(id);
 }
 
 TEST(Editor, ChangesHaveTheBitsOfTheSnapshotAtAnyScale) {
@@ -543,22 +482,21 @@ TEST(Editor, ChangesHaveTheBitsOfTheSnapshotAtAnyScale) {
     };
     std::vector<Circle> circles;
     for (int i = 0; i < 12; ++i) circles.push_back(any(1));
-    DiagramEditor editor = editorOf(circles);
-    test::Mirror mirror;
-    mirror.apply(editor.all().value());
+    Watched editor(circles);
     for (int i = 0; i < 30; ++i) {
+      SCOPED_TRACE("seed " + std::to_string(seed + trial) + ", edit " + std::to_string(i));
       // The scale of the diagram jumps, and later goes back.
       const Circle circle = any(random.below(2) == 0 ? 1 : random.logUniform(-28, 28));
-      const std::vector<CircleId> ids = editor.ids();
+      const std::vector<CircleId> ids = editor->ids();
       const CircleId id = ids[random.below(ids.size())];
-      const auto change = ids.size() < 12        ? editor.insert(circle)
-                          : random.below(2) == 0 ? editor.remove(id)
-                                                 : editor.replace(id, circle);
-      ASSERT_EQ(mirror.apply(changeOf(change)), "");
-      ASSERT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "")
-          << "seed " << seed + trial << ", edit " << i;
+      if (ids.size() < 12) {
+        editor.insert(circle);
+      } else if (random.below(2) == 0) {
+        editor.remove(id);
+      } else {
+        editor.replace(id, circle);
+      }
     }
-    expectRight(editor);
   }
 }
 
@@ -573,40 +511,25 @@ TEST(Editor, RoundsNumbersAsComputeDoes) {
   EXPECT_EQ(editor.circles(), editor.snapshot().value().circles);
 }
 
+// Also a removal may leave circles that are all too small.
 TEST(Editor, RefusesCirclesThatAreAllTooSmall) {
   EXPECT_EQ(DiagramEditor::from(std::vector<Circle>{{0, 1e-20, 0}}).error().code, ErrorCode::coordinateTooSmall);
-  DiagramEditor editor = editorOf({{0, 0, 0}});
   const Edit small = {Edit::Kind::insert, kNone, {0, 1e-20, 0}};
   const Edit large = {Edit::Kind::insert, kNone, {0, kSmallestInput, 0}};
-  const auto refused = editor.apply({&small, 1});
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, ErrorCode::coordinateTooSmall);
-  EXPECT_EQ(refused.error().message,
-            "The circles are too small: all numbers are below 1.4e-17 (2^-56). Multiply them by 1e20.");
-  EXPECT_EQ(editor.size(), 1U);
-  EXPECT_TRUE(editor.apply(std::vector<Edit>{small, large}).ok());
-  EXPECT_TRUE(editor.apply({&small, 1}).ok());
-  expectRight(editor);
-}
-
-TEST(Editor, RefusesARemovalThatLeavesOnlyCirclesThatAreTooSmall) {
-  const std::vector<Circle> circles = {{1, 0, 0}, {1e-18, 0, 0}, {0, 1e-18, 0}};
-  DiagramEditor editor = editorOf(circles);
+  Watched points(std::vector<Circle>{{0, 0, 0}});
+  EXPECT_EQ(points->apply({&small, 1}).error().code, ErrorCode::coordinateTooSmall);
+  points.apply({small, large});
+  points.apply({small});
+  Watched editor({{1, 0, 0}, {1e-18, 0, 0}, {0, 1e-18, 0}});
   const Edit shrink = {Edit::Kind::replace, 0, {0, 0, 0}};
-  const Edit other = {Edit::Kind::insert, kNone, {0, 3, 0}};
-  for (const auto& refused : {editor.remove(0), editor.apply({&shrink, 1}), editor.replace(0, {0, 0, 1e-30})}) {
+  for (const auto& refused : {editor->remove(0), editor->apply({&shrink, 1}), editor->replace(0, {0, 0, 1e-30})}) {
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::coordinateTooSmall);
-    EXPECT_EQ(refused.error().message,
-              "The circles that are left are too small: all numbers are below 1.4e-17 (2^-56). Multiply them by 1e18.");
-    EXPECT_EQ(editor.size(), 3U);
-    expectRight(editor);
   }
-  changeOf(editor.apply(std::vector<Edit>{{Edit::Kind::remove, 0, {}}, other}));
-  expectRight(editor);
-  changeOf(editor.apply(std::vector<Edit>{{Edit::Kind::remove, 1, {}}, {Edit::Kind::remove, 2, {}}}));
-  changeOf(editor.remove(3));
-  EXPECT_EQ(editor.size(), 0U);
+  editor.apply({{Edit::Kind::remove, 0, {}}, {Edit::Kind::insert, kNone, {0, 3, 0}}});
+  editor.apply({{Edit::Kind::remove, 1, {}}, {Edit::Kind::remove, 2, {}}});
+  editor.remove(3);
+  EXPECT_EQ(editor->size(), 0U);
 }
 
 /// A number from the ends of the range: too small, the smallest, usual, the largest, zero.

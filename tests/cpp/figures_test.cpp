@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string>
 
 #include "centers.h"
 #include "circle_voronoi/compute.h"

@@ -16,13 +16,18 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
+#include "fits.h"
 #include "random.h"
 #include "region_shapes.h"
+#include "rings.h"
 #include "spring.h"
 #include "spring_system.h"
 
 namespace circle_voronoi {
 namespace {
+
+using test::fitShares;
+using test::sharesOver;
 
 Region boxRegion(const Box& box) { return Region::from(box).value(); }
 Region unitSquare() { return boxRegion({0, 0, 1, 1}); }
@@ -31,18 +36,6 @@ std::vector<Circle> randomSites(std::size_t count, Random& random) {
   std::vector<Circle> sites;
   for (std::size_t i = 0; i < count; ++i) sites.push_back({random.unit(), random.unit(), 0});
   return sites;
-}
-
-std::vector<double> randomShares(std::size_t count, double decades, Random& random) {
-  std::vector<double> shares;
-  for (std::size_t i = 0; i < count; ++i) shares.push_back(random.logUniform(0, decades));
-  return shares;
-}
-
-Result<AreaFit> fitShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
-  AreaFitOptions options;
-  options.shares = true;
-  return fitAreas(sites, shares, region, options);
 }
 
 /// Expects that the areas of a fit equal the areas in its certified diagram and the requested areas.
@@ -171,7 +164,7 @@ TEST(AreaFit, ReachesAreasOverDecadesAmongRandomSites) {
       SCOPED_TRACE(std::to_string(count) + " sites over " + std::to_string(decades) + " decades");
       Random random(count);
       const std::vector<Circle> sites = randomSites(count, random);
-      const std::vector<double> shares = randomShares(count, decades, random);
+      const std::vector<double> shares = sharesOver(decades, count, random);
       expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
     }
   }
@@ -182,7 +175,7 @@ TEST(AreaFit, ReachesAreasOverDecadesAmongRandomSites) {
 TEST(AreaFit, GoesAsFarAsTheLastBitsOfWeights) {
   Random random(300);
   const std::vector<Circle> sites = randomSites(300, random);
-  const std::vector<double> shares = randomShares(sites.size(), 6, random);
+  const std::vector<double> shares = sharesOver(6, sites.size(), random);
   const auto fit = fitShares(sites, shares, unitSquare());
   ASSERT_TRUE(fit) << fit.error().message;
   EXPECT_GT(fit->error, 1e-9);
@@ -233,7 +226,7 @@ TEST(AreaFit, ReachesAreasWhereverTheSitesLie) {
     Random random(11);
     std::vector<Circle> sites;
     for (int i = 0; i < 100; ++i) sites.push_back(site(i, random));
-    const std::vector<double> shares = randomShares(sites.size(), 1, random);
+    const std::vector<double> shares = sharesOver(1, sites.size(), random);
     expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
   }
 }
@@ -247,8 +240,8 @@ TEST(AreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
   const std::vector<std::pair<std::string, Region>> regions = {
       {"two squares far apart, one with a hole", Region::fromRings(std::vector{left, right, hole}).value()},
       {"a frame around an island", Region::fromRings(std::vector{left, hole, island}).value()},
-      {"a comb", Region::fromRings(std::vector<Region::Ring>{test::combRing({0, 0, 1, 1}, 12)}).value()},
-      {"a spiral", Region::fromRings(std::vector<Region::Ring>{test::spiralRing({0, 0, 1, 1}, 4)}).value()},
+      {"a comb", test::regionFrom({test::combRing({0, 0, 1, 1}, 12)})},
+      {"a spiral", test::regionFrom({test::spiralRing({0, 0, 1, 1}, 4)})},
       {"a coast and a star", Region::fromRings(std::vector{test::coastRing(shapes, {0.5, 0.5}, 0.4, 500),
                                                            test::starRing(shapes, {3, 0.5}, 0.2, 0.4, 30)})
                                  .value()}};
@@ -262,7 +255,7 @@ TEST(AreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
       for (int i = 0; i < 60; ++i) {
         sites.push_back({box.minX + width * random.unit(), box.minY + (box.maxY - box.minY) * random.unit(), 0});
       }
-      const std::vector<double> shares = randomShares(sites.size(), 1, random);
+      const std::vector<double> shares = sharesOver(1, sites.size(), random);
       expectFits(fitShares(sites, shares, region), sites, shares, region);
     }
   }
@@ -289,7 +282,7 @@ double dualValue(const std::vector<Circle>& sites, const std::vector<double>& we
 TEST(AreaFit, MaximizesTheDualFunction) {
   Random random(3);
   const std::vector<Circle> sites = randomSites(8, random);
-  const std::vector<double> shares = randomShares(sites.size(), 1, random);
+  const std::vector<double> shares = sharesOver(1, sites.size(), random);
   const auto fit = fitShares(sites, shares, unitSquare());
   ASSERT_TRUE(fit);
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
@@ -306,7 +299,7 @@ TEST(AreaFit, MaximizesTheDualFunction) {
 TEST(AreaFit, DoesNotDependOnScaleDirectionOrOrder) {
   Random random(5);
   const std::vector<Circle> sites = randomSites(50, random);
-  const std::vector<double> shares = randomShares(sites.size(), 2, random);
+  const std::vector<double> shares = sharesOver(2, sites.size(), random);
   const auto fit = fitShares(sites, shares, unitSquare());
   ASSERT_TRUE(fit);
 
@@ -334,7 +327,7 @@ TEST(AreaFit, DoesNotDependOnScaleDirectionOrOrder) {
 TEST(AreaFit, StartsFromTheRadii) {
   Random random(9);
   std::vector<Circle> sites = randomSites(200, random);
-  const std::vector<double> shares = randomShares(sites.size(), 2, random);
+  const std::vector<double> shares = sharesOver(2, sites.size(), random);
   const auto fit = fitShares(sites, shares, unitSquare());
   ASSERT_TRUE(fit);
   for (std::size_t i = 0; i < sites.size(); ++i) sites[i].r = fit->weights[i];
@@ -367,11 +360,9 @@ double distanceFromCentroids(const AreaFit& fit, const Region& region) {
 
 TEST(AreaFit, MovesSitesToTheCentroidsOfTheirCellsAndKeepsTheAreas) {
   Random random(31);
-  const Region hall = Region::fromRings(std::vector<Region::Ring>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                                                                  {{0.3, 0.4}, {0.6, 0.4}, {0.6, 0.7}}})
-                          .value();
+  const Region hall = test::regionFrom({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0.3, 0.4}, {0.6, 0.4}, {0.6, 0.7}}});
   const std::vector<Circle> sites = randomSites(60, random);
-  const std::vector<double> shares = randomShares(60, 1.5, random);
+  const std::vector<double> shares = sharesOver(1.5, 60, random);
   AreaFitOptions options;
   options.shares = true;
   const AreaFit still = fitAreas(sites, shares, hall, options).value();
@@ -409,34 +400,40 @@ TEST(AreaFit, MovesSitesToTheCentroidsOfTheirCellsAndKeepsTheAreas) {
 
 TEST(AreaFit, RefusesImpossibleFits) {
   const std::vector<Circle> sites = {{0.2, 0.2, 0}, {0.7, 0.4, 0}, {0.2, 0.2, 0}};
-  const auto messageOf = [&](std::vector<double> areas, std::size_t count, AreaFitOptions options = {}) {
-    const auto fit = fitAreas(std::span(sites).first(count), areas, unitSquare(), options);
-    return fit ? "no error" : fit.error().message;
+  struct Case {
+    std::size_t count;
+    std::vector<double> areas;
+    AreaFitOptions options;
+    std::optional<CircleIndex> blamed;  ///< nothing: the fit is possible
   };
-  EXPECT_EQ(messageOf({0.2, 0.3, 0.5}, 3), "Site 2 has the same position as site 0.");
-  EXPECT_EQ(messageOf({0.5, 0}, 2), "Area 1 must be positive and finite (got 0).");
-  EXPECT_EQ(messageOf({-1, 2}, 2), "Area 0 must be positive and finite (got -1).");
-  EXPECT_EQ(messageOf({0.5, INFINITY}, 2), "Area 1 must be positive and finite (got inf).");
-  EXPECT_EQ(messageOf({0.5}, 2), "There is 1 area for 2 sites.");
-  EXPECT_EQ(messageOf({0.5, 1}, 2),
-            "The areas sum to 1.5, but the area of the region is 1. Set `shares` to scale them.");
-  // The sum may be off by half the tolerance.
-  EXPECT_EQ(messageOf({0.5, 0.504}, 2, {.tolerance = 0x1p-7}),
-            "The areas sum to 1.004, but the area of the region is 1. Set `shares` to scale them.");
-  EXPECT_EQ(messageOf({0.5, 0.496}, 2, {.tolerance = 0x1p-7}),
-            "The areas sum to 0.996, but the area of the region is 1. Set `shares` to scale them.");
-  EXPECT_EQ(messageOf({0.5, 0.503}, 2, {.tolerance = 0x1p-7}), "no error");
-  EXPECT_EQ(messageOf({0.1, 0.2, 0.7}, 1), "There are 3 areas for 1 site.");
-  EXPECT_EQ(messageOf({}, 0), "There are no sites.");
-  EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.tolerance = 0}), "tolerance must be above 0 and below 1 (got 0).");
-  EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.maxSteps = 0}), "maxSteps must be 1 or more (got 0).");
-  EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.relax = -1}), "relax must not be negative (got -1).");
+  const std::vector<Case> cases = {{3, {0.2, 0.3, 0.5}, {}, 2},
+                                   {2, {0.5, 0}, {}, 1},
+                                   {2, {-1, 2}, {}, 0},
+                                   {2, {0.5, INFINITY}, {}, 1},
+                                   {2, {0.5}, {}, kNone},
+                                   {1, {0.1, 0.2, 0.7}, {}, kNone},
+                                   {0, {}, {}, kNone},
+                                   {2, {0.5, 1}, {}, kNone},
+                                   // The sum may be off by half the tolerance.
+                                   {2, {0.5, 0.504}, {.tolerance = 0x1p-7}, kNone},
+                                   {2, {0.5, 0.496}, {.tolerance = 0x1p-7}, kNone},
+                                   {2, {0.5, 0.503}, {.tolerance = 0x1p-7}, {}},
+                                   {2, {0.5, 0.5}, {.tolerance = 0}, kNone},
+                                   {2, {0.5, 0.5}, {.maxSteps = 0}, kNone},
+                                   {2, {0.5, 0.5}, {.relax = -1}, kNone}};
+  for (const auto& [count, areas, options, blamed] : cases) {
+    const auto fit = fitAreas(std::span(sites).first(count), areas, unitSquare(), options);
+    ASSERT_EQ(fit.ok(), !blamed) << testing::PrintToString(areas);
+    if (blamed) {
+      EXPECT_EQ(fit.error().circle, *blamed) << fit.error().message;
+    }
+  }
 }
 
 TEST(AreaFit, SaysWhatItReachedWhereItEndsTooEarly) {
   Random random(13);
   std::vector<Circle> sites = randomSites(200, random);
-  std::vector<double> shares = randomShares(sites.size(), 1, random);
+  std::vector<double> shares = sharesOver(1, sites.size(), random);
   const Region region = unitSquare();
   AreaFitOptions options;
   options.shares = true;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <string>
@@ -13,19 +12,17 @@
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
+#include "fits.h"
 #include "random.h"
 #include "report.h"
+#include "rings.h"
 
 namespace circle_voronoi {
 namespace {
 
-Region regionOfBox(const Box& box) { return Region::from(box).value(); }
+using test::fitShares;
 
-Result<AreaFit> fitToShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
-  AreaFitOptions options;
-  options.shares = true;
-  return fitAreas(sites, shares, region, options);
-}
+Region regionOfBox(const Box& box) { return Region::from(box).value(); }
 
 std::string errorOf(const Result<AreaFit>& fit) {
   return fit ? "" : std::string(errorCodeName(fit.error().code)) + ": " + fit.error().message;
@@ -56,7 +53,7 @@ TEST(AreaFitLimits, NoChangeOfALastBitMakesTheErrorSmaller) {
       sites.push_back({random.unit(), random.unit(), 0});
       shares.push_back(random.uniform(0.1, 1));
     }
-    const auto fit = fitToShares(sites, shares, region);
+    const auto fit = fitShares(sites, shares, region);
     if (!fit) {
       // Only where no weight gives the area, even nearly.
       EXPECT_EQ(fit.error().code, ErrorCode::notConverged) << fit.error().message;
@@ -83,14 +80,14 @@ TEST(AreaFitLimits, NoChangeOfALastBitMakesTheErrorSmaller) {
 TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
   const std::vector<Circle> sites = {{0.25, 0.5, 0}, {0.75, 0.5, 0}};
   const Region square = regionOfBox({0, 0, 1, 1});
-  EXPECT_EQ(errorOf(fitToShares(sites, {1e308, 1e308}, square)),
+  EXPECT_EQ(errorOf(fitShares(sites, {1e308, 1e308}, square)),
             "badInput: The areas sum to more than the largest number.");
-  EXPECT_EQ(errorOf(fitToShares(sites, {1, 1e-300}, square)),
+  EXPECT_EQ(errorOf(fitShares(sites, {1, 1e-300}, square)),
             "badInput: Area 1 is too small: 1e-300 of a region with the area 1.");
-  EXPECT_EQ(errorOf(fitToShares(sites, {1, 1}, regionOfBox({0, 0, 2e28, 2e28}))),
+  EXPECT_EQ(errorOf(fitShares(sites, {1, 1}, regionOfBox({0, 0, 2e28, 2e28}))),
             "badInput: The region has a coordinate beyond 9.903520314283042e+27, the limit of fits (2e+28).");
   for (const Box& box : {Box{-2e28, 0, 0, 1}, Box{0, -2e28, 1, 0}, Box{0, 0, 2e28, 1}, Box{0, 0, 1, 2e28}}) {
-    EXPECT_NE(errorOf(fitToShares(sites, {1, 1}, regionOfBox(box))).find("beyond 9.9"), std::string::npos);
+    EXPECT_NE(errorOf(fitShares(sites, {1, 1}, regionOfBox(box))).find("beyond 9.9"), std::string::npos);
   }
   for (const Lattice& lattice : {Lattice{{2e28, 0}, {0, 1e27}}, Lattice{{1e27, -2e28}, {1e27, 0}},
                                  Lattice{{1e27, 0}, {-2e28, 1e27}}, Lattice{{1e27, 0}, {0, 2e28}}}) {
@@ -98,11 +95,11 @@ TEST(AreaFitLimits, RefusesWhatLeavesTheRangeOfNumbers) {
     ASSERT_FALSE(fit);
     EXPECT_TRUE(fit.error().message.starts_with("The box has a coordinate beyond 9.9")) << fit.error().message;
   }
-  const std::string far = errorOf(fitToShares({{0.25, 0.5, 0}, {1e29, 0.5, 0}}, {1, 1}, square));
+  const std::string far = errorOf(fitShares({{0.25, 0.5, 0}, {1e29, 0.5, 0}}, {1, 1}, square));
   EXPECT_TRUE(far.starts_with("coordinateTooLarge: Circle 1 has a coordinate or a radius beyond")) << far;
   // Up to the limits it is as everywhere.
-  EXPECT_EQ(errorOf(fitToShares({{2e27, 8e26, 0}, {6e27, 2.4e27, 0}}, {1, 3}, regionOfBox({0, 0, 8e27, 8e27}))), "");
-  EXPECT_EQ(errorOf(fitToShares({{2.5e-16, 1e-16, 0}, {7.5e-16, 3e-16, 0}}, {1, 3}, regionOfBox({0, 0, 1e-15, 1e-15}))),
+  EXPECT_EQ(errorOf(fitShares({{2e27, 8e26, 0}, {6e27, 2.4e27, 0}}, {1, 3}, regionOfBox({0, 0, 8e27, 8e27}))), "");
+  EXPECT_EQ(errorOf(fitShares({{2.5e-16, 1e-16, 0}, {7.5e-16, 3e-16, 0}}, {1, 3}, regionOfBox({0, 0, 1e-15, 1e-15}))),
             "");
 }
 
@@ -112,7 +109,7 @@ Region::Ring squareAt(double x, double y) { return {{x, y}, {x + 1, y}, {x + 1, 
 
 /// Expects that a fit reaches its areas, measured by another clip.
 void expectFit(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
-  const auto fit = fitToShares(sites, shares, region);
+  const auto fit = fitShares(sites, shares, region);
   ASSERT_TRUE(fit) << fit.error().message;
   EXPECT_LE(fit->error, fit->tolerance);
   if (fit->error > 1e-9) return;
@@ -174,19 +171,8 @@ TEST(AreaFitLimits, PartsMayHangTogetherByAThinBridge) {
   for (int trial = 0; trial < 150; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
     const double top = 0.5 + random.logUniform(-9, -1);
-    const Region region = Region::fromRings(std::vector<Region::Ring>{{{0, 0},
-                                                                       {1, 0},
-                                                                       {1, 0.5},
-                                                                       {2, 0.5},
-                                                                       {2, 0},
-                                                                       {3, 0},
-                                                                       {3, 1},
-                                                                       {2, 1},
-                                                                       {2, top},
-                                                                       {1, top},
-                                                                       {1, 1},
-                                                                       {0, 1}}})
-                              .value();
+    const Region region = test::regionFrom(
+        {{{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {2, top}, {1, top}, {1, 1}, {0, 1}}});
     const Wanted wanted(3, trial % 2 == 0 ? 3 : 1, random);
     expectFit(wanted.sites, wanted.shares, region);
   }
@@ -213,8 +199,8 @@ TEST(AreaFitLimits, FitsFarAwayAreThoseAtTheOrigin) {
     }
     const Region square = Region::fromPolygons(Polygons{{squareAt(0, 0)}}).value();
     const Region moved = Region::fromPolygons(Polygons{{squareAt(far, other)}}).value();
-    const AreaFit one = fitToShares(here, shares, square).value();
-    const auto fit = fitToShares(there, shares, moved);
+    const AreaFit one = fitShares(here, shares, square).value();
+    const auto fit = fitShares(there, shares, moved);
     ASSERT_TRUE(fit) << fit.error().message;
     EXPECT_EQ(fit->weights, one.weights);
     EXPECT_EQ(fit->areas, one.areas);
@@ -225,10 +211,7 @@ TEST(AreaFitLimits, FitsFarAwayAreThoseAtTheOrigin) {
       EXPECT_EQ(fit->diagram.circles[i].y, there[i].y);
     }
     // Sites that move have coordinates of their own, with areas as exact.
-    AreaFitOptions options;
-    options.shares = true;
-    options.relax = 2;
-    const AreaFit relaxed = fitAreas(there, shares, moved, options).value();
+    const AreaFit relaxed = fitShares(there, shares, moved, 2).value();
     EXPECT_LE(relaxed.error, 1e-9);
     std::vector<Circle> back = relaxed.diagram.circles;
     for (Circle& c : back) c = {c.x - far, c.y - other, c.r};
@@ -241,7 +224,7 @@ TEST(AreaFitLimits, FitsFarAwayAreThoseAtTheOrigin) {
 TEST(AreaFitLimits, CoordinatesWithoutExactDifferencesAllowTheirLastBits) {
   const double far = 5e6;
   const std::vector<Circle> sites = {{far + 0.2, 0.3, 0}, {far + 0.7, 0.6, 0}, {1e-9, 0.5, 0}};
-  const auto fit = fitToShares(sites, {1, 2, 3}, regionOfBox({far, 0, far + 1, 1}));
+  const auto fit = fitShares(sites, {1, 2, 3}, regionOfBox({far, 0, far + 1, 1}));
   ASSERT_TRUE(fit) << fit.error().message;
   EXPECT_LE(fit->error, fit->tolerance);
   EXPECT_LE(fit->tolerance, 1e-5);

@@ -16,6 +16,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/periodic.h"
+#include "fits.h"
 #include "random.h"
 #include "regions.h"
 
@@ -23,6 +24,8 @@ namespace circle_voronoi {
 namespace {
 
 using Circles = std::vector<Circle>;
+using test::fitShares;
+using test::sharesOver;
 
 Circles sitesIn(const Lattice& lattice, std::size_t count, Random& random) {
   Circles sites;
@@ -32,20 +35,6 @@ Circles sitesIn(const Lattice& lattice, std::size_t count, Random& random) {
     sites.push_back({u * lattice.a.x + v * lattice.b.x, u * lattice.a.y + v * lattice.b.y, 0});
   }
   return sites;
-}
-
-std::vector<double> sharesOver(double decades, std::size_t count, Random& random) {
-  std::vector<double> shares;
-  for (std::size_t i = 0; i < count; ++i) shares.push_back(random.logUniform(0, decades));
-  return shares;
-}
-
-Result<PeriodicAreaFit> fitShares(const Circles& sites, const std::vector<double>& shares, const Lattice& lattice,
-                                  int relax = 0) {
-  AreaFitOptions options;
-  options.shares = true;
-  options.relax = relax;
-  return fitAreas(sites, shares, lattice, options);
 }
 
 /// The areas of the cells that sites have with some weights, by computePeriodic alone.
@@ -177,7 +166,7 @@ TEST(PeriodicAreaFit, DoesNotDependOnWhereTheBoxIs) {
   for (std::size_t i = 0; i < wrapped.size(); i += 3) wrapped[i].x += 2;
   const auto byMoved = fitShares(moved, shares, lattice);
   const auto byWrapped = fitShares(wrapped, shares, lattice);
-  const auto byOther = fitShares(sites, shares, {{1, 0}, {3.25, 1}});
+  const auto byOther = fitShares(sites, shares, Lattice{{1, 0}, {3.25, 1}});
   ASSERT_TRUE(byMoved && byWrapped && byOther);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     EXPECT_NEAR(byMoved->weights[i], fit->weights[i], 1e-8);
@@ -223,37 +212,35 @@ TEST(PeriodicAreaFit, StartsFromTheRadii) {
   EXPECT_LE(again->steps, 1);
 }
 
+// Other refusals are those of a fit in a region.
 TEST(PeriodicAreaFit, RefusesImpossibleFits) {
-  const Lattice lattice = {{2, 0}, {0, 1}};
-  const Circles sites = {{0, 0, 0}, {1, 0.5, 0}};
-  const auto expectError = [](const Result<PeriodicAreaFit>& fit, ErrorCode code, std::int64_t site,
-                              const std::string& message) {
-    ASSERT_FALSE(fit);
-    EXPECT_EQ(fit.error().code, code);
-    EXPECT_EQ(fit.error().circle, site);
-    EXPECT_NE(fit.error().message.find(message), std::string::npos) << fit.error().message;
-  };
-  const auto areas = [](double a, double b) { return std::vector<double>{a, b}; };
-  expectError(fitAreas(sites, areas(1, 2), lattice), ErrorCode::badInput, kNone,
-              "The areas sum to 3, but the area of the box is 2. Set `shares` to scale them.");
-  expectError(fitAreas(sites, areas(2, 0), lattice), ErrorCode::badInput, 1, "Area 1 must be positive");
-  expectError(fitAreas(sites, areas(3, -1), lattice), ErrorCode::badInput, 1, "Area 1 must be positive");
-  expectError(fitAreas(sites, std::vector{2.0}, lattice), ErrorCode::badInput, kNone, "There is 1 area for 2 sites");
-  expectError(fitAreas(Circles{}, std::vector<double>{}, lattice), ErrorCode::badInput, kNone, "There are no sites.");
-  const Circles equal = {{0.5, 0.25, 0}, {0.5, 0.25, 3}};
-  expectError(fitAreas(equal, areas(1, 1), lattice), ErrorCode::badInput, 1, "Site 1 has the same position as site 0.");
-  const Circles apart = {{0.5, 0.25, 0}, {4.5, -0.75, 3}};
-  expectError(fitAreas(apart, areas(1, 1), lattice), ErrorCode::badInput, 1,
-              "Site 1 has the same position as an image of site 0.");
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expectError(fitAreas(Circles{{0, 0, 0}, {nan, 0, 0}}, areas(1, 1), lattice), ErrorCode::nonFinite, 1, "Site 1");
-  expectError(fitAreas(sites, areas(1, 1), {{2, 0}, {4, 0}}), ErrorCode::badOption, kNone, "parallel");
-  expectError(fitAreas(sites, areas(1, 1), {{2, 0}, {0, 0}}), ErrorCode::badOption, kNone, "zero");
-  expectError(fitAreas(sites, areas(1, 1), {{2, 0}, {0, nan}}), ErrorCode::badOption, kNone, "finite");
-  AreaFitOptions options;
-  options.maxSteps = 1;
-  expectError(fitAreas(Circles{{0, 0, 0}, {1, 0.5, 0}, {0.3, 0.2, 0}}, std::vector{1.5, 0.3, 0.2}, lattice, options),
-              ErrorCode::notConverged, kNone, "The fit stopped after 1 step");
+  const Lattice box = {{2, 0}, {0, 1}};
+  const Circles sites = {{0, 0, 0}, {1, 0.5, 0}};
+  struct Case {
+    Circles sites;
+    std::vector<double> areas;
+    Lattice lattice;
+    ErrorCode code;
+    CircleIndex blamed = kNone;
+  };
+  const std::vector<Case> cases = {{sites, {1, 2}, box, ErrorCode::badInput},
+                                   {sites, {2, 0}, box, ErrorCode::badInput, 1},
+                                   {{{0.5, 0.25, 0}, {0.5, 0.25, 3}}, {1, 1}, box, ErrorCode::badInput, 1},
+                                   {{{0.5, 0.25, 0}, {4.5, -0.75, 3}}, {1, 1}, box, ErrorCode::badInput, 1},
+                                   {{{0, 0, 0}, {nan, 0, 0}}, {1, 1}, box, ErrorCode::nonFinite, 1},
+                                   {sites, {1, 1}, {{2, 0}, {4, 0}}, ErrorCode::badOption},
+                                   {sites, {1, 1}, {{2, 0}, {0, nan}}, ErrorCode::badOption}};
+  for (const auto& [circles, areas, lattice, code, blamed] : cases) {
+    const auto fit = fitAreas(circles, areas, lattice);
+    ASSERT_FALSE(fit);
+    EXPECT_EQ(fit.error().code, code) << fit.error().message;
+    EXPECT_EQ(fit.error().circle, blamed) << fit.error().message;
+  }
+  const auto stopped =
+      fitAreas(Circles{{0, 0, 0}, {1, 0.5, 0}, {0.3, 0.2, 0}}, std::vector{1.5, 0.3, 0.2}, box, {.maxSteps = 1});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::notConverged);
 }
 
 // The scale of the coordinates is a power of two, so everything is the same but for it.
@@ -268,7 +255,7 @@ TEST(PeriodicAreaFit, DoesNotDependOnScale) {
     SCOPED_TRACE(scale);
     Circles scaled = sites;
     for (Circle& c : scaled) c = {scale * c.x, scale * c.y, 0};
-    const auto large = fitShares(scaled, shares, {{scale, 0}, {0.25 * scale, scale}});
+    const auto large = fitShares(scaled, shares, Lattice{{scale, 0}, {0.25 * scale, scale}});
     ASSERT_TRUE(large) << large.error().message;
     for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NEAR(large->weights[i] / scale, fit->weights[i], 1e-8);
   }

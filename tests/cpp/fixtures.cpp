@@ -19,7 +19,9 @@ std::vector<std::string> fixtureNames() {
   return names;
 }
 
-std::string pathOfFixture(const std::string& name) { return CIRCLE_VORONOI_FIXTURES "/" + name + ".csv"; }
+std::string fileOfFixtures(const std::string& name) { return CIRCLE_VORONOI_FIXTURES "/" + name; }
+
+std::string pathOfFixture(const std::string& name) { return fileOfFixtures(name + ".csv"); }
 
 std::vector<Circle> readFixture(const std::string& name) {
   std::ifstream file(pathOfFixture(name));

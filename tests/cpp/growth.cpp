@@ -32,15 +32,6 @@ std::vector<Circle> randomCircles(std::size_t size, const Box& box, double radiu
   return circles;
 }
 
-std::vector<Point> around(double radius, std::size_t count, double turn = 0) {
-  std::vector<Point> points(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + turn) / static_cast<double>(count);
-    points[k] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-  return points;
-}
-
 GrowthInput uniform(std::size_t size) {
   std::mt19937_64 random = randomFor(size);
   const double radius = 0.2 / std::sqrt(static_cast<double>(size));
@@ -110,6 +101,15 @@ GrowthInput holes(std::size_t size) {
 }
 
 }  // namespace
+
+std::vector<Point> around(double radius, std::size_t count, double turn) {
+  std::vector<Point> points(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + turn) / static_cast<double>(count);
+    points[k] = {radius * std::cos(angle), radius * std::sin(angle)};
+  }
+  return points;
+}
 
 Region GrowthInput::region() const { return Region::fromPolygons(polygons).value(); }
 

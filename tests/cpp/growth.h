@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "circle_voronoi/compute.h"
 #include "circle_voronoi/region.h"
 
 // Tests of the costs that headers promise. Each row names a function, the header that promises its cost, and an input
@@ -29,6 +30,9 @@ struct GrowthFamily {
   std::string_view name;
   GrowthInput (*make)(std::size_t size);
 };
+
+/// Points on a circle around the origin, turned by a part of a step.
+std::vector<Point> around(double radius, std::size_t count, double turn = 0);
 
 /// Random circles in a region with random corners.
 extern const GrowthFamily kUniform;
@@ -76,6 +80,15 @@ void expectGrowth(std::string_view input, std::size_t size, const std::function<
 template <class Value>
 std::shared_ptr<Value> kept(Value value) {
   return std::make_shared<Value>(std::move(value));
+}
+
+/// The preparation of a promise of a function of a diagram.
+template <class Use>
+auto ofDiagram(Use use) {
+  return [use](const GrowthInput& input) {
+    const auto diagram = kept(compute(input.circles).value());
+    return [diagram, use] { use(*diagram); };
+  };
 }
 
 }  // namespace circle_voronoi::test

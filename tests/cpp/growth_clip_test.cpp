@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"

@@ -19,10 +19,7 @@ TEST(GrowthOfDiagrams, OfCircles) {
 
 TEST(GrowthOfDiagrams, OfTheirProof) {
   expectGrowth({"certify", "certify.h",
-                [](const GrowthInput& input) {
-                  const auto diagram = kept(compute(input.circles).value());
-                  return [diagram] { EXPECT_TRUE(certify(*diagram).value().certified()); };
-                },
+                ofDiagram([](const Diagram& diagram) { EXPECT_TRUE(certify(diagram).value().certified()); }),
                 circleFamilies()});
 }
 
@@ -42,15 +39,11 @@ TEST(GrowthOfDiagrams, OfPowers) {
 }
 
 TEST(GrowthOfDiagrams, OfCurves) {
-  expectGrowth({"edgeCurve", "curve.h",
-                [](const GrowthInput& input) {
-                  const auto diagram = kept(compute(input.circles).value());
-                  return [diagram] {
-                    for (std::size_t e = 0; e < diagram->edges.size(); ++e) {
-                      static_cast<void>(edgeCurve(*diagram, static_cast<std::int32_t>(e)));
-                    }
-                  };
-                },
+  expectGrowth({"edgeCurve", "curve.h", ofDiagram([](const Diagram& diagram) {
+                  for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
+                    static_cast<void>(edgeCurve(diagram, static_cast<std::int32_t>(e)));
+                  }
+                }),
                 circleFamilies()});
 }
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <memory>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "circle_voronoi/editor.h"

@@ -251,21 +251,16 @@ TEST(GrowthOfFiles, OfDiagramsWrittenAndRead) {
 }
 
 TEST(GrowthOfFiles, OfTiles) {
-  expectGrowth({"finalCells, writePartsCsv, writePartsGeoJsonLines", "tile.h",
-                [](const GrowthInput& input) {
-                  const auto diagram = kept(compute(input.circles).value());
-                  return [diagram] {
-                    const Box box = exportBox(diagram->circles);
-                    const FinalCells final = finalCells(*diagram, {box}).value();
-                    std::ostringstream out;
-                    const std::size_t count = diagram->circles.size();
-                    std::vector<std::uint8_t> isFinal(count);
-                    for (std::size_t i = 0; i < count; ++i)
-                      isFinal[i] = final.isFinal(CircleIndex(static_cast<std::int32_t>(i)));
-                    ASSERT_TRUE(writePartsCsv(out, *diagram, {{}, isFinal}));
-                    ASSERT_TRUE(writePartsGeoJsonLines(out, *diagram, {{}, isFinal}));
-                  };
-                },
+  expectGrowth({"finalCells, writePartsCsv, writePartsGeoJsonLines", "tile.h", ofDiagram([](const Diagram& diagram) {
+                  const FinalCells final = finalCells(diagram, {exportBox(diagram.circles)}).value();
+                  std::ostringstream out;
+                  std::vector<std::uint8_t> isFinal(diagram.circles.size());
+                  for (std::size_t i = 0; i < isFinal.size(); ++i) {
+                    isFinal[i] = final.isFinal(CircleIndex(static_cast<std::int32_t>(i)));
+                  }
+                  ASSERT_TRUE(writePartsCsv(out, diagram, {{}, isFinal}));
+                  ASSERT_TRUE(writePartsGeoJsonLines(out, diagram, {{}, isFinal}));
+                }),
                 circleFamilies()});
 }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include "circle_voronoi/cells.h"
@@ -21,15 +19,6 @@
 
 namespace circle_voronoi::test {
 namespace {
-
-/// A promise of a function of a diagram.
-template <class Use>
-auto ofDiagram(Use use) {
-  return [use](const GrowthInput& input) {
-    const auto diagram = kept(compute(input.circles).value());
-    return [diagram, use] { use(*diagram); };
-  };
-}
 
 template <class Use>
 void forEachCircle(const Diagram& diagram, Use use) {

@@ -14,18 +14,9 @@
 namespace circle_voronoi::test {
 namespace {
 
-Region::Ring around(double radius, std::size_t corners, double turn) {
-  Region::Ring ring;
-  for (std::size_t k = 0; k < corners; ++k) {
-    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + turn) / static_cast<double>(corners);
-    ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  return ring;
-}
-
 /// A corridor between two circles of sides, and one circle outside.
 GrowthInput ringCorridor(std::size_t size) {
-  return {{{500, 0, 1}}, {{around(100, size / 2, 0), around(90, size / 2, 0.3)}}};
+  return {{{500, 0, 1}}, {{around(100, size / 2), around(90, size / 2, 0.3)}}};
 }
 
 /// A ring corridor full of small circles.

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include "circle_voronoi/compute.h"

@@ -7,47 +7,16 @@
 #include <sstream>
 
 namespace circle_voronoi::test {
-namespace {
-
-double distanceToSegment(Point p, Point a, Point b) {
-  const double x = b.x - a.x;
-  const double y = b.y - a.y;
-  const double square = x * x + y * y;
-  const double t = square == 0 ? 0 : std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0);
-  return std::hypot(a.x + t * x - p.x, a.y + t * y - p.y);
-}
-
-}  // namespace
-
 double clearanceAlong(std::span<const Circle> circles, Point a, Point b) {
   double least = 1e300;
-  for (const Circle& c : circles) least = std::min(least, distanceToSegment({c.x, c.y}, a, b) - c.r);
+  for (const Circle& c : circles) least = std::min(least, distanceToSide({c.x, c.y}, {a, b}) - c.r);
   return least;
-}
-
-std::vector<std::array<Point, 2>> sidesOf(const Region& region) {
-  std::vector<std::array<Point, 2>> sides;
-  const auto points = region.points();
-  const auto rings = region.ringOffsets();
-  for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
-    for (std::int32_t k = rings[r]; k < rings[r + 1]; ++k) {
-      const std::int32_t next = k + 1 == rings[r + 1] ? rings[r] : k + 1;
-      sides.push_back({points[static_cast<std::size_t>(k)], points[static_cast<std::size_t>(next)]});
-    }
-  }
-  return sides;
 }
 
 PartsOfRegion::PartsOfRegion(const Region& region) : parents_(region.polygonCount()) {
   std::iota(parents_.begin(), parents_.end(), 0);
-  const auto rings = region.ringOffsets();
-  for (std::size_t k = 0; k < region.polygonCount(); ++k) {
-    std::vector<Region::Ring> its;
-    for (std::int32_t r = region.polygonOffsets()[k]; r < region.polygonOffsets()[k + 1]; ++r) {
-      const auto at = static_cast<std::size_t>(r);
-      its.emplace_back(region.points().begin() + rings[at], region.points().begin() + rings[at + 1]);
-    }
-    polygons_.push_back(Region::fromPolygons(std::vector<std::vector<Region::Ring>>{its}).value());
+  for (const auto& rings : polygonsOf(region)) {
+    polygons_.push_back(Region::fromPolygons(std::vector<std::vector<Region::Ring>>{rings}).value());
   }
   for (std::size_t k = 0; k < polygons_.size(); ++k) {
     for (const Point& p : polygons_[k].points()) {
@@ -82,8 +51,7 @@ std::string faultOf(const Region& region, std::span<const Circle> circles, Point
   const auto sides = sidesOf(region);
   const auto isNear = [&](Point point) {
     if (region.contains(point)) return true;
-    return std::ranges::any_of(
-        sides, [&](const auto& side) { return distanceToSegment(point, side[0], side[1]) < tolerance; });
+    return std::ranges::any_of(sides, [&](const auto& side) { return distanceToSide(point, side) < tolerance; });
   };
   double least = clearanceAlong(circles, p, p);
   Point last = p;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -10,12 +9,10 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/clearest_path.h"
 #include "circle_voronoi/region.h"
+#include "rings.h"
 
 // Checks of clearest paths inside regions, for tests and a fuzzer.
 namespace circle_voronoi::test {
-
-/// Returns both ends of each side of a region.
-std::vector<std::array<Point, 2>> sidesOf(const Region& region);
 
 /// Returns the least distance of a segment from circles.
 double clearanceAlong(std::span<const Circle> circles, Point a, Point b);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -396,7 +397,6 @@ TEST(Periodic, PeriodsThatSpanNoBoxAreAnError) {
       const auto computed = computePeriodic(circles, lattice);
       ASSERT_FALSE(computed);
       EXPECT_EQ(computed.error().code, ErrorCode::badOption);
-      EXPECT_EQ(computed.error().message.starts_with("The periods must"), true) << computed.error().message;
     }
   }
 }
@@ -405,8 +405,6 @@ TEST(Periodic, BoxesThatAreTooSmallAreAnError) {
   const auto computed = computePeriodic(Circles{{0, 0, 0}}, {{1e-20, 0}, {0, 1e-20}});
   ASSERT_FALSE(computed);
   EXPECT_EQ(computed.error().code, ErrorCode::coordinateTooSmall);
-  EXPECT_TRUE(computed.error().message.starts_with("The circles and periods are too small: "))
-      << computed.error().message;
 }
 
 TEST(Periodic, ErrorsNameTheGivenCircle) {
@@ -418,8 +416,7 @@ TEST(Periodic, ErrorsNameTheGivenCircle) {
   const auto far = computePeriodic(Circles{{3.7e28, 0, 1}, {0, 0, 1}}, {{7.5e28, 0}, {0, 7.5e28}});
   ASSERT_FALSE(far);
   EXPECT_EQ(far.error().code, ErrorCode::coordinateTooLarge);
-  EXPECT_EQ(far.error().message,
-            "An image of circle " + std::to_string(far.error().circle) + " has a coordinate beyond 7.9e28 (2^96).");
+  EXPECT_NE(far.error().circle, kNone);
   const auto oblique = computePeriodic(Circles{{0.1, 0.1, 0}, {5e9, 0.5, 0}}, {{1, 0}, {1e10, 1}});
   ASSERT_FALSE(oblique);
   EXPECT_EQ(oblique.error().code, ErrorCode::badOption);
@@ -450,6 +447,12 @@ double distanceTo(const PeriodicDiagram& periodic, const RandomLattice& lattice,
   return best;
 }
 
+double leastDistance(const PeriodicDiagram& periodic, const RandomLattice& lattice, Point p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (CircleIndex i = 0; i < periodic.circleCount; ++i) best = std::min(best, distanceTo(periodic, lattice, i, p));
+  return best;
+}
+
 TEST(Periodic, TheFinderKnowsTheNearestImageOfAnyPoint) {
   Random random(test::seedOr(52));
   for (int trial = 0; trial < 20; ++trial) {
@@ -464,16 +467,12 @@ TEST(Periodic, TheFinderKnowsTheNearestImageOfAnyPoint) {
       const Point p = {random.uniform(-reach, reach), random.uniform(-reach, reach)};
       const auto [found, shift] = finder.find(p).value();
       ASSERT_NE(found, kNone);
-      double best = std::numeric_limits<double>::infinity();
-      for (CircleIndex j = 0; j < computed->circleCount; ++j) {
-        best = std::min(best, distanceTo(*computed, lattice, j, p));
-      }
       // The shift counts from where the circle was given.
       const auto& [a, b] = computed->lattice;
       const Circle& c = circles[at(found)];
       const double distance =
           std::hypot(p.x - c.x - shift[0] * a.x - shift[1] * b.x, p.y - c.y - shift[0] * a.y - shift[1] * b.y) - c.r;
-      EXPECT_NEAR(distance, best, 1e-9);
+      EXPECT_NEAR(distance, leastDistance(*computed, lattice, p), 1e-9);
     }
   }
   const PeriodicDiagram empty = *computePeriodic({}, {});
@@ -495,7 +494,6 @@ TEST(Periodic, TheFinderRefusesPointsTooManyPeriodsAway) {
       const auto found = finder.find(p);
       ASSERT_FALSE(found) << p.x << ", " << p.y;
       EXPECT_EQ(found.error().code, ErrorCode::badInput);
-      EXPECT_EQ(found.error().message, "The point is not finite, or 2^30 periods away or more.");
     }
   }
 }
@@ -564,128 +562,95 @@ TEST(Periodic, TheContactTableHasEachContactTwiceAndSharesUpToOne) {
       const double u = random.unit();
       const double v = random.unit();
       const Point p = {u * a.x + v * b.x, u * a.y + v * b.y};
-      double best = std::numeric_limits<double>::infinity();
-      for (CircleIndex j = 0; j < computed->circleCount; ++j) {
-        best = std::min(best, distanceTo(*computed, lattice, j, p));
-      }
-      hits += best < 0 ? 1 : 0;
+      hits += leastDistance(*computed, lattice, p) < 0 ? 1 : 0;
     }
     EXPECT_NEAR(covered / test::boxArea(lattice.nice), static_cast<double>(hits) / kPoints, 0.12);
   }
 }
 
-/// The check notices each corruption.
-class Corrupted : public ::testing::Test {
- protected:
-  Corrupted() {
-    Random random(51);
-    Circles circles;
-    for (int i = 0; i < 12; ++i) circles.push_back({random.unit(), random.unit(), 0.05 * random.unit()});
-    circles.push_back({circles[0].x, circles[0].y, 0});
-    circles[0].r = 0.05;
-    periodic = *computePeriodic(circles, {{1, 0}, {0.2, 1}});
-  }
+/// Images of 13 circles, one of which is hidden.
+PeriodicDiagram someImages() {
+  Random random(51);
+  Circles circles;
+  for (int i = 0; i < 12; ++i) circles.push_back({random.unit(), random.unit(), 0.05 * random.unit()});
+  circles.push_back({circles[0].x, circles[0].y, 0});
+  circles[0].r = 0.05;
+  return *computePeriodic(circles, {{1, 0}, {0.2, 1}});
+}
 
-  void expectRefused(ErrorCode code = ErrorCode::notCertified) const {
+using Corruption = std::pair<const char*, std::function<void(PeriodicDiagram&)>>;
+
+void expectRefused(const std::vector<Corruption>& corruptions, ErrorCode code) {
+  const PeriodicDiagram whole = someImages();
+  ASSERT_TRUE(checkPeriodic(whole));
+  for (const auto& [what, corrupt] : corruptions) {
+    SCOPED_TRACE(what);
+    PeriodicDiagram periodic = whole;
+    corrupt(periodic);
     const auto checked = checkPeriodic(periodic);
     ASSERT_FALSE(checked);
     EXPECT_EQ(checked.error().code, code) << checked.error().message;
   }
-
-  /// An edge of a given cell, and whether the cell is on its left.
-  Edge& edgeOf(CircleIndex circle) {
-    return periodic.diagram.edges[at(Diagram::edgeOf(periodic.diagram.sides(circle).front()))];
-  }
-
-  PeriodicDiagram periodic;
-};
-
-TEST_F(Corrupted, NothingIsRefusedBefore) { EXPECT_TRUE(checkPeriodic(periodic)); }
-
-TEST_F(Corrupted, ABorderWithAnotherNeighbor) {
-  Edge& edge = edgeOf(0);
-  CircleIndex& other = edge.left == 0 ? edge.right : edge.left;
-  other = other == 1 ? 2 : 1;
-  expectRefused();
 }
 
-TEST_F(Corrupted, AMissingBorder) {
-  const EdgeIndex edge = Diagram::edgeOf(periodic.diagram.sides(0).front());
-  periodic.diagram.edges.erase(periodic.diagram.edges.begin() + edge);
-  expectRefused();
-}
+/// The first edge of the cell of circle 0.
+EdgeIndex firstEdge(const PeriodicDiagram& p) { return Diagram::edgeOf(p.diagram.sides(0).front()); }
 
-TEST_F(Corrupted, ABorderWithoutAnEnd) {
-  edgeOf(0).end = kNone;
-  expectRefused();
-}
-
-TEST_F(Corrupted, AShiftOfAnotherImage) {
-  // All images of one circle, so that borders have twins: where the circles lie tells.
-  for (std::size_t m = at(periodic.circleCount); m < periodic.circleOf.size(); ++m) {
-    if (periodic.circleOf[m] == 3) periodic.shiftOf[m][0] += 1;
-  }
-  expectRefused();
-}
-
-TEST_F(Corrupted, AnotherPeriod) {
-  periodic.lattice.b.y += 0.001;
-  expectRefused();
-}
-
-TEST_F(Corrupted, AnotherRadius) {
-  periodic.diagram.circles.back().r += 0.001;
-  expectRefused();
-}
-
-TEST_F(Corrupted, AVertexOfOtherCircles) {
-  const VertexIndex v = periodic.diagram.originOf(periodic.diagram.sides(0).front());
-  std::swap(periodic.diagram.vertexCircles[at(v)][0], periodic.diagram.vertexCircles[at(v)][1]);
-  expectRefused();
-}
-
-TEST_F(Corrupted, AVertexElsewhere) {
-  // One beside a given cell and an image: its own image, where the areas would make up for it, stays.
-  const auto isGiven = [&](CircleIndex i) { return i < periodic.circleCount; };
-  const auto isAcross = [&](const auto& triple) {
-    return std::ranges::any_of(triple, isGiven) && !std::ranges::all_of(triple, isGiven);
+TEST(CheckPeriodic, RefusesEachCorruption) {
+  const auto withAnotherNeighbor = [](PeriodicDiagram& p) {
+    Edge& edge = p.diagram.edges[at(firstEdge(p))];
+    CircleIndex& other = edge.left == 0 ? edge.right : edge.left;
+    other = other == 1 ? 2 : 1;
   };
-  const auto& triples = periodic.diagram.vertexCircles;
-  const auto found = std::ranges::find_if(triples, isAcross);
-  ASSERT_NE(found, triples.end());
-  periodic.diagram.vertices[static_cast<std::size_t>(found - triples.begin())].x += 0.01;
-  expectRefused();
-}
-
-TEST_F(Corrupted, AHiddenCircleThatHides) {
-  periodic.diagram.hidden.front().by = periodic.diagram.hidden.front().circle;
-  expectRefused();
-}
-
-TEST_F(Corrupted, AHiddenCircleTooFew) {
-  periodic.diagram.hidden.clear();
-  expectRefused();
-}
-
-TEST_F(Corrupted, IndicesOutOfRange) {
-  const PeriodicDiagram whole = periodic;
-  const auto expectMisfit = [&](const auto& change) {
-    periodic = whole;
-    change();
-    expectRefused(ErrorCode::badInput);
+  const auto withAnotherShift = [](PeriodicDiagram& p) {
+    // All images of one circle, so that borders have twins: where the circles lie tells.
+    for (std::size_t m = at(p.circleCount); m < p.circleOf.size(); ++m) {
+      if (p.circleOf[m] == 3) p.shiftOf[m][0] += 1;
+    }
   };
-  expectMisfit([&] { periodic.circleOf.pop_back(); });
-  expectMisfit([&] { periodic.shiftOf.pop_back(); });
-  expectMisfit([&] { periodic.circleOf.back() = periodic.circleCount; });
-  expectMisfit([&] { periodic.circleOf.front() = 1; });
-  expectMisfit([&] { periodic.circleCount = 1'000'000; });
-  expectMisfit([&] { periodic.diagram.edges.back().left = -1; });
-  expectMisfit([&] { periodic.diagram.edges.back().right = 1'000'000; });
-  expectMisfit([&] { periodic.diagram.edges.back().start = 1'000'000; });
-  expectMisfit([&] { periodic.diagram.edges.back().end = -2; });
-  expectMisfit([&] { periodic.diagram.vertexCircles.back()[2] = 1'000'000; });
-  expectMisfit([&] { periodic.diagram.hidden.back().circle = -1; });
-  expectMisfit([&] { periodic.diagram.hidden.back().by = 1'000'000; });
+  const auto withAVertexElsewhere = [](PeriodicDiagram& p) {
+    // One beside a given cell and an image: its own image, where the areas would make up for it, stays.
+    const auto isGiven = [&](CircleIndex i) { return i < p.circleCount; };
+    const auto isAcross = [&](const auto& triple) {
+      return std::ranges::any_of(triple, isGiven) && !std::ranges::all_of(triple, isGiven);
+    };
+    const auto& triples = p.diagram.vertexCircles;
+    const auto found = std::ranges::find_if(triples, isAcross);
+    ASSERT_NE(found, triples.end());
+    p.diagram.vertices[static_cast<std::size_t>(found - triples.begin())].x += 0.01;
+  };
+  const auto withAVertexOfOtherCircles = [](PeriodicDiagram& p) {
+    auto& triple = p.diagram.vertexCircles[at(p.diagram.originOf(p.diagram.sides(0).front()))];
+    std::swap(triple[0], triple[1]);
+  };
+  expectRefused(
+      {{"a border with another neighbor", withAnotherNeighbor},
+       {"a missing border", [](auto& p) { p.diagram.edges.erase(p.diagram.edges.begin() + firstEdge(p)); }},
+       {"a border without an end", [](auto& p) { p.diagram.edges[at(firstEdge(p))].end = kNone; }},
+       {"a shift of another image", withAnotherShift},
+       {"another period", [](auto& p) { p.lattice.b.y += 0.001; }},
+       {"another radius", [](auto& p) { p.diagram.circles.back().r += 0.001; }},
+       {"a vertex of other circles", withAVertexOfOtherCircles},
+       {"a vertex elsewhere", withAVertexElsewhere},
+       {"a hidden circle that hides", [](auto& p) { p.diagram.hidden.front().by = p.diagram.hidden.front().circle; }},
+       {"a hidden circle too few", [](auto& p) { p.diagram.hidden.clear(); }}},
+      ErrorCode::notCertified);
+}
+
+TEST(CheckPeriodic, RefusesIndicesOutOfRange) {
+  expectRefused({{"no circle", [](auto& p) { p.circleOf.pop_back(); }},
+                 {"no shift", [](auto& p) { p.shiftOf.pop_back(); }},
+                 {"an image of an image", [](auto& p) { p.circleOf.back() = p.circleCount; }},
+                 {"a given circle of another", [](auto& p) { p.circleOf.front() = 1; }},
+                 {"more given circles", [](auto& p) { p.circleCount = 1'000'000; }},
+                 {"left", [](auto& p) { p.diagram.edges.back().left = -1; }},
+                 {"right", [](auto& p) { p.diagram.edges.back().right = 1'000'000; }},
+                 {"start", [](auto& p) { p.diagram.edges.back().start = 1'000'000; }},
+                 {"end", [](auto& p) { p.diagram.edges.back().end = -2; }},
+                 {"circle of a vertex", [](auto& p) { p.diagram.vertexCircles.back()[2] = 1'000'000; }},
+                 {"hidden circle", [](auto& p) { p.diagram.hidden.back().circle = -1; }},
+                 {"hider", [](auto& p) { p.diagram.hidden.back().by = 1'000'000; }}},
+                ErrorCode::badInput);
 }
 
 // The periods are nearly parallel, and their cross product cancels nearly all digits.
@@ -702,10 +667,8 @@ TEST(Periodic, StrongShearLeavesTheSumOfTheAreasRight) {
       for (std::size_t i = 0; i <= random.below(6); ++i) circles.push_back({random.unit(), random.unit(), 0.1});
       const auto periodic = computePeriodic(circles, sheared);
       ASSERT_TRUE(periodic) << periodic.error().message;
-      double sum = 0;
-      for (CircleIndex i = 0; i < periodic->circleCount; ++i) sum += cellArea(periodic->diagram, i);
       // The rounding of the periods moves the sides of the box.
-      EXPECT_NEAR(sum, test::boxArea({a, b}), 8 * shear * 0x1p-50 * shear + 1e-12);
+      EXPECT_NEAR(sumOfAreas(*periodic), test::boxArea({a, b}), 8 * shear * 0x1p-50 * shear + 1e-12);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "brute_force.h"
 #include "exact.h"
 #include "face_discs.h"
 #include "report.h"
@@ -160,14 +161,11 @@ FilterCounts compareAtScales(std::vector<Circle> circles, Random& random) {
     const Vector far = random.direction();
     circles.push_back({0x1p95 * far.x, 0x1p95 * far.y, 0});
   }
+  const auto hidden = test::hiddenByDefinition(circles);
   std::vector<Circle> visible;
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    bool isHidden = false;
-    for (std::size_t j = 0; j < circles.size(); ++j) {
-      const bool isCopy = circles[i] == circles[j] && i < j;
-      isHidden = isHidden || (i != j && !isCopy && exact::contains(circles[j], circles[i]));
-    }
-    if (!isHidden) visible.push_back(circles[i]);
+    const auto isThis = [&](const HiddenCircle& h) { return h.circle == static_cast<std::int32_t>(i); };
+    if (std::ranges::none_of(hidden, isThis)) visible.push_back(circles[i]);
   }
   Comparison comparison(visible);
   comparison.run();

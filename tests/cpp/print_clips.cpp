@@ -2,7 +2,6 @@
 // Prints clips of all families (clip_families.h) for other programs to judge, one JSON object in a line: `family`,
 // `region` and `cells`, each of which is a list of polygons, which are lists of rings, and the `areas` of the cells.
 // Usage: circle_voronoi_print_clips COUNT SEED, for COUNT clips of each family.
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -11,34 +10,23 @@
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/comparison.h"
 #include "clip_families.h"
+#include "rings.h"
 
 namespace circle_voronoi::test {
 namespace {
 
 using Json = nlohmann::json;
 
-Json ringOf(std::span<const Point> points, std::int32_t begin, std::int32_t end) {
-  Json ring = Json::array();
-  for (std::int32_t k = begin; k < end; ++k) {
-    ring.push_back({points[static_cast<std::size_t>(k)].x, points[static_cast<std::size_t>(k)].y});
-  }
-  return ring;
-}
-
-/// Polygons from `first` to before `last`.
-Json polygonsOf(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
-                std::span<const std::int32_t> pointOffsets, std::int32_t first, std::int32_t last) {
-  Json polygons = Json::array();
-  for (std::int32_t p = first; p < last; ++p) {
-    Json polygon = Json::array();
-    for (std::int32_t r = ringOffsets[static_cast<std::size_t>(p)]; r < ringOffsets[static_cast<std::size_t>(p) + 1];
-         ++r) {
-      polygon.push_back(
-          ringOf(points, pointOffsets[static_cast<std::size_t>(r)], pointOffsets[static_cast<std::size_t>(r) + 1]));
+Json jsonOf(const std::vector<std::vector<Region::Ring>>& polygons) {
+  Json all = Json::array();
+  for (const auto& rings : polygons) {
+    Json& polygon = all.emplace_back(Json::array());
+    for (const Region::Ring& points : rings) {
+      Json& ring = polygon.emplace_back(Json::array());
+      for (const Point& p : points) ring.push_back({p.x, p.y});
     }
-    polygons.push_back(polygon);
   }
-  return polygons;
+  return all;
 }
 
 void print(const ClipFamily& family, int count, std::uint64_t seed) {
@@ -50,19 +38,15 @@ void print(const ClipFamily& family, int count, std::uint64_t seed) {
     if (!region || !hasPolygons(input)) continue;
     const Diagram diagram = computeComparison(input.circles, input.metric).value();
     const auto clipped = ClippedDiagram::from(diagram, *region).value();
-    const Box box = region->bounds();
-    const double extent = std::max(box.maxX - box.minX, box.maxY - box.minY);
-    const double tolerance = kTolerances[static_cast<std::size_t>(done++ % 3)] * extent;
+    const double tolerance = kTolerances[static_cast<std::size_t>(done++ % 3)] * extentOf(*region);
     const ClippedPolygons polygons = clipped.polygons(tolerance);
     Json cells = Json::array();
     for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
-      cells.push_back(polygonsOf(polygons.points, polygons.ringOffsets, polygons.pointOffsets,
-                                 polygons.polygonOffsets[i], polygons.polygonOffsets[i + 1]));
+      cells.push_back(jsonOf(polygonsOf(polygons, i)));
     }
     const Json line = {{"family", family.name},
                        {"clip", done},
-                       {"region", polygonsOf(region->points(), region->polygonOffsets(), region->ringOffsets(), 0,
-                                             static_cast<std::int32_t>(region->polygonCount()))},
+                       {"region", jsonOf(polygonsOf(*region))},
                        {"cells", cells},
                        {"areas", clipped.areas()}};
     std::cout << line.dump() << '\n';

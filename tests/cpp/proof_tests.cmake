@@ -35,7 +35,8 @@ add_executable(circle_voronoi_proof_tests
   validate_test.cpp
   vertex_test.cpp
   weights_test.cpp)
-target_link_libraries(circle_voronoi_proof_tests PRIVATE circle_voronoi_trials circle_voronoi::fit GTest::gtest_main)
+target_link_libraries(circle_voronoi_proof_tests PRIVATE
+  circle_voronoi_trials circle_voronoi::fit nlohmann_json::nlohmann_json GTest::gtest_main)
 # Their names for exact numbers mean different types.
 set_source_files_properties(estimate_test.cpp exact_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 gtest_discover_tests(circle_voronoi_proof_tests ${discovery} NO_PRETTY_VALUES)

@@ -13,6 +13,7 @@
 #include "circle_voronoi_families/families.h"
 #include "far_apart.h"
 #include "parameters.h"
+#include "path_checks.h"
 #include "random.h"
 #include "regions.h"
 #include "rounded.h"
@@ -21,11 +22,7 @@
 namespace circle_voronoi {
 namespace {
 
-double clearance(const std::vector<Circle>& circles, Point p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Circle& c : circles) least = std::min(least, distance(Metric::circles, c, p));
-  return least;
-}
+double clearance(const std::vector<Circle>& circles, Point p) { return test::clearanceAlong(circles, p, p); }
 
 /// Whether a disc with its center at p and radius 0 lies inside the hull: seen from everywhere some circle reaches as
 /// far.

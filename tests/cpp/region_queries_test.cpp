@@ -22,7 +22,7 @@ namespace {
 using Ring = Region::Ring;
 using Circles = std::vector<Circle>;
 
-Region regionOf(const std::vector<Ring>& rings) { return Region::fromRings(rings).value(); }
+using test::regionFrom;
 
 std::optional<EmptyDisc> discIn(const Circles& circles, const Region& region) {
   const Diagram diagram = compute(circles).value();
@@ -36,19 +36,10 @@ double clearanceOf(const Circles& circles, const std::vector<Ring>& rings, Point
   double least = 1e300;
   bool isInside = false;
   for (const Ring& ring : rings) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Point a = ring[k];
-      const Point b = ring[(k + 1) % ring.size()];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isInside = !isInside;
-      const double share = std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) /
-                                          ((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)),
-                                      0.0, 1.0);
-      least = std::min(least, std::hypot(a.x + share * (b.x - a.x) - p.x, a.y + share * (b.y - a.y) - p.y));
-    }
+    isInside ^= test::isInRing(ring, p);
+    least = std::min(least, test::distanceToRing(ring, p));
   }
-  if (!isInside) return -least;
-  for (const Circle& c : circles) least = std::min(least, std::hypot(c.x - p.x, c.y - p.y) - c.r);
-  return least;
+  return isInside ? std::min(least, test::clearanceAlong(circles, p, p)) : -least;
 }
 
 /// The largest clearance that a search from many places finds.
@@ -85,7 +76,7 @@ double searched(const Circles& circles, const std::vector<Ring>& rings, double s
 }
 
 TEST(LargestDiscInRegion, OfARoomTouchesTwoWallsAndTheCorner) {
-  const auto found = discIn({}, regionOf({kRoom}));
+  const auto found = discIn({}, regionFrom({kRoom}));
   ASSERT_TRUE(found);
   const double r = 2 * std::numbers::sqrt2 / (1 + std::numbers::sqrt2);
   EXPECT_NEAR(found->disc.r, r, 1e-15);
@@ -96,18 +87,18 @@ TEST(LargestDiscInRegion, OfARoomTouchesTwoWallsAndTheCorner) {
 
 TEST(LargestDiscInRegion, KeepsAwayFromCirclesAndIslands) {
   // A pillar where the arms meet leaves the ends of the arms, where a disc touches three walls.
-  const auto beside = discIn({{1, 1, 0.9}}, regionOf({kRoom}));
+  const auto beside = discIn({{1, 1, 0.9}}, regionFrom({kRoom}));
   ASSERT_TRUE(beside);
   EXPECT_NEAR(beside->disc.r, 1, 1e-15);
   // Between two squares.
   const Ring outer = {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}};
   const Ring island = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  const auto around = discIn({}, regionOf({outer, island}));
+  const auto around = discIn({}, regionFrom({outer, island}));
   ASSERT_TRUE(around);
   // It touches two walls and the corner of the island.
   const double r = 3 * std::numbers::sqrt2 / (1 + std::numbers::sqrt2);
   EXPECT_NEAR(around->disc.r, r, 1e-14);
-  const auto last = discIn({{-2.5, -2.5, 0}, {2.5, -2.5, 0}, {-2.5, 2.5, 0}}, regionOf({outer, island}));
+  const auto last = discIn({{-2.5, -2.5, 0}, {2.5, -2.5, 0}, {-2.5, 2.5, 0}}, regionFrom({outer, island}));
   ASSERT_TRUE(last);
   EXPECT_NEAR(last->disc.r, r, 1e-14);
   EXPECT_GT(last->disc.x, 0);
@@ -115,7 +106,7 @@ TEST(LargestDiscInRegion, KeepsAwayFromCirclesAndIslands) {
 }
 
 TEST(LargestDiscInRegion, OfACorridorIsAsWideAsTheCorridor) {
-  const auto found = discIn({}, regionOf({{{0, 0}, {1000, 0}, {1000, 1}, {0, 1}}}));
+  const auto found = discIn({}, regionFrom({{{0, 0}, {1000, 0}, {1000, 1}, {0, 1}}}));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->disc.r, 0.5);
 }
@@ -126,20 +117,20 @@ TEST(LargestDiscInRegion, MayTouchManySides) {
     const Vector v = directionAt(k / 400.0);
     ring.push_back({5 * v.x, 5 * v.y});
   }
-  const auto found = discIn({}, regionOf({ring}));
+  const auto found = discIn({}, regionFrom({ring}));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->disc.r, 5 * std::cos(std::numbers::pi / 400), 1e-13);
 }
 
 TEST(LargestDiscInRegion, IsTheSameAtAnyScale) {
   const Circles circles = {{1, 1, 0.25}, {4, 0.5, 0.1875}, {0.5, 4, 0.125}};
-  const auto one = discIn(circles, regionOf({kRoom}));
+  const auto one = discIn(circles, regionFrom({kRoom}));
   for (const double scale : {0x1p-50, 0x1p+90}) {
     Ring room = kRoom;
     for (Point& p : room) p = {scale * p.x, scale * p.y};
     Circles scaled = circles;
     for (Circle& c : scaled) c = {scale * c.x, scale * c.y, scale * c.r};
-    const auto other = discIn(scaled, regionOf({room}));
+    const auto other = discIn(scaled, regionFrom({room}));
     EXPECT_EQ(other->disc.r, scale * one->disc.r);
     EXPECT_EQ(other->disc.x, scale * one->disc.x);
     EXPECT_EQ(other->circles, one->circles);
@@ -147,7 +138,7 @@ TEST(LargestDiscInRegion, IsTheSameAtAnyScale) {
 }
 
 TEST(LargestDiscInRegion, OfACoveredRegionIsThatOfItsCenters) {
-  const auto found = discIn({{3, 3, 9}}, regionOf({kRoom}));
+  const auto found = discIn({{3, 3, 9}}, regionFrom({kRoom}));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->disc.r, 3 * std::numbers::sqrt2 - 9, 1e-12);
 }
@@ -239,33 +230,14 @@ TEST(LargestDiscInRegion, StaysInsideWhereTheRegionIsAFewUnitsOfRoundingWide) {
 const Circles kRobots = {{-3, 0, 0.09},    {-1.5, 1.2, 0.09}, {-1.4, -1.6, 0.09},
                          {0.4, 0.3, 0.09}, {1.9, -0.7, 0.09}, {2.6, 1.9, 0.09}};
 
-/// Expects that a path goes from p to q inside a region, as clear as it says.
-void expectPath(const Circles& circles, const std::vector<Ring>& rings, Point p, Point q, const ClearestPath& path) {
-  ASSERT_FALSE(path.curves.empty());
-  EXPECT_EQ(path.curves.front().start, p);
-  EXPECT_EQ(path.curves.back().end, q);
-  double least = 1e300;
-  for (std::size_t k = 0; k < path.curves.size(); ++k) {
-    const EdgeCurve& curve = path.curves[k];
-    if (k > 0) {
-      EXPECT_EQ(curve.start, path.curves[k - 1].end);
-    }
-    for (const Point& point : polyline(curve, 1e-4)) {
-      EXPECT_GE(clearanceOf({}, rings, point), -1e-4);
-      for (const Circle& c : circles) least = std::min(least, std::hypot(c.x - point.x, c.y - point.y) - c.r);
-    }
-  }
-  EXPECT_GE(least, path.clearance - 1e-3);
-}
-
 TEST(PathInRegion, StaysInTheField) {
   const Ring strip = {{-4, -0.5}, {4, -0.5}, {4, 0.5}, {-4, 0.5}};
   const Diagram diagram = compute(kRobots).value();
   const Point p = {-3.8, 0.1};
   const Point q = {3.8, 0.2};
-  const auto path = clearestPath(diagram, p, q, regionOf({strip})).value();
+  const auto path = clearestPath(diagram, p, q, regionFrom({strip})).value();
   ASSERT_TRUE(path);
-  expectPath(kRobots, {strip}, p, q, *path);
+  EXPECT_EQ(test::faultOf(regionFrom({strip}), kRobots, p, q, *path, 1e-9), "");
   // Between the first robot and the border.
   EXPECT_NEAR(path->clearance, 0.41, 1e-12);
   EXPECT_LT(path->clearance, clearestPath(diagram, p, q).clearance);
@@ -275,9 +247,9 @@ TEST(PathInRegion, GoesAroundTheCornerOfARoomAndNotThroughItsWalls) {
   const Circles circles = {{5, 5, 1}, {1, 3, 0.1}};
   const Point p = {0.5, 5.5};
   const Point q = {5.5, 0.5};
-  const auto path = clearestPath(compute(circles).value(), p, q, regionOf({kRoom})).value();
+  const auto path = clearestPath(compute(circles).value(), p, q, regionFrom({kRoom})).value();
   ASSERT_TRUE(path);
-  expectPath(circles, {kRoom}, p, q, *path);
+  EXPECT_EQ(test::faultOf(regionFrom({kRoom}), circles, p, q, *path, 1e-9), "");
   EXPECT_NEAR(path->clearance, 0.9, 1e-12);
 }
 
@@ -286,16 +258,16 @@ TEST(PathInRegion, IsAsClearBackAlongOneEdge) {
   const Ring hall = {{-3, -6}, {13, -6}, {13, 6}, {-3, 6}};
   const Diagram diagram = compute(circles).value();
   for (const double y : {4.0, -4.0}) {
-    const auto path = clearestPath(diagram, {4.9, y}, {4.8, -y}, regionOf({hall})).value();
+    const auto path = clearestPath(diagram, {4.9, y}, {4.8, -y}, regionFrom({hall})).value();
     ASSERT_TRUE(path);
-    expectPath(circles, {hall}, {4.9, y}, {4.8, -y}, *path);
+    EXPECT_EQ(test::faultOf(regionFrom({hall}), circles, {4.9, y}, {4.8, -y}, *path, 1e-9), "");
     EXPECT_NEAR(path->clearance, 4, 1e-12);
   }
 }
 
 TEST(PathInRegion, IsNoneBetweenPartsAndAnErrorFromOutside) {
   const Diagram diagram = compute(Circles{{0.2, 0.2, 0.1}}).value();
-  const Region islands = regionOf({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{2, 0}, {3, 0}, {3, 1}, {2, 1}}});
+  const Region islands = regionFrom({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{2, 0}, {3, 0}, {3, 1}, {2, 1}}});
   EXPECT_FALSE(clearestPath(diagram, {0.5, 0.5}, {2.5, 0.5}, islands).value());
   EXPECT_TRUE(clearestPath(diagram, {2.5, 0.5}, {2.6, 0.4}, islands).value());
   const auto outside = clearestPath(diagram, {1.5, 0.5}, {2.6, 0.4}, islands);
@@ -310,30 +282,30 @@ TEST(PathInRegion, StartsAtACornerOnABisectorAndAtACenterOnTheBorder) {
   // The corner (0, 1) is equally far from both circles.
   const Circles two = {{0, 0, 0}, {0, 2, 0}};
   const Ring square = {{0, 1}, {1, 1}, {1, 2}, {0, 2}};
-  const auto path = clearestPath(compute(two).value(), {0, 1}, {1, 2}, regionOf({square})).value();
+  const auto path = clearestPath(compute(two).value(), {0, 1}, {1, 2}, regionFrom({square})).value();
   ASSERT_TRUE(path);
-  expectPath(two, {square}, {0, 1}, {1, 2}, *path);
+  EXPECT_EQ(test::faultOf(regionFrom({square}), two, {0, 1}, {1, 2}, *path, 1e-9), "");
   EXPECT_EQ(path->clearance, 1);
 
   const Circles corner = {{1, 1, 0}};
   const Ring unit = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const auto out = clearestPath(compute(corner).value(), {1, 1}, {0, 0}, regionOf({unit})).value();
+  const auto out = clearestPath(compute(corner).value(), {1, 1}, {0, 0}, regionFrom({unit})).value();
   ASSERT_TRUE(out);
-  expectPath(corner, {unit}, {1, 1}, {0, 0}, *out);
+  EXPECT_EQ(test::faultOf(regionFrom({unit}), corner, {1, 1}, {0, 0}, *out, 1e-9), "");
   EXPECT_EQ(out->clearance, 0);
 
   // The center lies on the border of one arm of a U.
   const Circles center = {{1, 2, 0}};
   const Ring u = {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-  const auto around = clearestPath(compute(center).value(), {1, 2}, {2.5, 2.5}, regionOf({u})).value();
+  const auto around = clearestPath(compute(center).value(), {1, 2}, {2.5, 2.5}, regionFrom({u})).value();
   ASSERT_TRUE(around);
-  expectPath(center, {u}, {1, 2}, {2.5, 2.5}, *around);
+  EXPECT_EQ(test::faultOf(regionFrom({u}), center, {1, 2}, {2.5, 2.5}, *around, 1e-9), "");
 }
 
 TEST(PathInRegion, BeginsWhereTheRayFromTheCenterEnds) {
   const Circles circles = {{0, 0, 1}, {10, 0, 1}};
   const Ring hall = {{-3, -6}, {13, -6}, {13, 6}, {-3, 6}};
-  const auto path = clearestPath(compute(circles).value(), {2, 2}, {11, 1}, regionOf({hall})).value();
+  const auto path = clearestPath(compute(circles).value(), {2, 2}, {11, 1}, regionFrom({hall})).value();
   ASSERT_TRUE(path);
   ASSERT_TRUE(path->entry && path->exit);
   EXPECT_NEAR(path->entry->x, 5, 1e-12);
@@ -341,14 +313,14 @@ TEST(PathInRegion, BeginsWhereTheRayFromTheCenterEnds) {
   EXPECT_NEAR(path->exit->x, 13, 1e-12);
   EXPECT_NEAR(path->exit->y, 3, 1e-12);
   // A path that needs no ray begins at its start.
-  const auto along = clearestPath(compute(circles).value(), {5, 0}, {5, 1}, regionOf({hall})).value();
+  const auto along = clearestPath(compute(circles).value(), {5, 0}, {5, 1}, regionFrom({hall})).value();
   ASSERT_TRUE(along);
   EXPECT_EQ(along->edges, std::vector<EdgeIndex>{0});
   EXPECT_EQ(along->clearance, 4);
 }
 
 TEST(PathInRegion, TakesCirclesOfTheirOwnMetric) {
-  const Region room = regionOf({kRoom});
+  const Region room = regionFrom({kRoom});
   Diagram diagram = compute(kRobots).value();
   diagram.metric = Metric::centers;
   for (const Diagram& wrong : {diagram, Diagram{}}) {

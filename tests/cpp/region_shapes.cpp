@@ -2,7 +2,6 @@
 #include "region_shapes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

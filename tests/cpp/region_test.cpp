@@ -14,6 +14,7 @@
 #include "circle_voronoi/limits.h"
 #include "region_shapes.h"
 #include "report.h"
+#include "rings.h"
 
 namespace circle_voronoi {
 namespace {
@@ -22,26 +23,23 @@ using Ring = Region::Ring;
 
 Ring square(double x, double y, double size) { return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}; }
 
-std::string messageOf(const std::vector<Ring>& rings) {
-  const auto region = Region::fromRings(rings);
+/// The message of a refusal; empty: the region is valid.
+std::string messageOf(const Result<Region>& region) {
   if (region) return "";
   EXPECT_EQ(region.error().code, ErrorCode::badOption);
   return region.error().message;
 }
 
+std::string messageOf(const std::vector<Ring>& rings) { return messageOf(Region::fromRings(rings)); }
 std::string messageOfPolygons(const std::vector<std::vector<Ring>>& polygons) {
-  const auto region = Region::fromPolygons(polygons);
-  if (region) return "";
-  EXPECT_EQ(region.error().code, ErrorCode::badOption);
-  return region.error().message;
+  return messageOf(Region::fromPolygons(polygons));
 }
 
 TEST(Region, TakesBothDirectionsClosedRingsAndRepeatedPoints) {
-  const Region plain = Region::fromRings(std::vector<Ring>{square(0, 0, 4)}).value();
+  const Region plain = test::regionFrom({square(0, 0, 4)});
   EXPECT_EQ(plain.area(), 16);
   EXPECT_EQ(plain.perimeter(), 16);
-  const Region other =
-      Region::fromRings(std::vector<Ring>{{{0, 0}, {0, 0}, {0, 4}, {4, 4}, {4, 4}, {4, 0}, {0, 0}, {0, 0}}}).value();
+  const Region other = test::regionFrom({{{0, 0}, {0, 0}, {0, 4}, {4, 4}, {4, 4}, {4, 0}, {0, 0}, {0, 0}}});
   EXPECT_EQ(other.area(), 16);
   EXPECT_EQ(other.sideCount(), 4U);
   // Outer rings run counter-clockwise.
@@ -80,7 +78,7 @@ TEST(Region, ContainsItsBoundary) {
 }
 
 TEST(Region, TellsWhetherItContainsAnyPoint) {
-  const Region region = Region::fromRings(std::vector<Ring>{{{0, 0}, {1, 1}, {0, 1}}}).value();
+  const Region region = test::regionFrom({{{0, 0}, {1, 1}, {0, 1}}});
   for (const double tiny : {0x1p-60, 0x1p-96, 0x1p-97, 1e-60, 1e-300, 5e-324, -5e-324}) {
     EXPECT_TRUE(region.contains({tiny, tiny})) << tiny;
     EXPECT_TRUE(region.contains({tiny, 1})) << tiny;
@@ -147,7 +145,7 @@ TEST(Region, RingsMayTouchInPoints) {
   EXPECT_EQ(messageOf({square(0, 0, 2), square(2, 2, 2)}), "");
   EXPECT_EQ(messageOf({square(0, 0, 2), {{1, 2}, {2, 4}, {0, 4}}}), "");
   EXPECT_EQ(messageOf({square(0, 0, 4), {{0, 2}, {2, 1}, {2, 3}}}), "");
-  const Region region = Region::fromRings(std::vector<Ring>{square(0, 0, 4), {{0, 2}, {2, 1}, {2, 3}}}).value();
+  const Region region = test::regionFrom({square(0, 0, 4), {{0, 2}, {2, 1}, {2, 3}}});
   EXPECT_EQ(region.area(), 14);
   EXPECT_EQ(region.polygonCount(), 1U);
   // Holes that touch each other and the polygon cut its interior apart.
@@ -183,26 +181,20 @@ TEST(Region, RefusesInvalidInput) {
 }
 
 TEST(Region, RefusesArraysThatDoNotFitTogether) {
+  using Offsets = std::vector<std::int32_t>;
   const Ring points = square(0, 0, 1);
-  const auto messageOfArrays = [&](const std::vector<std::int32_t>& rings, const std::vector<std::int32_t>& polygons) {
-    const auto region = Region::fromArrays(points, rings, polygons);
-    return region ? "" : region.error().message;
-  };
-  EXPECT_EQ(messageOfArrays({0, 4}, {}), "");
-  EXPECT_EQ(messageOfArrays({0, 4}, {0, 1}), "");
-  for (const std::vector<std::int32_t>& rings : {std::vector<std::int32_t>{}, {1, 4}, {0, 3}, {0, 5}, {0, 3, 2, 4}}) {
-    EXPECT_EQ(messageOfArrays(rings, {}),
-              "The offsets of the region's rings must increase from 0 to the number of points.");
+  EXPECT_TRUE(Region::fromArrays(points, Offsets{0, 4}, {}));
+  EXPECT_TRUE(Region::fromArrays(points, Offsets{0, 4}, Offsets{0, 1}));
+  for (const Offsets& rings : {Offsets{}, Offsets{1, 4}, Offsets{0, 3}, Offsets{0, 5}, Offsets{0, 3, 2, 4}}) {
+    EXPECT_FALSE(Region::fromArrays(points, rings, {}));
   }
-  for (const std::vector<std::int32_t>& polygons : {std::vector<std::int32_t>{0}, {1}, {0, 2}, {0, 1, 0, 1}}) {
-    EXPECT_EQ(messageOfArrays({0, 4}, polygons),
-              "The offsets of the region's polygons must increase from 0 to the number of rings.");
+  for (const Offsets& polygons : {Offsets{0}, Offsets{1}, Offsets{0, 2}, Offsets{0, 1, 0, 1}}) {
+    EXPECT_FALSE(Region::fromArrays(points, Offsets{0, 4}, polygons));
   }
   // Too many points are refused before any is read.
   const auto large = Region::fromArrays(std::span(points.data(), kMaxRegionSides + 1), {}, {});
   ASSERT_FALSE(large);
   EXPECT_EQ(large.error().code, ErrorCode::tooManyCircles);
-  EXPECT_EQ(large.error().message, "The region has 100000001 points; at most 100000000 are possible.");
 }
 
 TEST(Region, DecidesByExactSigns) {
@@ -213,7 +205,7 @@ TEST(Region, DecidesByExactSigns) {
   EXPECT_EQ(messageOf({triangle, {{0.5, below}, {0.9, 0}, {0.95, 0.5}}}), "");
   EXPECT_EQ(messageOf({triangle, {{0.5, 0.5}, {0.9, 0}, {0.95, 0.5}}}), "");
   EXPECT_NE(messageOf({triangle, {{0.5, above}, {0.9, 0}, {0.95, 0.5}}}), "");
-  const Region region = Region::fromRings(std::vector<Ring>{triangle}).value();
+  const Region region = test::regionFrom({triangle});
   EXPECT_TRUE(region.contains({0.5, above}));
   EXPECT_TRUE(region.contains({0.5, 0.5}));
   EXPECT_FALSE(region.contains({0.5, below}));
@@ -224,27 +216,11 @@ TEST(Region, IsTheSameAtAnyScale) {
   for (const double scale : {1e-17, 1e-9, 1e9, 1e27}) {
     Ring scaled;
     for (const Point& p : triangle) scaled.push_back({p.x * scale, p.y * scale});
-    const Region region = Region::fromRings(std::vector<Ring>{scaled}).value();
+    const Region region = test::regionFrom({scaled});
     EXPECT_TRUE(region.contains({1.2 * scale, 1 * scale}));
     EXPECT_FALSE(region.contains({0.2 * scale, 1 * scale}));
     EXPECT_NEAR(region.area() / scale / scale, 2.5, scale < 1e-14 ? 1e-11 : 1e-14);
   }
-}
-
-/// Whether a point is in rings by going through all sides.
-bool isInPlainly(const Region& region, Point p) {
-  bool isOdd = false;
-  for (std::size_t r = 0; r < region.ringCount(); ++r) {
-    const auto begin = static_cast<std::size_t>(region.ringOffsets()[r]);
-    const auto end = static_cast<std::size_t>(region.ringOffsets()[r + 1]);
-    for (std::size_t k = begin; k < end; ++k) {
-      const Point a = region.points()[k];
-      const Point b = region.points()[k + 1 == end ? begin : k + 1];
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      isOdd ^= p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
-    }
-  }
-  return isOdd;
 }
 
 /// A star of long thin spikes, with a spiral of strips beside it: long slanted sides near each other.
@@ -274,7 +250,8 @@ TEST(Region, ContainsIsThatOfAllSides) {
   std::uniform_real_distribution<double> y(-3, 6.5);
   for (int k = 0; k < 30000; ++k) {
     const Point p = {x(random), y(random)};
-    ASSERT_EQ(region.contains(p), isInPlainly(region, p)) << p.x << " " << p.y;
+    const auto isAround = [&](const Ring& ring) { return test::isInRing(ring, p); };
+    ASSERT_EQ(region.contains(p), std::ranges::count_if(rings, isAround) % 2 == 1) << p.x << " " << p.y;
   }
 }
 
@@ -318,7 +295,6 @@ TEST(Region, SidesNearATriangleIncludeAllThatMeetIt) {
   EXPECT_LT(found, 2000U * 40);
 }
 
-/// Polygons by the first corners of their rings.
 TEST(Region, RingsNotInBoxesAreAllOthers) {
   std::vector<Ring> rings;
   for (int k = 0; k < 200; ++k) rings.push_back(square(k % 20, k / 20, 0.5));

@@ -28,8 +28,6 @@ set_source_files_properties(clipped_polygons_test.cpp PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON
   COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 set_source_files_properties(distance_clip_test.cpp independent_clip.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-set_source_files_properties(certified_clip_test.cpp dissolve_test.cpp fit_areas_test.cpp PROPERTIES
-  COMPILE_DEFINITIONS CIRCLE_VORONOI_FIXTURES="${PROJECT_SOURCE_DIR}/tests/fixtures")
 # Clips for GEOS (tests/long/geos.test.mjs).
 add_executable(circle_voronoi_print_clips print_clips.cpp clip_families.cpp)
 target_link_libraries(circle_voronoi_print_clips PRIVATE circle_voronoi_trials nlohmann_json::nlohmann_json)

@@ -21,19 +21,6 @@ namespace circle_voronoi {
 
 inline Region regionIn(const ConvexPolygon& polygon) { return Region::from(polygon).value(); }
 
-/// The outlines of all cells in a polygon, and within a distance of their circles if it is given.
-inline Result<std::vector<Outline>> outlines(const Diagram& diagram, const ConvexPolygon& polygon,
-                                             std::optional<double> maxDistance = {}) {
-  const Region region = regionIn(polygon);
-  const auto clipped = ClippedDiagram::from(diagram, region, maxDistance);
-  if (!clipped) return clipped.error();
-  std::vector<Outline> all;
-  for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
-    all.push_back(clipped->outline(static_cast<std::int32_t>(i)));
-  }
-  return all;
-}
-
 inline Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& polygon) {
   const Region region = regionIn(polygon);
   return ClippedDiagram::ofCells(diagram, region, std::array{circle})->outline(circle);

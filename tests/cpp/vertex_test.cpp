@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "circle_voronoi/certify.h"
