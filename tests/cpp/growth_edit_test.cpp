@@ -25,9 +25,6 @@ std::shared_ptr<DiagramEditor> editorOf(std::span<const Circle> circles) {
   return std::make_shared<DiagramEditor>(DiagramEditor::from(circles).value());
 }
 
-// Among centers on one line, removals and moves change patches that grow with the number of circles.
-const std::array<GrowthFamily, 4> kInGeneralPosition = {kUniform, kHub, kComb, kSpiral};
-
 // Points deep in the cell of a hub take walks of the square root of its neighbors.
 const std::array<GrowthFamily, 4> kOutsideHubs = {kUniform, kStrips, kComb, kSpiral};
 
@@ -65,7 +62,7 @@ TEST(GrowthOfEdits, OfRemovals) {
                     for (std::int32_t id = 1; id < count; ++id) EXPECT_TRUE(editor->remove(id));
                   };
                 },
-                kInGeneralPosition});
+                circleFamilies()});
 }
 
 TEST(GrowthOfEdits, OfMoves) {
@@ -82,7 +79,7 @@ TEST(GrowthOfEdits, OfMoves) {
                     }
                   };
                 },
-                kInGeneralPosition});
+                circleFamilies()});
 }
 
 // The first circle of the hub has all others as neighbors, so its own edits take as many steps.

@@ -47,6 +47,7 @@ std::optional<EditWay> Stepper::remove(int slot) {
   }
   const int hint = neighborOf(slot);
   if (!takeOut(slot) || !releaseHidden(slot, kNone)) return std::nullopt;
+  if (!waiting_.empty()) mendForInsertion();
   reportCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
   state_.removeSite(slot);
   if (!putWaiting(hint)) return std::nullopt;
@@ -67,6 +68,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
   if (isVisible) {
     hint = neighborOf(slot);
     if (!takeOut(slot)) return std::nullopt;
+    mendForInsertion();
   } else {
     hint = state_.sites[slot].hider;
     state_.detach(slot);
@@ -125,6 +127,7 @@ bool Stepper::put(int slot, int hint) {
 bool Stepper::putBefore(int slot, int identical) {
   const int hint = neighborOf(identical);
   if (!takeOut(identical)) return false;
+  mendForInsertion();
   waiting_.push_back(identical);
   return put(slot, hint) && releaseHidden(identical, hiderBy(slot));
 }
@@ -143,6 +146,13 @@ bool Stepper::takeOut(int slot) {
   state_.willChangeSite(slot);
   state_.hasNoCell[slot] = 1;
   return true;
+}
+
+/// Flips edges that a removal has left wrong, because an insertion into a wrong dual may make all of it wrong.
+void Stepper::mendForInsertion() {
+  if (wrongFaces(state_.discs, changedEdges()).empty()) return;
+  flipFrom(state_.dual, state_.discs, edges_, state_);
+  state_.noteEdges();
 }
 
 /// Returns the circle itself if it is visible, otherwise its hider.
@@ -245,6 +255,11 @@ bool Stepper::move(int slot, const Circle& circle) {
 std::optional<EditWay> Stepper::certify(int moved) {
   if (isRight(moved)) return EditWay::local;
   if (isBroken_) return std::nullopt;
+  const std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
+  // Where centers are nearly on a line, flips around a face without a disc may run on along that line.
+  const bool haveDiscs = std::ranges::all_of(wrong, [&](int face) { return state_.discs.exists(face); });
+  if (wrong.size() <= kFew && !haveDiscs && patch(moved)) return EditWay::patch;
+  if (isBroken_) return std::nullopt;
   flipFrom(state_.dual, state_.discs, changedEdges(), state_);
   state_.noteEdges();
   if (isRight(moved)) return EditWay::local;
@@ -280,7 +295,7 @@ bool Stepper::patch(int moved) {
   Counts counts;
   const Dual& dual = state_.dual;
   std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
-  for (const int reach : {2, 4, 8}) {
+  for (const int reach : {1, 2, 4, 8}) {
     if (wrong.empty()) break;
     // The repair may change the patches and the faces around them.
     std::vector<int> near = wrong;

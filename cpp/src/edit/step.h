@@ -32,6 +32,7 @@ class Stepper {
   bool put(int slot, int hint);
   bool putBefore(int slot, int identical);
   bool takeOut(int slot);
+  void mendForInsertion();
   bool putWaiting(int hint);
   int hiderBy(int slot) const;
   bool releaseHidden(int slot, int hider);
