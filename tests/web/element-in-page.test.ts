@@ -134,23 +134,6 @@ describe('a wrong attribute', () => {
     // Areas choose the radii.
     if (name !== 'areas') expect(circles()).toEqual(FLAT)
   })
-
-  it('is visible together with others, which stay', async () => {
-    const { element, problem, errors } = await shown()
-    const [method] = await errors(() => element.setAttribute('method', 'x'))
-    const [step] = await errors(() => element.setAttribute('step', 'x'))
-    expect(problem()).toBe(`${method?.message} ${step?.message}`)
-    element.removeAttribute('method')
-    expect(problem()).toBe(step?.message)
-  })
-
-  it('is told once where it was there before the figure began, and the others are shown', async () => {
-    const all = await shown({ circles: TEXT, layers: 'x', areas: 'x', region: 'POLYGON x', samples: '-1' })
-    expect(all.told().filter((name) => name === 'error')).toHaveLength(4)
-    expect(all.element.layers).toEqual(DEFAULT_LAYERS)
-    expect(await all.errors(() => all.element.setAttribute('circles', TEXT))).toEqual([])
-    expect(all.problem()?.match(/\bx\b/g)).not.toHaveLength(0)
-  })
 })
 
 describe('a check', () => {
@@ -162,18 +145,6 @@ describe('a check', () => {
     expect(await errors(() => Object.assign(element, { circles: THREE }))).toHaveLength(1)
     expect(await errors(() => element.setState({ edits: [{ kind: 'remove', id: 0 }] }))).toEqual([])
     expect(problem()).not.toBe('')
-  })
-
-  it('that cannot be written is an error, until it is unset or another one', async () => {
-    const { properties, problem, errors } = await shown()
-    const circular: unknown[] = []
-    circular.push({ all: circular })
-    for (const end of [undefined, null, { circles: 3 }]) {
-      expect(await errors(() => Object.assign(properties, { check: { all: circular } }))).toHaveLength(1)
-      expect(problem()).not.toBe('')
-      expect(await errors(() => Object.assign(properties, { check: end }))).toEqual([])
-      expect(problem()).toBe('')
-    }
   })
 
   it('is the value and the validity of the field, a state, a part of the description, and an event where it changes', async () => {
@@ -503,25 +474,6 @@ describe('readers', () => {
     wheel({ ctrlKey: false })
     expect(part('.hint').hidden).toBe(false)
   })
-
-  it('who may only look have no tool and no buttons that edit', async () => {
-    const { element, part, circles, press, keys } = await shown({ circles: TEXT, controls: '' })
-    const buttons = () => [...controls(part('.controls')).keys()].length
-    expect(buttons()).toBe(7)
-    await press('Add a circle')
-    element.readonly = true
-    await keys('Enter')
-    expect([buttons(), circles()]).toEqual([3, FLAT])
-    element.selection = [0]
-    await keys('Delete')
-    expect(circles()).toEqual(FLAT)
-    element.readonly = false
-    expect(buttons()).toBe(7)
-    await keys('Delete')
-    expect(circles()).toEqual(FLAT.slice(3))
-    element.controls = null
-    expect(buttons()).toBe(0)
-  })
 })
 
 describe('buttons', () => {
@@ -565,30 +517,10 @@ describe('buttons', () => {
 })
 
 describe('a selection', () => {
-  it('is told where it changes, in copies, and kept until its circles are there', async () => {
-    const { element, events, keys } = made()
+  it('waits for its circles while they are opened, and is told once', async () => {
+    const { element, events } = await shown()
     const selections = () =>
       events.splice(0).flatMap(({ type, detail }) => (type === 'selectionchange' ? [detail.selection] : []))
-    element.selection = [1]
-    document.body.append(element)
-    await element.ready
-    await settled(element)
-    expect([element.selection, selections()]).toEqual([[1], [[1]]])
-    element.selection = [0, 2]
-    await settled(element)
-    const [both] = selections()
-    expect(both).toEqual([0, 2])
-    both.push(7)
-    expect(element.selection).toEqual([0, 2])
-    for (const none of [undefined, null, []]) {
-      element.selection = none as number[]
-      await settled(element)
-    }
-    expect(selections()).toEqual([[]])
-    element.selection = [1]
-    await keys('Delete')
-    expect(element.selection).toEqual([])
-    // While others are opened, a selection waits for them.
     held.hold()
     element.circles = [...THREE, [20, 20, 1]]
     element.selection = [3]
@@ -596,7 +528,12 @@ describe('a selection', () => {
     expect(element.selection).toEqual([3])
     held.release()
     await settled(element)
-    expect([element.selection, selections().at(-1)]).toEqual([[3], [3]])
+    expect([element.selection, selections()]).toEqual([[3], [[3]]])
+    for (const none of [undefined, null, []]) {
+      element.selection = none as number[]
+      await settled(element)
+    }
+    expect(selections()).toEqual([[]])
   })
 })
 
@@ -609,30 +546,14 @@ describe('an element that leaves its page', () => {
     expect([...figure.children]).toEqual(canvases)
   })
 
-  it('ends its figure, and goes on with its history once it is back', async () => {
-    const { element, figure, part, keys, circles } = await shown({
-      circles: TEXT,
-      region: SQUARE,
-      layers: 'hull',
-      controls: '',
-    })
+  it('ends its figure, and has no history of circles that were replaced meanwhile', async () => {
+    const { element, figure, part, keys } = await shown({ circles: TEXT, controls: '' })
     element.selection = [1]
     await keys('Delete')
-    element.view = { x: 1, y: 2, span: 9 }
-    await element.stepTo(4)
-    await settled(element)
-    const state = element.getState()
+    expect(control(part('.controls'), 'Undo').disabled).toBe(false)
     element.remove()
     await quiet()
-    expect([figure.children.length, part('.frame').dataset.running, element.getState()]).toEqual([0, 'false', state])
-    document.body.append(element)
-    await element.ready
-    await settled(element)
-    expect([element.getState(), [...element.ids]]).toEqual([state, [0, 2]])
-    await keys(UNDO)
-    expect([...circles()].sort()).toEqual(FLAT.toSorted())
-    element.remove()
-    await quiet()
+    expect([figure.children.length, part('.frame').dataset.running]).toEqual([0, 'false'])
     element.circles = THREE
     document.body.append(element)
     await element.ready
@@ -869,22 +790,6 @@ describe('a domain', () => {
 })
 
 describe('the method', () => {
-  it('tells each step, in the order of calls, and is played and paused', async () => {
-    const { element, events, errors } = await shown({ circles: TEXT, controls: 'player' })
-    await element.stepTo(3)
-    const { detail } = events.findLast(({ type }) => type === 'stepchange') as CustomEvent
-    expect([detail.step, element.step]).toEqual([3, 3])
-    expect(detail.steps).toBeGreaterThan(9)
-    await element.play()
-    element.pause()
-    await expect(element.stepTo(-1)).rejects.toMatchObject({ code: 'badInput' })
-    element.method = 'flip'
-    await element.stepTo(0)
-    const other = events.findLast(({ type }) => type === 'stepchange') as CustomEvent
-    expect(other.detail.steps).not.toBe(detail.steps)
-    expect(await errors(() => Object.assign(element, { method: 'touching-disc', samples: 2000 }))).toHaveLength(1)
-  })
-
   it.each([
     [{}, undefined],
     [{ step: '4' }, 4],
@@ -977,17 +882,6 @@ describe('a state', () => {
     other.element.textContent = '|1|2|3|'
     await quiet()
     expect(other.circles()).toEqual(FLAT)
-  })
-
-  it('without circles changes only what it names', async () => {
-    const { element } = await shown({ circles: TEXT, layers: 'dual' })
-    await element.setState({ view: { x: 4, y: 4, span: 20 } })
-    await element.setState({ edits: [{ kind: 'remove', id: 1 }] })
-    expect(element.getState()).toMatchObject({
-      circles: [THREE[0], THREE[2]],
-      layers: { dual: true },
-      view: { x: 4, y: 4 },
-    })
   })
 
   it('may be a link, with or without an address, and is an error if it names the data set of a page', async () => {

@@ -4,7 +4,7 @@
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { decodeLink } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { all, buttonOf, control, controls, element, press, send, textOf } from './page-document.ts'
+import { all, buttonOf, control, controls, element, send, textOf } from './page-document.ts'
 import { box } from './shapes.ts'
 import { FIVE, quiet, soon, wholePage } from './whole-page.ts'
 
@@ -81,35 +81,6 @@ describe('the panels', () => {
     control(element('share'), 'Copy link').focus()
     send(control(element('share'), 'Copy link'), 'keydown', { key: 'Escape' })
     expect([element('share').hidden, document.activeElement]).toEqual([true, buttonOf('share')])
-  })
-
-  it('Numbers computes once more by each way, and says how', async () => {
-    const panel = await page.panel('numbers')
-    const menu = control(panel, 'Compute once more by')
-    const parts = () => all(panel, 'dt').map(textOf)
-    const seen = new Set<string | undefined>()
-    for (const [k, part] of [
-      'Made by',
-      'Antipodal discs',
-      'Antipodal discs',
-      'Samples',
-      'Antipodal discs',
-      'Made by',
-    ].entries()) {
-      menu.selectedIndex = k
-      send(menu, 'change')
-      press(panel, 'Compute')
-      expect([textOf(panel)?.endsWith('Computing …'), control(panel, 'Compute').disabled]).toEqual([true, true])
-      await soon(() => expect(textOf(panel)).toMatch(/This one is certified, too\.$/))
-      expect(parts()).toEqual(expect.arrayContaining([part, 'Signs by doubles', 'Time in all']))
-      for (const name of parts()) seen.add(name)
-    }
-    // A stage that takes no time is not told.
-    const stages = [...seen].filter((name) => name?.startsWith('Time to '))
-    expect([stages.length > 0, stages.includes('Time to total')]).toEqual([true, false])
-    await page.editing.edit([{ kind: 'remove', id: 0 }])
-    await quiet()
-    expect(parts(), 'it was about former circles').not.toContain('Made by')
   })
 })
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel Share on the whole page: what is copied, sent, saved and asked.
 // @vitest-environment happy-dom
-import { unzipSync } from 'fflate'
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { KINDS } from '../../web/app/question/conditions.ts'
 import { decodeLink } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { all, chosenOf, control, controls, element, limitsOf, optionsOf, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
-import { entered, FIVE, fetchHere, pressed, quiet, soon, wholePage } from './whole-page.ts'
+import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
 let out: ReturnType<typeof outputs>
@@ -193,34 +192,5 @@ describe('the form for a question', () => {
     expect(chosenOf(control(panel, 'Comparison of condition 1')), 'areas are not compared exactly').toBe('at least')
     await entered(panel, 'Circle of condition 1', '0')
     expect(textOf(conditions()[0]?.querySelector('small'))).toBe('now infinite')
-  })
-
-  it('copies, prints, packs and opens the question', async () => {
-    await entered(panel, 'Title', 'A <title>')
-    await pressed(panel, 'Copy question code')
-    const code = await out.text()
-    expect(code).toMatch(/^<iframe src="[^"]*\/embed\.html#v1.*title="A &lt;title>".*aspect-ratio: 4 \/ 3/)
-    await soon(() => expect(toast()).toBe('The code of the question is in the clipboard.'))
-    globalThis.fetch = async (address) =>
-      /\.wasm$/.test(String(address)) ? fetchHere(address as URL) : new Response('a script')
-    await pressed(panel, 'SCORM file')
-    await soon(() => expect([page.store.get().problem, out.files.length]).toEqual(['', 1]))
-    const { name, content } = await out.file()
-    expect([name, Object.keys(unzipSync(new Uint8Array(await content.arrayBuffer())))]).toEqual([
-      'question-scorm.zip',
-      expect.arrayContaining(['imsmanifest.xml']),
-    ])
-    await pressed(panel, 'Try it')
-    await soon(() => expect(out.tabs.at(-1)?.location.href).toMatch(/embed\.html#v1/))
-    const worksheet = element('worksheet')
-    let printed = ''
-    const observer = new MutationObserver(() => {
-      if (!worksheet.hidden) printed = textOf(worksheet) ?? ''
-    })
-    observer.observe(worksheet, { childList: true, attributes: true })
-    await pressed(panel, 'Worksheet')
-    await soon(() => expect(printed).toMatch(/^Name:Date:A <title>Move the circles.*Try it:/))
-    await soon(() => expect([worksheet.hidden, worksheet.childElementCount]).toEqual([true, 0]))
-    observer.disconnect()
   })
 })

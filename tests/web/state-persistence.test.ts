@@ -121,7 +121,7 @@ describe('names of circles', () => {
       expect(sourceOf(name), name).toBeUndefined()
       expect(dataSetOf(name), name).toBeUndefined()
       expect(labelOf(name), name).toBe('')
-      await expect(loadDataSet(name, nobody)).rejects.toThrow('There is no data set of this name.')
+      await expect(loadDataSet(name, nobody)).rejects.toThrow()
     }
   })
 

