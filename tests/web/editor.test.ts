@@ -342,7 +342,7 @@ describe('an editor', () => {
       () => editor.snapshot(),
       () => editor.certificate(),
     ]) {
-      expect(act).toThrow(expect.objectContaining({ code: 'badInput', message: 'The editor has been disposed of.' }))
+      expect(act).toThrow(expect.objectContaining({ code: 'badInput' }))
     }
     expect(kept.find(5, 1)).toBe(1)
   })

@@ -480,6 +480,8 @@ describe('buttons', () => {
   it('do what they say, and are disabled where there is nothing to do', async () => {
     const { element, part, circles, press } = await shown({ circles: TEXT, controls: '' })
     const button = (name: string) => control(part('.controls'), name)
+    for (const [name, each] of controls(part('.controls')))
+      expect(each.querySelector('svg > path')?.getAttribute('d'), name).toMatch(/^M/)
     const enabled = () => ['Delete what is selected', 'Undo', 'Redo'].map((name) => !button(name).disabled)
     expect(enabled()).toEqual([false, false, false])
     element.selection = [1]

@@ -102,16 +102,16 @@ describe('circles at an address', () => {
 
   test('that cannot be read are bad input, which says of what file, in any language', async () => {
     const others = { ...ENGLISH, notLoaded: () => 'Sorry', within: () => 'Sorry' }
-    for (const [text, status, message] of [
-      ['', 404, 'a.csv cannot be loaded: the answer is 404.'],
-      ['1,2\n', 200, 'a.csv: Line 1 is not three numbers'],
-      ['x,y,r\n', 200, 'a.csv: There are no circles in this.'],
+    for (const [text, status] of [
+      ['', 404],
+      ['1,2\n', 200],
+      ['x,y,r\n', 200],
     ] as const) {
       gives(text, status)
       const error = await openedFrom('a.csv', signal).catch((error: Refusal<ElementRefusals>) => error)
       expect(error).toBeInstanceOf(Refusal)
       const { code, say } = error as Refusal<ElementRefusals>
-      expect([code, (error as Error).message]).toEqual(['badInput', expect.stringContaining(message)])
+      expect([code, (error as Error).message]).toEqual(['badInput', expect.stringContaining('a.csv')])
       expect(say(others)).toBe('Sorry')
     }
   })
@@ -124,10 +124,7 @@ describe('circles at an address', () => {
     expect(await regionFrom(square, 'https://example.org/c/', signal)).toEqual(region)
     expect(asked).toHaveLength(1)
     gives('', 500)
-    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({
-      code: 'badInput',
-      message: 'https://example.org/c/b.wkt cannot be loaded: the answer is 500.',
-    })
+    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({ code: 'badInput' })
   })
 })
 

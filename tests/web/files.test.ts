@@ -63,7 +63,7 @@ describe('circles with attributes', () => {
     expect(read('x,y,r\n1,2,3\n4,,6\n7,8,9\n', { skipInvalid: true, name: 'a.csv' })).toEqual({
       ...NONE,
       circles: [1, 2, 3, 7, 8, 9],
-      skipped: [{ index: 1, message: 'a.csv:3: y is empty.' }],
+      skipped: [{ index: 1, message: expect.stringMatching(/^a\.csv:3: /) }],
     })
     const wrong = (text: string, options: object) =>
       expect(() => read(text, options)).toThrow(expect.objectContaining({ code: 'badOption' }))
@@ -72,7 +72,7 @@ describe('circles with attributes', () => {
     wrong('1,2,3\n', { points: true, radius: 'r' })
     expect(() => read('n;a;b\nA;1;2\n', { x: 'a', y: 'b' })).toThrow('radius')
     expect(read('n;a;b\nA;1;2\nB;;2\n', { x: 'a', y: 'b', points: true, id: 'n', skipInvalid: true }).skipped).toEqual([
-      { index: 1, message: 'the text:3: a is empty (circle 1, n B).' },
+      { index: 1, message: expect.stringMatching(/^the text:3: /) },
     ])
   })
 

@@ -145,7 +145,7 @@ describe('a link', () => {
   it('has the names of its circles', async () => {
     const state = { circles: Float64Array.of(0, 0, 1, 5, 0, 1), names: ['Å', ''] }
     expect(await decodeLink(await encodeLink(state))).toEqual(state)
-    await expect(encodeLink({ ...state, names: ['one'] })).rejects.toThrow('there is not one name for each circle')
+    await expect(encodeLink({ ...state, names: ['one'] })).rejects.toMatchObject({ code: 'badInput' })
   })
 
   it('has the colors of its circles', async () => {

@@ -71,7 +71,7 @@ describe('a maximum distance', () => {
     expect(diagram.cellArea(0, { bounds, maxDistance: REGION_LIMIT })).toBe(6)
     expect(diagram.cellArea(0, { bounds, maxDistance: -REGION_LIMIT })).toBe(0)
     for (const maxDistance of [REGION_LIMIT * (1 + 2 ** -52), -REGION_LIMIT * (1 + 2 ** -52)]) {
-      expect(() => diagram.cellArea(0, { bounds, maxDistance })).toThrow(/^The maximum distance is a number up to/)
+      expect(() => diagram.cellArea(0, { bounds, maxDistance })).toThrow(expect.objectContaining({ code: 'badOption' }))
     }
   })
 
@@ -214,8 +214,11 @@ describe('a maximum distance', () => {
   it('is a finite number', () => {
     const diagram = library.compute([[0, 0, 1]])
     for (const maxDistance of [Number.NaN, Number.POSITIVE_INFINITY]) {
-      expect(() => diagram.cellArea(0, { maxDistance })).toThrow(expect.objectContaining({ code: 'badOption' }))
-      expect(() => diagram.cellOutline(0, { bounds: [0, 0, 1, 1], maxDistance })).toThrow(/maximum distance/)
+      const calls = [
+        () => diagram.cellArea(0, { maxDistance }),
+        () => diagram.cellOutline(0, { bounds: [0, 0, 1, 1], maxDistance }),
+      ]
+      for (const call of calls) expect(call).toThrow(expect.objectContaining({ code: 'badOption' }))
     }
   })
 })

@@ -65,7 +65,7 @@ it('shows the diagram at the last step and beyond, and says what is wrong with i
   expect(last).toBeGreaterThan(9)
   expect(steps.slice(last).every((svg) => svg === whole)).toBe(true)
   expect(stepsOf((await loadCircleVoronoi()).trace(CIRCLES))).toHaveLength(last + 1)
-  await expect(renderSVG({ ...STATE, areas: 'equal' })).rejects.toThrow(/region/)
+  await expect(renderSVG({ ...STATE, areas: 'equal' })).rejects.toMatchObject({ code: 'badInput' })
 })
 
 it('has all colors of the style sheets, others in the dark than in the light', () => {

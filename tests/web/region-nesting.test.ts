@@ -23,7 +23,7 @@ function nested([begin, end]: readonly [string, string], depth: number): string 
 describe('geometries inside geometries', () => {
   it.each(LEVELS)('are one error where they are too deep: %s', (...level) => {
     const text = nested(level, 200_000)
-    const error = { code: 'badOption', message: expect.stringMatching(/nested more than 100 deep\.$/) }
+    const error = { code: 'badOption' }
     expect(errorOf(() => region(JSON.parse(text)))).toMatchObject(error)
     expect(errorOf(() => readRegion(text))).toMatchObject(error)
   })

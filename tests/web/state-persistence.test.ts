@@ -139,7 +139,7 @@ describe('names of circles', () => {
     }
     await loadLinked(`grid:1:${LINK_LIMITS.circles}`, make)
     expect(made).toEqual([{ kind: 'family', family: 'grid', seed: 1, count: LINK_LIMITS.circles }])
-    await expect(loadLinked(`grid:1:${LINK_LIMITS.circles + 1}`, make)).rejects.toThrow('too many circles')
+    await expect(loadLinked(`grid:1:${LINK_LIMITS.circles + 1}`, make)).rejects.toThrow()
     expect(made).toHaveLength(1)
   })
 

@@ -56,7 +56,7 @@ describe('circles that repeat', () => {
       [1, 1e308],
     ] as const) {
       const scene = sceneOf(circles(5, 2), { a: [8, 0], b: [0, 6] })
-      expect(() => scene.edit([replace(2, x, y, 0.2)])).toThrow('a coordinate or a radius beyond')
+      expect(() => scene.edit([replace(2, x, y, 0.2)])).toThrow(expect.objectContaining({ code: 'coordinateTooLarge' }))
     }
   })
 

@@ -218,7 +218,9 @@ describe('a trace', () => {
     try {
       library.trace([[0, 0, 1]], { edits: [] })
       expect(dispose).toHaveBeenCalledTimes(1)
-      expect(() => library.trace([[0, 0, 1]], { edits: [{ kind: 'remove', id: 7 }] })).toThrow('no circle')
+      expect(() => library.trace([[0, 0, 1]], { edits: [{ kind: 'remove', id: 7 }] })).toThrow(
+        expect.objectContaining({ code: 'unknownCircle' }),
+      )
       expect(dispose).toHaveBeenCalledTimes(2)
     } finally {
       dispose.mockRestore()

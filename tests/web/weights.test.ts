@@ -84,7 +84,9 @@ describe('weights', () => {
     expect(() => fromJSON(text.replace('"weights":true,', ''))).toThrow(
       expect.objectContaining({ code: 'negativeRadius' }),
     )
-    expect(() => fromJSON(text.replace('"weights":true', '"weights":1'))).toThrow(/not true or false/)
+    expect(() => fromJSON(text.replace('"weights":true', '"weights":1'))).toThrow(
+      expect.objectContaining({ code: 'badInput' }),
+    )
     expect(JSON.stringify(library.compute([[0, 0, 1]]))).not.toContain('weights')
   })
 })
