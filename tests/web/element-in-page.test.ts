@@ -481,7 +481,7 @@ describe('buttons', () => {
     const { element, part, circles, press } = await shown({ circles: TEXT, controls: '' })
     const button = (name: string) => control(part('.controls'), name)
     for (const [name, each] of controls(part('.controls')))
-      expect(each.querySelector('svg > path')?.getAttribute('d'), name).toMatch(/^M/)
+      expect(each.querySelector('svg > path')?.getAttribute('d'), name).toMatch(/^m/i)
     const enabled = () => ['Delete what is selected', 'Undo', 'Redo'].map((name) => !button(name).disabled)
     expect(enabled()).toEqual([false, false, false])
     element.selection = [1]
