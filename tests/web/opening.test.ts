@@ -66,6 +66,27 @@ describe('what is opened', () => {
     expect([await late, await next, problem()]).toEqual(['superseded', 'opened', ''])
   })
 
+  it.each([1e-20, 1e-300, 1e40, Number.MAX_VALUE, Number.NaN])(
+    'is refused once where its numbers are as %d',
+    async (size) => {
+      const { camera } = page.view
+      const scales = new Set<number>()
+      const unsubscribe = page.view.on('camera', ({ scale }) => scales.add(scale))
+      expect(await open([0, 0, size, 3 * size, 0, size])).toBe('refused')
+      const refusal = problem()
+      expect(refusal).not.toBe('')
+      // The painter says nothing more.
+      await quiet()
+      unsubscribe()
+      expect([circles(), problem(), page.view.camera, [...scales]]).toEqual([
+        [...FIVE],
+        refusal,
+        camera,
+        [camera.scale],
+      ])
+    },
+  )
+
   it('is superseded at once by what is opened after it, or canceled, though it is never loaded', async () => {
     const never = () => new Promise<OpenRequest>(() => {})
     page.actions.complain('It could not be opened.')

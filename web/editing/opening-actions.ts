@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { COORDINATE_LIMIT, SMALLEST_INPUT } from '../lib/base/coordinate-limits.ts'
 import type { Edit } from '../lib/index.ts'
 import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { boundingBox } from '../view/camera.ts'
@@ -12,6 +13,12 @@ import { SelectionActions } from './selection-actions.ts'
 
 /** Initial length of a path, relative to the view's width. */
 const PATH_SHARE = 0.6
+
+/** Whether the numbers are in the range of `compute`. */
+function isInRange(circles: Float64Array): boolean {
+  const largest = circles.reduce((most, value) => Math.max(most, Math.abs(value)), 0)
+  return largest === 0 || (largest >= SMALLEST_INPUT && largest <= COORDINATE_LIMIT)
+}
 
 /** Circles to open, with the viewport, layers and step of a link. */
 export interface OpenRequest extends CircleSet {
@@ -92,7 +99,9 @@ export class OpeningActions extends SelectionActions {
       this.select([])
       const cameraNow = () => this.looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
       const camera = cameraNow()
-      this.view.setCamera(camera)
+      // The camera moves before circles are computed, so that they are painted where they are seen. Circles out of range
+      // will be refused, and the former ones cannot be painted at their scale.
+      if (isInRange(scene.circles)) this.view.setCamera(camera)
       this.onstage('computing', scene.circles.length / 3)
       const edited = await this.editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
