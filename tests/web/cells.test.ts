@@ -18,10 +18,14 @@ import {
   pointAt,
 } from '../../web/lib/index.ts'
 import { outlineArea, outlineCentroid, outlinePerimeter } from '../../web/lib/regions/measure.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
 import { doubleArea } from './recording-sink.ts'
+import { box } from './shapes.ts'
+
+const { region } = await loadRegions()
 
 /** A convex polygon near the middle of a box. */
 function polygonIn(box: Box, turns: readonly number[], size: number): ConvexPolygon {
@@ -335,6 +339,31 @@ describe('the outline of a cell', () => {
     expect(y).toBeGreaterThanOrEqual(0)
     expect(y).toBeLessThanOrEqual(1e30)
   })
+
+  it.each([
+    ['left', [3, -9, 9, 9]],
+    ['right', [-9, -9, 3, 9]],
+    ['below', [-9, 3, 9, 9]],
+    ['above', [-9, -9, 9, 3]],
+    ['below and left', [3, 3, 9, 9]],
+    ['above and right', [-9, -9, 3, 3]],
+  ] satisfies readonly [string, [number, number, number, number]][])(
+    'has no centroid and no polygon if the cell touches the bounds from %s, as in a region',
+    (_, bounds) => {
+      const diagram = library.compute([0, 6].flatMap((x) => [0, 6].map((y) => [x, y, 1])))
+      const areas = diagram.cellAreas({ bounds })
+      expect(areas.some((area) => area === 0)).toBe(true)
+      for (const limits of [{ bounds }, { region: region([box(...bounds)]) }]) {
+        const centroids = diagram.cellCentroids(limits)
+        areas.forEach((area, i) => {
+          const centroid = diagram.cellCentroid(i, limits)
+          const polygon = diagram.cellPolygon(i, limits as { bounds: typeof bounds })
+          expect([centroid !== undefined, polygon !== undefined]).toEqual([area > 0, area > 0])
+          expect(Number.isNaN(centroids[2 * i])).toBe(area === 0)
+        })
+      }
+    },
+  )
 
   it('is empty if the cell touches the box in its vertex alone', () => {
     const size = 2 ** 94

@@ -418,7 +418,8 @@ export class Diagram implements DiagramData {
 
   /**
    * Returns the outline of the part of cell `i` inside the bounds: counter-clockwise loops, none if the part is empty,
-   * several if the bounds cut the cell into pieces.
+   * several if the bounds cut the cell into pieces. A cell that only touches the bounds may have a loop without area,
+   * which has no centroid and no polygon.
    */
   cellOutline(i: number, options: BoundsOptions = {}): Outline {
     return this.#outline(i, 'cellOutline', options)
@@ -437,8 +438,8 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Returns the centroid of the part of cell `i` inside the bounds, exact up to rounding, or `undefined` if the part is
-   * empty.
+   * Returns the centroid of the part of cell `i` inside the bounds, exact up to rounding, or `undefined` if the part has
+   * no area.
    */
   cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
     const measured = this.#measuredIn(i, 'cellCentroid', options)
@@ -447,8 +448,7 @@ export class Diagram implements DiagramData {
       const x = at(clip.centroids, 2 * row)
       return Number.isNaN(x) ? undefined : { x, y: at(clip.centroids, 2 * row + 1) }
     }
-    const outline = this.#outline(i, 'cellCentroid', options)
-    return outline.length === 0 ? undefined : centroidOf(outline)
+    return centroidInside(this.#outline(i, 'cellCentroid', options))
   }
 
   /** Returns the perimeter of the part of cell `i` inside the bounds, exact up to rounding; 0 if the part is empty. */
@@ -474,11 +474,10 @@ export class Diagram implements DiagramData {
     return areas
   }
 
-  /** Returns the centroid of each cell inside the bounds, as x and y; NaN for an empty cell. */
+  /** Returns the centroid of each cell inside the bounds, as x and y; NaN for a cell without area. */
   cellCentroids(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellCentroids', options, 'centroids', (outline) => {
-      if (outline.length === 0) return [Number.NaN, Number.NaN]
-      const { x, y } = centroidOf(outline)
+      const { x, y } = centroidInside(outline) ?? { x: Number.NaN, y: Number.NaN }
       return [x, y]
     })
   }
@@ -611,6 +610,11 @@ export class Diagram implements DiagramData {
   #checkCircle(i: number, caller: string): void {
     checkIndex(i, this.circles.length / 3, caller, 'circle')
   }
+}
+
+/** Returns the centroid of an outline that has an area. */
+function centroidInside(outline: Outline): Point | undefined {
+  return areaOf(outline) > 0 ? centroidOf(outline) : undefined
 }
 
 /** Whether a polygon is a box with the four numbers of `bounds`. */
