@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/compute.h"
@@ -28,6 +29,8 @@ const Circles& someCircles() {
 }
 
 DiagramEditor someEditor() { return DiagramEditor::from(someCircles()).value(); }
+
+void observe(DiagramEditor& editor, Observer observer) { EXPECT_TRUE(editor.observe(std::move(observer)).ok()); }
 
 void expectEditorIsRight(const DiagramEditor& editor) {
   EXPECT_EQ(test::differenceToTheBit(editor.snapshot().value(), compute(editor.circles()).value()), "");
@@ -98,13 +101,11 @@ TEST(Callbacks, AnObserverMayEndTheObservation) {
   for (const int last : {1, 2, 7, 100}) {
     DiagramEditor editor = someEditor();
     int calls = 0;
-    EXPECT_TRUE(editor
-                    .observe([&, last, caller = Caller()](const TraceEvent&) {
-                      if (++calls != last) return;
-                      EXPECT_TRUE(editor.observe({}).ok());
-                      caller.call();
-                    })
-                    .ok());
+    observe(editor, [&, last, caller = Caller()](const TraceEvent&) {
+      if (++calls != last) return;
+      EXPECT_TRUE(editor.observe({}).ok());
+      caller.call();
+    });
     for (CircleId id = 0; id < 20; ++id) EXPECT_TRUE(editor.remove(id).ok());
     EXPECT_EQ(calls, last);
     expectEditorIsRight(editor);
@@ -124,16 +125,14 @@ TEST(Callbacks, AnObserverMaySetAnotherOne) {
       }
       replay.see(event);
     };
-    EXPECT_TRUE(editor
-                    .observe([&, last, caller = Caller()](const TraceEvent&) {
-                      if (++calls != last) return;
-                      // The last of several counts.
-                      EXPECT_TRUE(editor.observe({}).ok());
-                      EXPECT_TRUE(editor.observe(next).ok());
-                      EXPECT_EQ(callsOfNext, 0);
-                      caller.call();
-                    })
-                    .ok());
+    observe(editor, [&, last, caller = Caller()](const TraceEvent&) {
+      if (++calls != last) return;
+      // The last of several counts.
+      EXPECT_TRUE(editor.observe({}).ok());
+      EXPECT_TRUE(editor.observe(next).ok());
+      EXPECT_EQ(callsOfNext, 0);
+      caller.call();
+    });
     for (CircleId id = 0; id < 20; ++id) EXPECT_TRUE(editor.remove(id).ok());
     EXPECT_EQ(calls, last);
     replay.expectDiagram(editor.snapshot().value(), editor.ids());
@@ -164,19 +163,17 @@ TEST(Callbacks, AnObserverMustNotEditItsEditor) {
     EXPECT_EQ(change.error().message, "An observer must not edit the editor that calls it.");
     ++refused;
   };
-  EXPECT_TRUE(editor
-                  .observe([&](const TraceEvent& event) {
-                    if (event.kind == TraceKind::faceMade || event.kind == TraceKind::faceRemoved) return;
-                    refuse(editor.insert({0, 0, 1}));
-                    refuse(editor.remove(2));
-                    refuse(editor.replace(2, {0, 0, 1}));
-                    refuse(editor.apply(std::vector<Edit>{{Edit::Kind::remove, 2, {}}}));
-                    // It sees the diagram after the edit.
-                    expectEditorIsRight(editor);
-                    EXPECT_EQ(editor.circle(1).has_value(), event.kind == TraceKind::roundBegun);
-                    EXPECT_NE(editor.nearest({0, 0}), kNone);
-                  })
-                  .ok());
+  observe(editor, [&](const TraceEvent& event) {
+    if (event.kind == TraceKind::faceMade || event.kind == TraceKind::faceRemoved) return;
+    refuse(editor.insert({0, 0, 1}));
+    refuse(editor.remove(2));
+    refuse(editor.replace(2, {0, 0, 1}));
+    refuse(editor.apply(std::vector<Edit>{{Edit::Kind::remove, 2, {}}}));
+    // It sees the diagram after the edit.
+    expectEditorIsRight(editor);
+    EXPECT_EQ(editor.circle(1).has_value(), event.kind == TraceKind::roundBegun);
+    EXPECT_NE(editor.nearest({0, 0}), kNone);
+  });
   EXPECT_TRUE(editor.remove(1).ok());
   EXPECT_GE(refused, 8);
   EXPECT_EQ(editor.size(), 39U);
@@ -186,12 +183,10 @@ TEST(Callbacks, AnObserverMustNotEditItsEditor) {
 TEST(Callbacks, AnObserverThatThrowsIsToldTheNextEdit) {
   DiagramEditor editor = someEditor();
   int calls = 0;
-  EXPECT_TRUE(editor
-                  .observe([&](const TraceEvent& event) {
-                    ++calls;
-                    if (event.kind == TraceKind::circleRemoved) throw std::runtime_error("mine");
-                  })
-                  .ok());
+  observe(editor, [&](const TraceEvent& event) {
+    ++calls;
+    if (event.kind == TraceKind::circleRemoved) throw std::runtime_error("mine");
+  });
   EXPECT_THROW((void)editor.remove(1), std::runtime_error);
   EXPECT_EQ(editor.size(), 39U);
   calls = 0;

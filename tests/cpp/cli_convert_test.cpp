@@ -181,9 +181,6 @@ TEST_F(CliConvert, TakesTheCirclesOfADiagram) {
 TEST_F(CliConvert, RefusesImpossibleConversions) {
   expectFailure(run("convert --format svg " + fixture_), 2, "Circles alone cannot be written as svg");
   expectFailure(run("convert --circles --format svg " + computed()), 2, "Circles alone cannot be written as svg");
-  expectFailure(run("convert -", "{\"format\": \"svg\"}"), 2, "standard input:1: the format is \"svg\"");
-  expectFailure(run("convert -", "{\"type\": \"Feature\"}"), 2, "standard input:1: expected an array of circles");
-  expectFailure(run("convert -", "{\"features\": [\n}"), 2, "standard input:2: bad JSON");
   expectFailure(run("convert " + path("absent.csv")), 1, "absent.csv");
 
   Json moved = Json::parse(readFile(computed()));

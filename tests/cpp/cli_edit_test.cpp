@@ -44,10 +44,6 @@ TEST_F(CliEdit, TracesEachEdit) {
             "roundBegun faceMade faceMade faceMade faceMade "
             "circleInserted faceMade faceMade discNotEmpty faceRemoved faceRemoved faceMade faceMade "
             "circleShrunk faceRemoved faceRemoved faceMade faceMade faceRemoved faceRemoved circleRemoved ");
-  const std::string toTrace = edit + " --trace " + path("trace.jsonl");
-  expectFailure(run(toTrace + " --changes " + path("trace.jsonl")), 2, "--trace and --changes cannot both be ");
-  expectFailure(run(toTrace + " --format json -o " + path("trace.jsonl")), 2, "--trace and --output cannot both be ");
-  expectFailure(run(edit + " --trace -"), 2, "--trace and --output cannot both be standard output.");
 }
 
 TEST_F(CliEdit, EndsWithTheDiagramOfTheCirclesThatAreLeft) {

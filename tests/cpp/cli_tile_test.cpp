@@ -32,11 +32,8 @@ class CliTile : public test::Cli {};
 
 TEST_F(CliTile, WritesFinalPartsWithTheIdsOfTheInput) {
   const std::string tile = write("tile.csv", grid());
-  const Outcome result =
-      run("compute " + tile + " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,3.5 --format csv");
-  ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_EQ(result.err, "");
-  const auto lines = linesOf(result.out);
+  const auto lines = linesOf(
+      textOf("compute " + tile + " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,3.5 --format csv"));
   ASSERT_GT(lines.size(), 1U);
   EXPECT_EQ(lines[0], "type,x,y,r,circle1,circle2,circle3,circle4");
   // The circle at (3, 3) is row 24. Two of its four edges lead to lower ids at greater rows and belong to other
@@ -112,22 +109,15 @@ TEST_F(CliTile, ThePartsOfTwoTilesAndOfTheirRemainderAreTheWholeDiagram) {
     EXPECT_NE(open.find(",0,1\n"), std::string::npos);
     rest += open.substr(open.find('\n') + 1);
   }
-  const Outcome last = run("compute - --format csv" + kPlane, rest);
-  EXPECT_EQ(last.status, 0) << last.err;
-  parts.merge(rows(last.out));
-  EXPECT_EQ(parts, rows(run("compute " + tile + " --format csv" + kPlane).out));
+  parts.merge(rows(textOf("compute - --format csv" + kPlane, rest)));
+  EXPECT_EQ(parts, rows(textOf("compute " + tile + " --format csv" + kPlane)));
 }
 
 TEST_F(CliTile, WritesCellsAsLinesOfGeoJson) {
   const std::string tile = write("tile.csv", grid());
-  const Outcome all = run("compute " + tile + " --format geojsonl --bounds=-1,-1,7,7");
-  ASSERT_EQ(all.status, 0) << all.err;
-  EXPECT_EQ(linesOf(all.out).size(), 49U);
-  const Outcome part = run("compute " + tile +
-                           " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,4.5 --format geojsonl "
-                           "--bounds=-1,-1,7,7");
-  ASSERT_EQ(part.status, 0) << part.err;
-  const auto lines = linesOf(part.out);
+  const std::string compute = "compute " + tile + " --format geojsonl --bounds=-1,-1,7,7";
+  EXPECT_EQ(linesOf(textOf(compute)).size(), 49U);
+  const auto lines = linesOf(textOf(compute + " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,4.5"));
   ASSERT_EQ(lines.size(), 2U);
   const auto feature = nlohmann::json::parse(lines[1]);
   EXPECT_EQ(feature.at("properties").at("circle"), 976);
@@ -138,12 +128,9 @@ TEST_F(CliTile, WritesCellsAsLinesOfGeoJson) {
 }
 
 TEST_F(CliTile, LinesOfGeoJsonNameAHiddenCircleAndItsHiderByTheirIds) {
-  const Outcome result =
-      run("compute - --known=-50,-50,50,50 --max-radius 0 --core=-5,-5,5,5 --format geojsonl "
-          "--bounds=-1,-1,1,1",
-          "id,x,y,r\n70,9,0,1\n80,0,0.5,1\n90,0,0,3\n100,-9,0,1\n110,0,9,1\n120,0,-9,1\n");
-  ASSERT_EQ(result.status, 0) << result.err;
-  const auto lines = linesOf(result.out);
+  const auto lines = linesOf(
+      textOf("compute - --known=-50,-50,50,50 --max-radius 0 --core=-5,-5,5,5 --format geojsonl --bounds=-1,-1,1,1",
+             "id,x,y,r\n70,9,0,1\n80,0,0.5,1\n90,0,0,3\n100,-9,0,1\n110,0,9,1\n120,0,-9,1\n"));
   ASSERT_EQ(lines.size(), 2U);
   const auto hidden = nlohmann::json::parse(lines[0]).at("properties");
   EXPECT_EQ(hidden.at("circle"), 80);

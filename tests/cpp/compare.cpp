@@ -229,6 +229,21 @@ std::string structureProblem(const Diagram& diagram, std::size_t circleCount) {
   return listDifference("hull", hullSteps, unboundedEndsOf(diagram));
 }
 
+Diagram renamed(Diagram diagram, const std::vector<std::int32_t>& names) {
+  const auto rename = [&](CircleIndex& i) { i = names[static_cast<std::size_t>(i)]; };
+  for (auto& triple : diagram.vertexCircles) std::ranges::for_each(triple, rename);
+  for (Edge& edge : diagram.edges) {
+    rename(edge.left);
+    rename(edge.right);
+  }
+  for (HiddenCircle& hidden : diagram.hidden) {
+    rename(hidden.circle);
+    rename(hidden.by);
+  }
+  std::ranges::for_each(diagram.hull, rename);
+  return diagram;
+}
+
 std::string difference(const Diagram& actual, const Diagram& expected) {
   std::string problem = listDifference("hidden circles", hiddenOf(actual), hiddenOf(expected));
   if (problem.empty()) problem = listDifference("vertices", triplesOf(actual), triplesOf(expected));

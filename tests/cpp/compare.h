@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
@@ -13,6 +15,9 @@ namespace circle_voronoi::test {
 /// without three edges in order, a hull that does not follow the unbounded ends, a wrong number of parts. Empty:
 /// nothing.
 std::string structureProblem(const Diagram& diagram, std::size_t circleCount);
+
+/// A diagram with other indices of circles, its lists in the same order.
+Diagram renamed(Diagram diagram, const std::vector<std::int32_t>& names);
 
 /// The first thing in which two diagrams of circles differ: the circles of the vertices with their orientation, the
 /// unbounded ends, or the hidden circles. Empty: nothing.

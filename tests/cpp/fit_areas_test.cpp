@@ -115,17 +115,7 @@ TEST(AreaFitSprings, AreTheDerivativeOfTheAreas) {
     if (!more.hidden.empty() || !less.hidden.empty()) continue;
     const std::vector<double> up = measureCells(more, region).areas;
     const std::vector<double> down = measureCells(less, region).areas;
-    std::vector<double> expected(circles.size(), 0);
-    for (const Spring& spring : cells.springs) {
-      const auto i = static_cast<std::size_t>(spring.left);
-      const auto j = static_cast<std::size_t>(spring.right);
-      if (i != chosen && j != chosen) continue;
-      expected[chosen] += spring.stiffness;
-      expected[i == chosen ? j : i] -= spring.stiffness;
-    }
-    for (std::size_t i = 0; i < circles.size(); ++i) {
-      EXPECT_NEAR((up[i] - down[i]) / (2 * kStep), expected[i], 1e-4 * (1 + std::abs(expected[i]))) << "cell " << i;
-    }
+    test::expectDerivatives(cells.springs, chosen, up, down, kStep);
   }
 }
 

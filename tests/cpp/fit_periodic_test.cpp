@@ -136,18 +136,7 @@ TEST(PeriodicAreaFit, SpringsAreTheDerivativeOfTheAreas) {
     const std::vector<double> up = areasOf(circles, weights, lattice);
     weights[chosen] -= 2 * kStep;
     const std::vector<double> down = areasOf(circles, weights, lattice);
-    std::vector<double> expected(circles.size(), 0);
-    for (const Spring& spring : measureCells(periodic).springs) {
-      const auto i = static_cast<std::size_t>(spring.left);
-      const auto j = static_cast<std::size_t>(spring.right);
-      EXPECT_NE(i, j);
-      if (i != chosen && j != chosen) continue;
-      expected[chosen] += spring.stiffness;
-      expected[i == chosen ? j : i] -= spring.stiffness;
-    }
-    for (std::size_t i = 0; i < circles.size(); ++i) {
-      EXPECT_NEAR((up[i] - down[i]) / (2 * kStep), expected[i], 1e-4 * (1 + std::abs(expected[i]))) << "cell " << i;
-    }
+    test::expectDerivatives(measureCells(periodic).springs, chosen, up, down, kStep);
     ++compared;
   }
   EXPECT_GT(compared, 15);

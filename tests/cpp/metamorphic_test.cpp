@@ -49,22 +49,6 @@ void onEveryFamily(Check check) {
   }
 }
 
-/// A diagram with other indices of circles.
-Diagram renamed(Diagram diagram, const std::vector<std::int32_t>& names) {
-  const auto rename = [&](CircleIndex& i) { i = names[static_cast<std::size_t>(i)]; };
-  for (auto& triple : diagram.vertexCircles) std::ranges::for_each(triple, rename);
-  for (Edge& edge : diagram.edges) {
-    rename(edge.left);
-    rename(edge.right);
-  }
-  for (HiddenCircle& hidden : diagram.hidden) {
-    rename(hidden.circle);
-    rename(hidden.by);
-  }
-  std::ranges::for_each(diagram.hull, rename);
-  return diagram;
-}
-
 TEST(Metamorphic, TranslationByIntegersKeepsTheTopology) {
   onEveryFamily([](const Circles& circles, const FamilyInfo&, Random& random) {
     Circles moved = circles;
@@ -124,7 +108,7 @@ TEST(Metamorphic, RemovingAHiddenCircleChangesNothing) {
     for (std::size_t i = 0; i < names.size(); ++i)
       names[i] = static_cast<std::int32_t>(i) + (static_cast<std::int32_t>(i) >= removed ? 1 : 0);
     expected.hidden.erase(expected.hidden.begin() + static_cast<std::ptrdiff_t>(place));
-    EXPECT_EQ(test::differenceAfterMerging(renamed(diagramOf(fewer), names), expected, circles), "");
+    EXPECT_EQ(test::differenceAfterMerging(test::renamed(diagramOf(fewer), names), expected, circles), "");
   });
 }
 

@@ -18,6 +18,7 @@
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi_families/families.h"
+#include "compare.h"
 #include "regions.h"
 #include "report.h"
 #include "three_touch_disc.h"
@@ -54,22 +55,10 @@ std::vector<std::int32_t> firstOfIdentical(const Circles& circles) {
 }
 
 /// Renames the circles of a diagram. Lists that begin with the first of some circles begin with the first new name.
-void rename(Diagram& diagram, const std::vector<std::int32_t>& names) {
-  const auto name = [&](CircleIndex& i) { i = names[static_cast<std::size_t>(i)]; };
-  for (auto& triple : diagram.vertexCircles) {
-    std::ranges::for_each(triple, name);
-    std::ranges::rotate(triple, std::ranges::min_element(triple));
-  }
-  for (Edge& edge : diagram.edges) {
-    name(edge.left);
-    name(edge.right);
-  }
-  for (HiddenCircle& hidden : diagram.hidden) {
-    name(hidden.circle);
-    name(hidden.by);
-  }
+Diagram inOrder(const Diagram& given, const std::vector<std::int32_t>& names) {
+  Diagram diagram = test::renamed(given, names);
+  for (auto& triple : diagram.vertexCircles) std::ranges::rotate(triple, std::ranges::min_element(triple));
   std::ranges::sort(diagram.hidden, {}, &HiddenCircle::circle);
-  std::ranges::for_each(diagram.hull, name);
   if (!diagram.hull.empty()) {
     // A circle may recur on the hull.
     std::vector<CircleIndex> least = diagram.hull;
@@ -79,6 +68,7 @@ void rename(Diagram& diagram, const std::vector<std::int32_t>& names) {
     }
     diagram.hull = least;
   }
+  return diagram;
 }
 
 /// Returns each hidden circle with the radius of its hider, without copies. The order of the circles decides which of
@@ -115,8 +105,8 @@ std::string differenceInOrder(const Circles& circles, Random& random) {
     const ConvexPolygon box = ConvexPolygon::from(exportBox(expected.circles)).value();
     if (areasOf(actual, names, box) != areasOf(expected, firsts, box)) return "areas";
   }
-  rename(expected, firsts);
-  rename(actual, names);
+  expected = inOrder(expected, firsts);
+  actual = inOrder(actual, names);
   if (actual.vertexCircles != expected.vertexCircles) return "circles of vertices";
   if (actual.edges != expected.edges) return "edges";
   if (hiddenBelow(actual, circles) != hiddenBelow(expected, circles)) return "hidden circles";

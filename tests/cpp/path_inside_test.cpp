@@ -111,6 +111,11 @@ std::optional<Region> madeOf(const std::vector<Ring>& rings, bool dissolve) {
   return std::move(region).value();
 }
 
+void addIfValid(std::vector<Ring>& rings, Ring ring) {
+  rings.push_back(std::move(ring));
+  if (!madeOf(rings, false)) rings.pop_back();
+}
+
 Ring squareAt(double x, double y, double size) { return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}; }
 
 Shape squares(Random& random) {
@@ -136,8 +141,7 @@ Shape polygons(Random& random) {
   for (std::size_t tries = 40; tries > 0 && rings.size() < 4; --tries) {
     Ring ring;
     for (std::size_t corners = 3 + random.below(4); corners > 0; --corners) ring.push_back(gridPoint(random));
-    rings.push_back(std::move(ring));
-    if (!madeOf(rings, false)) rings.pop_back();
+    addIfValid(rings, std::move(ring));
   }
   return {madeOf(rings, false), std::nullopt};
 }
@@ -149,8 +153,7 @@ Shape holes(Random& random) {
     Ring ring = random.below(2) == 0
                     ? squareAt(static_cast<double>(random.below(kSize)), static_cast<double>(random.below(kSize)), 1)
                     : Ring{gridPoint(random), gridPoint(random), gridPoint(random)};
-    rings.push_back(std::move(ring));
-    if (!madeOf(rings, false)) rings.pop_back();
+    addIfValid(rings, std::move(ring));
   }
   return {madeOf(rings, false), std::nullopt};
 }
