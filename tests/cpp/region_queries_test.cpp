@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "circle_voronoi/compute.h"
@@ -24,9 +23,15 @@ using Circles = std::vector<Circle>;
 
 using test::regionFrom;
 
-std::optional<EmptyDisc> discIn(const Circles& circles, const Region& region) {
-  const Diagram diagram = compute(circles).value();
-  return largestEmptyDiscInside(diagram, region).value();
+EmptyDisc discIn(const Circles& circles, const Region& region) {
+  return largestEmptyDiscInside(compute(circles).value(), region).value().value();
+}
+
+/// The clearest path between points that a region joins.
+ClearestPath pathIn(const Region& region, const Circles& circles, Point p, Point q) {
+  const ClearestPath path = clearestPath(compute(circles).value(), p, q, region).value().value();
+  EXPECT_EQ(test::faultOf(region, circles, p, q, path, 1e-9), "");
+  return path;
 }
 
 const Ring kRoom = {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}};
@@ -77,38 +82,33 @@ double searched(const Circles& circles, const std::vector<Ring>& rings, double s
 
 TEST(LargestDiscInRegion, OfARoomTouchesTwoWallsAndTheCorner) {
   const auto found = discIn({}, regionFrom({kRoom}));
-  ASSERT_TRUE(found);
   const double r = 2 * std::numbers::sqrt2 / (1 + std::numbers::sqrt2);
-  EXPECT_NEAR(found->disc.r, r, 1e-15);
-  EXPECT_NEAR(found->disc.x, r, 1e-15);
-  EXPECT_NEAR(found->disc.y, r, 1e-15);
-  EXPECT_EQ(found->circles, (std::array<CircleIndex, 3>{kNone, kNone, kNone}));
+  EXPECT_NEAR(found.disc.r, r, 1e-15);
+  EXPECT_NEAR(found.disc.x, r, 1e-15);
+  EXPECT_NEAR(found.disc.y, r, 1e-15);
+  EXPECT_EQ(found.circles, (std::array<CircleIndex, 3>{kNone, kNone, kNone}));
 }
 
 TEST(LargestDiscInRegion, KeepsAwayFromCirclesAndIslands) {
   // A pillar where the arms meet leaves the ends of the arms, where a disc touches three walls.
   const auto beside = discIn({{1, 1, 0.9}}, regionFrom({kRoom}));
-  ASSERT_TRUE(beside);
-  EXPECT_NEAR(beside->disc.r, 1, 1e-15);
+  EXPECT_NEAR(beside.disc.r, 1, 1e-15);
   // Between two squares.
   const Ring outer = {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}};
   const Ring island = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const auto around = discIn({}, regionFrom({outer, island}));
-  ASSERT_TRUE(around);
   // It touches two walls and the corner of the island.
   const double r = 3 * std::numbers::sqrt2 / (1 + std::numbers::sqrt2);
-  EXPECT_NEAR(around->disc.r, r, 1e-14);
+  EXPECT_NEAR(around.disc.r, r, 1e-14);
   const auto last = discIn({{-2.5, -2.5, 0}, {2.5, -2.5, 0}, {-2.5, 2.5, 0}}, regionFrom({outer, island}));
-  ASSERT_TRUE(last);
-  EXPECT_NEAR(last->disc.r, r, 1e-14);
-  EXPECT_GT(last->disc.x, 0);
-  EXPECT_GT(last->disc.y, 0);
+  EXPECT_NEAR(last.disc.r, r, 1e-14);
+  EXPECT_GT(last.disc.x, 0);
+  EXPECT_GT(last.disc.y, 0);
 }
 
 TEST(LargestDiscInRegion, OfACorridorIsAsWideAsTheCorridor) {
   const auto found = discIn({}, regionFrom({{{0, 0}, {1000, 0}, {1000, 1}, {0, 1}}}));
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->disc.r, 0.5);
+  EXPECT_EQ(found.disc.r, 0.5);
 }
 
 TEST(LargestDiscInRegion, MayTouchManySides) {
@@ -118,8 +118,7 @@ TEST(LargestDiscInRegion, MayTouchManySides) {
     ring.push_back({5 * v.x, 5 * v.y});
   }
   const auto found = discIn({}, regionFrom({ring}));
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(found->disc.r, 5 * std::cos(std::numbers::pi / 400), 1e-13);
+  EXPECT_NEAR(found.disc.r, 5 * std::cos(std::numbers::pi / 400), 1e-13);
 }
 
 TEST(LargestDiscInRegion, IsTheSameAtAnyScale) {
@@ -131,16 +130,15 @@ TEST(LargestDiscInRegion, IsTheSameAtAnyScale) {
     Circles scaled = circles;
     for (Circle& c : scaled) c = {scale * c.x, scale * c.y, scale * c.r};
     const auto other = discIn(scaled, regionFrom({room}));
-    EXPECT_EQ(other->disc.r, scale * one->disc.r);
-    EXPECT_EQ(other->disc.x, scale * one->disc.x);
-    EXPECT_EQ(other->circles, one->circles);
+    EXPECT_EQ(other.disc.r, scale * one.disc.r);
+    EXPECT_EQ(other.disc.x, scale * one.disc.x);
+    EXPECT_EQ(other.circles, one.circles);
   }
 }
 
 TEST(LargestDiscInRegion, OfACoveredRegionIsThatOfItsCenters) {
   const auto found = discIn({{3, 3, 9}}, regionFrom({kRoom}));
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(found->disc.r, 3 * std::numbers::sqrt2 - 9, 1e-12);
+  EXPECT_NEAR(found.disc.r, 3 * std::numbers::sqrt2 - 9, 1e-12);
 }
 
 TEST(LargestDiscInRegion, IsWhatASearchFinds) {
@@ -232,36 +230,24 @@ const Circles kRobots = {{-3, 0, 0.09},    {-1.5, 1.2, 0.09}, {-1.4, -1.6, 0.09}
 
 TEST(PathInRegion, StaysInTheField) {
   const Ring strip = {{-4, -0.5}, {4, -0.5}, {4, 0.5}, {-4, 0.5}};
-  const Diagram diagram = compute(kRobots).value();
   const Point p = {-3.8, 0.1};
   const Point q = {3.8, 0.2};
-  const auto path = clearestPath(diagram, p, q, regionFrom({strip})).value();
-  ASSERT_TRUE(path);
-  EXPECT_EQ(test::faultOf(regionFrom({strip}), kRobots, p, q, *path, 1e-9), "");
+  const double clearance = pathIn(regionFrom({strip}), kRobots, p, q).clearance;
   // Between the first robot and the border.
-  EXPECT_NEAR(path->clearance, 0.41, 1e-12);
-  EXPECT_LT(path->clearance, clearestPath(diagram, p, q).clearance);
+  EXPECT_NEAR(clearance, 0.41, 1e-12);
+  EXPECT_LT(clearance, clearestPath(compute(kRobots).value(), p, q).clearance);
 }
 
 TEST(PathInRegion, GoesAroundTheCornerOfARoomAndNotThroughItsWalls) {
   const Circles circles = {{5, 5, 1}, {1, 3, 0.1}};
-  const Point p = {0.5, 5.5};
-  const Point q = {5.5, 0.5};
-  const auto path = clearestPath(compute(circles).value(), p, q, regionFrom({kRoom})).value();
-  ASSERT_TRUE(path);
-  EXPECT_EQ(test::faultOf(regionFrom({kRoom}), circles, p, q, *path, 1e-9), "");
-  EXPECT_NEAR(path->clearance, 0.9, 1e-12);
+  EXPECT_NEAR(pathIn(regionFrom({kRoom}), circles, {0.5, 5.5}, {5.5, 0.5}).clearance, 0.9, 1e-12);
 }
 
 TEST(PathInRegion, IsAsClearBackAlongOneEdge) {
   const Circles circles = {{0, 0, 1}, {10, 0, 1}};
   const Ring hall = {{-3, -6}, {13, -6}, {13, 6}, {-3, 6}};
-  const Diagram diagram = compute(circles).value();
   for (const double y : {4.0, -4.0}) {
-    const auto path = clearestPath(diagram, {4.9, y}, {4.8, -y}, regionFrom({hall})).value();
-    ASSERT_TRUE(path);
-    EXPECT_EQ(test::faultOf(regionFrom({hall}), circles, {4.9, y}, {4.8, -y}, *path, 1e-9), "");
-    EXPECT_NEAR(path->clearance, 4, 1e-12);
+    EXPECT_NEAR(pathIn(regionFrom({hall}), circles, {4.9, y}, {4.8, -y}).clearance, 4, 1e-12);
   }
 }
 
@@ -280,43 +266,29 @@ TEST(PathInRegion, IsNoneBetweenPartsAndAnErrorFromOutside) {
 
 TEST(PathInRegion, StartsAtACornerOnABisectorAndAtACenterOnTheBorder) {
   // The corner (0, 1) is equally far from both circles.
-  const Circles two = {{0, 0, 0}, {0, 2, 0}};
   const Ring square = {{0, 1}, {1, 1}, {1, 2}, {0, 2}};
-  const auto path = clearestPath(compute(two).value(), {0, 1}, {1, 2}, regionFrom({square})).value();
-  ASSERT_TRUE(path);
-  EXPECT_EQ(test::faultOf(regionFrom({square}), two, {0, 1}, {1, 2}, *path, 1e-9), "");
-  EXPECT_EQ(path->clearance, 1);
-
-  const Circles corner = {{1, 1, 0}};
+  EXPECT_EQ(pathIn(regionFrom({square}), {{0, 0, 0}, {0, 2, 0}}, {0, 1}, {1, 2}).clearance, 1);
   const Ring unit = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const auto out = clearestPath(compute(corner).value(), {1, 1}, {0, 0}, regionFrom({unit})).value();
-  ASSERT_TRUE(out);
-  EXPECT_EQ(test::faultOf(regionFrom({unit}), corner, {1, 1}, {0, 0}, *out, 1e-9), "");
-  EXPECT_EQ(out->clearance, 0);
+  EXPECT_EQ(pathIn(regionFrom({unit}), {{1, 1, 0}}, {1, 1}, {0, 0}).clearance, 0);
 
   // The center lies on the border of one arm of a U.
-  const Circles center = {{1, 2, 0}};
   const Ring u = {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-  const auto around = clearestPath(compute(center).value(), {1, 2}, {2.5, 2.5}, regionFrom({u})).value();
-  ASSERT_TRUE(around);
-  EXPECT_EQ(test::faultOf(regionFrom({u}), center, {1, 2}, {2.5, 2.5}, *around, 1e-9), "");
+  pathIn(regionFrom({u}), {{1, 2, 0}}, {1, 2}, {2.5, 2.5});
 }
 
 TEST(PathInRegion, BeginsWhereTheRayFromTheCenterEnds) {
   const Circles circles = {{0, 0, 1}, {10, 0, 1}};
   const Ring hall = {{-3, -6}, {13, -6}, {13, 6}, {-3, 6}};
-  const auto path = clearestPath(compute(circles).value(), {2, 2}, {11, 1}, regionFrom({hall})).value();
-  ASSERT_TRUE(path);
-  ASSERT_TRUE(path->entry && path->exit);
-  EXPECT_NEAR(path->entry->x, 5, 1e-12);
-  EXPECT_NEAR(path->entry->y, 5, 1e-12);
-  EXPECT_NEAR(path->exit->x, 13, 1e-12);
-  EXPECT_NEAR(path->exit->y, 3, 1e-12);
+  const auto path = pathIn(regionFrom({hall}), circles, {2, 2}, {11, 1});
+  ASSERT_TRUE(path.entry && path.exit);
+  EXPECT_NEAR(path.entry->x, 5, 1e-12);
+  EXPECT_NEAR(path.entry->y, 5, 1e-12);
+  EXPECT_NEAR(path.exit->x, 13, 1e-12);
+  EXPECT_NEAR(path.exit->y, 3, 1e-12);
   // A path that needs no ray begins at its start.
-  const auto along = clearestPath(compute(circles).value(), {5, 0}, {5, 1}, regionFrom({hall})).value();
-  ASSERT_TRUE(along);
-  EXPECT_EQ(along->edges, std::vector<EdgeIndex>{0});
-  EXPECT_EQ(along->clearance, 4);
+  const auto along = pathIn(regionFrom({hall}), circles, {5, 0}, {5, 1});
+  EXPECT_EQ(along.edges, std::vector<EdgeIndex>{0});
+  EXPECT_EQ(along.clearance, 4);
 }
 
 TEST(PathInRegion, TakesCirclesOfTheirOwnMetric) {
