@@ -3,7 +3,7 @@
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { areasOf } from './areas-of.ts'
-import { chosenOf, control, element, optionsOf, send, textOf } from './page-document.ts'
+import { chosenOf, control, element, send, textOf } from './page-document.ts'
 import { entered, FIVE, quiet, soon, wholePage } from './whole-page.ts'
 
 /** A square around all circles. */
@@ -33,12 +33,9 @@ async function setRegion() {
 
 describe('areas', () => {
   it.each([
-    ['equal', 'equal', [1, 1, 1, 1, 1]],
     ['radius', 'by radius', [2, 3, 1, 2, 4]],
     ['disc', 'by disc area', [4, 9, 1, 4, 16]],
-    ['column:n', 'by n', [1, 2, 3, 4, 5]],
   ])('are given by the choice %s, and the radii come back', async (value, label, shares) => {
-    await page.open(FIVE, [{ name: 'n', values: ['1', '2', '3', '4', '5'] }])
     await setRegion()
     await entered(panel, AREAS, value)
     await soon(() => expect(domain().areas).toBeDefined())
@@ -54,21 +51,6 @@ describe('areas', () => {
     await page.actions.undo()
     await quiet()
     expect(chosenOf(control(panel, AREAS)), 'the choice is known again').toBe(label)
-  })
-
-  it('of their own are a choice that changes nothing, and a refused choice is taken back', async () => {
-    await setRegion()
-    await page.actions.setAreas([5, 4, 3, 2, 1])
-    await quiet()
-    expect(optionsOf(control(panel, AREAS)).at(-1)).toBe('one by one')
-    const { areas } = domain()
-    await entered(panel, AREAS, 'own')
-    expect([domain().areas, chosenOf(control(panel, AREAS))]).toEqual([areas, 'one by one'])
-    await page.open(Float64Array.of(0, 0, 1, 0, 0, 1))
-    await setRegion()
-    await entered(panel, AREAS, 'radius')
-    await soon(() => expect(page.store.get().problem).not.toBe(''))
-    expect([domain().areas, chosenOf(control(panel, AREAS))]).toEqual([undefined, 'not fixed'])
   })
 })
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of circles on the whole page: its cells, keys, clicks, order and selection, and what is written and pasted.
 // @vitest-environment happy-dom
-import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { all, element, send, textOf } from './page-document.ts'
 import { quiet, soon, wholePage } from './whole-page.ts'
 
@@ -81,13 +81,17 @@ beforeAll(async () => {
   await page.panel('table')
 })
 beforeEach(async () => {
-  vi.useRealTimers()
   await page.open(CIRCLES, COLUMNS)
   await soon(() => expect([headings().length, ids().length]).toEqual([9, 4]))
   await byNumber()
   await soon(() => expect(ids()).toEqual([0, 1, 2, 3]))
   await soon(() => expect(texts('nbrs')).toEqual(['2', '3', '2', '3']))
   grid().focus()
+})
+// Rows by number are not sorted again a while after the next circles are opened.
+afterEach(async () => {
+  vi.useRealTimers()
+  await byNumber()
 })
 
 describe('the cells of the table of circles', () => {
