@@ -18,7 +18,6 @@ constexpr double kFlattening = 1 / 298.257223563;
 constexpr double kSquare = kFlattening * (2 - kFlattening);  ///< the square of the eccentricity
 const double kEccentricity = std::sqrt(kSquare);
 
-constexpr double kDegree = kPi / 180;
 /// The largest distance from the center of an azimuthal map, and the largest latitude of Mercator's, in degrees.
 constexpr double kFarthest = 60;
 constexpr double kNorthernmost = 85;

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "at.h"
+#include "circle_voronoi/sphere.h"
+#include "guarded.h"
+#include "place.h"
+
+namespace circle_voronoi {
+namespace {
+
+using sphere::Place;
+using sphere::Places;
+
+/// The place of a cap among those of a vertex; any place if it is not there.
+std::size_t positionIn(const std::array<CircleIndex, 3>& caps, CircleIndex cap) {
+  return caps[0] == cap ? 0 : caps[1] == cap ? 1 : 2;
+}
+
+/// Whether all numbers are numbers, all indices exist, and edges, vertices and links say the same of each other.
+bool fits(const SphereDiagram& diagram) {
+  const auto& [caps, radius, weights, vertices, vertexCaps, edges, hidden, links, rounding] = diagram;
+  const auto isIn = [](std::int32_t index, std::size_t count) { return index >= 0 && at(index) < count; };
+  const auto isCap = [&](CircleIndex cap) { return isIn(cap, diagram.caps.size()); };
+  if (!(radius >= 1e-20 && radius <= 1e20 && rounding >= 0 && rounding <= radius)) return false;
+  if (!std::ranges::all_of(caps, [&](const Cap& c) {
+        return std::isfinite(c.longitude) && std::abs(c.latitude) <= 90 && std::abs(c.r) < kPi * diagram.radius;
+      })) {
+    return false;
+  }
+  if (!std::ranges::all_of(vertices, [](const SphereVertex& v) {
+        return std::isfinite(v.longitude) && std::abs(v.latitude) <= 90 && std::isfinite(v.distance);
+      })) {
+    return false;
+  }
+  if (vertexCaps.size() != vertices.size() || links.vertexSides.size() != vertices.size()) return false;
+  if (links.nextSide.size() != 2 * edges.size() || links.firstSide.size() != caps.size()) return false;
+  for (const auto& [i, j, k] : vertexCaps) {
+    if (!isCap(i) || !isCap(j) || !isCap(k) || i == j || j == k || k == i) return false;
+  }
+  for (std::size_t h = 0; h < hidden.size(); ++h) {
+    if (!isCap(hidden[h].circle) || !isCap(hidden[h].by)) return false;
+    if (h > 0 && hidden[h].circle <= hidden[h - 1].circle) return false;
+  }
+  for (const Edge& e : edges) {
+    if (!isCap(e.left) || !isCap(e.right) || e.left == e.right) return false;
+    const bool isClosed = e.start == kNone && e.end == kNone;
+    if (!isClosed && !(isIn(e.start, vertices.size()) && isIn(e.end, vertices.size()))) return false;
+  }
+  // Each side is the one that begins at its vertex in its cell, and so is the next one. So each is the next of one.
+  std::vector<SideIndex> firstSide(caps.size(), kNone);
+  for (auto side = static_cast<std::int32_t>(2 * edges.size()) - 1; side >= 0; --side) {
+    const CircleIndex cap = diagram.circleOf(side);
+    firstSide[at(cap)] = side;
+    const SideIndex next = links.nextSide[at(side)];
+    const VertexIndex start = diagram.originOf(side);
+    const VertexIndex end = diagram.targetOf(side);
+    if (start == kNone) {
+      if (next != side) return false;
+      continue;
+    }
+    const std::size_t atStart = positionIn(vertexCaps[at(start)], cap);
+    const std::size_t atEnd = positionIn(vertexCaps[at(end)], cap);
+    if (vertexCaps[at(start)][atStart] != cap || vertexCaps[at(end)][atEnd] != cap ||
+        vertexCaps[at(start)][(atStart + 2) % 3] != diagram.neighborOf(side) ||
+        vertexCaps[at(end)][(atEnd + 1) % 3] != diagram.neighborOf(side) ||
+        links.vertexSides[at(start)][atStart] != side || links.vertexSides[at(end)][atEnd] != next) {
+      return false;
+    }
+  }
+  return firstSide == links.firstSide;
+}
+
+/// The check on the sphere. Regions that are star-shaped around their centers and fit together along their borders cover
+/// the sphere once, if each vertex has its caps around it once: then they are a covering of the sphere, and the sphere
+/// has none but itself. The distance is continuous across the borders, because these are where two caps are equally far.
+/// So the regions are the cells, as in `judge.h`.
+class SphereJudge {
+ public:
+  explicit SphereJudge(const SphereDiagram& diagram)
+      : diagram_(diagram), places_(diagram), tolerance_(std::max(2 * diagram.rounding, 1e-14 * diagram.radius)), angleTolerance_(tolerance_ / diagram.radius) {
+    vertexPlaces_.reserve(diagram.vertices.size());
+    for (const SphereVertex& v : diagram.vertices) vertexPlaces_.push_back(sphere::placeAt(v.longitude, v.latitude));
+  }
+
+  std::optional<Error> run() {
+    checkCounts();
+    for (const HiddenCircle& h : diagram_.hidden) checkHidden(h);
+    corners_.resize(diagram_.vertices.size());
+    for (std::size_t v = 0; v < diagram_.vertices.size() && !error_; ++v) checkVertex(static_cast<std::int32_t>(v));
+    if (diagram_.vertices.empty()) {
+      for (const Edge& e : diagram_.edges) checkNeighbors(e);
+    }
+    if (!error_) checkCells();
+    return std::move(error_);
+  }
+
+ private:
+  /// A vertex as seen from one of its caps.
+  struct Corner {
+    double bearing = 0;  ///< grows with the bearing, from 0 to 4 for a full turn
+    bool isNearCenter = false;
+  };
+
+  void refuse(CircleIndex cap, const char* why) {
+    if (!error_) error_ = Error{ErrorCode::notCertified, cap, why};
+  }
+
+  const Cap& cap(CircleIndex i) const { return diagram_.caps[at(i)]; }
+
+  /// Euler's formula.
+  void checkCounts() {
+    const std::size_t visible = diagram_.caps.size() - diagram_.hidden.size();
+    const std::size_t vertices = visible < 3 ? 0 : 2 * visible - 4;
+    const std::size_t edges = visible < 2 ? 0 : visible == 2 ? 1 : 3 * visible - 6;
+    if (diagram_.vertices.size() != vertices || diagram_.edges.size() != edges) {
+      refuse(0, "The numbers of vertices and edges contradict Euler's formula.");
+    }
+    std::size_t hidden = 0;
+    for (std::size_t i = 0; i < diagram_.caps.size(); ++i) {
+      const auto index = static_cast<std::int32_t>(i);
+      const bool isHidden = hidden < diagram_.hidden.size() && diagram_.hidden[hidden].circle == index;
+      hidden += isHidden ? 1 : 0;
+      const bool hasSides = diagram_.links.firstSide[i] != kNone;
+      if (hasSides != (visible > 1 && !isHidden)) refuse(index, "A cap must be hidden or have sides.");
+    }
+  }
+
+  void checkHidden(const HiddenCircle& hidden) {
+    const double angle = sphere::viewOf(places_[hidden.circle], places_[hidden.by]).angle();
+    const double reach = diagram_.radius * angle + cap(hidden.circle).r - cap(hidden.by).r;
+    if (!diagram_.hasCell(hidden.by) || !(reach <= tolerance_)) refuse(hidden.circle, "A cap is not hidden as stated.");
+  }
+
+  /// Neither of two neighbors contains the other. If they have a vertex, they touch its disc in different directions.
+  void checkNeighbors(const Edge& e) {
+    const double angle = sphere::viewOf(places_[e.left], places_[e.right]).angle();
+    if (!(diagram_.radius * angle - std::abs(cap(e.left).r - cap(e.right).r) >= -tolerance_)) {
+      refuse(e.left, "One of two neighbors hides the other.");
+    }
+  }
+
+  /// Returns by how much a cap reaches into the disc of a vertex.
+  double reach(CircleIndex i, VertexIndex v) const {
+    const double angle = sphere::viewOf(places_[i], vertexPlaces_[at(v)]).angle();
+    return diagram_.vertices[at(v)].distance + cap(i).r - diagram_.radius * angle;
+  }
+
+  void checkVertex(VertexIndex v) {
+    const Place& place = vertexPlaces_[at(v)];
+    std::array<Vector, 3> toward;
+    std::array<double, 3> sizes{};
+    bool isAtCenter = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const CircleIndex i = diagram_.vertexCaps[at(v)][k];
+      sphere::HalfDifferences half = sphere::halfDifferences(place, places_[i]);
+      const double cosine = 1 - 2 * sphere::squaredHalf(place, places_[i], half);
+      toward[k] = sphere::vectorOf(place, places_[i], half);
+      sizes[k] = length(toward[k]);
+      half.latitude.sine = -half.latitude.sine;
+      half.longitude.sine = -half.longitude.sine;
+      corners_[at(v)][k].bearing = pseudoAngle(sphere::vectorOf(places_[i], place, half));
+      const double reached = (diagram_.vertices[at(v)].distance + cap(i).r) / diagram_.radius;
+      if (!(std::abs(angleOf(sizes[k], cosine) - reached) <= angleTolerance_)) {
+        return refuse(i, "A vertex does not touch one of its caps.");
+      }
+      // At the center of a cap, and opposite to it, all directions are equally right.
+      if (!(sizes[k] > 4 * angleTolerance_)) corners_[at(v)][k].isNearCenter = isAtCenter = true;
+    }
+    if (isAtCenter) return;
+    const auto& [a, b, c] = toward;
+    if (cross(a, b) * sizes[2] + cross(b, c) * sizes[0] + cross(c, a) * sizes[1] >= 0) return;
+    // Two caps in nearly the same direction nearly touch each other from inside: if they are moved by the tolerance, they
+    // do.
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t l = (k + 1) % 3;
+      const Vector step = {toward[l].x / sizes[l] - toward[k].x / sizes[k],
+                           toward[l].y / sizes[l] - toward[k].y / sizes[k]};
+      if (dot(step, step) * std::min(sizes[k], sizes[l]) <= 8 * angleTolerance_) return;
+    }
+    refuse(diagram_.vertexCaps[at(v)][0], "The caps of a vertex do not go around it counter-clockwise.");
+  }
+
+  const Corner& cornerOf(VertexIndex v, CircleIndex i) const {
+    return corners_[at(v)][positionIn(diagram_.vertexCaps[at(v)], i)];
+  }
+
+  /// Returns the cap of a vertex that is not one of two.
+  CircleIndex thirdOf(VertexIndex v, CircleIndex i, CircleIndex j) const {
+    const auto& caps = diagram_.vertexCaps[at(v)];
+    return *std::ranges::find_if(caps, [&](CircleIndex cap) { return cap != i && cap != j; });
+  }
+
+  void checkCells() {
+    struct Turns {
+      std::int32_t count = 0;
+      std::int32_t ties = 0;
+    };
+    std::vector<Turns> turns(diagram_.caps.size());
+    if (diagram_.vertices.empty()) return;
+    for (SideIndex side = 0; side < static_cast<std::int32_t>(2 * diagram_.edges.size()); ++side) {
+      const CircleIndex i = diagram_.circleOf(side);
+      const VertexIndex start = diagram_.originOf(side);
+      const VertexIndex end = diagram_.targetOf(side);
+      const Corner& from = cornerOf(start, i);
+      const Corner& to = cornerOf(end, i);
+      const bool isWrapped = to.bearing < from.bearing;
+      turns[at(i)].count += isWrapped ? 1 : 0;
+      // More than half a turn forward, or a step back, which is right within the tolerance.
+      if (to.bearing - from.bearing + (isWrapped ? 4 : 0) <= 2) continue;
+      const CircleIndex before = thirdOf(start, i, diagram_.neighborOf(side));
+      if (std::abs(reach(before, end)) <= tolerance_ || from.isNearCenter || to.isNearCenter) ++turns[at(i)].ties;
+    }
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      if (diagram_.links.firstSide[i] == kNone) continue;
+      if (turns[i].count < 1 || turns[i].count - turns[i].ties > 1) {
+        refuse(static_cast<std::int32_t>(i), "The sides of a cell do not go around its center once.");
+      }
+    }
+  }
+
+  const SphereDiagram& diagram_;
+  const Places places_;
+  const double tolerance_;
+  const double angleTolerance_;
+  std::vector<std::array<Corner, 3>> corners_;  ///< of each vertex, in the order of its caps
+  std::vector<Place> vertexPlaces_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+bool SphereDiagram::hasCell(CircleIndex cap) const {
+  const auto found = std::ranges::lower_bound(hidden, std::int32_t{cap}, {},
+                                              [](const HiddenCircle& h) { return std::int32_t{h.circle}; });
+  return found == hidden.end() || found->circle != cap;
+}
+
+Result<void> checkSphere(const SphereDiagram& diagram) {
+  return guarded([&]() -> Result<void> {
+    if (!fits(diagram)) return Error{ErrorCode::badInput, kNone, "The parts of the diagram do not fit together."};
+    if (auto error = SphereJudge(diagram).run()) return *std::move(error);
+    return {};
+  });
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "at.h"
+#include "arithmetic.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/limits.h"
+#include "circle_voronoi/sphere.h"
+#include "guarded.h"
+#include "infinity.h"
+#include "number_text.h"
+#include "place.h"
+#include "spatial_order.h"
+#include "threads.h"
+
+namespace circle_voronoi {
+namespace {
+
+using sphere::HalfGrowth;
+using sphere::Place;
+using sphere::Places;
+using sphere::View;
+
+/// Caps that are nearer to N than this, as the square of the sine of half an angle, are at its place.
+constexpr double kSamePlace = 0x1p-130;
+/// The factor of planar coordinates. They are then below 2^96, and those that are taken for zero change places by less
+/// than 2^-80.
+constexpr double kScale = 0x1p24;
+constexpr double kSmallest = 0x1p-56;
+
+/// A rounding that needs no better N: half a micrometer on the Earth.
+constexpr double kGoodRounding = 0x1p-44;
+/// The number of caps among which N is chosen.
+constexpr std::size_t kCandidates = 6;
+/// The rounding of a circle in units of its numbers' rounding, and the least rounding of places.
+constexpr double kRoundings = 16 * 0x1p-53;
+
+std::optional<Error> errorOf(const Cap& cap, std::size_t index, const SphereOptions& options) {
+  const auto error = [&](ErrorCode code, const std::string& what) {
+    return Error{code, static_cast<std::int64_t>(index), "Cap " + std::to_string(index) + " " + what};
+  };
+  if (!std::isfinite(cap.longitude)) return error(ErrorCode::nonFinite, "has a longitude that is not a finite number.");
+  if (!std::isfinite(cap.latitude)) return error(ErrorCode::nonFinite, "has a latitude that is not a finite number.");
+  if (!std::isfinite(cap.r)) return error(ErrorCode::nonFinite, "has a radius that is not a finite number.");
+  if (std::abs(cap.latitude) > 90) {
+    return error(ErrorCode::coordinateTooLarge,
+                 "has the latitude " + numberText(cap.latitude) + ", which is beyond 90 degrees.");
+  }
+  if (cap.r < 0 && !options.weights) return error(ErrorCode::negativeRadius, "has a negative radius.");
+  if (std::abs(cap.r) < kPi * options.radius) return std::nullopt;
+  return error(ErrorCode::coordinateTooLarge, "has the radius " + numberText(cap.r) +
+                                                  ", which is not below half of the circumference, " +
+                                                  numberText(kPi * options.radius) + ".");
+}
+
+std::optional<Error> errorOf(std::span<const Cap> caps, const SphereOptions& options) {
+  if (!(options.radius >= 1e-20 && options.radius <= 1e20)) {
+    return Error{ErrorCode::badOption, kNone,
+                 "The radius of the sphere must be a number from 1e-20 to 1e20 (got " + numberText(options.radius) +
+                     ")."};
+  }
+  if (options.threads < 0) {
+    return Error{ErrorCode::badOption, kNone,
+                 "The number of threads must not be negative (got " + std::to_string(options.threads) + ")."};
+  }
+  if (caps.size() > kMaxCircles) {
+    return Error{ErrorCode::tooManyCircles, kNone,
+                 "There are " + std::to_string(caps.size()) + " caps; at most " + std::to_string(kMaxCircles) +
+                     " are possible."};
+  }
+  if (!isArithmeticStandard()) {
+    return Error{ErrorCode::badArithmetic, kNone,
+                 "Floating-point numbers are not rounded to nearest or tiny ones are taken for zero, as in a program "
+                 "that is linked with -ffast-math."};
+  }
+  for (std::size_t i = 0; i < caps.size(); ++i) {
+    if (auto error = errorOf(caps[i], i, options)) return error;
+  }
+  return std::nullopt;
+}
+
+/// The other caps as circles of the plane, seen from cap N.
+struct Projection {
+  CircleIndex pole;  ///< N
+  std::vector<CircleIndex> rest;
+  std::vector<Circle> circles;
+  std::vector<CircleIndex> hidden;  ///< by N, in increasing order
+  double rounding = kInfinite;      ///< the angle by which rounded circles differ from the given caps, at most
+};
+
+/// Projects all caps from one of them; nothing if another cap hides it.
+std::optional<Projection> projectedFrom(CircleIndex pole, const SphereDiagram& diagram, const Places& places) {
+  Projection result;
+  result.pole = pole;
+  result.rounding = kRoundings;
+  result.rest.reserve(diagram.caps.size());
+  result.circles.reserve(diagram.caps.size());
+  const auto scaled = [](double x) { return std::abs(kScale * x) < kSmallest ? 0.0 : kScale * x; };
+  for (CircleIndex i = 0; i < static_cast<std::int32_t>(diagram.caps.size()); ++i) {
+    if (i == pole) continue;
+    const View view = viewOf(places[pole], places[i]);
+    const HalfGrowth growth = places.halfGrowth(pole, i);
+    const double height = 2 * (view.squaredHalf - growth.sine * growth.sine);
+    const double difference = places.growth(pole, i);
+    if (view.squaredHalf <= kSamePlace || height <= 0x1p-50 * view.squaredHalf || std::abs(difference) >= kPi) {
+      if (difference > 0) return std::nullopt;
+      result.hidden.push_back(i);
+      continue;
+    }
+    const sphere::Border border = sphere::borderOf(view.vector, height, growth);
+    // Seen from the plane's side, the sphere is mirrored.
+    result.rest.push_back(i);
+    result.circles.push_back({scaled(border.vector.x), scaled(-border.vector.y), scaled(border.offset)});
+    const double place = length(border.vector);
+    const double near = place - std::abs(border.offset);
+    const double rounding = kRoundings * (place + std::abs(border.offset)) / (1 + near * near);
+    result.rounding = std::max(result.rounding, rounding);
+  }
+  return result;
+}
+
+/// Projects from the largest cap, which no other hides, or if much is lost to rounding there from another one.
+Projection projected(const SphereDiagram& diagram, const Places& places) {
+  const auto rank = [&](CircleIndex i) {
+    return std::tuple(-diagram.caps[at(i)].r, places[i].latitude, places[i].longitude, std::int32_t{i});
+  };
+  std::vector<CircleIndex> candidates(diagram.caps.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i] = static_cast<std::int32_t>(i);
+  const std::size_t count = std::min(kCandidates, candidates.size());
+  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count), candidates.end(),
+                    [&](CircleIndex i, CircleIndex j) { return rank(i) < rank(j); });
+  Projection best;
+  for (std::size_t k = 0; k < count && best.rounding > kGoodRounding; ++k) {
+    auto projection = projectedFrom(candidates[k], diagram, places);
+    if (projection && projection->rounding < best.rounding) best = *std::move(projection);
+  }
+  return best;
+}
+
+/// Fills edges, the caps of vertices, and links from the diagram of the plane.
+void assemble(SphereDiagram& sphere, const Diagram& plane, const Projection& projection) {
+  const auto& [pole, rest, circles, hiddenByPole, rounding] = projection;
+  const auto capOf = [&rest = projection.rest](CircleIndex circle) { return rest[at(circle)]; };
+  for (const CircleIndex i : hiddenByPole) sphere.hidden.push_back({i, pole});
+  for (const auto& [circle, by] : plane.hidden) sphere.hidden.push_back({capOf(circle), capOf(by)});
+  std::ranges::sort(sphere.hidden, {}, [](const HiddenCircle& h) { return std::int32_t{h.circle}; });
+
+  Links& links = sphere.links;
+  links.firstSide.assign(sphere.caps.size(), kNone);
+  if (plane.hull.size() == 1) {
+    // Two visible caps.
+    const CircleIndex other = capOf(plane.hull[0]);
+    sphere.edges.push_back({std::min(pole, other), std::max(pole, other), kNone, kNone});
+    links.nextSide = {0, 1};
+  } else if (!plane.hull.empty()) {
+    // Ends at infinity become vertices, one after the other, and the sides between them the cell of N.
+    sphere.edges.reserve(plane.edges.size() + plane.hull.size());
+    sphere.vertexCaps.reserve(plane.vertices.size() + plane.hull.size());
+    for (const auto& [i, j, k] : plane.vertexCircles) sphere.vertexCaps.push_back({capOf(i), capOf(j), capOf(k)});
+    for (const Edge& e : plane.edges) sphere.edges.push_back({capOf(e.left), capOf(e.right), e.start, e.end});
+    const auto ending = [&](SideIndex side) -> VertexIndex& {
+      Edge& edge = sphere.edges[at(Diagram::edgeOf(side))];
+      return side % 2 == 0 ? edge.end : edge.start;
+    };
+    std::vector<SideIndex> unbounded;
+    for (SideIndex side = 0; side < static_cast<std::int32_t>(2 * plane.edges.size()); ++side) {
+      if (plane.targetOf(side) != kNone) continue;
+      unbounded.push_back(side);
+      ending(side) = static_cast<std::int32_t>(sphere.vertexCaps.size());
+      sphere.vertexCaps.push_back({capOf(plane.circleOf(side)), capOf(plane.neighborOf(side)), pole});
+    }
+    for (const SideIndex side : unbounded) {
+      const SideIndex next = plane.links.nextSide[at(side)];
+      sphere.edges.push_back({capOf(plane.circleOf(side)), pole, ending(side), ending(Diagram::twin(next))});
+    }
+    // The side of the k-th cap of a vertex begins there if its neighbor comes before it, and ends there if it comes after.
+    links.vertexSides.resize(sphere.vertexCaps.size());
+    links.nextSide.resize(2 * sphere.edges.size());
+    const auto positionIn = [](const std::array<CircleIndex, 3>& caps, CircleIndex cap) {
+      return static_cast<std::size_t>(std::ranges::find(caps, cap) - caps.begin());
+    };
+    const auto sideCount = static_cast<std::int32_t>(2 * sphere.edges.size());
+    for (SideIndex side = 0; side < sideCount; ++side) {
+      const VertexIndex start = sphere.originOf(side);
+      links.vertexSides[at(start)][positionIn(sphere.vertexCaps[at(start)], sphere.circleOf(side))] = side;
+    }
+    for (SideIndex side = 0; side < sideCount; ++side) {
+      const VertexIndex end = sphere.targetOf(side);
+      links.nextSide[at(side)] =
+          links.vertexSides[at(end)][positionIn(sphere.vertexCaps[at(end)], sphere.circleOf(side))];
+    }
+  }
+  for (auto edge = static_cast<std::int32_t>(sphere.edges.size()) - 1; edge >= 0; --edge) {
+    links.firstSide[at(sphere.edges[at(edge)].right)] = 2 * edge + 1;
+    links.firstSide[at(sphere.edges[at(edge)].left)] = 2 * edge;
+  }
+}
+
+/// Gives each cap of a diagram the index that is listed for it.
+void renumber(SphereDiagram& sphere, std::span<const Cap> caps, const std::vector<int>& indices) {
+  const auto rename = [&](CircleIndex& cap) { cap = indices[at(cap)]; };
+  sphere.caps.assign(caps.begin(), caps.end());
+  for (auto& triple : sphere.vertexCaps) std::for_each(triple.begin(), triple.end(), rename);
+  for (Edge& e : sphere.edges) {
+    rename(e.left);
+    rename(e.right);
+  }
+  for (HiddenCircle& h : sphere.hidden) {
+    rename(h.circle);
+    rename(h.by);
+  }
+  std::sort(sphere.hidden.begin(), sphere.hidden.end(),
+            [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
+  std::vector<SideIndex> firstSide(caps.size());
+  for (std::size_t i = 0; i < caps.size(); ++i) firstSide[static_cast<std::size_t>(indices[i])] = sphere.links.firstSide[i];
+  sphere.links.firstSide = std::move(firstSide);
+}
+
+/// Returns the caps in spatial order, so that neighbors are together in memory.
+std::vector<int> orderOf(std::span<const Cap> caps, Threads threads) {
+  std::vector<Point> points;
+  points.reserve(caps.size());
+  for (const Cap& cap : caps) {
+    points.push_back({std::abs(cap.latitude) == 90 ? 0 : sphere::wrapped(cap.longitude), cap.latitude});
+  }
+  return spatialOrder(points, threads);
+}
+
+Result<SphereDiagram> computeValid(std::span<const Cap> caps, const SphereOptions& options) {
+  const Threads threads(options.threads);
+  SphereDiagram sphere;
+  sphere.radius = options.radius;
+  sphere.weights = options.weights;
+  if (caps.empty()) return sphere;
+  const std::vector<int> indices = orderOf(caps, threads);
+  sphere.caps.reserve(caps.size());
+  for (const int i : indices) sphere.caps.push_back(caps[static_cast<std::size_t>(i)]);
+  const Places places(sphere);
+  const Projection projection = projected(sphere, places);
+  Options planar;
+  planar.weights = true;
+  planar.threads = options.threads;
+  const auto plane = compute(projection.circles, planar);
+  if (!plane) {
+    Error error = plane.error();
+    if (error.circle != kNone) error.circle = indices[at(projection.rest[static_cast<std::size_t>(error.circle)])];
+    return error;
+  }
+  sphere.rounding = options.radius * projection.rounding;
+  assemble(sphere, *plane, projection);
+  sphere.vertices.resize(sphere.vertexCaps.size());
+  threads.forEach(sphere.vertices.size(), [&](std::size_t v) {
+    const sphere::Touch touch = places.touch(sphere.vertexCaps[v]);
+    const CircleIndex from = sphere.vertexCaps[v][touch.from];
+    const Point p = pointAt(places[from], touch.direction, sphere::arcOf(touch.cotangent));
+    const double angle = angleOf(1, touch.cotangent);
+    sphere.vertices[v] = {p.x, p.y, options.radius * angle - sphere.caps[at(from)].r};
+  });
+  if (const auto checked = checkSphere(sphere); !checked) {
+    Error error = checked.error();
+    if (error.circle != kNone) error.circle = indices[static_cast<std::size_t>(error.circle)];
+    return error;
+  }
+  renumber(sphere, caps, indices);
+  return sphere;
+}
+
+}  // namespace
+
+Result<SphereDiagram> computeSphere(std::span<const Cap> caps, const SphereOptions& options) {
+  return guarded([&]() -> Result<SphereDiagram> {
+    if (auto error = errorOf(caps, options)) return *std::move(error);
+    return computeValid(caps, options);
+  });
+}
+
+}  // namespace circle_voronoi
