@@ -151,7 +151,9 @@ CapInput randomCaps(std::uint64_t seed) {
   input.options.radius = random.below(3) == 0 ? 1 : kEarthRadius;
   input.options.weights = random.below(8) == 0;
   const double middleLongitude = random.uniform(-180, 180);
-  const double middleLatitude = position == 0 ? 90 : position == 1 ? -90 : std::asin(random.uniform(-1, 1)) * 57.2957795;
+  const double middleLatitude = position == 0   ? 90
+                                : position == 1 ? -90
+                                                : std::asin(random.uniform(-1, 1)) * 57.2957795;
   constexpr double kPi = 3.14159265358979323846;
   for (std::size_t i = 0; i < count; ++i) {
     Cap cap;

@@ -24,10 +24,11 @@ CapInput randomCaps(std::uint64_t seed);
 
 /// The errors of a diagram, found with 50 digits, in units of the sphere's radius.
 struct SphereErrors {
-  /// The largest length by which a cap reaches into the disc of a vertex, beyond what the rounding of the diagram allows.
+  /// The largest length by which a cap reaches into the disc of a vertex, beyond what the rounding of the diagram
+  /// allows.
   double reach = 0;
-  /// The largest length by which the disc of a vertex fails to touch one of its caps, divided by the size of the disc and
-  /// its caps.
+  /// The largest length by which the disc of a vertex fails to touch one of its caps, divided by the size of the disc
+  /// and its caps.
   double touch = 0;
   /// The largest error of a vertex's distance, divided by that size.
   double distance = 0;

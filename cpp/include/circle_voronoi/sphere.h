@@ -58,8 +58,8 @@ struct SphereVertex {
 /// The Voronoi diagram of caps on a sphere, by indices. A CircleIndex is the index of a cap here.
 ///
 /// Vertices, edges and sides are those of a Diagram, without infinity: each vertex has three caps and three edges, and
-/// counter-clockwise is as seen from outside the sphere. Where more than three caps touch one disc, several vertices are
-/// joined by edges of length near zero. If two caps have a cell, one edge without vertices lies between them: its
+/// counter-clockwise is as seen from outside the sphere. Where more than three caps touch one disc, several vertices
+/// are joined by edges of length near zero. If two caps have a cell, one edge without vertices lies between them: its
 /// ends are kNone. If one cap has a cell, the cell is the whole sphere.
 ///
 /// For n visible caps there are 2 n - 4 vertices and 3 n - 6 edges, if n is at least 3.
@@ -111,8 +111,8 @@ struct SphereDiagram {
 /// Computes the Voronoi diagram of caps on a sphere.
 ///
 /// The caps may be disjoint, intersecting, tangent, nested, equal, points, or larger than half of the sphere, in any
-/// position. There may be none. Longitudes are any numbers; latitudes are within 90 degrees. Radii are less than half of
-/// the circumference.
+/// position. There may be none. Longitudes are any numbers; latitudes are within 90 degrees. Radii are less than half
+/// of the circumference.
 ///
 /// Adding a number to all radii does not change the diagram. So one cap N becomes a point, and stereographic
 /// projection from N turns the others into circles of the plane with signed radii. A disc that touches three caps and
@@ -120,10 +120,10 @@ struct SphereDiagram {
 /// half-plane. So the dual on the sphere is the dual of the circles in the plane, whose point at infinity is N.
 /// `compute` finds it and proves it, and `checkSphere` looks at it on the sphere again.
 ///
-/// The projected circles are rounded, so the proof is about caps near the given ones (SphereDiagram::rounding). They are
-/// a few nanometers away on the Earth, and more only if each cap almost hides another or is almost hidden by it: N is
-/// a cap for which the rounding is small. Vertices are computed from the given caps. They touch their caps to 1e-14 of
-/// the size of caps and disc, and of the rounding of degrees.
+/// The projected circles are rounded, so the proof is about caps near the given ones (SphereDiagram::rounding). They
+/// are a few nanometers away on the Earth, and more only if each cap almost hides another or is almost hidden by it: N
+/// is a cap for which the rounding is small. Vertices are computed from the given caps. They touch their caps to 1e-14
+/// of the size of caps and disc, and of the rounding of degrees.
 ///
 /// The same input gives the same bits on every platform. Takes about n log n steps for n caps.
 ///
@@ -135,8 +135,8 @@ Result<SphereDiagram> computeSphere(std::span<const Cap> caps, const SphereOptio
 /// Judges whether a diagram is the Voronoi diagram of its caps on the sphere, whatever program made it: each vertex
 /// touches its three caps, counter-clockwise; each hidden cap lies in a visible one; and the sides of each cell go
 /// around its center once, in order of bearing. All this holds up to twice the `rounding` of the diagram, and at least
-/// 1e-14 of the sphere's radius: where sides are in the wrong order, the fourth cap must touch the disc of a vertex to this
-/// length. Linear time.
+/// 1e-14 of the sphere's radius: where sides are in the wrong order, the fourth cap must touch the disc of a vertex to
+/// this length. Linear time.
 ///
 /// Errors: badInput if the parts of the diagram do not fit together; notCertified if the diagram is not right, with a
 /// cap.
@@ -149,8 +149,8 @@ Result<void> checkSphere(const SphereDiagram& diagram);
 /// Returns the distance of a place from a cap: along the ground to its center, minus its radius.
 [[nodiscard]] double distanceFrom(const SphereDiagram& diagram, CircleIndex cap, double longitude, double latitude);
 
-/// Returns the area of a cell, or of its part within `maxDistance` of its cap. The areas of all cells sum to that of the
-/// sphere. A hidden cap has the area 0.
+/// Returns the area of a cell, or of its part within `maxDistance` of its cap. The areas of all cells sum to that of
+/// the sphere. A hidden cap has the area 0.
 [[nodiscard]] double area(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance = {});
 /// Returns the areas of all cells.
 [[nodiscard]] std::vector<double> areas(const SphereDiagram& diagram, std::optional<double> maxDistance = {});
@@ -166,10 +166,10 @@ struct SpherePolygonOptions {
   std::optional<double> maxDistance = {};
 };
 
-/// Returns polygons of all cells for RFC 7946 (GeoJSON): points are longitudes (x) and latitudes (y) in degrees, and sides
-/// are straight in degrees. Cells are cut at the antimeridian; points on it have the longitude 180 or -180. A cell that
-/// contains a pole has a polygon with a side along it, from -180 to 180. The whole sphere is the rectangle of all
-/// degrees.
+/// Returns polygons of all cells for RFC 7946 (GeoJSON): points are longitudes (x) and latitudes (y) in degrees, and
+/// sides are straight in degrees. Cells are cut at the antimeridian; points on it have the longitude 180 or -180. A
+/// cell that contains a pole has a polygon with a side along it, from -180 to 180. The whole sphere is the rectangle of
+/// all degrees.
 ///
 /// Row i has the polygons of cap i, none if it has no cell. Neighbors share their points to the bit, except on the
 /// antimeridian and at the poles. Cells that are narrower than the tolerance may have polygons that cross themselves.

@@ -90,8 +90,8 @@ inline SineCosine sineCosine(double angle) {
   return elementary::turned(elementary::small(rest), quarters);
 }
 
-/// Returns the sine and the cosine of an angle in degrees, of at most a few turns. Multiples of 90 degrees are exact, and
-/// results near zero are as accurate as others.
+/// Returns the sine and the cosine of an angle in degrees, of at most a few turns. Multiples of 90 degrees are exact,
+/// and results near zero are as accurate as others.
 inline SineCosine sineCosineOfDegrees(double degrees) {
   if (std::abs(degrees) <= 45) return elementary::small(degrees * kDegree);
   const double quarters = std::floor(degrees / 90 + 0.5);

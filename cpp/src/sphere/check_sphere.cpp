@@ -15,7 +15,6 @@
 namespace circle_voronoi {
 namespace {
 
-using sphere::Place;
 using sphere::Places;
 
 /// The place of a cap among those of a vertex; any place if it is not there.
@@ -77,16 +76,49 @@ bool fits(const SphereDiagram& diagram) {
   return firstSide == links.firstSide;
 }
 
-/// The check on the sphere. Regions that are star-shaped around their centers and fit together along their borders cover
-/// the sphere once, if each vertex has its caps around it once: then they are a covering of the sphere, and the sphere
-/// has none but itself. The distance is continuous across the borders, because these are where two caps are equally far.
-/// So the regions are the cells, as in `judge.h`.
+struct Vector3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+
+double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// The directions at a place. Unlike views (place.h), vectors of space have all digits of the sphere's radius only,
+/// which suffices for the tolerance.
+class Axes {
+ public:
+  Axes(double longitude, double latitude)
+      : longitude_(sineCosineOfDegrees(sphere::wrapped(longitude))), latitude_(sineCosineOfDegrees(latitude)) {}
+
+  Vector3 up() const {
+    return {latitude_.cosine * longitude_.cosine, latitude_.cosine * longitude_.sine, latitude_.sine};
+  }
+  double east(const Vector3& v) const { return v.y * longitude_.cosine - v.x * longitude_.sine; }
+  double north(const Vector3& v) const {
+    return v.z * latitude_.cosine - (v.x * longitude_.cosine + v.y * longitude_.sine) * latitude_.sine;
+  }
+
+ private:
+  SineCosine longitude_;
+  SineCosine latitude_;
+};
+
+/// The check on the sphere. Regions that are star-shaped around their centers and fit together along their borders
+/// cover the sphere once, if each vertex has its caps around it once: then they are a covering of the sphere, and the
+/// sphere has none but itself. The distance is continuous across the borders, because these are where two caps are
+/// equally far. So the regions are the cells, as in `judge.h`.
 class SphereJudge {
  public:
   explicit SphereJudge(const SphereDiagram& diagram)
-      : diagram_(diagram), places_(diagram), tolerance_(std::max(2 * diagram.rounding, 1e-14 * diagram.radius)), angleTolerance_(tolerance_ / diagram.radius) {
-    vertexPlaces_.reserve(diagram.vertices.size());
-    for (const SphereVertex& v : diagram.vertices) vertexPlaces_.push_back(sphere::placeAt(v.longitude, v.latitude));
+      : diagram_(diagram),
+        places_(diagram),
+        tolerance_(std::max(2 * diagram.rounding, 1e-14 * diagram.radius)),
+        angleTolerance_(tolerance_ / diagram.radius) {
+    capAxes_.reserve(diagram.caps.size());
+    for (const Cap& c : diagram.caps) capAxes_.emplace_back(c.longitude, c.latitude);
+    vertexAxes_.reserve(diagram.vertices.size());
+    for (const SphereVertex& v : diagram.vertices) vertexAxes_.emplace_back(v.longitude, v.latitude);
   }
 
   std::optional<Error> run() {
@@ -148,40 +180,50 @@ class SphereJudge {
 
   /// Returns by how much a cap reaches into the disc of a vertex.
   double reach(CircleIndex i, VertexIndex v) const {
-    const double angle = sphere::viewOf(places_[i], vertexPlaces_[at(v)]).angle();
-    return diagram_.vertices[at(v)].distance + cap(i).r - diagram_.radius * angle;
+    const auto& [longitude, latitude, distance] = diagram_.vertices[at(v)];
+    const double angle = sphere::viewOf(places_[i], sphere::placeAt(longitude, latitude)).angle();
+    return distance + cap(i).r - diagram_.radius * angle;
   }
 
   void checkVertex(VertexIndex v) {
-    const Place& place = vertexPlaces_[at(v)];
-    std::array<Vector, 3> toward;
+    const Axes& axes = vertexAxes_[at(v)];
+    const Vector3 place = axes.up();
+    std::array<Vector3, 3> toward;
     std::array<double, 3> sizes{};
     bool isAtCenter = false;
+    SineCosine half;
+    double reached = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const CircleIndex i = diagram_.vertexCaps[at(v)][k];
-      sphere::HalfDifferences half = sphere::halfDifferences(place, places_[i]);
-      const double cosine = 1 - 2 * sphere::squaredHalf(place, places_[i], half);
-      toward[k] = sphere::vectorOf(place, places_[i], half);
-      sizes[k] = length(toward[k]);
-      half.latitude.sine = -half.latitude.sine;
-      half.longitude.sine = -half.longitude.sine;
-      corners_[at(v)][k].bearing = pseudoAngle(sphere::vectorOf(places_[i], place, half));
-      const double reached = (diagram_.vertices[at(v)].distance + cap(i).r) / diagram_.radius;
-      if (!(std::abs(angleOf(sizes[k], cosine) - reached) <= angleTolerance_)) {
-        return refuse(i, "A vertex does not touch one of its caps.");
-      }
+      const Axes& center = capAxes_[at(i)];
+      const Vector3 up = center.up();
+      toward[k] = {up.x - place.x, up.y - place.y, up.z - place.z};
+      const double chord = dot(toward[k], toward[k]);
+      sizes[k] = std::sqrt(chord * std::max(1 - chord / 4, 0.0));
+      const double angle = (diagram_.vertices[at(v)].distance + cap(i).r) / diagram_.radius;
+      if (k == 0 || angle != reached) half = sineCosine(angle / 2);
+      reached = angle;
+      // Beyond a right angle, half of it is known better from its cosine.
+      const Vector3 sum = {up.x + place.x, up.y + place.y, up.z + place.z};
+      const double miss = chord < 2 ? (std::sqrt(chord) - 2 * half.sine) / half.cosine
+                                    : (std::sqrt(dot(sum, sum)) - 2 * half.cosine) / half.sine;
+      if (!(std::abs(miss) <= angleTolerance_)) return refuse(i, "A vertex does not touch one of its caps.");
+      corners_[at(v)][k].bearing = pseudoAngle({-center.east(toward[k]), -center.north(toward[k])});
       // At the center of a cap, and opposite to it, all directions are equally right.
       if (!(sizes[k] > 4 * angleTolerance_)) corners_[at(v)][k].isNearCenter = isAtCenter = true;
     }
     if (isAtCenter) return;
-    const auto& [a, b, c] = toward;
-    if (cross(a, b) * sizes[2] + cross(b, c) * sizes[0] + cross(c, a) * sizes[1] >= 0) return;
-    // Two caps in nearly the same direction nearly touch each other from inside: if they are moved by the tolerance, they
-    // do.
+    std::array<Vector, 3> directions;
+    for (std::size_t k = 0; k < 3; ++k) {
+      directions[k] = {axes.east(toward[k]) / sizes[k], axes.north(toward[k]) / sizes[k]};
+    }
+    const auto& [a, b, c] = directions;
+    if (cross({b.x - a.x, b.y - a.y}, {c.x - a.x, c.y - a.y}) >= 0) return;
+    // Two caps in nearly the same direction nearly touch each other from inside: if they are moved by the tolerance,
+    // they do.
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t l = (k + 1) % 3;
-      const Vector step = {toward[l].x / sizes[l] - toward[k].x / sizes[k],
-                           toward[l].y / sizes[l] - toward[k].y / sizes[k]};
+      const Vector step = {directions[l].x - directions[k].x, directions[l].y - directions[k].y};
       if (dot(step, step) * std::min(sizes[k], sizes[l]) <= 8 * angleTolerance_) return;
     }
     refuse(diagram_.vertexCaps[at(v)][0], "The caps of a vertex do not go around it counter-clockwise.");
@@ -230,7 +272,8 @@ class SphereJudge {
   const double tolerance_;
   const double angleTolerance_;
   std::vector<std::array<Corner, 3>> corners_;  ///< of each vertex, in the order of its caps
-  std::vector<Place> vertexPlaces_;
+  std::vector<Axes> capAxes_;
+  std::vector<Axes> vertexAxes_;
   std::optional<Error> error_;
 };
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "at.h"
 #include "arithmetic.h"
+#include "at.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/sphere.h"
@@ -62,9 +62,9 @@ std::optional<Error> errorOf(const Cap& cap, std::size_t index, const SphereOpti
 
 std::optional<Error> errorOf(std::span<const Cap> caps, const SphereOptions& options) {
   if (!(options.radius >= 1e-20 && options.radius <= 1e20)) {
-    return Error{ErrorCode::badOption, kNone,
-                 "The radius of the sphere must be a number from 1e-20 to 1e20 (got " + numberText(options.radius) +
-                     ")."};
+    return Error{
+        ErrorCode::badOption, kNone,
+        "The radius of the sphere must be a number from 1e-20 to 1e20 (got " + numberText(options.radius) + ")."};
   }
   if (options.threads < 0) {
     return Error{ErrorCode::badOption, kNone,
@@ -180,7 +180,8 @@ void assemble(SphereDiagram& sphere, const Diagram& plane, const Projection& pro
       const SideIndex next = plane.links.nextSide[at(side)];
       sphere.edges.push_back({capOf(plane.circleOf(side)), pole, ending(side), ending(Diagram::twin(next))});
     }
-    // The side of the k-th cap of a vertex begins there if its neighbor comes before it, and ends there if it comes after.
+    // The side of the k-th cap of a vertex begins there if its neighbor comes before it, and ends there if it comes
+    // after.
     links.vertexSides.resize(sphere.vertexCaps.size());
     links.nextSide.resize(2 * sphere.edges.size());
     const auto positionIn = [](const std::array<CircleIndex, 3>& caps, CircleIndex cap) {
@@ -219,7 +220,8 @@ void renumber(SphereDiagram& sphere, std::span<const Cap> caps, const std::vecto
   std::sort(sphere.hidden.begin(), sphere.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
   std::vector<SideIndex> firstSide(caps.size());
-  for (std::size_t i = 0; i < caps.size(); ++i) firstSide[static_cast<std::size_t>(indices[i])] = sphere.links.firstSide[i];
+  for (std::size_t i = 0; i < caps.size(); ++i)
+    firstSide[static_cast<std::size_t>(indices[i])] = sphere.links.firstSide[i];
   sphere.links.firstSide = std::move(firstSide);
 }
 

@@ -20,8 +20,8 @@ double doubleArea(const Ring& ring) {
   return sum;
 }
 
-/// Returns how far a point of the rectangle's left or right side is along its boundary, counter-clockwise from the lower
-/// left corner.
+/// Returns how far a point of the rectangle's left or right side is along its boundary, counter-clockwise from the
+/// lower left corner.
 double placeOf(Point p) { return p.x > 0 ? 360 + (p.y + 90) : 900 + (90 - p.y); }
 constexpr double kAround = 1080;
 /// The places of the corners.
@@ -79,8 +79,8 @@ class Cutter {
 
  private:
   static std::size_t firstOutsidePoles(const Ring& line) {
-    return static_cast<std::size_t>(
-        std::find_if(line.begin(), line.end(), [](Point p) { return !isPole(p); }) - line.begin());
+    return static_cast<std::size_t>(std::find_if(line.begin(), line.end(), [](Point p) { return !isPole(p); }) -
+                                    line.begin());
   }
 
   void cut(double latitude, bool isEastward) {

@@ -5,9 +5,10 @@
 
 namespace circle_voronoi::sphere {
 
-// Seen from the first cap, the other two are circles of the plane, and the disc that touches all three is a half-plane. The
-// place lies in the direction normal to their common tangent line. The square of the tangent's length between them is
-// 2 h / (h' h''), where h is the height between the two and h', h'' are those from the first cap: it does not cancel.
+// Seen from the first cap, the other two are circles of the plane, and the disc that touches all three is a half-plane.
+// The place lies in the direction normal to their common tangent line. The square of the tangent's length between them
+// is 2 h / (h' h''), where h is the height between the two and h', h'' are those from the first cap: it does not
+// cancel.
 
 Touch Places::touchFrom(const Border& second, const Border& third, double oppositeHeight) {
   const Vector step = {third.vector.x - second.vector.x, third.vector.y - second.vector.y};

@@ -13,8 +13,8 @@
 
 namespace circle_voronoi::sphere {
 
-// Places are seen from one another along the ground, in the directions east (x) and north (y). All differences come from
-// differences of degrees, so that they have all their digits however near the places are.
+// Places are seen from one another along the ground, in the directions east (x) and north (y). All differences come
+// from differences of degrees, so that they have all their digits however near the places are.
 
 /// A place on the sphere.
 struct Place {
@@ -65,8 +65,8 @@ inline double squaredHalf(const Place& from, const Place& to, const HalfDifferen
 
 inline Vector vectorOf(const Place& from, const Place& to, const HalfDifferences& half) {
   const double across = 2 * to.ofLatitude.cosine * half.longitude.sine;
-  return {across * half.longitude.cosine, 2 * half.latitude.sine * half.latitude.cosine +
-                                              from.ofLatitude.sine * across * half.longitude.sine};
+  return {across * half.longitude.cosine,
+          2 * half.latitude.sine * half.latitude.cosine + from.ofLatitude.sine * across * half.longitude.sine};
 }
 
 inline View viewOf(const Place& from, const Place& to) {
@@ -84,7 +84,8 @@ inline Point pointAt(const Place& from, Vector direction, SineCosine angle) {
 }
 
 /// The border of a cap toward another one, as seen from its center: where the bearing differs by phi from that of the
-/// other cap, the cotangent of the border's angle is amplitude cos(phi) + offset. This is where the two are equally far.
+/// other cap, the cotangent of the border's angle is amplitude cos(phi) + offset. This is where the two are equally
+/// far.
 ///
 /// In the plane of the stereographic projection from the center, the other cap is a circle with its center at the
 /// distance `amplitude` and the radius `offset`.

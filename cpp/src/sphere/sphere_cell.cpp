@@ -49,9 +49,8 @@ std::vector<CellSide> sidesOf(const SphereDiagram& diagram, const Places& places
   }
   // All sides together turn once. Each further turn is a step back by rounding.
   while (total > 3 * kPi) {
-    const auto largest = std::max_element(sides.begin(), sides.end(), [](const CellSide& a, const CellSide& b) {
-      return a.to - a.from < b.to - b.from;
-    });
+    const auto largest = std::max_element(
+        sides.begin(), sides.end(), [](const CellSide& a, const CellSide& b) { return a.to - a.from < b.to - b.from; });
     largest->to -= 2 * kPi;
     total -= 2 * kPi;
   }

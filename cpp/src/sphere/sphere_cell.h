@@ -21,9 +21,7 @@ struct CellSide {
   double to = 0;
 
   /// The cotangent of the angle to the border at a bearing, less that of the other cap.
-  [[nodiscard]] double cotangentAt(double angle) const {
-    return amplitude * sineCosine(angle).cosine + border.offset;
-  }
+  [[nodiscard]] double cotangentAt(double angle) const { return amplitude * sineCosine(angle).cosine + border.offset; }
 };
 
 /// A part of the outline of a cell: of one of its sides, or of the circle at the maximum distance beyond this side.
@@ -36,8 +34,8 @@ struct CellPart {
 /// Returns the sides of a cell, counter-clockwise; none if the cell is the whole sphere or there is none.
 std::vector<CellSide> sidesOf(const SphereDiagram& diagram, const Places& places, CircleIndex cap);
 
-/// Returns the parts of a side within an angle from the center, whose cotangent is given, and those of the circle beyond
-/// it, in order.
+/// Returns the parts of a side within an angle from the center, whose cotangent is given, and those of the circle
+/// beyond it, in order.
 std::vector<CellPart> partsOf(const CellSide& side, std::optional<double> cotangent);
 
 /// The reach of a cell: the angle to which a maximum distance cuts it.

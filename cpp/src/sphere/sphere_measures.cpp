@@ -20,8 +20,8 @@ constexpr std::array kNodes = {0.18343464249564980494, 0.52553240991632898582, 0
                                0.96028985649753623168};
 constexpr std::array kWeights = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
                                  0.10122853629037625915};
-/// Halving ends where it changes no more than this share, for it makes errors 2^16 times smaller.
-constexpr double kChange = 0x1p-34;
+/// Halving ends where it changes no more than this share. The error is then smaller still.
+constexpr double kChange = 0x1p-42;
 constexpr int kMostHalvings = 50;
 
 template <class Function>
@@ -35,8 +35,8 @@ double gauss(Function function, double from, double to) {
   return half * sum;
 }
 
-/// Returns an integral by halving its range. `whole` is its value before, and noise(x) the rounding error of the function
-/// at x.
+/// Returns an integral by halving its range. `whole` is its value before, and noise(x) the rounding error of the
+/// function at x.
 template <class Function, class Noise>
 double refined(Function function, Noise noise, double from, double to, double whole, int halvings = 0) {
   const double middle = (from + to) / 2;
@@ -124,8 +124,8 @@ double areaToBorder(const CellSide& side, const CellPart& part) {
     });
     return layer + 2 * angleBeyondEquator(side, part);
   }
-  // The border is a great circle. Up to half a turn from its nearest point, the integral is the difference of the bearing
-  // and the arcsine of its sine times a / sqrt(1 + a^2), here without cancellation.
+  // The border is a great circle. Up to half a turn from its nearest point, the integral is the difference of the
+  // bearing and the arcsine of its sine times a / sqrt(1 + a^2), here without cancellation.
   const auto integral = [&](double angle) {
     const double turns = std::floor(angle / (2 * kPi) + 0.5);
     const double rest = angle - 2 * kPi * turns;
@@ -143,8 +143,8 @@ double areaToBorder(const CellSide& side, const CellPart& part) {
 /// Sums a function of the parts on borders and a function of the parts on the circle of the maximum distance over a
 /// cell.
 template <class OnBorder, class OnCircle>
-double sumOver(const SphereDiagram& diagram, const Places& places, CircleIndex cap,
-               std::optional<double> maxDistance, OnBorder onBorder, OnCircle onCircle) {
+double sumOver(const SphereDiagram& diagram, const Places& places, CircleIndex cap, std::optional<double> maxDistance,
+               OnBorder onBorder, OnCircle onCircle) {
   const sphere::Reach reach = sphere::reachOf(diagram, cap, maxDistance);
   if (!diagram.hasCell(cap) || (reach.angle && !(*reach.angle > 0))) return 0;
   const SineCosine arc = reach.angle ? sineCosine(*reach.angle) : SineCosine{0, -1};
@@ -159,14 +159,10 @@ double sumOver(const SphereDiagram& diagram, const Places& places, CircleIndex c
   return sum;
 }
 
-double areaOf(const SphereDiagram& diagram, const Places& places, CircleIndex cap,
-              std::optional<double> maxDistance) {
-  const double share = sumOver(
-      diagram, places, cap, maxDistance,
-      areaToBorder,
-      [](const SineCosine& arc, double turn) {
-        return turn * (arc.cosine > 0 ? arc.sine * arc.sine / (1 + arc.cosine) : 1 - arc.cosine);
-      });
+double areaOf(const SphereDiagram& diagram, const Places& places, CircleIndex cap, std::optional<double> maxDistance) {
+  const double share = sumOver(diagram, places, cap, maxDistance, areaToBorder, [](const SineCosine& arc, double turn) {
+    return turn * (arc.cosine > 0 ? arc.sine * arc.sine / (1 + arc.cosine) : 1 - arc.cosine);
+  });
   return share * diagram.radius * diagram.radius;
 }
 

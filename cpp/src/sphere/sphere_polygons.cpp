@@ -22,8 +22,13 @@ using sphere::CellSide;
 using sphere::Place;
 using sphere::Places;
 
+/// Steps deviate by less than this part of their length, so that sides with a small angle between them do not cross.
+constexpr double kStraightness = 64;
 /// A piece of a border is split this many times, at most.
 constexpr int kMostSplits = 48;
+
+/// Bearings that differ by less are the same up to rounding.
+constexpr double kSameBearing = 1e-13;
 
 /// The place on a border, or on a circle, at a bearing as in CellSide.
 struct BorderPoint {
@@ -51,6 +56,7 @@ class Sampler {
     addEvery(kPi, kPi / 2 - side.bearing);
     std::ranges::sort(stops);
     for (const double stop : stops) {
+      if (stop - from.bearing < kSameBearing || to.bearing - stop < kSameBearing) continue;
       const BorderPoint next = pointOf(side, stop, side.cotangentAt(stop));
       refine(side, from, next, points, 0);
       from = next;
@@ -75,7 +81,9 @@ class Sampler {
               int halvings) const {
     if (halvings < kMostSplits && !isNear(a, b)) {
       const BorderPoint middle = between(side, a, b);
-      if (!isStraight(a, b, {between(side, a, middle), middle, between(side, middle, b)})) {
+      // Near the center the cell may be much smaller than the tolerance.
+      const double tolerance = std::min(tolerance_, std::min(a.angle, b.angle) / (16 * kDegree));
+      if (!isStraight(a, b, {between(side, a, middle), middle, between(side, middle, b)}, tolerance)) {
         refine(side, a, middle, points, halvings + 1);
         refine(side, middle, b, points, halvings + 1);
         return;
@@ -86,12 +94,13 @@ class Sampler {
 
   bool isNear(const BorderPoint& a, const BorderPoint& b) const {
     const double across = std::abs(b.bearing - a.bearing) * sineCosine(std::max(a.angle, b.angle)).sine;
-    return (std::abs(b.angle - a.angle) + across) / kDegree <= tolerance_ / 8;
+    const double least = std::min(tolerance_, std::min(a.angle, b.angle) / (16 * kDegree));
+    return (std::abs(b.angle - a.angle) + across) / kDegree <= least / 1024;
   }
 
   /// A point of a curve between two: half way by bearing, or by angle where this changes faster.
   BorderPoint between(const CellSide& side, const BorderPoint& a, const BorderPoint& b) const {
-    const double least = std::min(a.angle, b.angle);
+    const double least = std::min(sineCosine(a.angle).sine, sineCosine(b.angle).sine);
     if (std::abs(a.angle - b.angle) > 2 * std::abs(a.bearing - b.bearing) * least && side.amplitude > 0) {
       const SineCosine arc = sineCosine((a.angle + b.angle) / 2);
       const double cotangent = arc.cosine / arc.sine;
@@ -107,8 +116,9 @@ class Sampler {
     return pointOf(side, bearing, side.cotangentAt(bearing));
   }
 
-  /// Whether the points between lie within the tolerance of the segment from a to b.
-  bool isStraight(const BorderPoint& a, const BorderPoint& b, const std::array<BorderPoint, 3>& points) const {
+  /// Whether the points between lie within a tolerance of the segment from a to b.
+  static bool isStraight(const BorderPoint& a, const BorderPoint& b, const std::array<BorderPoint, 3>& points,
+                         double tolerance) {
     const auto step = [&](Point p, Point q) {
       const double turn = degrees::isPole(p) || degrees::isPole(q) ? 0 : degrees::turn(p.x, q.x);
       return Vector{turn, q.y - p.y};
@@ -121,7 +131,8 @@ class Sampler {
       const Vector toPoint = {part.x * scale, part.y};
       const double square = dot(along, along);
       const double share = square > 0 ? std::clamp(dot(along, toPoint) / square, 0.0, 1.0) : 0;
-      return length({toPoint.x - share * along.x, toPoint.y - share * along.y}) <= tolerance_;
+      return length({toPoint.x - share * along.x, toPoint.y - share * along.y}) <=
+             std::min(tolerance, std::sqrt(square) / kStraightness);
     });
   }
 
@@ -148,7 +159,23 @@ class CellPolygons {
         tolerance_(options.tolerance.value_or(diagram.radius * 1e-5) / diagram.radius),
         maxDistance_(options.maxDistance),
         isFollowed_(diagram.caps.size()),
-        pieces_(diagram.edges.size()) {}
+        pieces_(diagram.edges.size()) {
+    // Vertices of one place are one point, for rounding could turn the edges between them.
+    points_.reserve(diagram.vertices.size());
+    for (const SphereVertex& v : diagram.vertices) points_.push_back(degrees::snapped({v.longitude, v.latitude}));
+    for (bool isChanged = true; isChanged;) {
+      isChanged = false;
+      for (const Edge& e : diagram.edges) {
+        if (e.start == kNone) continue;
+        Point& p = points_[at(e.start)];
+        Point& q = points_[at(e.end)];
+        if (p == q || !degrees::isSame(p, q)) continue;
+        const bool isFirst = std::pair(p.x, p.y) < std::pair(q.x, q.y);
+        (isFirst ? q : p) = isFirst ? p : q;
+        isChanged = true;
+      }
+    }
+  }
 
   /// Appends the row of a cell.
   void add(CircleIndex cap, ClippedPolygons& result) {
@@ -219,10 +246,9 @@ class CellPolygons {
         // By rounding alone, a piece may have a length from one side only.
         const CellPart part = k < parts.size() ? parts[k] : CellPart{};
         const double angle = reach.angle.value_or(0);
-        result.push_back(
-            {piece,
-             {toEast + (piece.startsAtVertex ? side.from : part.from), angle, piece.points.front()},
-             {toEast + (piece.endsAtVertex ? side.to : part.to), angle, piece.points.back()}});
+        result.push_back({piece,
+                          {toEast + (piece.startsAtVertex ? side.from : part.from), angle, piece.points.front()},
+                          {toEast + (piece.endsAtVertex ? side.to : part.to), angle, piece.points.back()}});
       }
     }
     return result;
@@ -238,8 +264,7 @@ class CellPolygons {
       const auto endOf = [&](double bearing, VertexIndex vertex) {
         const double cotangent = side.cotangentAt(bearing);
         if (vertex == kNone) return sampler.pointOf(side, bearing, cotangent);
-        const SphereVertex& v = diagram_.vertices[at(vertex)];
-        return BorderPoint{bearing, angleOf(1, cotangent), degrees::snapped({v.longitude, v.latitude})};
+        return BorderPoint{bearing, angleOf(1, cotangent), points_[at(vertex)]};
       };
       for (const CellPart& part : sphere::partsOf(side, reach.cotangent())) {
         if (part.isOnCircle) continue;
@@ -248,7 +273,9 @@ class CellPolygons {
         piece.endsAtVertex = part.to == side.to;
         const BorderPoint start =
             endOf(part.from, piece.startsAtVertex ? diagram_.originOf(side.side) : VertexIndex(kNone));
-        const BorderPoint end = endOf(part.to, piece.endsAtVertex ? diagram_.targetOf(side.side) : VertexIndex(kNone));
+        BorderPoint end = endOf(part.to, piece.endsAtVertex ? diagram_.targetOf(side.side) : VertexIndex(kNone));
+        // A border without vertices ends where it starts.
+        if (part.to - part.from == 2 * kPi) end.degrees = start.degrees;
         piece.points.push_back(start.degrees);
         sampler.follow(side, start, end, piece.points);
         pieces_[at(SphereDiagram::edgeOf(side.side))].push_back(std::move(piece));
@@ -262,6 +289,7 @@ class CellPolygons {
   const std::optional<double> maxDistance_;
   std::vector<bool> isFollowed_;
   std::vector<std::vector<Piece>> pieces_;  ///< of each edge, in its direction
+  std::vector<Point> points_;               ///< of each vertex, in degrees
 };
 
 }  // namespace

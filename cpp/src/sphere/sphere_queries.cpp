@@ -20,8 +20,8 @@ double distanceTo(const SphereDiagram& diagram, const Places& places, CircleInde
   return diagram.radius * sphere::viewOf(places[cap], place).angle() - diagram.caps[at(cap)].r;
 }
 
-/// Whether a point where two caps are equally far lies on an edge between them: at a bearing between those of its ends, and
-/// no nearer to the caps beyond the ends.
+/// Whether a point where two caps are equally far lies on an edge between them: at a bearing between those of its ends,
+/// and no nearer to the caps beyond the ends.
 bool isBetween(const SphereDiagram& diagram, const Places& places, const Edge& edge, Point p) {
   const Place place = sphere::placeAt(p.x, p.y);
   const double distance = distanceTo(diagram, places, edge.left, place);
@@ -112,8 +112,7 @@ std::optional<FarthestPlace> farthestPlace(const SphereDiagram& diagram) {
     CircleIndex only = 0;
     while (!diagram.hasCell(only)) ++only;
     const Place& center = places[only];
-    offer({sphere::wrapped(center.longitude + 180), -center.latitude,
-           diagram.radius * kPi - diagram.caps[at(only)].r},
+    offer({sphere::wrapped(center.longitude + 180), -center.latitude, diagram.radius * kPi - diagram.caps[at(only)].r},
           {only, kNone, kNone});
   }
   // The distance along an edge grows from its point between the caps to the opposite point.
