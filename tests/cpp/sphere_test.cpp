@@ -36,9 +36,7 @@ double sumOf(const std::vector<double>& values) {
 std::size_t visibleCount(const SphereDiagram& diagram) { return diagram.caps.size() - diagram.hidden.size(); }
 
 /// A random place, uniform on the sphere.
-Point randomPlace(Random& random) {
-  return {random.uniform(-180, 180), std::asin(random.uniform(-1, 1)) / kDegree};
-}
+Point randomPlace(Random& random) { return {random.uniform(-180, 180), std::asin(random.uniform(-1, 1)) / kDegree}; }
 
 /// The distance of a place from the nearest cap.
 double nearestDistance(const SphereDiagram& diagram, Point p) {
@@ -109,9 +107,9 @@ void expectPolygons(const SphereDiagram& diagram, double tolerance) {
     rows.push_back(ringsOf(*polygons, i));
     for (std::int32_t k = polygons->polygonOffsets[i]; k < polygons->polygonOffsets[i + 1]; ++k) {
       for (std::int32_t r = polygons->ringOffsets[at(k)]; r < polygons->ringOffsets[at(k) + 1]; ++r) {
-        const auto ring = std::span(polygons->points).subspan(
-            at(polygons->pointOffsets[at(r)]),
-            at(polygons->pointOffsets[at(r) + 1] - polygons->pointOffsets[at(r)]));
+        const auto ring = std::span(polygons->points)
+                              .subspan(at(polygons->pointOffsets[at(r)]),
+                                       at(polygons->pointOffsets[at(r) + 1] - polygons->pointOffsets[at(r)]));
         ASSERT_GE(ring.size(), 3u);
         const double area = doubleArea(ring);
         EXPECT_EQ(area > 0, r == polygons->ringOffsets[at(k)]) << "cap " << i;
@@ -180,7 +178,9 @@ void expectRight(const CapInput& input) {
 
 std::vector<CapInput> families() {
   std::vector<CapInput> inputs;
-  const auto add = [&](const std::string& name, std::vector<Cap> caps) { inputs.push_back({name, std::move(caps), {}}); };
+  const auto add = [&](const std::string& name, std::vector<Cap> caps) {
+    inputs.push_back({name, std::move(caps), {}});
+  };
   const auto ring = [](int count, double latitude, double r) {
     std::vector<Cap> caps;
     for (int k = 0; k < count; ++k) caps.push_back({360.0 * k / count, latitude, r});
@@ -219,7 +219,8 @@ std::vector<CapInput> families() {
   add("grid of caps with poles", grid);
   add("tangent caps", ring(12, 0, 15 * degree));
   add("tangent from inside", {{0, 0, 10 * degree}, {8, 0, 2 * degree}, {0, 6, 4 * degree}, {40, 0, 0}, {0, -50, 0}});
-  add("larger than half of the sphere", {{0, 0, 120 * degree}, {90, 0, 100 * degree}, {200, 40, 95 * degree}, {0, -80, 0}});
+  add("larger than half of the sphere",
+      {{0, 0, 120 * degree}, {90, 0, 100 * degree}, {200, 40, 95 * degree}, {0, -80, 0}});
   add("one hides all", {{0, 0, 170 * degree}, {10, 0, 10}, {-60, 20, 100}, {90, 45, 0}});
   add("duplicates", {{10, 10, 5}, {370, 10, 5}, {10, 10, 5}, {10, 10, 4}, {-50, 0, 0}, {-50, 0, 0}, {120, -30, 0}});
   add("poles with any longitude", {{10, 90, 5}, {370, 90, 5}, {-77, 90, 5}, {0, -90, 3}, {90, -90, 3}, {30, 0, 0}});
@@ -288,8 +289,9 @@ TEST(Sphere, RandomPolygonsCoverTheSphereOnce) {
     const auto closest = closestPair(diagram);
     const double tolerance = 1e-3 * diagram.radius;
     const auto all = areas(diagram);
-    const bool isFine = std::ranges::all_of(all, [&](double area) { return area == 0 || area > 1e3 * tolerance * tolerance; }) &&
-                        (!closest || closest->gap + 2 * diagram.caps[at(closest->first)].r > 30 * tolerance);
+    const bool isFine =
+        std::ranges::all_of(all, [&](double area) { return area == 0 || area > 1e3 * tolerance * tolerance; }) &&
+        (!closest || closest->gap + 2 * diagram.caps[at(closest->first)].r > 30 * tolerance);
     if (!isFine) continue;
     SCOPED_TRACE(input.name + test::describe(input.caps));
     expectPolygons(diagram, tolerance);
@@ -542,7 +544,8 @@ TEST(Sphere, AreasOfSmallCellsHaveAllTheirDigits) {
 }
 
 /// Expects that a change of a diagram that is right makes it wrong.
-void expectRefused(const SphereDiagram& right, const std::string& name, const std::function<void(SphereDiagram&)>& change) {
+void expectRefused(const SphereDiagram& right, const std::string& name,
+                   const std::function<void(SphereDiagram&)>& change) {
   ASSERT_TRUE(checkSphere(right));
   SphereDiagram wrong = right;
   change(wrong);
@@ -573,12 +576,16 @@ TEST(SphereJudge, RefusesCorruptedDiagrams) {
   refuse("caps in another order", [](SphereDiagram& d) { std::swap(d.vertexCaps[2][0], d.vertexCaps[2][1]); });
   refuse("another cap at a vertex", [](SphereDiagram& d) { d.vertexCaps[2][0] = (d.vertexCaps[2][0] + 1) % 31; });
   refuse("an edge that is turned", [](SphereDiagram& d) { std::swap(d.edges[4].start, d.edges[4].end); });
-  refuse("an edge of another cell", [](SphereDiagram& d) { d.edges[4].left = d.edges[5].left == d.edges[4].left ? d.edges[5].right : d.edges[5].left; });
+  refuse("an edge of another cell", [](SphereDiagram& d) {
+    d.edges[4].left = d.edges[5].left == d.edges[4].left ? d.edges[5].right : d.edges[5].left;
+  });
   refuse("a missing edge", [](SphereDiagram& d) { d.edges.pop_back(); });
   refuse("a missing vertex", [](SphereDiagram& d) { d.vertices.pop_back(); });
   refuse("another next side", [](SphereDiagram& d) { std::swap(d.links.nextSide[0], d.links.nextSide[1]); });
-  refuse("another first side", [](SphereDiagram& d) { d.links.firstSide[0] = d.links.nextSide[at(d.links.firstSide[0])]; });
-  refuse("another side at a vertex", [](SphereDiagram& d) { std::swap(d.links.vertexSides[0][0], d.links.vertexSides[0][1]); });
+  refuse("another first side",
+         [](SphereDiagram& d) { d.links.firstSide[0] = d.links.nextSide[at(d.links.firstSide[0])]; });
+  refuse("another side at a vertex",
+         [](SphereDiagram& d) { std::swap(d.links.vertexSides[0][0], d.links.vertexSides[0][1]); });
   refuse("an index that does not exist", [](SphereDiagram& d) { d.vertexCaps[0][0] = 1000; });
   refuse("a vertex that does not exist", [](SphereDiagram& d) { d.edges[0].start = 100000; });
   refuse("a number that is none", [](SphereDiagram& d) { d.vertices[0].latitude = std::nan(""); });
@@ -600,8 +607,8 @@ SphereDiagram flipped(const SphereDiagram& diagram, EdgeIndex edge) {
   const std::array<std::array<CircleIndex, 3>, 2> triples = {{{old.left, before, after}, {old.right, after, before}}};
   const std::array<VertexIndex, 2> vertices = {old.start, old.end};
   for (std::size_t k = 0; k < 2; ++k) {
-    const SphereDiagram three = computed({diagram.caps[at(triples[k][0])], diagram.caps[at(triples[k][1])],
-                                          diagram.caps[at(triples[k][2])]});
+    const SphereDiagram three =
+        computed({diagram.caps[at(triples[k][0])], diagram.caps[at(triples[k][1])], diagram.caps[at(triples[k][2])]});
     for (std::size_t v = 0; v < three.vertices.size(); ++v) {
       auto caps = three.vertexCaps[v];
       while (caps[0] != 0) caps = {caps[1], caps[2], caps[0]};
@@ -617,17 +624,22 @@ SphereDiagram flipped(const SphereDiagram& diagram, EdgeIndex edge) {
       return (other.left == a && other.right == b) || (other.left == b && other.right == a);
     };
     const auto move = [&](VertexIndex from, VertexIndex to) {
-      if (other.start == from) other.start = to;
-      else if (other.end == from) other.end = to;
+      if (other.start == from)
+        other.start = to;
+      else if (other.end == from)
+        other.end = to;
     };
-    if (joins(old.left, after)) move(old.end, old.start);
-    else if (joins(old.right, before)) move(old.start, old.end);
+    if (joins(old.left, after))
+      move(old.end, old.start);
+    else if (joins(old.right, before))
+      move(old.start, old.end);
   }
   result.edges[at(edge)] = {after, before, old.start, old.end};
   // Links follow from the rest.
   const auto sideCount = static_cast<std::int32_t>(2 * result.edges.size());
   const auto position = [&](VertexIndex v, CircleIndex cap) {
-    return static_cast<std::size_t>(std::ranges::find(result.vertexCaps[at(v)], cap) - result.vertexCaps[at(v)].begin());
+    return static_cast<std::size_t>(std::ranges::find(result.vertexCaps[at(v)], cap) -
+                                    result.vertexCaps[at(v)].begin());
   };
   for (SideIndex side = sideCount - 1; side >= 0; side = side - 1) {
     const VertexIndex start = result.originOf(side);
