@@ -257,7 +257,7 @@ std::optional<EditWay> Stepper::certify(int moved) {
   if (isBroken_) return std::nullopt;
   const std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
   // Where centers are nearly on a line, flips around a face without a disc may run on along that line.
-  const bool haveDiscs = std::ranges::all_of(wrong, [&](int face) { return state_.discs.exists(face); });
+  const bool haveDiscs = std::all_of(wrong.begin(), wrong.end(), [&](int face) { return state_.discs.exists(face); });
   if (wrong.size() <= kFew && !haveDiscs && patch(moved)) return EditWay::patch;
   if (isBroken_) return std::nullopt;
   flipFrom(state_.dual, state_.discs, changedEdges(), state_);

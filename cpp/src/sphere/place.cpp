@@ -17,7 +17,7 @@ Touch Places::touchFrom(const Border& second, const Border& third, double opposi
   const Vector normal = {step.y * tangent - step.x * growth, -(step.x * tangent + step.y * growth)};
   const double size = length(normal);
   const Vector direction = size > 0 ? Vector{normal.x / size, normal.y / size} : Vector{1, 0};
-  // Of the two circles, the nearer one has lost fewer digits.
+  // The nearer circle has lost fewer digits.
   const bool isSecond = dot(second.vector, second.vector) < dot(third.vector, third.vector);
   return {0, direction, (isSecond ? second : third).cotangentToward(direction)};
 }
