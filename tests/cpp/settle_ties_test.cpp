@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where more than three circles touch a disc, the diagram does not depend on how it was made. order_test.cpp tests
+// The diagram does not depend on how it was made, also where more than three circles touch a disc. order_test.cpp tests
 // other orders of the circles.
 #include "settle_ties.h"
 
