@@ -119,7 +119,7 @@ test('a page does not hear of the mouse that drags a circle, nor of keys that th
   await forget()
   // The page receives keys that the figure does not use.
   await page.keyboard.press('m')
-  expect(await heard()).toEqual(['m'])
+  await soon(heard).toEqual(['m'])
 })
 
 test.describe('on a touch screen', () => {
