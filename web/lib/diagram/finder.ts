@@ -41,8 +41,8 @@ export class Finder {
   readonly #cells: Cells
   /** The circles to start from; `undefined` if no circle has a cell. */
   readonly #starts: BucketGrid | undefined
-  /** The sides of cells that have or had more than `FEW_SIDES`; `undefined` for changed cells that were not read yet. */
-  readonly #manySides: Map<number, ManySides | undefined>
+  /** The sides of cells that have or had more than `FEW_SIDES`; `undefined` until they are read. */
+  readonly #manySides = new Map<number, ManySides | undefined>()
   /** The number of circles that the grid was made for. */
   readonly #circleCount: number
   /** The circle found last, as a start if the circle of a bucket is gone. */
@@ -60,7 +60,14 @@ export class Finder {
       if (!Number.isFinite(at(circles, 3 * i) + at(circles, 3 * i + 1))) refuseInfinite(circles)
     }
     if (visible.length > 0) this.#starts = new BucketGrid(circles, Int32Array.from(visible))
-    this.#manySides = this.#allManySides()
+    const count = new Int32Array(circles.length / 3)
+    for (let side = 0; side < cells.diagram.edges.length / 2; side++) {
+      const circle = cells.circleOf(side)
+      count[circle] = at(count, circle) + 1
+    }
+    count.forEach((its, circle) => {
+      if (its > FEW_SIDES) this.#manySides.set(circle, undefined)
+    })
   }
 
   /**
@@ -110,8 +117,12 @@ export class Finder {
     const { circles } = cells.diagram
     if (this.#starts === undefined || circles.length / 3 > MOST_GROWTH * this.#circleCount + FEW_CIRCLES) return false
     for (const circle of changed) {
-      if (!this.#manySides.has(circle)) this.#manySides.set(circle, undefined)
-      if (cells.exists(circle)) this.#starts.put(at(circles, 3 * circle), at(circles, 3 * circle + 1), circle)
+      const x = circles[3 * circle] as number
+      const y = circles[3 * circle + 1] as number
+      const origin = this.#manySides.get(circle)?.origin
+      // A cell is seen from its center; where the center has stayed, many sides have, too.
+      if (origin?.x !== x || origin?.y !== y) this.#manySides.set(circle, undefined)
+      if (cells.exists(circle)) this.#starts.put(x, y, circle)
     }
     return true
   }
@@ -127,33 +138,6 @@ export class Finder {
     return NONE
   }
 
-  #allManySides(): Map<number, ManySides> {
-    const { circles, edges } = this.#cells.diagram
-    const count = new Int32Array(circles.length / 3)
-    for (let side = 0; side < edges.length / 2; side++) {
-      const circle = this.#cells.circleOf(side)
-      count[circle] = at(count, circle) + 1
-    }
-    const sides = new Map<number, ManySides>()
-    count.forEach((its, circle) => {
-      if (its > FEW_SIDES) sides.set(circle, this.#manySidesNow(circle, this.#cells.sides(circle)))
-    })
-    return sides
-  }
-
-  #manySidesNow(circle: number, sides: Int32Array): ManySides {
-    const { circles, metric } = this.#cells.diagram
-    const center = { x: at(circles, 3 * circle), y: at(circles, 3 * circle + 1) }
-    const origin = metric === 'power' ? this.#middleOf(sides) : center
-    return {
-      center,
-      origin,
-      sides,
-      directions: Array.from(sides, (side) => this.#beginningOf(side, origin)),
-      walked: 0,
-    }
-  }
-
   /** Returns the mean of the vertices of a cell, which is inside the cells of the metric `power`, unlike the center. */
   #middleOf(sides: Int32Array): Point {
     const { vertices } = this.#cells.diagram
@@ -162,32 +146,27 @@ export class Finder {
     return { x: mean(0), y: mean(1) }
   }
 
-  /** Returns the known sides of a cell with more than `FEW_SIDES`, some of which may have changed since. */
-  #manySidesOf(circle: number): ManySides | undefined {
-    if (this.#manySides.size === 0) return undefined
-    const known = this.#manySides.get(circle)
-    if (known === undefined && !this.#manySides.has(circle)) return undefined
-    const { circles } = this.#cells.diagram
-    const isThere = known?.center.x === at(circles, 3 * circle) && known.center.y === at(circles, 3 * circle + 1)
-    return isThere ? known : this.#readAgain(circle)
-  }
-
-  #readAgain(circle: number): ManySides | undefined {
+  /** Reads the sides of a cell, and returns them if they are many. */
+  #read(circle: number): ManySides | undefined {
     const sides = this.#cells.sides(circle)
-    const many = sides.length > FEW_SIDES ? this.#manySidesNow(circle, sides) : undefined
-    if (many === undefined) this.#manySides.delete(circle)
-    else this.#manySides.set(circle, many)
+    if (sides.length <= FEW_SIDES) {
+      this.#manySides.delete(circle)
+      return undefined
+    }
+    const { circles, metric } = this.#cells.diagram
+    const origin =
+      metric === 'power' ? this.#middleOf(sides) : { x: at(circles, 3 * circle), y: at(circles, 3 * circle + 1) }
+    const directions = Array.from(sides, (side) => this.#beginningOf(side, origin))
+    const many = { origin, sides, directions, walked: 0 }
+    this.#manySides.set(circle, many)
     return many
   }
 
   /** Returns the side before the one in the direction of a point; `undefined` if the cell has few sides. */
   #sideBefore(circle: number, x: number, y: number): number | undefined {
-    const many = this.#manySidesOf(circle)
-    if (many === undefined) return undefined
-    const found = this.#walkToward(many, circle, { x, y })
-    if (found !== undefined) return found
-    const again = this.#readAgain(circle)
-    return again && this.#walkToward(again, circle, { x, y })
+    if (!this.#manySides.has(circle)) return undefined
+    const walkToward = (many: ManySides | undefined) => many && this.#walkToward(many, circle, { x, y })
+    return walkToward(this.#manySides.get(circle)) ?? walkToward(this.#read(circle))
   }
 
   /**
@@ -204,13 +183,16 @@ export class Finder {
       if (!this.#isUnmoved(many, place, circle)) continue
       const first = at(sides, place)
       const reference = directions[place] as Vector
-      let [before, side, next] = [first, first, at(nextSide, first)]
+      let before = NONE
+      let side = first
+      let next = at(nextSide, side)
       for (let k = 0; next !== first && noLater(reference, this.#beginningOf(next, origin), toPoint); k++) {
-        if (k >= SIDES_BEFORE) many.walked += 1
-        if (many.walked > count) return undefined
-        ;[before, side, next] = [side, next, at(nextSide, next)]
+        if (k >= SIDES_BEFORE && ++many.walked > count) return undefined
+        before = side
+        side = next
+        next = at(nextSide, side)
       }
-      if (before !== side) return before
+      if (before !== NONE) return before
     }
     return undefined
   }
@@ -290,8 +272,6 @@ export class Finder {
 
 /** The sides of a cell in order, as they were when they were read. */
 interface ManySides {
-  /** The center of the circle. */
-  readonly center: Point
   /** The center, or another point from which the whole cell is seen. */
   readonly origin: Point
   readonly sides: Int32Array
