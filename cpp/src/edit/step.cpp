@@ -150,9 +150,7 @@ bool Stepper::takeOut(int slot) {
 
 /// Flips edges that a removal has left wrong, because an insertion into a wrong dual may make all of it wrong.
 void Stepper::mendForInsertion() {
-  if (wrongFaces(state_.discs, changedEdges()).empty()) return;
-  flipFrom(state_.dual, state_.discs, edges_, state_);
-  state_.noteEdges();
+  if (!changedWrongFaces().empty()) flipChanged();
 }
 
 /// Returns the circle itself if it is visible, otherwise its hider.
@@ -255,13 +253,12 @@ bool Stepper::move(int slot, const Circle& circle) {
 std::optional<EditWay> Stepper::certify(int moved) {
   if (isRight(moved)) return EditWay::local;
   if (isBroken_) return std::nullopt;
-  const std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
+  const std::vector<int> wrong = changedWrongFaces();
   // Where centers are nearly on a line, flips around a face without a disc may run on along that line.
   const bool haveDiscs = std::all_of(wrong.begin(), wrong.end(), [&](int face) { return state_.discs.exists(face); });
   if (wrong.size() <= kFew && !haveDiscs && patch(moved)) return EditWay::patch;
   if (isBroken_) return std::nullopt;
-  flipFrom(state_.dual, state_.discs, changedEdges(), state_);
-  state_.noteEdges();
+  flipChanged();
   if (isRight(moved)) return EditWay::local;
   if (!isBroken_ && patch(moved)) return EditWay::patch;
   return std::nullopt;
@@ -290,11 +287,20 @@ std::span<const int> Stepper::changedEdges() {
   return edges_;
 }
 
+/// Returns the faces that have changed in this step and are seen to be wrong.
+std::vector<int> Stepper::changedWrongFaces() { return wrongFaces(state_.discs, changedEdges()); }
+
+/// Flips from the edges of all faces that have changed in this step.
+void Stepper::flipChanged() {
+  flipFrom(state_.dual, state_.discs, changedEdges(), state_);
+  state_.noteEdges();
+}
+
 /// Replaces wrong parts by a diagram of the circles around them, in growing patches. Returns true on success.
 bool Stepper::patch(int moved) {
   Counts counts;
   const Dual& dual = state_.dual;
-  std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
+  std::vector<int> wrong = changedWrongFaces();
   for (const int reach : {1, 2, 4, 8}) {
     if (wrong.empty()) break;
     // The repair may change the patches and the faces around them.

@@ -43,6 +43,8 @@ class Stepper {
   std::optional<EditWay> certify(int moved);
   bool isRight(int moved);
   std::span<const int> changedEdges();
+  std::vector<int> changedWrongFaces();
+  void flipChanged();
   bool patch(int moved);
 
   EditState& state_;
