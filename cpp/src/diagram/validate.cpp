@@ -31,10 +31,10 @@ std::optional<Error> tooSmallError(double largest, const std::string& what) {
                    std::to_string(power) + "."};
 }
 
-std::optional<Error> refusalOfInput(std::size_t count, const std::string& items) {
-  if (count > kMaxCircles) {
+Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first) {
+  if (circles.size() > kMaxCircles) {
     return Error{ErrorCode::tooManyCircles, kNone,
-                 "There are " + std::to_string(count) + " " + items + "; at most " + std::to_string(kMaxCircles) +
+                 "There are " + std::to_string(circles.size()) + " circles; at most " + std::to_string(kMaxCircles) +
                      " are possible."};
   }
   if (!isArithmeticStandard()) {
@@ -42,11 +42,6 @@ std::optional<Error> refusalOfInput(std::size_t count, const std::string& items)
                  "Floating-point numbers are not rounded to nearest or tiny ones are taken for zero, as in a program "
                  "that is linked with -ffast-math."};
   }
-  return std::nullopt;
-}
-
-Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first) {
-  if (auto error = refusalOfInput(circles.size(), "circles")) return *std::move(error);
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (const auto error = errorOf(circles[i], weights)) {
       const std::size_t circle = first + i;

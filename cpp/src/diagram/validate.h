@@ -27,10 +27,6 @@ CIRCLE_VORONOI_API std::optional<CircleError> errorOf(const Circle& circle, bool
 /// `what` begins the sentence, as "The circles".
 std::optional<Error> tooSmallError(double largest, const std::string& what);
 
-/// Returns the error of an input that has too many items, or of arithmetic that is not standard: tooManyCircles,
-/// badArithmetic. `items` names the items in the plural.
-std::optional<Error> refusalOfInput(std::size_t count, const std::string& items);
-
 /// Returns a circle rounded (limits.h), without negative zeros: one number, one set of bits.
 inline Circle normalized(const Circle& given) {
   const Circle c = rounded(given);

@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "arithmetic.h"
 #include "at.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/limits.h"
 #include "circle_voronoi/sphere.h"
 #include "guarded.h"
 #include "infinity.h"
@@ -17,7 +19,6 @@
 #include "place.h"
 #include "spatial_order.h"
 #include "threads.h"
-#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -69,7 +70,16 @@ std::optional<Error> errorOf(std::span<const Cap> caps, const SphereOptions& opt
     return Error{ErrorCode::badOption, kNone,
                  "The number of threads must not be negative (got " + std::to_string(options.threads) + ")."};
   }
-  if (auto error = refusalOfInput(caps.size(), "caps")) return error;
+  if (caps.size() > kMaxCircles) {
+    return Error{ErrorCode::tooManyCircles, kNone,
+                 "There are " + std::to_string(caps.size()) + " caps; at most " + std::to_string(kMaxCircles) +
+                     " are possible."};
+  }
+  if (!isArithmeticStandard()) {
+    return Error{ErrorCode::badArithmetic, kNone,
+                 "Floating-point numbers are not rounded to nearest or tiny ones are taken for zero, as in a program "
+                 "that is linked with -ffast-math."};
+  }
   for (std::size_t i = 0; i < caps.size(); ++i) {
     if (auto error = errorOf(caps[i], i, options)) return error;
   }
