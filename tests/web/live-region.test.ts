@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { mountLiveRegion } from '../../web/editing/live-region.ts'
-import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
+import { INITIAL_STATE } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import { ENGLISH_EDITING } from '../../web/editing/words.ts'
 import type { Described } from '../../web/view/protocol.ts'
@@ -18,102 +18,60 @@ afterEach(() => {
   vi.unstubAllGlobals()
 })
 
-/** The description of a circle with these neighbors. */
-function described(id: number, ...neighbors: number[]): Described {
-  const circle = { x: 0, y: 0, r: 1 }
+/** The description of a circle with so many neighbors. */
+function described(id: number, neighbors: number): Described {
   const none = new Float64Array()
-  const [isBounded, hiddenBy, color] = [true, undefined, '#123456']
+  const [circle, isBounded, hiddenBy, color] = [{ x: 0, y: 0, r: 1 }, true, undefined, '#123456']
   return {
     id,
     circle,
     color,
     hiddenBy,
     isBounded,
-    neighbors: Int32Array.from(neighbors),
+    neighbors: new Int32Array(neighbors),
     outline: none,
     neighborhood: none,
   }
 }
 
-/** Collects the announcements, and returns a function that changes the state. */
-function speaker() {
+/**
+ * Does some steps: `say A`, `select 3`, `describe 3 2` (with two neighbors), `wait 100` milliseconds. An action selects
+ * and says at once: `say A 3`, or `say A none` without a selection. Returns the numbers and capital letters of each announcement.
+ */
+function announced(script: string): string[] {
   const store = createStore(INITIAL_STATE)
   const texts: string[] = []
   const element = { replaceChildren: (text: string) => texts.push(text) }
-  mountLiveRegion(store, element as unknown as HTMLElement, {
-    words: ENGLISH_EDITING,
-    called: (id) => ENGLISH_EDITING.called(id, id === 7 ? 'Hamburg' : ''),
-  })
-  const change = (part: Partial<State>) => {
-    store.update((state) => ({ ...state, ...part }))
-    frame()
+  mountLiveRegion(store, element as unknown as HTMLElement, { words: ENGLISH_EDITING, called: (id) => `${id}` })
+  for (const step of script.split('; ')) {
+    const [what, one = '', two] = step.split(' ')
+    if (what === 'wait') vi.advanceTimersByTime(Number(one))
+    else {
+      store.update((state) => ({
+        ...state,
+        ...(what === 'say' && { said: { text: one } }),
+        ...((what === 'select' || two !== undefined) && {
+          selected: two === 'none' ? undefined : Number(what === 'say' ? two : one),
+        }),
+        ...(what === 'describe' ? { described: described(Number(one), Number(two)) } : {}),
+      }))
+      frame()
+    }
   }
-  return { texts, change }
+  vi.advanceTimersByTime(1000)
+  return texts.map((text) => text.match(/\d+|\b[A-Z]\b/g)?.join(' ') ?? '')
 }
 
-it.each([0, 100, 10_000])(
-  'an action is announced with the description of the circle that it selected, which comes after %i ms',
-  (ms) => {
-    const { texts, change } = speaker()
-    change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
-    vi.advanceTimersByTime(ms)
-    change({ described: described(3, 0, 1) })
-    vi.advanceTimersByTime(1000)
-    expect(texts).toEqual(['Circle 3 added. Bounded cell, 2 neighbors'])
-    // The action is announced once.
-    change({ selected: 1, described: undefined })
-    vi.advanceTimersByTime(1000)
-    change({ described: described(1, 3) })
-    vi.advanceTimersByTime(1000)
-    expect(texts.slice(1)).toEqual(['Circle 1. Bounded cell, 1 neighbor'])
-  },
-)
-
-it('an action is announced with the description of another circle that was selected in the meantime', () => {
-  const { texts, change } = speaker()
-  change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
-  change({ selected: 1 })
-  change({ described: described(1, 3) })
-  vi.advanceTimersByTime(1000)
-  expect(texts).toEqual(['Circle 3 added. Circle 1. Bounded cell, 1 neighbor'])
-})
-
-it('an action that selects nothing is announced without waiting for a description', () => {
-  const { texts, change } = speaker()
-  change({ selected: 3, described: described(3, 0, 1) })
-  vi.advanceTimersByTime(1000)
-  change({ said: { text: 'Snapping is on' } })
-  vi.advanceTimersByTime(1000)
-  change({ said: { text: 'Circle 3 deleted' }, selected: undefined })
-  vi.advanceTimersByTime(1000)
-  expect(texts).toEqual(['Circle 3. Bounded cell, 2 neighbors', 'Snapping is on', 'Circle 3 deleted'])
-})
-
-it('an action waits for the description of its circle, also after another announcement that was pending', () => {
-  const { texts, change } = speaker()
-  change({ said: { text: 'Snapping is on' } })
-  vi.advanceTimersByTime(100)
-  change({ said: { text: 'Circle 3 added' }, selected: 3, described: undefined })
-  vi.advanceTimersByTime(1000)
-  expect(texts).toEqual([])
-  change({ described: described(3, 0, 1) })
-  vi.advanceTimersByTime(1000)
-  expect(texts).toEqual(['Circle 3 added. Bounded cell, 2 neighbors'])
-})
-
-it('steps that follow each other are announced once they have ended, and a drag of the described circle is not', () => {
-  const { texts, change } = speaker()
-  change({ selected: 3, described: described(3, 0, 1) })
-  vi.advanceTimersByTime(1000)
-  texts.length = 0
-  for (const x of [1, 2, 3]) {
-    change({ said: { text: `x ${x}` } })
-    vi.advanceTimersByTime(249)
-  }
-  expect(texts).toEqual([])
-  vi.advanceTimersByTime(1)
-  expect(texts).toEqual(['x 3'])
-  change({ described: described(3, 0) })
-  vi.advanceTimersByTime(1000)
-  expect(texts).toEqual(['x 3'])
+it.each([
+  ['an action with the circle that it selects, which is described soon', 'say A 3; describe 3 2', ['A 2']],
+  ['an action with the circle that it selects, which is described late', 'say A 3; wait 9000; describe 3 2', ['A 2']],
+  ['an action once', 'say A 3; describe 3 2; wait 900; select 1; describe 1 4', ['A 2', '1 4']],
+  ['an action with another circle that is selected meanwhile', 'say A 3; select 1; describe 1 4', ['A 1 4']],
+  ['an action that selects nothing at once', 'describe 3 2; wait 900; say A; wait 900; say B', ['3 2', 'A', 'B']],
+  ['an action that ends the selection at once', 'describe 3 2; wait 900; say A none', ['3 2', 'A']],
+  ['the last of two actions with its circle', 'say A; wait 100; say B 3; wait 900; describe 3 2', ['B 2']],
+  ['actions that follow each other once they have ended', 'say A; wait 249; say B; wait 249; say C', ['C']],
+  ['no drag of the described circle', 'describe 3 2; wait 900; describe 3 4', ['3 2']],
+])('screen readers hear %s', (_, script, expected) => {
+  expect(announced(script)).toEqual(expected)
 })

@@ -115,93 +115,111 @@ const touching = (r: number) => ({ disc: { x: -3, y: 1, r }, points: [{ x: -3 + 
 const found = { hull: undefined, largestDisc: undefined, path: undefined, method: undefined }
 const withLayers = (layers: Partial<Above['layers']>) => ({ ...DEFAULT_LAYERS, ...layers })
 const path = { from: { x: -5, y: -5 }, to: { x: 5, y: 5 } }
+const AT_ORIGIN = { from: { x: 0, y: 0 }, to: { x: 0, y: 0 } }
+const SMALL = [160, 110, 240, 190] as const
+const LARGE = [120, 70, 280, 230] as const
+/** The place of texts, which are written without a path. */
+const NOWHERE = [Infinity, Infinity, -Infinity, -Infinity] as const
 const trial = {
   circle: { x: 0, y: 0, r: 1 },
   outline: square(5),
   area: 100,
-  taken: [
-    { id: 0, x: 8, y: 8, area: 60 },
-    { id: 2, x: -8, y: 8, area: Number.POSITIVE_INFINITY },
-    // There is no room for this one beside the first.
-    { id: 3, x: 12, y: 9, area: 20 },
-  ],
 }
 
-/** Everything that can be drawn above a picture, alone, with the colors that it has. */
-const THINGS: Record<string, readonly [Partial<Above>, ...string[]]> = {
+type Box = readonly [left: number, top: number, right: number, bottom: number]
+
+/** Everything that can be drawn above a picture, alone, with its colors and where they are, in pixels. */
+const THINGS: Record<string, readonly [Partial<Above>, Readonly<Record<string, Box>>]> = {
   'a selected circle': [
     { marks: { selected: described(), hovered: undefined } },
-    'selectedCell',
-    'selectedDisc',
-    'neighborCell',
+    { selectedCell: SMALL, selectedDisc: [180, 100, 240, 160], neighborCell: LARGE },
   ],
-  'a selected circle that is hidden': [
-    { marks: { selected: described(0), hovered: undefined } },
-    'selectedCell',
-    'selectedDisc',
-    'neighborCell',
+  'a selected circle under the pointer': [
+    { marks: { selected: described(), hovered: described() } },
+    { selectedCell: SMALL, selectedDisc: [180, 100, 240, 160], neighborCell: LARGE },
   ],
-  'a circle under the pointer': [{ marks: { selected: undefined, hovered: described() } }, 'edge'],
-  'a disc that touches circles': [{ touching: touching(2), layers: withLayers({ disc: true }) }, 'touching'],
-  'a disc of negative radius': [{ touching: touching(-2), layers: withLayers({ disc: true }) }, 'touching'],
-  'a new circle': [{ trial: { ...trial, hiddenBy: undefined } }, 'accent'],
-  'a new circle that is hidden': [{ trial: { ...trial, hiddenBy: 0, taken: [] } }, 'accent'],
+  'a circle under the pointer': [
+    { marks: { selected: undefined, hovered: described() } },
+    { edge: [160, 100, 240, 190] },
+  ],
+  'a disc that touches circles': [
+    { touching: touching(2), layers: withLayers({ disc: true }) },
+    { touching: [150, 120, 193, 160] },
+  ],
+  'a new circle': [{ trial: { ...trial, hiddenBy: undefined, taken: [] } }, { accent: [150, 100, 250, 200] }],
   'one selected circle': [
     { chosen: { circles: Float64Array.of(1, 1, 2), box: { minX: -1, minY: -1, maxX: 3, maxY: 3 } } },
-    'accent',
+    { accent: [233, 163, 241, 171] },
   ],
-  'several selected circles': [
+  'several selected circles, of which one is outside': [
     {
       chosen: {
-        circles: Float64Array.of(1, 1, 2, -4, 1, 0),
-        box: { minX: -4, minY: -1, maxX: 3, maxY: 3 },
+        circles: Float64Array.of(1, 1, 2, -4, 1, 1, 90, 0, 1),
+        box: { minX: -5, minY: -1, maxX: 3, maxY: 3 },
       },
     },
-    'accent',
-    'selectedDisc',
+    { accent: [150, 120, 241, 171], selectedDisc: [150, 120, 230, 160] },
   ],
-  'a rectangle that selects': [{ band: { from: { x: 10, y: 20 }, to: { x: 90, y: 70 } } }, 'accent'],
-  'a polygon that is being drawn': [{ sketch: Float64Array.of(-5, -5, 5, -5, 0, 5) }, 'accent'],
+  'a rectangle that selects': [
+    { band: { from: { x: 90, y: 20 }, to: { x: 10, y: 70 } } },
+    { accent: [10, 20, 90, 70] },
+  ],
+  'a polygon that is being drawn': [{ sketch: Float64Array.of(-5, -5, 5, -5, 0, 5) }, { accent: [146, 96, 254, 204] }],
+  // A disc of radius 3 around (1, 2), half a turn from its right, and the way back to there.
   'the hull': [
     {
-      found: { ...found, hull: Float64Array.of(-6, 0, 2, -1.5, 3, 6, 2, 6, 0, 2, 1.5, 3, -6, -2) },
+      found: { ...found, hull: Float64Array.of(1, 2, 3, 0, Math.PI, 4, 2) },
       layers: withLayers({ hull: true }),
     },
-    'hull',
+    { hull: [180, 100, 240, 130] },
   ],
   'the largest empty disc': [
     { found: { ...found, largestDisc: { ...touching(2), circles: [1] } }, layers: withLayers({ largestDisc: true }) },
-    'touching',
+    { touching: [150, 120, 193, 160] },
   ],
   'the clearest path': [
-    { found: { ...found, path: { clearance: 1, outline: square(3) } }, layers: withLayers({ path }) },
-    'path',
+    { found: { ...found, path: { clearance: 1, outline: square(4) } }, layers: withLayers({ path: AT_ORIGIN }) },
+    { path: SMALL },
   ],
-  'the ends of a path that is not found': [{ layers: withLayers({ path }) }, 'path'],
+  'the ends of a path that is not found': [{ layers: withLayers({ path }) }, { path: [143, 93, 257, 207] }],
   'names of circles': [
     {
       names: { list: [{ id: 3, text: 'Hamburg' }], circleOf: () => ({ x: 4, y: -3, r: 1 }) },
       layers: withLayers({ labels: true }),
     },
-    'edge',
+    { edge: NOWHERE },
   ],
-  'axes and a grid': [{ layers: withLayers({ grid: true }) }, 'edge'],
-  'points of a client': [{ above: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 2), dot: 4 }] }, 'red'],
+  'axes and a grid': [{ layers: withLayers({ grid: true }) }, { edge: [0, 0, 400, 300] }],
+  'points of a client': [
+    { above: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 2), dot: 4 }] },
+    { red: [206, 126, 224, 144] },
+  ],
   'numbers of a client': [
     { above: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1), numbers: Int32Array.of(7) }] },
-    'red',
+    { red: NOWHERE },
   ],
   'segments of a client': [
-    { above: [{ id: 'own', color: 'red', segments: Float64Array.of(1, 1, 5, 5), dash: [3, 1], width: 2 }] },
-    'red',
+    { above: [{ id: 'own', color: 'red', segments: Float64Array.of(1, 1, 5, 4), dash: [3, 1], width: 2 }] },
+    { red: [210, 110, 250, 140] },
   ],
-  'discs of a client': [{ above: [{ id: 'own', color: 'red', discs: Float64Array.of(1, 1, 2), fill: 0.5 }] }, 'red'],
+  'discs of a client': [
+    { above: [{ id: 'own', color: 'red', discs: Float64Array.of(1, 1, 2, -2, -4, -2), fill: 0.5 }] },
+    { red: [160, 120, 230, 210] },
+  ],
 }
 
 describe('above the picture', () => {
-  it.each(Object.entries(THINGS))('%s is visible alone, in its colors', (_, [above, ...colors]) => {
+  it.each(Object.entries(THINGS))('%s is visible alone, in its colors, where it is', (_, [above, places]) => {
     expect(isNothingAbove({ ...EMPTY, ...above })).toBe(false)
-    expect(drawn(above).colors).toEqual(new Set(colors))
+    const { colors, operations } = drawn(above)
+    expect(colors).toEqual(new Set(Object.keys(places)))
+    for (const [color, place] of Object.entries(places)) {
+      const boxes = operations
+        .filter((each) => each.color === color)
+        .flatMap(({ box }) => (box.length > 0 ? [box] : []))
+      const ends = [0, 1, 2, 3].map((k) => (k < 2 ? Math.min : Math.max)(...boxes.map((box) => box[k] as number)))
+      expect([color, ...ends]).toEqual([color, ...place])
+    }
   })
 
   it.each(Object.entries(THINGS))('%s is twice as large at a pixel ratio of 2', (_, [above]) => {
@@ -214,143 +232,41 @@ describe('above the picture', () => {
     }
   })
 
-  /** The operations that draw: the kind, the color, the width with the dashes, and the box in whole pixels. */
-  const seen = (above: Partial<Above>, pixelRatio = 1) =>
-    drawn(above, pixelRatio).operations.flatMap(({ kind, color, line, box }) => {
-      const [what, opacity] = kind.split(' ')
-      return box.length === 0 ? [] : [[`${what} ${color}`, ...(what === 'fill' ? [Number(opacity)] : line), box]]
-    })
-  const haloed = (color: string, width: number, box: number[], ...dash: number[]) => [
-    ['stroke paper', width + 4, box],
-    [`stroke ${color}`, width, ...dash, box],
-  ]
-  const [SMALL, LARGE, DISC] = [
-    [160, 110, 240, 190],
-    [120, 70, 280, 230],
-    [180, 100, 240, 160],
-  ]
-
-  it('the selected circle has its cell, its rim and those around it, and the hovered one has its own', () => {
-    const [selected, hovered] = [described(), { ...described(), id: 2, neighborhood: square(9) }]
-    const ofSelected = [
-      ['stroke neighborCell', 1.5, LARGE],
-      ...haloed('selectedCell', 2.5, SMALL),
-      ...haloed('selectedDisc', 2.5, DISC),
-    ]
-    expect(seen({ marks: { selected, hovered: undefined } })).toEqual(ofSelected)
-    expect(seen({ marks: { selected, hovered: selected } })).toEqual(ofSelected)
-    expect(seen({ marks: { selected: undefined, hovered } })).toEqual([
-      ...haloed('edge', 2.5, SMALL),
-      ...haloed('edge', 2.5, DISC),
-    ])
-    expect(seen({ marks: { selected: { ...selected, hiddenBy: 0 }, hovered: undefined } }).slice(3)).toEqual(
-      haloed('selectedDisc', 2.5, DISC, 4, 4),
-    )
+  it.each<[string, Partial<Above>, Partial<Above>]>([
+    [
+      'a selected circle that is hidden',
+      { marks: { selected: described(0), hovered: undefined } },
+      { marks: { selected: described(), hovered: undefined } },
+    ],
+    [
+      'a new circle that is hidden',
+      { trial: { ...trial, hiddenBy: 0, taken: [] } },
+      { trial: { ...trial, hiddenBy: undefined, taken: [] } },
+    ],
+    [
+      'a disc of negative radius',
+      { touching: touching(-2), layers: withLayers({ disc: true }) },
+      { touching: touching(2), layers: withLayers({ disc: true }) },
+    ],
+  ])('%s has a dashed rim, and is where another one is', (_, dashed, other) => {
+    const [one, two] = [drawn(dashed).operations, drawn(other).operations]
+    expect(one.map(({ box }) => box)).toEqual(two.map(({ box }) => box))
+    const dashes = [one, two].map((list) => list.filter(({ line }) => line.length > 1).length)
+    expect(dashes[0]).toBe((dashes[1] as number) + 1)
   })
 
-  it('discs have their contacts and their middle, and paths their ends', () => {
-    const ofDisc = (...dash: number[]) => [
-      ['fill touching', 0.18, [150, 120, 190, 160]],
-      ['stroke touching', 1.75, ...dash, [150, 120, 190, 160]],
-      ['fill touching', 1, [168, 138, 172, 142]],
-      ['fill touching', 1, [187, 137, 193, 143]],
-    ]
-    expect(seen({ touching: touching(2), layers: withLayers({ disc: true }) })).toEqual(ofDisc())
-    expect(seen({ touching: touching(-2), layers: withLayers({ disc: true }) })).toEqual(ofDisc(4, 3))
-    const largestDisc = { ...touching(2), circles: [0] }
-    expect(seen({ found: { ...found, largestDisc }, layers: withLayers({ largestDisc: true }) })).toEqual(ofDisc())
-    const ends = [
-      ['fill paper', 1, [143, 193, 157, 207]],
-      ['stroke path', 2.5, [143, 193, 157, 207]],
-      ['fill paper', 1, [243, 93, 257, 107]],
-      ['stroke path', 2.5, [243, 93, 257, 107]],
-    ]
-    expect(seen({ layers: withLayers({ path }) })).toEqual(ends)
-    const way = { from: path.from, to: path.to, outline: square(4) } as never
-    expect(seen({ found: { ...found, path: way }, layers: withLayers({ path }) })).toEqual([
-      ['stroke path', 2.5, SMALL],
-      ...ends,
-    ])
-    // A disc of radius 3 around (1, 2), half a turn from its right, and the way back to there.
-    const hull = Float64Array.of(1, 2, 3, 0, Math.PI, 4, 2)
-    expect(seen({ found: { ...found, hull }, layers: withLayers({ hull: true }) })).toEqual([
-      ['stroke hull', 1.75, [180, 100, 240, 130]],
-    ])
+  it('several selected circles have a box around them', () => {
+    const box = { minX: -5, minY: -1, maxX: 3, maxY: 3 }
+    const { operations } = drawn({ chosen: { circles: Float64Array.of(1, 1, 2, -4, 1, 1), box } })
+    expect(operations.map((each) => each.box)).toContainEqual([150, 120, 230, 160])
   })
 
-  it('layers of clients have their lines, discs and dots', () => {
-    const layer = {
-      id: 'a',
-      color: 'red',
-      segments: Float64Array.of(-8, 1, -6, 5),
-      discs: Float64Array.of(2, 3, 1, -2, -4, -2),
-      points: Float64Array.of(5, 6),
-    }
-    expect(seen({ above: [layer] })).toEqual([
-      ['stroke red', 1.25, [120, 100, 230, 210]],
-      ['fill red', 1, [247.5, 87.5, 252.5, 92.5]],
-    ])
-    expect(seen({ above: [{ ...layer, width: 3, dash: [2, 1], dot: 5, fill: 0.4 }] })).toEqual([
-      ['fill red', 0.4, [210, 110, 230, 130]],
-      ['fill red', 0.4, [160, 170, 200, 210]],
-      ['stroke red', 3, 2, 1, [120, 100, 230, 210]],
-      ['fill red', 1, [245, 85, 255, 95]],
-    ])
-  })
-
-  it('several circles that are chosen have their rims, a dashed box and its handle; one has its handle alone', () => {
-    const box = { minX: -2, minY: -3, maxX: 6, maxY: 5 }
-    // The corner at the lower right is at (260, 180).
-    const handle = [
-      ['fill paper', 1, [263, 183, 271, 191]],
-      ['stroke accent', 1.5, [263, 183, 271, 191]],
-    ]
-    const chosen = (...circles: number[]) => seen({ chosen: { circles: Float64Array.from(circles), box } })
-    expect(chosen(0, 0, 2)).toEqual(handle)
-    const frame = ['stroke accent', 1, 4, 4, [180, 100, 260, 180]]
-    expect(chosen(0, 0, 2, 5, 4, 1, 6, -3, 0)).toEqual([
-      ...haloed('selectedDisc', 1.5, [180, 130, 220, 170]),
-      ...haloed('selectedDisc', 1.5, [240, 100, 261.5, 181.5]),
-      frame,
-      ...handle,
-    ])
-    // Circles beyond each side of the frame are left out, and those that reach into it are not.
-    for (const [x, y] of [
-      [-20, 0],
-      [20, 0],
-      [0, -15],
-      [0, 15],
-    ] as const) {
-      const rims = (r: number) =>
-        chosen(0, 0, 2, x * 1.1, y * 1.1, r).filter(([what]) => what === 'stroke selectedDisc')
-      expect([rims(0.1 * Math.hypot(x, y) - 0.1).length, rims(0.1 * Math.hypot(x, y) + 0.1).length]).toEqual([1, 2])
-    }
-  })
-
-  it('a band is where it is drawn, and a circle that is tried shows what it takes', () => {
-    expect(seen({ band: { from: { x: 30, y: 90 }, to: { x: 10, y: 20 } } })).toEqual([
-      ['fill accent', 0.1, [10, 20, 30, 90]],
-      ['stroke accent', 1, [10, 20, 30, 90]],
-    ])
-    const cell = [150, 100, 250, 200]
-    const rim = [190, 140, 210, 160]
-    const ofTrial = (...dash: number[]) => [
-      ['fill accent', 0.3, cell],
-      ['fill accent', 0.3, rim],
-      ['stroke paper', 6.5, cell],
-      ['stroke accent', 2.5, 6, 4, cell],
-      ['stroke paper', 6.5, rim],
-      ['stroke accent', 2.5, ...dash, rim],
-    ]
-    const strokes = (how: Partial<typeof trial & { hiddenBy: number }>) =>
-      seen({ trial: { ...trial, hiddenBy: undefined, ...how } }).filter(([what]) => !String(what).startsWith('write'))
-    expect(strokes({})).toEqual(ofTrial())
-    expect(strokes({ hiddenBy: 0 })).toEqual(ofTrial(4, 4))
+  it('a circle that is tried tells what it takes beside it, where there is room', () => {
     const written = (...taken: (readonly [x: number, y: number, area: number])[]) =>
       drawn({
         trial: { ...trial, hiddenBy: undefined, taken: taken.map(([x, y, area], id) => ({ id, x, y, area })) },
       }).operations.flatMap(({ kind, lengths }) => (kind.startsWith('write') ? [[kind, ...lengths]] : []))
-    expect(written([8, 8, 60])).toEqual([['write −60 on paper', 280, 70, 12]])
+    expect(written([8, 8, 60])).toEqual([['write −60 on paper', 280, 70, expect.any(Number)]])
     // No area is written in the circle, without a number, or where another one is.
     expect(written([0.9, 0, 60], [0, 1.1, 50], [9, 9, Number.NaN])).toHaveLength(1)
     expect(written([0, 5, 60], [5.9, 5, 50], [0, 3.7, 40])).toHaveLength(1)
@@ -385,17 +301,5 @@ describe('above the picture', () => {
     const { operations } = drawn({ layers: withLayers({ grid: true }) })
     const lines = operations.filter(({ kind }) => kind.startsWith('stroke'))
     expect(lines.map(({ lengths }) => lengths.length > 4)).toEqual([true, true, true])
-  })
-
-  it('a polygon that is being drawn is filled, and has its sides, a dashed one to its start, and its corners', () => {
-    const sides = [150, 100, 250, 200]
-    const corners = [146, 96, 254, 204]
-    expect(seen({ sketch: Float64Array.of(-5, -5, 5, -5, 0, 5) })).toEqual([
-      ['fill accent', 0.18, sides],
-      ...haloed('accent', 1.75, sides),
-      ['stroke accent', 1.75, 5, 4, [150, 100, 200, 200]],
-      ['fill paper', 1, corners],
-      ['stroke accent', 1.75, corners],
-    ])
   })
 })

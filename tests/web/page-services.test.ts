@@ -2,7 +2,6 @@
 // Services around the figure: data sets that are fetched, links in threads, free space, print, and style sheets.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { workOffline } from '../../web/app/offline.ts'
 import { styleSheetsLoaded } from '../../web/app/style-sheets.ts'
 import { all, element, openPage } from './page-document.ts'
 import { settled } from './turns.ts'
@@ -102,38 +101,4 @@ it.each(['load', 'error'])('style sheets are waited for until each has loaded or
   expect(isLoaded).toBe(false)
   links[2]?.dispatchEvent(new Event(kind))
   await loaded
-})
-
-describe('the service worker', () => {
-  const registered: string[] = []
-  let isForbidden = false
-  const register = async ({ href }: URL) => {
-    registered.push(href)
-    if (isForbidden) throw new Error('forbidden')
-  }
-  beforeEach(() => {
-    registered.length = 0
-    isForbidden = false
-    document.body.innerHTML = '<base href="https://a.example/b/">'
-    vi.stubEnv('PROD', true)
-    vi.stubGlobal('navigator', { serviceWorker: { register } })
-  })
-  afterEach(() => vi.unstubAllEnvs())
-
-  it('is registered in the folder of the site', async () => {
-    await workOffline()
-    await workOffline('../')
-    isForbidden = true
-    await workOffline()
-    expect(registered).toEqual(['b/', '', 'b/'].map((folder) => `https://a.example/${folder}service-worker.js`))
-  })
-
-  it('is not registered during development, nor where there are none', async () => {
-    vi.stubGlobal('navigator', {})
-    await workOffline()
-    vi.stubGlobal('navigator', { serviceWorker: { register } })
-    vi.stubEnv('PROD', false)
-    await workOffline()
-    expect(registered).toEqual([])
-  })
 })

@@ -11,76 +11,32 @@ const STORED = 'circle-voronoi:open-panel'
 let panels: typeof import('../../web/app/panels/panel.ts')
 beforeEach(async () => {
   const panelHtml = (id: string) => `<section id="${id}" hidden></section><button aria-controls="${id}"></button>`
-  openPage(`${panelHtml('a')}${panelHtml('b')}<button id="other"></button>`)
+  openPage(`${panelHtml('a')}${panelHtml('b')}`)
   // The open panel is a variable of the module.
   vi.resetModules()
   panels = await import('../../web/app/panels/panel.ts')
 })
 afterEach(() => vi.unstubAllGlobals())
 
-function panelOf(id: string, isKept = true) {
-  const done: string[] = []
-  const [place, button] = [element(id), buttonOf(id)]
-  const draw = () => {
-    done.push('draw')
-    panel.render(() => html`<p>${id}</p>`)
+function firstPanel() {
+  const place = element('a')
+  const panel = panels.panelOf(place, 'Title', () => panel.render(() => html`<p></p>`), { onopen() {}, isKept: true })
+  return { panel, place }
+}
+
+it('a panel opens without storage', () => {
+  const forbidden = () => {
+    throw new Error('forbidden')
   }
-  const onopen = () => done.push('open')
-  const panel = panels.panelOf(place, `Title of ${id}`, draw, { onopen, isKept })
-  return { panel, done, place, button }
-}
-
-function key(target: HTMLElement, key: string, more: KeyboardEventInit = {}) {
-  return !target.dispatchEvent(new KeyboardEvent('keydown', { key, cancelable: true, ...more }))
-}
-
-describe('a panel', () => {
-  it('opens and closes without storage', () => {
-    const forbidden = () => {
-      throw new Error('forbidden')
-    }
-    vi.stubGlobal('localStorage', { getItem: forbidden, setItem: forbidden })
-    const { panel, button } = panelOf('a')
-    button.click()
-    expect(panel.isOpen).toBe(true)
-  })
-
-  it('is closed by Escape within it or on its button, unless something else has used the key', () => {
-    const { panel, place, button } = panelOf('a')
-    for (const focused of [place, button]) {
-      panel.open()
-      key(focused, 'a')
-      expect(panel.isOpen).toBe(true)
-      const used = new KeyboardEvent('keydown', { key: 'Escape', cancelable: true })
-      used.preventDefault()
-      focused.dispatchEvent(used)
-      expect(panel.isOpen).toBe(true)
-      const pressed = new KeyboardEvent('keydown', { key: 'Escape', bubbles: true })
-      const stop = vi.spyOn(pressed, 'stopPropagation')
-      focused.dispatchEvent(pressed)
-      expect([panel.isOpen, stop.mock.calls.length]).toEqual([false, 1])
-      focused.dispatchEvent(pressed)
-      expect(stop, 'a closed panel uses no key').toHaveBeenCalledTimes(1)
-    }
-  })
-
-  it('gives the focus to its button as it closes, if it had the focus', () => {
-    const { panel, place, button } = panelOf('a')
-    panel.open()
-    const other = element('other')
-    other.focus()
-    panel.close()
-    expect(document.activeElement).toBe(other)
-    panel.open()
-    control(place, 'Close').focus()
-    panel.close()
-    expect(document.activeElement).toBe(button)
-  })
+  vi.stubGlobal('localStorage', { getItem: forbidden, setItem: forbidden })
+  const { panel } = firstPanel()
+  buttonOf('a').click()
+  expect(panel.isOpen).toBe(true)
 })
 
 describe('the handle of a sheet', () => {
   function pulled() {
-    const { panel, place } = panelOf('a')
+    const { panel, place } = firstPanel()
     panel.open()
     const captured: number[] = []
     const handle = Object.assign(control(place, 'Larger or smaller'), {

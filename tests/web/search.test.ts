@@ -2,11 +2,10 @@
 // The search of the site: results, ranking and snippets.
 // @vitest-environment happy-dom
 import MiniSearch from 'minisearch'
-import { afterEach, describe, expect, it, test, vi } from 'vitest'
+import { describe, expect, it, test, vi } from 'vitest'
 import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'
 import { find, offerSearch, type Section, snippetOf } from '../../web/reading/search.ts'
-import { all, openPage, send, textOf } from './page-document.ts'
-import { aTurn, eventually } from './turns.ts'
+import { openPage, send, textOf } from './page-document.ts'
 
 function searchIn(sections: readonly Section[]): MiniSearch<Section> {
   const search = new MiniSearch<Section>({
@@ -117,21 +116,10 @@ describe('sections of a page', () => {
   })
 })
 
-/** Fills the document with a field for a search. */
-function opened(value: string) {
-  openPage('<div><form class="search"><input name="q" /></form><ol class="found" hidden></ol></div>')
-  const [box, form, list] = ['div', 'form', 'ol'].map((name) => document.querySelector(name) as HTMLElement) as [
-    HTMLElement,
-    HTMLElement,
-    HTMLElement,
-  ]
-  const field = Object.assign(form.children[0] as HTMLInputElement, { value })
-  const shown = () => [...list.children].map(textOf)
-  return { box, form, list, field, shown }
-}
-
 it('is loaded again where loading it failed', async () => {
-  const { field, list, shown } = opened('disc')
+  openPage('<div><form class="search"><input name="q" value="disc" /></form><ol class="found" hidden></ol></div>')
+  const [field, list] = ['input', 'ol'].map((name) => document.querySelector(name)) as [Element, HTMLElement]
+  const shown = () => [...list.children].map(textOf)
   let isThere = false
   const index = JSON.stringify(searchIn([section('docs/a.html', 'Discs', '', 'A disc.')]))
   vi.stubGlobal('fetch', async () => ({ ok: isThere, status: 404, text: async () => index }))
@@ -142,51 +130,6 @@ it('is loaded again where loading it failed', async () => {
   await expect.poll(shown).toEqual(['DiscsA disc.'])
   expect(list.hidden).toBe(false)
   vi.unstubAllGlobals()
-})
-
-describe('the field of a search', () => {
-  const index = JSON.stringify(
-    searchIn([section('docs/a.html', 'Discs', '', 'A disc.'), section('docs/b.html#b', 'Page', 'Disc', 'Of a disc.')]),
-  )
-  function offered(value = '') {
-    const made = opened(value)
-    const { field } = made
-    const asked: string[] = []
-    vi.stubGlobal('fetch', async (address: string) => {
-      asked.push(address)
-      return { ok: true, text: async () => index }
-    })
-    offerSearch(document)
-    const type = async (text: string) => {
-      field.value = text
-      send(field, 'input')
-      await aTurn()
-    }
-    return { ...made, asked, type }
-  }
-  afterEach(() => vi.unstubAllGlobals())
-
-  it('loads its index once, when it gets the focus, and shows what it finds while it is typed', async () => {
-    const { field, asked, shown, type, list } = offered()
-    expect(asked).toEqual([])
-    send(field, 'focus')
-    send(field, 'focus')
-    await eventually(() => expect(asked).toEqual(['../search.json']))
-    await eventually(async () => {
-      await type(' disc ')
-      expect(shown()).toEqual(['Disc PageOf a disc.', 'DiscsA disc.'])
-    })
-    expect([list.hidden, asked.length]).toEqual([false, 1])
-    const links = all(list, 'a')
-    expect(links.map((link) => link.getAttribute('href'))).toEqual(['../docs/b.html#b', '../docs/a.html'])
-    expect(all(list, 'mark').map(textOf)).toEqual(['disc', 'disc'])
-    links[0]?.click()
-    expect(list.hidden).toBe(true)
-    await type('nothing')
-    expect([shown(), list.hidden]).toEqual([['Nothing found.'], false])
-    await type('')
-    expect([shown(), list.hidden]).toEqual([[], true])
-  })
 })
 
 test('a first sentence is whole', () => {

@@ -27,45 +27,12 @@ it('a hint is visible for a while after it was last given', () => {
   expect(hint.hidden).toBe(true)
 })
 
-it('a label of the page is in the language of the page, and the usual one in that of the texts', () => {
-  const words = wordsOf('en')
-  const described = (label: string) => {
-    shell.describe(words, label, '', false)
-    return [shell.figure.lang, shell.figure.ariaLabel]
-  }
-  expect(described('')).toEqual(['en', words.label])
-  expect(described('Bäume')).toEqual(['', 'Bäume'])
-  expect(described('')).toEqual(['en', words.label])
-})
-
 it('its texts are in their own language, from left to right', async () => {
   await loadWords('de')
   for (const lang of ['en', 'de']) {
     shell.describe(wordsOf(lang), '', '', false)
     const spoken = [...root.querySelectorAll<HTMLElement>('[dir=ltr]')]
     expect(spoken.map(({ lang }) => lang)).toEqual(Array(5).fill(lang))
-  }
-})
-
-it('an error is shown until it is gone, and its text is assigned again only where it has changed', () => {
-  const problem = of('problem')
-  let assigned = 0
-  let text = ''
-  Object.defineProperty(problem, 'textContent', {
-    get: () => text,
-    set(next: string) {
-      assigned += 1
-      text = next
-    },
-  })
-  for (const [shown, times] of [
-    ['No circle', 1],
-    ['No circle', 1],
-    ['No file', 2],
-    ['', 3],
-  ] as const) {
-    shell.problem = shown
-    expect([text, problem.hidden, assigned]).toEqual([shown, shown === '', times])
   }
 })
 
@@ -85,13 +52,4 @@ it('takes the focus and pixels only while it has them, and shows no poster once 
   expect(slots()).toEqual(['poster', '', 'caption'])
   shell.fail()
   expect(slots()).toEqual(['', 'caption'])
-})
-
-it('tells of colors that may have changed', () => {
-  let count = 0
-  shell.onrestyle = () => {
-    count += 1
-  }
-  of('probe').dispatchEvent(new Event('transitionrun'))
-  expect(count).toBe(1)
 })
