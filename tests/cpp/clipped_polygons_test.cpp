@@ -157,6 +157,40 @@ TEST(ClippedPolygons, AHoleThatTouchesASideTwiceCutsOffWhatLiesBetween) {
   }
 }
 
+TEST(ClippedPolygons, ALakeOfAnIslandIsAHoleOfTheIsland) {
+  // The whole cell of the circle in the middle lies around a lake with an island, which has a lake itself.
+  const Diagram diagram =
+      computeComparison(std::vector<Circle>{{0, 0, 0}, {20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, -20, 0}},
+                        Metric::circles)
+          .value();
+  const auto square = [](double half) {
+    return Region::Ring{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+  };
+  const Region region =
+      Region::fromRings(std::vector<Region::Ring>{square(40), square(4), square(3), square(2)}).value();
+  const ClippedDiagram clipped = ClippedDiagram::from(diagram, region).value();
+  const auto isHole = clipped.cells().isHole;
+  EXPECT_EQ(std::vector(isHole.begin(), isHole.begin() + 4), (std::vector<std::uint8_t>{0, 1, 0, 1}));
+  expectCoverage(clipped.polygons(1e-3), region, 1e-9);
+}
+
+TEST(ClippedPolygons, HolesLieInThePolygonAroundThemWhereManyTouch) {
+  // Squares that touch in corners, each with a smaller one inside, and in every third an island with a lake.
+  std::vector<Region::Ring> rings;
+  for (int k = 0; k < 30; ++k) {
+    const auto add = [&](double half) {
+      rings.push_back({{k - half, k - half}, {k + half, k - half}, {k + half, k + half}, {k - half, k + half}});
+    };
+    add(0.5);
+    add(0.4);
+    if (k % 3 == 0) add(0.3);
+    if (k % 3 == 0) add(0.2);
+  }
+  const Region region = Region::fromRings(rings).value();
+  const Diagram diagram = computeComparison(std::vector<Circle>{{3, 1, 1}, {50, 20, 1}}, Metric::circles).value();
+  expectCoverage(ClippedDiagram::from(diagram, region).value().polygons(1e-3), region, 1e-9);
+}
+
 TEST(ClippedPolygons, AreAValidCoverageAtAnyTolerance) {
   std::mt19937_64 random(test::seedOr(4));
   for (int trial = 0; trial < 12; ++trial) {

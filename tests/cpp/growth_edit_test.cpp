@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <random>
 #include <vector>
@@ -24,9 +23,6 @@ std::vector<Circle> shuffled(const GrowthInput& input) {
 std::shared_ptr<DiagramEditor> editorOf(std::span<const Circle> circles) {
   return std::make_shared<DiagramEditor>(DiagramEditor::from(circles).value());
 }
-
-// Points deep in the cell of a hub take walks of the square root of its neighbors.
-const std::array<GrowthFamily, 4> kOutsideHubs = {kUniform, kStrips, kComb, kSpiral};
 
 TEST(GrowthOfEdits, OfInsertions) {
   expectGrowth({"insert", "editor.h",
@@ -112,7 +108,7 @@ TEST(GrowthOfEdits, OfTheNearestCircle) {
                     }
                   };
                 },
-                kOutsideHubs});
+                circleFamilies()});
 }
 
 TEST(GrowthOfEdits, OfSnapshots) {

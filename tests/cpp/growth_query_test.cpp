@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <vector>
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
@@ -43,6 +43,18 @@ TEST(GrowthOfQueries, OfAFinder) {
                   for (const Point& p : pointsBetween(diagram.circles)) EXPECT_NE(finder.find(p), kNone);
                   EXPECT_FALSE(finder.findAll(pointsBetween(diagram.circles)).empty());
                 }),
+                circleFamilies()});
+}
+
+TEST(GrowthOfQueries, OfAFinderOfPowers) {
+  expectGrowth({"Finder", "finder.h",
+                [](const GrowthInput& input) {
+                  const auto diagram = kept(powerDiagram(input.circles).value());
+                  return [diagram] {
+                    const Finder finder(*diagram);
+                    for (const Point& p : pointsBetween(diagram->circles)) EXPECT_NE(finder.find(p), kNone);
+                  };
+                },
                 circleFamilies()});
 }
 
@@ -103,9 +115,6 @@ Lattice latticeAround(const std::vector<Circle>& circles) {
   return {{1.1 * (box.maxX - box.minX), 0}, {0, 1.1 * (box.maxY - box.minY)}};
 }
 
-// Images of long rows are many.
-const std::array<GrowthFamily, 1> kOneFamily = {kStrips};
-
 TEST(GrowthOfQueries, OfAPeriodicDiagram) {
   expectGrowth({"computePeriodic", "periodic.h",
                 [](const GrowthInput& input) {
@@ -117,7 +126,7 @@ TEST(GrowthOfQueries, OfAPeriodicDiagram) {
                     static_cast<void>(contactTable(periodic));
                   };
                 },
-                kOneFamily});
+                circleFamilies()});
 }
 
 }  // namespace

@@ -179,6 +179,36 @@ TEST(LargestDiscInRegion, IsWhatASearchFinds) {
   }
 }
 
+TEST(LargestDiscInRegion, DoesNotDependOnHolesUnderCircles) {
+  // Large circles around a small gap, and holes at the centers of squares that the search divides.
+  Random random(test::seedOr(8));
+  for (int trial = 0; trial < 300; ++trial) {
+    SCOPED_TRACE(trial);
+    const Point gap = {random.uniform(-7, 7), random.uniform(-7, 7)};
+    const double size = random.logUniform(-1, 0.3);
+    const std::size_t count = 3 + random.below(3);
+    Circles circles;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vector v = directionAt((static_cast<double>(k) + random.uniform(0, 0.4)) / static_cast<double>(count));
+      const double r = random.logUniform(0.7, 2);
+      const double distance = r + size * random.uniform(0.7, 1.3);
+      circles.push_back({gap.x + distance * v.x, gap.y + distance * v.y, r});
+    }
+    std::vector<Ring> rings = {{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}};
+    const double bare = discIn(circles, regionFrom(rings)).disc.r;
+    for (double x = -7.5; x < 8; ++x) {
+      for (double y = -7.5; y < 8; ++y) {
+        const double d = 0.025;
+        const auto covers = [&](const Circle& c) { return std::hypot(x - c.x, y - c.y) + 2 * d < c.r; };
+        if (std::ranges::none_of(circles, covers)) continue;
+        rings.push_back({{x - d, y - d}, {x + d, y - d}, {x + d, y + d}, {x - d, y + d}});
+      }
+    }
+    const double found = discIn(circles, regionFrom(rings)).disc.r;
+    if (std::max(bare, found) > 0) EXPECT_NEAR(found, bare, 1e-9);
+  }
+}
+
 /// The distance of a point from a side, in more digits than doubles have.
 long double distanceToSide(Point p, Point a, Point b) {
   const long double x = static_cast<long double>(b.x) - a.x;

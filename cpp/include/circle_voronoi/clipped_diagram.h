@@ -85,12 +85,13 @@ class ClippedDiagram {
   static Result<ClippedDiagram> from(const Diagram& diagram, const Region&& region,
                                      std::optional<double> maxDistance = {}) = delete;
 
-  /// Clips some cells only, in time for these cells, their sides, the sides of the region near them, and those that a
-  /// ray from each cell to the right crosses: O(log m) steps for each side found among m. All other cells count as
-  /// outside the region, and so do edges between them. The cells have the outlines and measures that `from` gives them,
-  /// to the bit, and so they have in the diagram of these circles and their neighbors alone. After an edit, clip the
-  /// cells whose sides have changed anew. A cell has the same polygon as after `from` only if its neighbors are
-  /// clipped, too. Errors: see `from`; only the arrays of these cells are checked.
+  /// Clips some cells only, in time for these cells, their sides, and the sides of the region near them: O(log m) steps
+  /// for each side found among m. A cell that the boundary does not cross also takes time for the sides that a ray to
+  /// the right crosses. All other cells count as outside the region, and so do edges between them. The cells have the
+  /// outlines and measures that `from` gives them, to the bit, and so they have in the diagram of these circles and
+  /// their neighbors alone. After an edit, clip the cells whose sides have changed anew. A cell has the same polygon as
+  /// after `from` only if its neighbors are clipped, too. Errors: see `from`; only the arrays of these cells are
+  /// checked.
   static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region& region,
                                         std::span<const CircleIndex> circles, std::optional<double> maxDistance = {});
 

@@ -17,7 +17,8 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// cells are star-shaped around their centers. If p lies outside cell i, the segment from c_i to p leaves the cell
 /// across a side. From there on it is nearer to the neighbor across that side, because the points nearer to i than to j
 /// are star-shaped around c_i, too. In a cell with many sides, bisection finds that side. For the power metric, cells
-/// are intersections of half-planes, one for each neighbor, and one half-plane excludes p.
+/// are intersections of half-planes, one for each neighbor, and one half-plane excludes p: its border is crossed on the
+/// way from any point of the cell to p.
 ///
 /// A grid of starting circles keeps the walk short: a step or two if the circles are spread evenly.
 class Finder {

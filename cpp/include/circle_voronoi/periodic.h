@@ -120,12 +120,12 @@ struct ContactTable {
 /// shortest periods at the origin. This also happens if two circles lie at the same place of different boxes. `shiftOf`
 /// returns the shift of each circle.
 ///
-/// The result is proven twice. `finalCells` proves that the images are enough; if not, more are added. `checkPeriodic`
-/// proves that the cells fit together across the sides of the box.
+/// The diagram of the given circles and their images is certified, and `checkPeriodic` proves that the cells of the
+/// given circles fit together across the sides of the box. So they cover the plane, and no further image changes them.
+/// If they do not fit together, more images are added.
 ///
-/// Takes about n log n steps for n circles and images. The images lie around the circles, within about the diameter of
-/// the largest disc that overlaps no circle. They are few if the circles are spread over the box, and many if a gap is
-/// much wider than the box is high.
+/// Takes about n log n steps for n circles and images. The images lie within a few times the mean distance of circles
+/// around the given ones, also across a gap between these and their images. Few circles need images farther away.
 ///
 /// The progress starts anew when images are added. An observer is told of each attempt.
 ///

@@ -132,16 +132,21 @@ class Region {
   };
   class Polygon;
   void index();
+  void orderRuns(std::size_t begin, std::size_t end);
   [[nodiscard]] std::vector<Run> runsOf(std::size_t size) const;
   bool isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoundary) const;
   template <class MeetsRun, class MeetsSide>
-  void addSides(std::size_t level, std::size_t run, const MeetsRun& meetsRun, const MeetsSide& meetsSide,
+  void addSides(std::size_t level, std::size_t group, const MeetsRun& meetsRun, const MeetsSide& meetsSide,
                 std::vector<RegionSideIndex>& sides) const;
+  template <class MeetsRun, class MeetsSide>
+  std::vector<RegionSideIndex> sidesThat(const MeetsRun& meetsRun, const MeetsSide& meetsSide) const;
 
   std::vector<Point> points_;
   std::vector<std::int32_t> ringOffsets_;
   std::vector<std::int32_t> polygonOffsets_;
-  std::vector<std::vector<Run>> runs_;  ///< by level: runs of a few sides first, one run of all sides last
+  std::vector<std::vector<Run>> runs_;     ///< by level: runs of a few sides first, one run of all sides last
+  std::vector<std::int32_t> runsByPlace_;  ///< the runs of the first level, those that lie near each other together
+  std::vector<std::vector<Run>> groups_;   ///< by level: groups of a few of these first, one group of all last
   /// Boxes around the first corners of rings, by level: those of a few rings first, one of all rings last.
   std::vector<std::vector<Box>> ringBoxes_;
 };

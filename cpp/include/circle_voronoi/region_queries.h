@@ -20,8 +20,8 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// Squares that may hold the center are divided, the most promising first, until few circles and sides are near. Then
 /// the disc that touches each three of them is computed. The result is right up to rounding, and inside the region: the
 /// region contains the center, and the radius is at most the distance to the boundary, up to rounding of itself. For m
-/// circles and sides, it takes O(m log m) steps for most regions, ring corridors and combs included. It takes more
-/// where many discs are nearly as large as the largest one, as in long spirals and between many thin strips.
+/// circles and sides, it takes O(m log m) steps for most regions, ring corridors, combs and spirals included. It takes
+/// more where many discs are nearly as large as the largest one along long sides, as between many thin strips.
 ///
 /// Errors: badOption if the metric is not Metric::circles, or the region is so thin, a few units of rounding wide, that
 /// no disc is found in it; tooManyCircles if memory runs out; the errors of ClippedDiagram::from if circles cover the

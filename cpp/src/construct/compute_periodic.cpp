@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "circle_voronoi/periodic.h"
-#include "final_cells_inside.h"
 #include "guarded.h"
 #include "infinity.h"
 #include "integer.h"
@@ -22,6 +21,10 @@ namespace circle_voronoi {
 namespace {
 
 // All lengths here are in the unit of the rounding, and centers and periods are integers.
+//
+// Cells of the given circles that close across the box (checkPeriodic) are the Voronoi cells, however few the images
+// are: repeated with the periods, they cover the plane, and the theorem in judge.h needs no more. So images are added
+// until the cells close, and the following theorem says when they must.
 //
 // Theorem. Let R be the largest radius, and H^2 = |a|^2 + |b'|^2, where b' is the part of b perpendicular to a. The
 // images whose centers lie within H - (R - r) of the parallelogram of the given centers, r being their radius, decide
@@ -144,7 +147,8 @@ class Images {
         torus_(torus),
         spread_(spread),
         area_(cross(torus.reduced.a, torus.reduced.b)),
-        lengths_{length(torus.reduced.a), length(torus.reduced.b)} {}
+        lengths_{length(torus.reduced.a), length(torus.reduced.b)},
+        heights_{area_ / lengths_.y, area_ / lengths_.x} {}
 
   /// The distance up to which images decide everything, by the theorem above.
   double enough() const { return (1 + 0x1p-30) * length({lengths_.x, area_ / lengths_.x}); }
@@ -160,21 +164,29 @@ class Images {
     double reach = 0;
     for (std::size_t i = 0; i < circles_.size(); ++i) {
       const Vector p = spread_.places[i];
-      const double depth = std::min(std::min(p.x - spread_.low.x, spread_.high.x - p.x) * area_ / lengths_.y,
-                                    std::min(p.y - spread_.low.y, spread_.high.y - p.y) * area_ / lengths_.x);
+      const double depth = std::min(std::min(p.x - spread_.low.x, spread_.high.x - p.x) * heights_.x,
+                                    std::min(p.y - spread_.low.y, spread_.high.y - p.y) * heights_.y);
       reach = std::max(reach, mean - torus_.deficits[i] - depth);
     }
-    const double likely = 4.5 * spacing() + mean + reach;
-    return likely < enough() ? likely : enough();
+    return 4.5 * spacing() + mean + reach;
   }
 
-  /// The circles and their images within `halo`, less what the largest radius exceeds theirs by.
-  PeriodicDiagram within(double halo) const {
+  /// The distance to add if that is not enough, in both directions.
+  Vector step() const { return {std::max(spacing(), heights_.x / 4), std::max(spacing(), heights_.y / 4)}; }
+
+  /// The gaps between the parallelogram of the given circles and its images, in both directions.
+  Vector gaps() const {
+    const auto gap = [](double low, double high, double height) { return std::max(1 - (high - low), 0.0) * height; };
+    return {gap(spread_.low.x, spread_.high.x, heights_.x), gap(spread_.low.y, spread_.high.y, heights_.y)};
+  }
+
+  /// The circles and their images within a distance in each direction, less what the largest radius exceeds theirs by.
+  PeriodicDiagram within(Vector halo) const {
     std::vector<Bounds> bounds;
     bounds.reserve(circles_.size());
     double count = 0;
     for (std::size_t i = 0; i < circles_.size(); ++i) {
-      bounds.push_back(boundsOf(i, halo - torus_.deficits[i]));
+      bounds.push_back(boundsOf(i, {halo.x - torus_.deficits[i], halo.y - torus_.deficits[i]}));
       const auto& [first, last] = bounds.back();
       count += (last.x - first.x + 1) * (last.y - first.y + 1);
     }
@@ -200,20 +212,6 @@ class Images {
     return images;
   }
 
-  /// The parallelogram around all images within `halo`, in the unit of the input.
-  std::array<KnownHalfPlane, 4> sides(double halo) const {
-    const auto& [a, b, ofA, ofB] = torus_.reduced;
-    const Vector acrossA = {-a.y / lengths_.x, a.x / lengths_.x};
-    const Vector acrossB = {b.y / lengths_.y, -b.x / lengths_.y};
-    const auto side = [&](Vector normal, double place, double height) {
-      return KnownHalfPlane{normal, torus_.inInput(place * height - halo)};
-    };
-    const auto opposite = [](Vector v) { return Vector{-v.x, -v.y}; };
-    return {
-        side(acrossB, spread_.low.x, area_ / lengths_.y), side(opposite(acrossB), -spread_.high.x, area_ / lengths_.y),
-        side(acrossA, spread_.low.y, area_ / lengths_.x), side(opposite(acrossA), -spread_.high.y, area_ / lengths_.x)};
-  }
-
  private:
   /// The first and the last image in each direction.
   struct Bounds {
@@ -222,12 +220,12 @@ class Images {
   };
 
   /// A little more than `halo`, which makes up for rounding.
-  Bounds boundsOf(std::size_t i, double halo) const {
+  Bounds boundsOf(std::size_t i, Vector halo) const {
     const auto first = [](double low, double place, double reach) {
       const double slack = 0x1p-40 * (1 + std::abs(low) + std::abs(place) + std::abs(reach));
       return std::min(0.0, std::ceil(low - reach - place - slack));
     };
-    const Vector reach = {halo * lengths_.y / area_, halo * lengths_.x / area_};
+    const Vector reach = {halo.x * lengths_.y / area_, halo.y * lengths_.x / area_};
     const Vector p = spread_.places[i];
     return {{first(spread_.low.x, p.x, reach.x), first(spread_.low.y, p.y, reach.y)},
             {-first(-spread_.high.x, -p.x, reach.x), -first(-spread_.high.y, -p.y, reach.y)}};
@@ -256,6 +254,7 @@ class Images {
   const Spread& spread_;
   double area_;
   Vector lengths_;
+  Vector heights_;  ///< the widths of the reduced parallelogram across b and across a
 };
 
 /// Returns whether the images of two equal circles do not hide one another in the same order everywhere. `compute`
@@ -268,17 +267,6 @@ bool hasEqualCirclesApart(const PeriodicDiagram& images) {
            images.circleOf[circle] < images.circleOf[by];
   };
   return std::any_of(images.diagram.hidden.begin(), images.diagram.hidden.end(), isApart);
-}
-
-/// Returns by how much the halo must grow for all given cells to be final; infinite if that is not known.
-double missingHalo(const PeriodicDiagram& images, std::span<const KnownHalfPlane> sides) {
-  const Diagram& diagram = images.diagram;
-  double largest = -kInfinite;
-  for (CircleIndex i = 0; i < images.circleCount; ++i) {
-    largest = std::max(largest, diagram.circles[static_cast<std::size_t>(i)].r);
-  }
-  const auto needed = finalCellsInside(diagram.circles, diagram, sides, largest, true).neededHalo;
-  return *std::max_element(needed.begin(), needed.begin() + images.circleCount);
 }
 
 /// An error of the images.
@@ -298,10 +286,15 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
     spread = spreadOf(torus);
   }
   const Images images(circles, torus, spread);
-  double halo = images.likely();
-  double step = 2 * images.spacing();
-  for (;;) {
-    PeriodicDiagram result = images.within(halo);
+  const double enough = images.enough();
+  const double halo = images.likely();
+  Vector step = images.step();
+  const Vector gaps = images.gaps();
+  const auto within = [&](double x, double y) { return Vector{std::min(x, enough), std::min(y, enough)}; };
+  // Across a wide gap, the first images are that much farther.
+  const auto across = [&](double gap) { return gap < halo ? halo : gap + halo; };
+  for (Vector reach = within(across(gaps.x), across(gaps.y));;) {
+    PeriodicDiagram result = images.within(reach);
     auto diagram = compute(result.diagram.circles, options);
     if (!diagram) return ofGivenCircle(diagram.error(), result);
     result.diagram = std::move(diagram).value();
@@ -312,17 +305,11 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
       gather(torus);
       return computeOn(circles, std::move(torus), options);
     }
-    if (halo < images.enough()) {
-      const double missing = missingHalo(result, images.sides(halo));
-      if (missing > 0) {
-        halo += std::isinf(missing) ? step : (1 + 0x1p-20) * torus.inUnits(missing) + 1;
-        step *= 2;
-        if (!(halo < images.enough())) halo = images.enough();
-        continue;
-      }
-    }
-    if (auto checked = checkPeriodic(result); !checked) return checked.error();
-    return result;
+    auto checked = checkPeriodic(result);
+    if (checked) return result;
+    if (!(reach.x < enough || reach.y < enough)) return checked.error();
+    reach = within(halo + gaps.x + step.x, halo + gaps.y + step.y);
+    step = {2 * step.x, 2 * step.y};
   }
 }
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "estimate.h"
-#include "final_cells_inside.h"
 #include "guarded.h"
 #include "infinity.h"
 #include "three_touch_disc.h"
@@ -20,13 +19,21 @@
 namespace circle_voronoi {
 namespace {
 
+/// The points p with normal . p >= offset.
+struct HalfPlane {
+  Vector normal;
+  double offset = 0;
+};
+
 /// The known properties.
 class Outside {
  public:
-  Outside(std::span<const KnownHalfPlane> known, double maxRadius) : reach_(maxRadius) {
+  explicit Outside(const Known& known) : reach_(known.maxRadius) {
+    const auto& [minX, minY, maxX, maxY] = known.box;
     // Lines so far away that sums could overflow are moved nearer, which only makes fewer parts final.
     constexpr double kFarthest = 0x1p1000;
-    for (const auto& [normal, offset] : known) {
+    const HalfPlane sides[] = {{{1, 0}, minX}, {{-1, 0}, -maxX}, {{0, 1}, minY}, {{0, -1}, -maxY}};
+    for (const auto& [normal, offset] : sides) {
       if (!std::isinf(offset)) sides_.push_back({normal, std::clamp(offset, -kFarthest, kFarthest)});
     }
   }
@@ -51,7 +58,7 @@ class Outside {
   }
 
  private:
-  std::vector<KnownHalfPlane> sides_;
+  std::vector<HalfPlane> sides_;
   double reach_;
 };
 
@@ -93,11 +100,7 @@ bool fits(const Diagram& diagram) {
          all(diagram.hull, isCircle);
 }
 
-}  // namespace
-
-FinalCells finalCellsInside(std::span<const Circle> circles, const Diagram& diagram,
-                            std::span<const KnownHalfPlane> known, double maxRadius, bool knowsVertices) {
-  const Outside outside(known, maxRadius);
+FinalCells finalCellsOf(std::span<const Circle> circles, const Diagram& diagram, const Outside& outside) {
   FinalCells result;
   result.neededHalo.assign(circles.size(), 0);
   const auto need = [&](CircleIndex circle, double excess) {
@@ -109,22 +112,11 @@ FinalCells finalCellsInside(std::span<const Circle> circles, const Diagram& diag
   };
 
   result.vertices.reserve(diagram.vertexCircles.size());
-  double largest = 0;
-  for (const Circle& c : circles) largest = std::max(largest, std::abs(c.r));
   for (std::size_t v = 0; v < diagram.vertexCircles.size(); ++v) {
-    if (knowsVertices) {
-      // Most discs are far inside, whatever the circles are that they touch.
-      const Vertex& disc = diagram.vertices[v];
-      const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + largest;
-      if (outside.excess(disc, 0x1p-30 * size) < 0) {
-        result.vertices.push_back(true);
-        continue;
-      }
-    }
     auto triple = diagram.vertexCircles[v];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto circle = [&](std::size_t k) { return &circles[static_cast<std::size_t>(triple[k])]; };
-    const auto disc = knowsVertices ? std::optional(diagram.vertices[v]) : vertexOf(*circle(0), *circle(1), *circle(2));
+    const auto disc = vertexOf(*circle(0), *circle(1), *circle(2));
     const double excess = excessOf(outside, {circle(0), circle(1), circle(2)}, disc);
     result.vertices.push_back(excess < 0);
     for (const CircleIndex i : triple) need(i, excess);
@@ -145,6 +137,8 @@ FinalCells finalCellsInside(std::span<const Circle> circles, const Diagram& diag
   return result;
 }
 
+}  // namespace
+
 Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
   return guarded([&]() -> Result<FinalCells> {
     if (auto error = checkKnown(known)) return *std::move(error);
@@ -153,9 +147,7 @@ Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
     }
     const auto circles = validate(diagram.circles, diagram.weights);
     if (!circles) return circles.error();
-    const auto& [minX, minY, maxX, maxY] = known.box;
-    const KnownHalfPlane sides[] = {{{1, 0}, minX}, {{-1, 0}, -maxX}, {{0, 1}, minY}, {{0, -1}, -maxY}};
-    return finalCellsInside(circles.value(), diagram, sides, known.maxRadius);
+    return finalCellsOf(circles.value(), diagram, Outside(known));
   });
 }
 

@@ -19,9 +19,10 @@ namespace {
 constexpr int kMostLayers = 3;
 
 /// After so many cells, a walk goes to the nearest neighbor, of kFewSpokes.
-constexpr int kFewSectors = 8;
-/// A cell with more half-edges around its circle has them in a list.
+constexpr int kFewSectors = 3;
+/// A cell with more half-edges around its circle has them in a list, which is used after this number of steps.
 constexpr int kFewSpokes = 32;
+constexpr int kFewTurns = 4;
 
 /// Returns whether, turning counter-clockwise from `reference`, v comes no later than w.
 bool isNoLater(Vector reference, Vector v, Vector w) {
@@ -114,7 +115,7 @@ Location Locator::sectorOf(const EditState& state, int h, Point p) const {
   std::size_t count = 1;
   int steps = 0;
   do {
-    if (steps == kFewSpokes) {
+    if (steps == kFewTurns) {
       if (const int listed = listedToward(state, slot, ray); listed != kNone) turns[count++] = turnFrom(listed);
     }
     for (auto& [spoke, isLeft] : std::span(turns).first(count)) {

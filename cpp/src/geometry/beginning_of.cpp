@@ -10,10 +10,14 @@ namespace circle_voronoi {
 
 Vector beginningOf(const Diagram& diagram, SideIndex side) {
   const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.circleOf(side))];
+  return beginningOf(diagram, side, {c.x, c.y});
+}
+
+Vector beginningOf(const Diagram& diagram, SideIndex side, Point from) {
   const VertexIndex origin = diagram.originOf(side);
   if (origin != kNone) {
     const Vertex& v = diagram.vertices[static_cast<std::size_t>(origin)];
-    return {v.x - c.x, v.y - c.y};
+    return {v.x - from.x, v.y - from.y};
   }
   // The limit of point(s) as s goes to 0.
   const Bisector bisector = sideCurve(diagram, side).bisector;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/point.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
 
-/// Returns the direction from the center of a cell in which a side begins, up to rounding.
+/// Returns the direction from a point of a cell to the beginning of a side, up to rounding.
+Vector beginningOf(const Diagram& diagram, SideIndex side, Point from);
+
+/// Returns this direction from the center of the cell.
 Vector beginningOf(const Diagram& diagram, SideIndex side);
 
 /// Returns whether turning counter-clockwise from `reference` one meets v no later than w.

@@ -29,13 +29,20 @@ class Finder::Walker {
 
  private:
   CircleIndex nearerNeighbor(CircleIndex circle, Point p) const;
-  std::span<const SideIndex> manySides(CircleIndex circle) const;
+  /// The sides of a cell, in order around a point of the cell from which all of it is seen.
+  struct Sides {
+    Point middle;
+    std::span<const SideIndex> sides;
+  };
+  Sides manySides(CircleIndex circle) const;
+  Point middleOf(CircleIndex circle) const;
 
   const Diagram& diagram_;
   BucketGrid starts_;  ///< a visible circle for each bucket
   /// Cells with many sides, in increasing order. The k-th has the sides from firstOfMany_[k] to before firstOfMany_[k +
   /// 1].
   std::vector<CircleIndex> many_;
+  std::vector<Point> middleOfMany_;
   std::vector<std::size_t> firstOfMany_ = {0};
   std::vector<SideIndex> sidesOfMany_;
 };
@@ -59,17 +66,35 @@ Finder::Walker::Walker(const Diagram& diagram) : diagram_(diagram) {
     if (sideCount[i] <= kFewSides) continue;
     const auto circle = static_cast<std::int32_t>(i);
     many_.push_back(circle);
+    middleOfMany_.push_back(middleOf(circle));
     std::ranges::copy(diagram.sides(circle), std::back_inserter(sidesOfMany_));
     firstOfMany_.push_back(sidesOfMany_.size());
   }
 }
 
+/// The center of a cell, or the mean of its vertices for Metric::power, where the center may lie outside.
+Point Finder::Walker::middleOf(CircleIndex circle) const {
+  const Circle& c = diagram_.circles[static_cast<std::size_t>(circle)];
+  if (diagram_.metric != Metric::power) return {c.x, c.y};
+  std::vector<VertexIndex> vertices;
+  for (const SideIndex side : diagram_.sides(circle)) {
+    if (diagram_.originOf(side) != kNone) vertices.push_back(diagram_.originOf(side));
+  }
+  Point middle = {0, 0};
+  for (const VertexIndex vertex : vertices) {
+    const Vertex& v = diagram_.vertices[static_cast<std::size_t>(vertex)];
+    middle.x += v.x / static_cast<double>(vertices.size());
+    middle.y += v.y / static_cast<double>(vertices.size());
+  }
+  return middle;
+}
+
 /// The sides of a cell with more than kFewSides; none of another.
-std::span<const SideIndex> Finder::Walker::manySides(CircleIndex circle) const {
+Finder::Walker::Sides Finder::Walker::manySides(CircleIndex circle) const {
   const auto found = std::ranges::lower_bound(many_, circle);
   if (found == many_.end() || *found != circle) return {};
   const auto k = static_cast<std::size_t>(found - many_.begin());
-  return std::span(sidesOfMany_).subspan(firstOfMany_[k], firstOfMany_[k + 1] - firstOfMany_[k]);
+  return {middleOfMany_[k], std::span(sidesOfMany_).subspan(firstOfMany_[k], firstOfMany_[k + 1] - firstOfMany_[k])};
 }
 
 CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
@@ -119,16 +144,17 @@ CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
       nearest = neighbor;
     }
   };
-  const auto sides = manySides(circle);
-  if (sides.empty() || diagram_.metric == Metric::power) {
+  const Sides many = manySides(circle);
+  const auto sides = many.sides;
+  if (sides.empty()) {
     std::ranges::for_each(diagram_.sides(circle), ask);
     return nearest;
   }
-  const Circle& c = diagram_.circles[static_cast<std::size_t>(circle)];
-  const Vector toPoint = {p.x - c.x, p.y - c.y};
-  const Vector reference = beginningOf(diagram_, sides.front());
+  const Vector toPoint = {p.x - many.middle.x, p.y - many.middle.y};
+  const auto beginning = [&](SideIndex side) { return beginningOf(diagram_, side, many.middle); };
+  const Vector reference = beginning(sides.front());
   const auto after = std::ranges::partition_point(
-      sides, [&](SideIndex side) { return isNoLater(reference, beginningOf(diagram_, side), toPoint); });
+      sides, [&](SideIndex side) { return isNoLater(reference, beginning(side), toPoint); });
   // Rounding may be off by a side of next to no length.
   const auto k = static_cast<std::size_t>(after - sides.begin()) + sides.size();
   for (const std::size_t offset : {0U, 1U, 2U, 3U}) ask(sides[(k + 1 - offset) % sides.size()]);

@@ -126,14 +126,25 @@ void Arcs::findLevels() {
   }
 }
 
-/// Finds the levels of the vertices of some cells, around each cell from the level of one vertex.
+/// Returns the level where a side begins whose edge is crossed.
+std::int32_t Arcs::levelBefore(SideIndex side) const {
+  const std::int32_t row = crossed_.rowOf(Diagram::edgeOf(side));
+  const bool isAlong = side % 2 == 0;
+  const std::int32_t first = isAlong ? orderStart_[at(row)] : orderStart_[at(row) + 1] - 1;
+  return crossings_.all[at(order_[at(first)])].isEntry == isAlong ? 0 : 1;
+}
+
+/// Finds the levels of the vertices of some cells, around each cell from the level of one vertex: one before a
+/// crossing, or else of any vertex.
 void Arcs::findLevels(const Region& region) {
   levels_.assign(scope_.vertices.size(), kUnknown);
   const ShiftedSigns signs(diagram_);
   const auto levelOf = [&](VertexIndex vertex) -> std::int32_t& { return levels_[at(scope_.vertices.rowOf(vertex))]; };
   for (std::size_t row = 0; row < scope_.cells.size(); ++row) {
-    std::int32_t level = kUnknown;
-    for (const SideIndex side : diagram_.sides(scope_.cells[row])) {
+    const auto sides = diagram_.sides(scope_.cells[row]);
+    const auto crossed = std::ranges::find_if(sides, [&](SideIndex side) { return isCrossed(Diagram::edgeOf(side)); });
+    std::int32_t level = crossed == sides.end() ? kUnknown : levelBefore(*crossed);
+    for (const SideIndex side : sides) {
       const VertexIndex origin = diagram_.originOf(side);
       const VertexIndex target = diagram_.targetOf(side);
       if (origin == kNone) level = 0;

@@ -55,6 +55,7 @@ class Arcs {
  private:
   void sortCrossings(const Region& region);
   std::int32_t riseAlong(EdgeIndex edge) const;
+  std::int32_t levelBefore(SideIndex side) const;
   void findLevels();
   void findLevels(const Region& region);
   void makeArcs();

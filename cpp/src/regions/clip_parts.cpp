@@ -256,24 +256,19 @@ std::vector<std::vector<std::int32_t>> ClippedDiagram::Parts::holesIn(const Loop
   const auto borders = withKey(order, std::int32_t{-1}, polygonOf);
   std::vector<std::vector<OutlinePiece>> pieces(polygons.size());
   for (const std::int32_t hole : holes) {
-    const auto others = withKey(order, region.polygonOf(hole), polygonOf);
-    const std::size_t count = borders.size() + others.size();
+    const auto its = withKey(order, region.polygonOf(hole), polygonOf);
+    // The polygon of a whole border has no other loop in the cell.
+    const auto candidates = its.empty() ? borders : its;
     // Where the region is thinner than rounding, nothing may be left around a hole.
-    if (count == 0) continue;
-    std::int32_t around = borders.empty() ? others.front() : borders.front();
-    if (count > 1) {
+    if (candidates.empty()) continue;
+    std::int32_t around = candidates.front();
+    if (candidates.size() > 1) {
       const Point p = pointOf(region.ringOffsets()[at(hole)]);
-      const auto isAround = [&](std::int32_t loop) {
-        auto& its = pieces[at(loop)];
-        if (its.empty()) its = piecesOf(loops.loop(at(loop)));
-        return hasInLoop(its, p);
-      };
-      for (const auto& candidates : {borders, others}) {
-        const auto found = std::ranges::find_if(candidates, isAround);
-        if (found == candidates.end()) continue;
-        around = *found;
-        break;
-      }
+      const auto found = std::ranges::find_if(candidates, [&](std::int32_t loop) {
+        if (pieces[at(loop)].empty()) pieces[at(loop)] = piecesOf(loops.loop(at(loop)));
+        return hasInLoop(pieces[at(loop)], p);
+      });
+      if (found != candidates.end()) around = *found;
     }
     result[at(around)].push_back(hole);
   }

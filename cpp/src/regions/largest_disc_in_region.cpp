@@ -256,7 +256,8 @@ class DiscSearch {
       v = vectorTo(ahead > 0 ? side.to : side.from, p);
     }
     const double distance = lengthOf(v);
-    const Vector along = distance > 0 ? measuredIn(distance, v) : Vector{1, 0};
+    // At an end of a side, the distance grows in some directions only.
+    const Vector along = distance > 0 ? measuredIn(distance, v) : Vector{};
     return {distance - radius, along, bendOf(distance, reach)};
   }
 
@@ -271,17 +272,12 @@ class DiscSearch {
     distances.reserve(square.near.size());
     const double reach = square.half * std::sqrt(2.0);
     std::size_t nearest = 0;
-    double toSide = kInfinite;
     for (const std::int32_t thing : square.near) {
       distances.push_back(distanceTo(thing, square.center, reach));
-      const double distance = distances.back().value;
-      if (distance < distances[nearest].value) nearest = distances.size() - 1;
-      if (at(thing) >= circles_.size()) toSide = std::min(toSide, distance);
+      if (distances.back().value < distances[nearest].value) nearest = distances.size() - 1;
     }
     const double least = distances[nearest].value;
-    const bool isInside = region_.contains(there(square.center));
-    // Outside, the distance from the boundary counts as negative.
-    square.most = (isInside ? least : std::min(least, -toSide)) + reach;
+    square.most = least + reach;
     if (!mayBeLarger(square.most)) return;
     // The smaller of two distances is at most their mean, which is nearly the same all over the square if the two
     // things are opposite each other.
@@ -297,6 +293,14 @@ class DiscSearch {
       }
     }
     if (!mayBeLarger(square.most)) return;
+    // A way from outside into the region crosses the boundary, and is at least as long up to there as to the nearest
+    // thing: a side, or a circle that covers the boundary where its sides are not kept.
+    const double mostFromOutside = reach - std::abs(least);
+    if (!(square.most < mostFromOutside) && !contains(square.center, square.near[nearest], least)) {
+      square.most = mostFromOutside;
+      opposite = &first;
+      if (!mayBeLarger(square.most)) return;
+    }
     // The disc between the two.
     const double half = (opposite->value - first.value) / 2;
     if (half > 0 && half * largestOf(first.along) <= square.half) {
@@ -315,6 +319,18 @@ class DiscSearch {
       square.near.shrink_to_fit();
       pending_.push(std::make_shared<Square>(std::move(square)));
     }
+  }
+
+  /// Returns whether the region contains a point, given the thing nearest to it. Beside a side, that decides.
+  bool contains(Point p, std::int32_t nearest, double distance) const {
+    if (at(nearest) >= circles_.size() && distance > kRoundingOfTouch) {
+      const Side& side = sides_[at(nearest) - circles_.size()];
+      const Vector along = vectorTo(side.from, side.to);
+      const Vector v = vectorTo(side.from, p);
+      const double ahead = dot(along, v);
+      if (ahead > 0 && ahead < dot(along, along)) return cross(along, v) > 0;
+    }
+    return region_.contains(there(p));
   }
 
   /// Returns whether a bound leaves room for a larger disc than the best one.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -67,6 +68,35 @@ void include(Run& run, Point p) {
   run.mostAlong = std::max(run.mostAlong, along);
   run.leastAcross = std::min(run.leastAcross, across);
   run.mostAcross = std::max(run.mostAcross, across);
+}
+
+/// Returns runs that each consist of a few in a row. `runAt` returns the k-th of them.
+template <class Run, class RunAt>
+std::vector<Run> runsOfRuns(std::size_t count, const RunAt& runAt) {
+  std::vector<Run> runs((count + kRunsOfRun - 1) / kRunsOfRun, kEmptyRun<Run>);
+  for (std::size_t k = 0; k < count; ++k) lengthen(runs[k / kRunsOfRun], runAt(k).along);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Run& its = runAt(k);
+    Run& run = runs[k / kRunsOfRun];
+    grow(run.box, its.box);
+    const Vector left = leftOf(its.along);
+    const double square = dot(its.along, its.along);
+    for (const double along : {its.leastAlong / square, its.mostAlong / square}) {
+      for (const double across : {its.leastAcross / square, its.mostAcross / square}) {
+        include(run, {along * its.along.x + across * left.x, along * its.along.y + across * left.y});
+      }
+    }
+  }
+  return runs;
+}
+
+/// Adds levels of runs of the runs of the last level, up to a single run.
+template <class Run>
+void addLevels(std::vector<std::vector<Run>>& levels) {
+  while (levels.back().size() > 1) {
+    const auto& below = levels.back();
+    levels.push_back(runsOfRuns<Run>(below.size(), [&](std::size_t k) -> const Run& { return below[k]; }));
+  }
 }
 
 [[noreturn]] void refuse(std::string message, ErrorCode code = ErrorCode::badOption) {
@@ -451,24 +481,13 @@ std::int32_t Region::polygonOf(RegionRingIndex ring) const {
 
 void Region::index() {
   runs_ = {runsOf(kSidesOfRun)};
-  while (runs_.back().size() > 1) {
-    const auto& below = runs_.back();
-    std::vector<Run> above((below.size() + kRunsOfRun - 1) / kRunsOfRun, kEmptyRun<Run>);
-    for (std::size_t k = 0; k < below.size(); ++k) lengthen(above[k / kRunsOfRun], below[k].along);
-    for (std::size_t k = 0; k < below.size(); ++k) {
-      const Run& its = below[k];
-      Run& run = above[k / kRunsOfRun];
-      grow(run.box, its.box);
-      const Vector left = leftOf(its.along);
-      const double square = dot(its.along, its.along);
-      for (const double along : {its.leastAlong / square, its.mostAlong / square}) {
-        for (const double across : {its.leastAcross / square, its.mostAcross / square}) {
-          include(run, {along * its.along.x + across * left.x, along * its.along.y + across * left.y});
-        }
-      }
-    }
-    runs_.push_back(std::move(above));
-  }
+  addLevels(runs_);
+  const auto& runs = runs_.front();
+  runsByPlace_.resize(runs.size());
+  std::iota(runsByPlace_.begin(), runsByPlace_.end(), 0);
+  orderRuns(0, runs.size());
+  groups_ = {runsOfRuns<Run>(runs.size(), [&](std::size_t k) -> const Run& { return runs[at(runsByPlace_[k])]; })};
+  addLevels(groups_);
   ringBoxes_.clear();
   std::vector<Box> boxes;
   for (std::size_t r = 0; r < ringCount(); ++r) {
@@ -481,6 +500,30 @@ void Region::index() {
     boxes = above;
     ringBoxes_.push_back(std::move(above));
   } while (boxes.size() > 1);
+}
+
+/// Orders a part of the runs of the first level so that groups are near each other: divides them in the middle of their
+/// longer axis, again and again, into numbers that are powers of two where possible, as groups are.
+void Region::orderRuns(std::size_t begin, std::size_t end) {
+  if (end - begin <= kRunsOfRun) return;
+  const auto middleOf = [&](std::int32_t run, bool isTall) {
+    const Box& box = runs_.front()[at(run)].box;
+    return isTall ? box.minY / 2 + box.maxY / 2 : box.minX / 2 + box.maxX / 2;
+  };
+  Box box = kNothing;
+  for (std::size_t k = begin; k < end; ++k) {
+    const Point middle = {middleOf(runsByPlace_[k], false), middleOf(runsByPlace_[k], true)};
+    grow(box, boxAround(middle, middle));
+  }
+  const bool isTall = box.maxY - box.minY > box.maxX - box.minX;
+  const std::size_t half = std::bit_ceil(end - begin) / 2;
+  const auto first = runsByPlace_.begin() + static_cast<std::ptrdiff_t>(begin);
+  std::nth_element(first, first + static_cast<std::ptrdiff_t>(half), first + static_cast<std::ptrdiff_t>(end - begin),
+                   [&](std::int32_t one, std::int32_t other) {
+                     return std::pair(middleOf(one, isTall), one) < std::pair(middleOf(other, isTall), other);
+                   });
+  orderRuns(begin, begin + half);
+  orderRuns(begin + half, end);
 }
 
 /// Returns the runs of so many sides.
@@ -636,29 +679,33 @@ Region scaledRegion(const Region& region, double factor) {
 }
 
 std::vector<RegionSideIndex> Region::sidesIn(const Box& box) const {
-  std::vector<RegionSideIndex> sides;
-  addSides(
-      runs_.size() - 1, 0, [&](const Run& run) { return doMeet(run.box, box); },
-      [&](Point a, Point b) { return doMeet(boxAround(a, b), box); }, sides);
-  return sides;
+  return sidesThat([&](const Run& run) { return doMeet(run.box, box); },
+                   [&](Point a, Point b) { return doMeet(boxAround(a, b), box); });
 }
 
 std::vector<RegionSideIndex> Region::sidesNear(std::span<const Point> polygon, double margin) const {
   const Polygon its(polygon, margin, bounds());
-  std::vector<RegionSideIndex> sides;
-  addSides(
-      runs_.size() - 1, 0, [&](const Run& run) { return its.meets(run); },
-      [&](Point a, Point b) { return its.meets(a, b); }, sides);
-  return sides;
+  return sidesThat([&](const Run& run) { return its.meets(run); }, [&](Point a, Point b) { return its.meets(a, b); });
 }
 
 template <class MeetsRun, class MeetsSide>
-void Region::addSides(std::size_t level, std::size_t run, const MeetsRun& meetsRun, const MeetsSide& meetsSide,
+std::vector<RegionSideIndex> Region::sidesThat(const MeetsRun& meetsRun, const MeetsSide& meetsSide) const {
+  std::vector<RegionSideIndex> sides;
+  addSides(groups_.size(), 0, meetsRun, meetsSide, sides);
+  std::ranges::sort(sides);
+  return sides;
+}
+
+/// Adds sides of a group of runs, or at level 0 of a run.
+template <class MeetsRun, class MeetsSide>
+void Region::addSides(std::size_t level, std::size_t group, const MeetsRun& meetsRun, const MeetsSide& meetsSide,
                       std::vector<RegionSideIndex>& sides) const {
-  if (!meetsRun(runs_[level][run])) return;
+  const std::size_t run = level > 0 ? group : at(runsByPlace_[group]);
+  if (!meetsRun(level > 0 ? groups_[level - 1][run] : runs_.front()[run])) return;
   if (level > 0) {
-    const std::size_t end = std::min((run + 1) * kRunsOfRun, runs_[level - 1].size());
-    for (std::size_t k = run * kRunsOfRun; k < end; ++k) addSides(level - 1, k, meetsRun, meetsSide, sides);
+    const std::size_t count = level > 1 ? groups_[level - 2].size() : runsByPlace_.size();
+    const std::size_t end = std::min((group + 1) * kRunsOfRun, count);
+    for (std::size_t k = group * kRunsOfRun; k < end; ++k) addSides(level - 1, k, meetsRun, meetsSide, sides);
     return;
   }
   std::size_t ring = at(ringOf(static_cast<std::int32_t>(run * kSidesOfRun)));

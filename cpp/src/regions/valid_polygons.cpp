@@ -5,12 +5,17 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 
+#include "at.h"
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/region.h"
+#include "guarded.h"
 #include "in_circle.h"
+#include "ring_sweep.h"
 #include "rounded.h"
 #include "vectors.h"
 
@@ -76,18 +81,6 @@ bool isThin(const PointRing& ring) {
     size = std::max({size, std::abs(ring[k].x), std::abs(ring[k].y)});
   }
   return !(std::abs(areaOf(ring)) > kThinRing * size * way);
-}
-
-bool isOnRing(const PointRing& ring, Point p) { return std::ranges::find(ring, p) != ring.end(); }
-
-bool hasInRing(const PointRing& ring, Point p) {
-  bool isOdd = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k];
-    const Point b = ring[k + 1 == ring.size() ? 0 : k + 1];
-    if ((a.y > p.y) != (b.y > p.y)) isOdd ^= (orientation(a, b, p) > 0) == (b.y > a.y);
-  }
-  return isOdd;
 }
 
 /// The steps of rings between numbered points.
@@ -202,18 +195,37 @@ class Steps {
   std::vector<std::int32_t> place_;  ///< of each point in the walk, or kNone
 };
 
-/// Puts holes that touch no outer ring into the smallest outer ring around them.
+/// Returns how rings lie to each other, or nothing if rounding has made them cross.
+std::optional<RingOrder> orderIfApart(const Rings& rings) {
+  try {
+    return orderOf(
+        rings, [](std::int32_t) { return std::string("side"); }, [](Error&, std::int32_t, std::int32_t) {});
+  } catch (const ThrownError&) {
+    return std::nullopt;
+  }
+}
+
+/// Puts holes that touch no outer ring into the smallest outer ring around them; all into the first polygon where
+/// rounding leaves none.
 void addHoles(std::vector<PointRing> holes, Polygons& polygons) {
+  if (holes.empty() || polygons.empty()) return;
+  std::optional<RingOrder> order;
+  if (polygons.size() > 1) {
+    Rings rings = {{}, {0}};
+    const auto add = [&](const PointRing& ring) {
+      rings.points.insert(rings.points.end(), ring.begin(), ring.end());
+      rings.offsets.push_back(static_cast<std::int32_t>(rings.points.size()));
+    };
+    for (const auto& polygon : polygons) add(polygon.front());
+    for (const PointRing& hole : holes) add(hole);
+    order = orderIfApart(rings);
+  }
+  const auto outerCount = static_cast<std::int32_t>(polygons.size());
+  auto ring = outerCount;
   for (PointRing& hole : holes) {
-    std::size_t best = polygons.size();
-    for (std::size_t p = 0; p < polygons.size() && polygons.size() > 1; ++p) {
-      const PointRing& outer = polygons[p].front();
-      const auto probe = std::ranges::find_if(hole, [&](Point q) { return !isOnRing(outer, q); });
-      if (probe == hole.end() || !hasInRing(outer, *probe)) continue;
-      if (best == polygons.size() || areaOf(outer) < areaOf(polygons[best].front())) best = p;
-    }
-    if (best == polygons.size()) best = 0;
-    if (!polygons.empty()) polygons[best].push_back(std::move(hole));
+    std::int32_t around = order ? order->parent[at(ring++)] : 0;
+    while (around >= outerCount) around = order->parent[at(around)];
+    polygons[at(std::max(around, 0))].push_back(std::move(hole));
   }
 }
 

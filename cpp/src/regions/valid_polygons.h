@@ -19,8 +19,8 @@ struct PointLoop {
 /// Makes polygons that are valid as the OGC and GEOS define it from the loops of one cell: outer rings first, then
 /// their holes. Loops may touch themselves and each other in points, and run along themselves. Steps there and back
 /// cancel, and loops are divided where they touch, so that holes which touch their outer ring stay holes. Rings without
-/// area up to rounding are left out. Corners are rounded (limits.h). Takes O(n log n) steps, and more only for holes
-/// between several outer rings.
+/// area up to rounding are left out. Corners are rounded (limits.h). Takes O(n log n) steps, and more only where
+/// rounding has made loops cross.
 ///
 /// Exported because the library for files calls it.
 CIRCLE_VORONOI_API std::vector<std::vector<PointRing>> validPolygons(std::vector<PointLoop> loops);
