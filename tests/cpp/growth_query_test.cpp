@@ -8,7 +8,6 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
@@ -43,18 +42,6 @@ TEST(GrowthOfQueries, OfAFinder) {
                   for (const Point& p : pointsBetween(diagram.circles)) EXPECT_NE(finder.find(p), kNone);
                   EXPECT_FALSE(finder.findAll(pointsBetween(diagram.circles)).empty());
                 }),
-                circleFamilies()});
-}
-
-TEST(GrowthOfQueries, OfAFinderOfPowers) {
-  expectGrowth({"Finder", "finder.h",
-                [](const GrowthInput& input) {
-                  const auto diagram = kept(powerDiagram(input.circles).value());
-                  return [diagram] {
-                    const Finder finder(*diagram);
-                    for (const Point& p : pointsBetween(diagram->circles)) EXPECT_NE(finder.find(p), kNone);
-                  };
-                },
                 circleFamilies()});
 }
 
