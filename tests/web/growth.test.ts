@@ -42,8 +42,6 @@ const files = await loadFiles()
 const { region } = await loadRegions()
 
 const ALL: readonly FamilyName[] = ['uniform', 'hub', 'wheel', 'strips', 'comb']
-/** Families whose points are near circles, so that walks to them are short. */
-const NEAR: readonly FamilyName[] = ['uniform', 'hub', 'strips', 'comb']
 /** Families whose hull has few circles, because a change of the hull takes the time of the whole hull. */
 const SMALL_HULL: readonly FamilyName[] = ['uniform', 'wheel', 'comb']
 
@@ -149,7 +147,7 @@ describe('n log n steps are enough for', () => {
       (circles) => () => library.compute(Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))),
     ],
     ['update', ofDiagram((diagram) => diagram.update())],
-    ['find, findAll', ofFinder, NEAR],
+    ['find, findAll', ofFinder],
     [
       'find in a power diagram',
       (circles) => {
@@ -214,7 +212,6 @@ describe('n log n steps are enough for', () => {
     [
       'largestEmptyDiscInside',
       ofDiagram((diagram) => largestEmptyDiscInside(diagram, { bounds: middleOf(diagram.circles) })),
-      ['uniform', 'hub', 'comb'],
     ],
     ['clearestPath', ofDiagram((diagram) => clearestPath(diagram, { x: 0.1, y: 0.2 }, { x: 11, y: 0.3 }))],
     [

@@ -79,11 +79,11 @@ export class Finder {
     let circle = this.#starts.near(x, y)
     if (!this.#cells.exists(circle)) circle = this.#someCircle()
     if (circle === NONE) return NONE
-    if (this.#cells.exists(hint) && this.#lead(hint, circle, x, y) > 0) circle = hint
+    if (this.#cells.exists(hint) && this.#cells.lead(hint, circle, x, y) > 0) circle = hint
     // Each step comes nearer, so the walk ends. But rounding may lead around a loop, which then meets the circle marked
-    // at step 1, 2, 4, 8 and so on.
+    // at step 4, 8, 16 and so on.
     let marked = circle
-    for (let step = 0, markAt = 1; ; step++) {
+    for (let step = 0, markAt = 4; ; step++) {
       const next = this.#nearerNeighbor(circle, x, y)
       if (next === NONE || next === marked) {
         this.#last = circle
@@ -91,9 +91,21 @@ export class Finder {
       }
       circle = next
       if (step !== markAt) continue
+      circle = this.#across(circle, x, y)
       marked = circle
       markAt *= 2
     }
+  }
+
+  /** Returns the circle, or a nearer one across a neighbor with many sides: a short cut on a walk around that neighbor. */
+  #across(circle: number, x: number, y: number): number {
+    const many = this.#manySides
+    if (many.has(circle)) return circle
+    for (const neighbor of this.#cells.neighbors(circle)) {
+      const next = many.has(neighbor) ? this.#nearerNeighbor(circle, x, y, neighbor) : NONE
+      if (next !== NONE) return next
+    }
+    return circle
   }
 
   /**
@@ -206,14 +218,14 @@ export class Finder {
     return x === then.x && y === then.y
   }
 
-  /** Returns a neighbor that is nearer to the point than the circle itself, or `NONE`. */
-  #nearerNeighbor(circle: number, x: number, y: number): number {
+  /** Returns a neighbor, of the circle or of another one, that is nearer to the point than the circle, or `NONE`. */
+  #nearerNeighbor(circle: number, x: number, y: number, other: number = circle): number {
     const cells = this.#cells
     const { circles, metric, edges, nextSide, firstSide } = cells.diagram
-    let side = at(firstSide, circle)
+    let side = at(firstSide, other)
     if (side === NONE) return NONE
     let stop = side
-    const before = this.#sideBefore(circle, x, y)
+    const before = this.#sideBefore(other, x, y)
     if (before !== undefined) {
       // Rounding may choose the wrong side if a side has almost no length.
       side = before
@@ -226,7 +238,7 @@ export class Finder {
     const toCenter = plainDistance(circles, circle, x, y)
     let left = nextSide.length
     do {
-      if (left-- === 0) refuseArrays('circle', circle)
+      if (left-- === 0) refuseArrays('circle', other)
       // The code of neighborOf(side) inline, because calls would be too slow here.
       const neighbor = at(edges, 4 * (side >> 1) + 1 - (side & 1))
       side = at(nextSide, side)
@@ -240,22 +252,6 @@ export class Finder {
       }
     } while (side !== stop)
     return nearest
-  }
-
-  /**
-   * Returns the lead of one circle over another at a point. It uses plain distances unless rounding could change the
-   * sign.
-   */
-  #lead(circle: number, other: number, x: number, y: number): number {
-    const { circles, metric } = this.#cells.diagram
-    if (metric === 'circles') {
-      const [r, otherR] = [at(circles, 3 * circle + 2), at(circles, 3 * other + 2)]
-      const toCenter = plainDistance(circles, circle, x, y)
-      const toOther = plainDistance(circles, other, x, y)
-      const lead = toOther - otherR - (toCenter - r)
-      if (isClear(lead, toCenter, r, toOther, otherR)) return lead
-    }
-    return this.#cells.lead(circle, other, x, y)
   }
 
   /** Returns the direction from a point of the cell to the start of a side. */

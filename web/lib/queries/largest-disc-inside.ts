@@ -52,14 +52,17 @@ export function largestEmptyDiscInside(
   const sides = sidesOf(region)
   const ridges = ridgesOf(region, sides)
   let best: EmptyDisc | undefined
-  const radius = () => best?.disc.r ?? Number.NEGATIVE_INFINITY
+  const radius = () => best?.disc.r ?? -Infinity
+  /** The circle that was nearest last. A disc that it cuts needs no search for another one. */
+  let nearest = NONE
+  const gapOf = ({ x, y }: Point, circle: number) => (circle === NONE ? Infinity : distanceFrom(diagram, circle, x, y))
   const depthOf = (p: Point) => sides.reduce((least, side) => Math.min(least, depth(side, p)), Infinity)
   /** Tries the largest disc around a point, which should touch the given circles up to rounding. */
   const offer = (p: Point, ...circles: readonly number[]) => {
     const inside = depthOf(p)
-    if (!(inside > radius())) return
-    const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
-    const empty = nearest === NONE ? Infinity : distanceFrom(diagram, nearest, p.x, p.y)
+    if (!(Math.min(inside, gapOf(p, nearest)) > radius())) return
+    nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
+    const empty = gapOf(p, nearest)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
@@ -67,7 +70,7 @@ export function largestEmptyDiscInside(
       return
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleOf(diagram.circles, circles[0]).r)
-    if (!circles.includes(nearest) && distanceFrom(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    if (!circles.includes(nearest) && gapOf(p, circles[0]) > empty + ROUNDING * size) return
     // The disc may touch sides only.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }
