@@ -50,6 +50,22 @@ const bad = (code: ErrorCode, ...values: readonly unknown[]): Wrong[] => values.
 const input = (...values: readonly unknown[]) => bad('badInput', ...values)
 const option = (...values: readonly unknown[]) => bad('badOption', ...values)
 
+type Resizable = ArrayBuffer & { resize(bytes: number): void }
+const Resizable = ArrayBuffer as unknown as new (bytes: number, options: object) => Resizable
+/** Copies of a list whose memory is gone: of a buffer that was transferred, or became too short or empty. */
+function lost<List extends Float64Array | Float32Array | Int32Array | Uint8Array>(list: List): List[] {
+  const transferred = list.slice()
+  structuredClone(transferred.buffer, { transfer: [transferred.buffer] })
+  const { byteLength, length } = list
+  const shorter = [byteLength - 1, 0].map((bytes) => {
+    const buffer = new Resizable(byteLength, { maxByteLength: byteLength })
+    const copy = new (list.constructor as Float64ArrayConstructor)(buffer, 0, length)
+    buffer.resize(bytes)
+    return copy
+  })
+  return [transferred, ...shorter] as List[]
+}
+
 const NO_NUMBERS = ['0', null, {}, [1], true]
 const indexOf = (count: number) => input(...NO_NUMBERS, undefined, count, -1, 0.5, Number.NaN, Infinity)
 const id = [...input(...NO_NUMBERS, undefined), ...bad('unknownCircle', 0.5, -2, 2 ** 31, Number.NaN)]
@@ -64,7 +80,9 @@ const wrongCircles = (code: ErrorCode, circle: number, place: number, value: unk
     circle,
   ])
 const noCircles: readonly Wrong[] = [
-  ...input(5, 'x', {}, new Float64Array(4), new Float32Array(5)),
+  ...input(5, 'x', {}, new Float64Array(4), new Float32Array(5), ...lost(CIRCLES)),
+  ...input(...lost(Float32Array.from(CIRCLES)), ...lost(Int32Array.from(CIRCLES))),
+  ...lost(Float64Array.of(0, 0, 1)).map((row) => [[row], 'badInput', 0] as const),
   [[[0, 0, 1], [5, 5], []], 'badInput', 1],
   [[0, 0, 1], 'badInput', 0],
   [[null], 'badInput', 0],
@@ -78,6 +96,7 @@ const noCircles: readonly Wrong[] = [
 const negative = wrongCircles('negativeRadius', 1, 5, -1)
 const oneCircle = (own: number | undefined): Wrong[] => [
   ...[5, 'x', null, undefined, [1, 2], { x: 1, y: 2 }, ['0', 0, 1]].map((circle) => [circle, 'badInput', own] as const),
+  ...lost(Float64Array.of(0, 0, 1)).map((circle) => [circle, 'badInput', own] as const),
   [[0, Number.NaN, 1], 'nonFinite', own],
   [[0, 0, -1], 'negativeRadius', own],
   [[0, 1e29, 1], 'coordinateTooLarge', own],
@@ -98,10 +117,20 @@ const things = ['x', 5, null, undefined, {}, []]
 const STAR = lists('1 0; -0.8 0.6; 0.3 -0.95; 0.3 0.95; -0.8 -0.6').map(([x, y]) => ({ x, y }))
 const KNOWN = { box: { minX: 0, minY: 0, maxX: 1, maxY: 1 }, maxRadius: 1 }
 const JSON_FILE = JSON.stringify(diagram)
-const badLattices = [lists('9 0; 0'), lists('9 0 0; 0 9'), lists("9 0; 0 '9'"), ['ab', [0, 9]]].map(([a, b]) => ({
-  a,
-  b,
-}))
+const badLattices = [
+  ...[lists('9 0; 0'), lists('9 0 0; 0 9'), lists("9 0; 0 '9'"), ['ab', [0, 9]]],
+  ...lost(Float64Array.of(9, 0)).map((a) => [a, [0, 9]]),
+].map(([a, b]) => ({ a, b }))
+/** The names of the arrays of a diagram. */
+const ARRAYS = [
+  ...['circles', 'vertices', 'vertexCircles', 'edges', 'hull'],
+  ...['nextSide', 'vertexSides', 'firstSide'],
+] as const
+/** Diagrams of which one array has lost its memory. */
+const lostDiagrams = ARRAYS.flatMap((name) =>
+  lost(diagram[name as 'circles']).map((list) => Object.assign(library.compute(CIRCLES), { [name]: list })),
+)
+const bytesOf = (text: string) => new TextEncoder().encode(text)
 const wrongBoxes = Object.keys(KNOWN.box).map((side) => ({ box: { ...KNOWN.box, [side]: '0' }, maxRadius: 1 }))
 
 /** The right value of each kind of arguments, and the wrong ones. */
@@ -121,13 +150,13 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
   length: [1, input(...NO_NUMBERS, Number.NaN)],
   above0: [1, input(...NO_NUMBERS, undefined, Number.NaN, 0, -1, Infinity)],
   circles: [CIRCLES, [...noCircles, ...negative]],
-  sent: [CIRCLES, []],
+  sent: [CIRCLES, input(...lost(CIRCLES))],
   weights: [CIRCLES, noCircles],
   newCircle: [[3, 3, 1], oneCircle(undefined)],
   circle0: [[0, 0, 2], oneCircle(0)],
-  array: [CIRCLES, input(...things, new Float64Array(4))],
-  data: [diagram, input(...things)],
-  diagram: [diagram, input(...things, { ...diagram }, power)],
+  array: [CIRCLES, input(...things, new Float64Array(4), ...lost(CIRCLES))],
+  data: [diagram, input(...things, ...lostDiagrams)],
+  diagram: [diagram, input(...things, { ...diagram }, power, ...lostDiagrams)],
   snapshotData: [snapshot, input(...things, diagram)],
   periodicData: [periodic, input(...things, diagram)],
   curve: [curve, input(...things)],
@@ -136,11 +165,21 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
   outline: [[], input('x', 5, null, undefined, {}, [5])],
   sink: [SINK, []],
   point: [P, input(...things, [3, 0], { x: 1 }, { y: 1 }, { x: Infinity, y: 1 })],
-  points: [[1, 2], input(...things.slice(0, 5), [1], new Float64Array(3), lists('1 2; 3 4'), ['0', '1'])],
+  points: [
+    [1, 2],
+    input(
+      ...things.slice(0, 5),
+      [1],
+      new Float64Array(3),
+      lists('1 2; 3 4'),
+      ['0', '1'],
+      ...lost(Float64Array.of(1, 2)),
+    ),
+  ],
   corners: [POLYGON, option(undefined, 5, {}, [P], STAR)],
   lattice: [LATTICE, input(5, 'x', { a: [9, 0] }, { b: [0, 9] }, ...badLattices)],
-  circleText: ['1,2,3', input(5, null, undefined, {}, [])],
-  diagramText: [JSON_FILE, input(5, null, undefined, {}, [])],
+  circleText: ['1,2,3', input(5, null, undefined, {}, [], ...lost(bytesOf('1,2,3')))],
+  diagramText: [JSON_FILE, input(5, null, undefined, {}, [], ...lost(bytesOf(JSON_FILE)))],
   edits: [
     [],
     [
@@ -152,8 +191,11 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
     ],
   ],
   change: [undefined, input(undefined, 5, {})],
-  sites: [lists('5 1'), [...input(5, {}, 'x'), [lists('1 1; 1'), 'badInput', 1], [lists("1 1; 1 '1'"), 'badInput', 1]]],
-  areas: [[27], input(5, '12', ['1'], [undefined], new Array(1))],
+  sites: [
+    lists('5 1'),
+    [...input(5, {}, 'x', ...lost(CIRCLES)), [lists('1 1; 1'), 'badInput', 1], [lists("1 1; 1 '1'"), 'badInput', 1]],
+  ],
+  areas: [[27], input(5, '12', ['1'], [undefined], new Array(1), ...lost(Float64Array.of(27)))],
   shape: [[POLYGON.map(({ x, y }) => [x, y])], option(7, null, undefined, 'x', {})],
   metric: ['power', option('x', 5, undefined)],
   known: [KNOWN, input(5, undefined, {}, { box: KNOWN.box }, { maxRadius: 1 }, ...wrongBoxes)],
@@ -177,11 +219,11 @@ const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
   // A worker leaves it to its thread to know the names.
   name: option(1, null),
   nextId: option(-1, 0.5, 2 ** 31, '3', null),
-  ids: option(5, [-1], [0.5], [2 ** 31], ['0']),
+  ids: [...option(5, [-1], [0.5], [2 ** 31], ['0']), ...input(...lost(Int32Array.of(1, 2, 3)))],
   count: option(0.5, 2 ** 31, '1', Number.NaN, null),
   number: option('1', null),
   lattice: ARGUMENTS.lattice?.[1] ?? [],
-  startWeights: [...input(5, ['1'], 'x'), ...option([1, 2], [])],
+  startWeights: [...input(5, ['1'], 'x', ...lost(Float64Array.of(0))), ...option([1, 2], [])],
   edits: input(5, {}, [null], [{ kind: 'move', id: 0 }]),
   signal: option({}, 5, 'now'),
   format: option('pdf', 5, null, ''),
@@ -192,6 +234,7 @@ const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
 type Act = (...args: readonly unknown[]) => unknown
 /** A function with the kinds of its arguments, and of its options by their names. */
 interface Row {
+  readonly owner: object
   readonly name: string
   readonly act: Act
   readonly args: readonly (readonly [right: unknown, wrong: readonly Wrong[]])[]
@@ -212,6 +255,7 @@ function row(owner: object, name: string, args = '', options?: string, needed?: 
   const words = (text: string) => text.split(' ').filter((word) => word !== '' && word !== 'none')
   const kinds = words(options ?? '').map((word) => word.split(':'))
   return {
+    owner,
     name,
     act: found.bind(owner),
     args: words(args).map((kind) => ARGUMENTS[kind] as Row['args'][0]),
@@ -342,6 +386,8 @@ const ROWS: readonly Row[] = [
   row(comparisons, 'loadComparison', '', 'wasm library'),
   row(workers, 'createWorker', '', 'wasm'),
   row({ encodeLink: (lattice: Lattice) => links.encodeLink({ lattice }) }, 'encodeLink', 'lattice'),
+  row({ encodeLink: (circles: Float64Array) => links.encodeLink({ circles }) }, 'encodeLink', 'sent'),
+  row({ encodeLink: (circles: Float64Array) => links.encodeLinkAtOnce({ circles }) }, 'encodeLink', 'sent'),
 ]
 
 interface Call {
@@ -470,6 +516,31 @@ it('each array of a diagram is of its type and length where a core reads it', as
         const message = expect.stringContaining(name)
         expect(await errorOf(() => (act as Act)(data), [])).toMatchObject({ code: 'badInput', message })
       }
+    }
+  }
+})
+
+it.each(ROWS.filter(({ owner }) => owner === diagram).map((row) => [row.name, row] as const))(
+  '%s of a diagram of which an array has lost its memory is refused',
+  async (name, { args, needed }) => {
+    for (const lost of lostDiagrams) {
+      const act = (lost as unknown as Readonly<Record<string, Act>>)[name] as Act
+      const error = await errorOf(act.bind(lost), [...args.map(([right]) => right), ...needed])
+      expect(error).toMatchObject({ code: 'badInput' })
+    }
+  },
+)
+
+it('properties and files of a diagram of which an array has lost its memory are refused', async () => {
+  for (const lost of lostDiagrams) {
+    for (const act of [
+      () => lost.halfedges,
+      () => lost.toJSON(),
+      () => [...lost.cellPolygons({ bounds: BOX })],
+      () => lost.cellAreas({ region }),
+      () => library.edit(new index.Diagram(lost)),
+    ]) {
+      expect(await errorOf(act, [])).toMatchObject({ code: 'badInput' })
     }
   }
 })

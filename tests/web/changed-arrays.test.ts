@@ -23,7 +23,6 @@ import {
   type SnapshotData,
 } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
-import { errorOf, problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
 import { ring } from './shapes.ts'
 
@@ -146,40 +145,6 @@ it.each(METRICS)('changed arrays of the metric %s are a result or an error', (me
       `${name} afterwards`,
     ).toBe(right.get(name))
   }
-})
-
-it('an array that was changed in place is named', () => {
-  const messageOf = (change: (diagram: Diagram) => void, call: (diagram: Diagram) => unknown) => {
-    const diagram = library.compute(Array.from({ length: 20 }, (_, i) => [(i % 5) * 9, (i >> 2) * 7 + (i % 3), i % 4]))
-    change(diagram)
-    return problemOf(() => call(diagram))
-  }
-  const doesNotFit = (thing: string) =>
-    `badInput: The arrays of the diagram do not fit together at ${thing}. They must not be changed.`
-  const areas = (diagram: Diagram) => diagram.cellAreas({ region: hall })
-  expect(messageOf(() => {}, areas)).toBe('no problem')
-  expect(messageOf((d) => d.firstSide.fill(1), areas)).toBe(doesNotFit('circle 0'))
-  expect(
-    messageOf(
-      (d) => d.firstSide.fill(1),
-      (d) => d.cellPath(2),
-    ),
-  ).toBe(doesNotFit('circle 2'))
-  expect(messageOf((d) => d.edges.reverse(), areas)).toMatch(/^badInput: The arrays of the diagram do not fit together/)
-  expect(
-    messageOf(
-      (d) => d.nextSide.fill(0),
-      (d) => d.neighbors(3),
-    ),
-  ).toBe(doesNotFit('circle 3'))
-  expect(messageOf((d) => d.vertices.fill(Number.NaN), areas)).toBe(doesNotFit('vertex 0'))
-  const infinite = library.compute([
-    [0, 0, 1],
-    [5, 0, 1],
-    [0, 5, 1],
-  ])
-  infinite.circles[7] = Infinity
-  expect(errorOf(() => infinite.find(1, 1))).toMatchObject({ code: 'nonFinite', circle: 2 })
 })
 
 it('the arrays of a snapshot that an edit is applied to are a result or an error', () => {

@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { type DiagramBackend, Editing, type Outcome } from '../../web/editing/editing.ts'
-import { EMPTY_HISTORY } from '../../web/editing/history.ts'
+import { Editing, type Outcome } from '../../web/editing/editing.ts'
 import { problemOf } from '../../web/editing/problem.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
-import { CircleTable } from '../../web/view/circle-table.ts'
-import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import { LibraryBackend } from './library-backend.ts'
 
 const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
-
-it('what is selected stays after an edit if it is there, and not after other circles were opened', () => {
-  const circles = new CircleTable(TWO.slice())
-  const state = { ...INITIAL_STATE, selection: [1, 7], selected: undefined, problem: 'wrong', hovered: 1 }
-  const outcome = {
-    edited: undefined,
-    history: EMPTY_HISTORY,
-    domain: NO_DOMAIN,
-    isOpened: false,
-  } as unknown as Outcome
-  const edited = stateAfter(state, outcome, circles)
-  expect([edited.selection, edited.selected, edited.circle]).toEqual([[1], 1, { x: 5, y: 5, r: 2 }])
-  expect([edited.problem, edited.hovered]).toEqual(['', 1])
-  const opened = stateAfter({ ...state, described: {} as never }, { ...outcome, isOpened: true }, circles)
-  expect([opened.selection, opened.problem, opened.hovered, opened.described]).toEqual([[], '', undefined, undefined])
-})
 
 /** Editing with an editor of the library as its backend. Each answer arrives a turn later. */
 async function started(circles = TWO) {
@@ -167,38 +147,6 @@ describe('Editing', () => {
     await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
     for (const step of ['undo', 'undo', 'redo', 'redo'] as const) await editing[step]()
     expect(openings).toEqual([true, false, true, true, false, false, true])
-  })
-
-  it('passes on the colors of circles once all of them are there', async () => {
-    const given: unknown[] = []
-    const computer = new LibraryBackend(async () => {})
-    const backend: DiagramBackend = {
-      get circles() {
-        return computer.circles
-      },
-      setCircles(circles, change, kept) {
-        given.push(['setCircles', change?.colors])
-        return computer.setCircles(circles, change, kept)
-      },
-      apply(edits, change) {
-        given.push(['apply', change?.colors])
-        return computer.apply(edits)
-      },
-    }
-    const editing = new Editing(
-      backend,
-      () => {},
-      () => expect.unreachable(),
-    )
-    const colored = { ...sceneOf(TWO), colors: '01' }
-    await editing.open(colored)
-    expect(given.splice(0)).toEqual([['setCircles', '01']])
-    expect([editing.colors, editing.fileAttributes]).toEqual(['01', undefined])
-    await editing.open(colored, moved(0, 3))
-    expect(given).toEqual([
-      ['setCircles', undefined],
-      ['apply', '01'],
-    ])
   })
 
   it('has the colors of the last edit that tells any, and none of former circles', async () => {

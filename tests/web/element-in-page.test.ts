@@ -518,36 +518,7 @@ describe('buttons', () => {
   })
 })
 
-describe('a selection', () => {
-  it('waits for its circles while they are opened, and is told once', async () => {
-    const { element, events } = await shown()
-    const selections = () =>
-      events.splice(0).flatMap(({ type, detail }) => (type === 'selectionchange' ? [detail.selection] : []))
-    held.hold()
-    element.circles = [...THREE, [20, 20, 1]]
-    element.selection = [3]
-    await held.isFull()
-    expect(element.selection).toEqual([3])
-    held.release()
-    await settled(element)
-    expect([element.selection, selections()]).toEqual([[3], [[3]]])
-    for (const none of [undefined, null, []]) {
-      element.selection = none as number[]
-      await settled(element)
-    }
-    expect(selections()).toEqual([[]])
-  })
-})
-
 describe('an element that leaves its page', () => {
-  it('goes on if it is only moved', async () => {
-    const { element, figure } = await shown()
-    const canvases = [...figure.children]
-    document.body.append(element)
-    await quiet()
-    expect([...figure.children]).toEqual(canvases)
-  })
-
   it('ends its figure, and has no history of circles that were replaced meanwhile', async () => {
     const { element, figure, part, keys } = await shown({ circles: TEXT, controls: '' })
     element.selection = [1]
@@ -578,19 +549,6 @@ describe('an element that leaves its page', () => {
 })
 
 describe('a figure', () => {
-  it('begins when it comes near, and once', async () => {
-    Observer.areNear = false
-    const { element, figure, circles } = made()
-    document.body.append(element)
-    Observer.see(element, 'far')
-    expect(figure.children).toHaveLength(0)
-    Observer.see(element, 'near')
-    Observer.see(element, 'near')
-    expect(figure.children).toHaveLength(2)
-    await element.ready
-    expect(circles()).toEqual(FLAT)
-  })
-
   it('begins when the browser is idle, unless readers save data', async () => {
     Observer.areNear = false
     const [saving, other] = [true, false].map((saveData) => {
@@ -630,14 +588,6 @@ describe('a figure', () => {
     const empty = await shown({})
     empty.figure.ariaBusy = 'true'
     await empty.element.updateComplete
-  })
-
-  it('takes the focus with its options', async () => {
-    const { element, figure } = await shown()
-    const focused: unknown[] = []
-    figure.focus = (options) => focused.push(options)
-    element.focus({ preventScroll: true })
-    expect(focused).toEqual([{ preventScroll: true }])
   })
 
   it('reads its style again where the colors around it change', async () => {

@@ -3,7 +3,6 @@
 import { readFileSync } from 'node:fs'
 import { afterEach, describe, expect, test, vi } from 'vitest'
 import { manifest } from '../../scripts/manifest.mjs'
-import { problemOf } from '../../web/editing/problem.ts'
 import {
   parseControls,
   parseLayers,
@@ -186,27 +185,6 @@ describe('what it says', () => {
       expect.stringContaining('12,345'),
       expect.stringContaining('12.345'),
     ])
-  })
-
-  test('is all there in each language, and another text in each', async () => {
-    await loadWords('de')
-    const german = wordsOf('de')
-    const english = { ...ENGLISH, coded: () => 'Circle' }
-    for (const [one, other] of [
-      [wordsOf('en').editing, german.editing],
-      [wordsOf('en').buttons, german.buttons],
-      [english, german.others?.refusals],
-      [ENGLISH_PLAYER, { ...german.others?.player, told: undefined }],
-    ] as [object, object][]) {
-      const names = (words: object) =>
-        Object.entries(words).flatMap(([name, value]) => (value === undefined ? [] : [name]))
-      expect(names(other).sort()).toEqual(names(one).sort())
-    }
-    const broken = new Error('It broke.')
-    for (const error of [new Refusal(ENGLISH, (words) => words.noCircles), broken]) {
-      expect(problemOf(error, true, german.others?.refusals)).not.toBe(problemOf(error, true))
-    }
-    expect(problemOf(broken, true, german.others?.refusals)).toContain('It broke.')
   })
 
   test('has the same values in each language, and all that it is given in one of them', async () => {

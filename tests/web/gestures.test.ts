@@ -333,28 +333,6 @@ the wheel scrolls once the pointer has left | scrolls | down 20,20 b1; up 20,20;
     await perform(script)
     expect((await act(`touchstart 0,0 touch ${script.includes('#2') && 'two'}`)).defaultPrevented).toBe(isKept)
   })
-
-  it('the page does not hear of gestures and keys of the figure, but of those that scroll', async () => {
-    const { page, perform, element } = await opened({ scrolls })
-    const heard: string[] = []
-    for (const type of ['pointerdown', 'pointermove', 'pointerup', 'touchstart', 'mousedown', 'wheel', 'keydown']) {
-      page.addEventListener(type, () => heard.push(type))
-    }
-    const hears = async (script: string) => {
-      heard.length = 0
-      await perform(script)
-      return heard.join(' ')
-    }
-    expect(await hears('down 0,0; mousedown 0,0; move 1,0; up 1,0')).toBe('')
-    expect(await hears('down 1,0 touch; touchstart 0,0 touch; move 2,0 touch; up 2,0 touch')).toBe('')
-    expect(await hears('down 20,20 touch; touchstart 20,20 touch; move 21,20 touch; up 21,20 touch')).not.toBe('')
-    expect([await hears('wheel 100 ctrl'), await hears('wheel 100')]).toEqual(['', ''])
-    const focus = vi.spyOn(element, 'focus')
-    await perform('down 20,20 touch; up 20,20 touch')
-    expect(focus).not.toHaveBeenCalled()
-    await perform('down 2,0 touch; up 2,0 touch')
-    expect(focus.mock.calls).toEqual([[{ preventScroll: true }]])
-  })
 })
 
 describe('a key', () => {
@@ -437,23 +415,5 @@ keys wait for edits that select circles | select 0 | key d ctrl; key Delete | se
     expect([await press('button', 'x'), await press('button', 'v', { altKey: true })]).toEqual([false, false])
     for (const key of ['h', 'Delete', '?']) expect(await press('button', key)).toBe(true)
     expect([different(), used]).toEqual(['0 gone; selection none; tool pan', ['help']])
-  })
-
-  it('that an element uses is hidden from its page, as are those that press its buttons', async () => {
-    const { page, element } = await opened({ ...one, scrolls: true })
-    const heard: string[] = []
-    document.body.onkeydown = (event) => heard.push(event.key)
-    const button = page.appendChild(make('button'))
-    for (const [target, key] of [
-      [element, 'v'],
-      [element, 'x'],
-      [button, 'Enter'],
-      [button, ' '],
-      [button, 'x'],
-      [page.appendChild(make('div')), 'Enter'],
-    ] as const) {
-      send(target, 'keydown', { key })
-    }
-    expect(heard).toEqual(['x', 'x', 'Enter'])
   })
 })

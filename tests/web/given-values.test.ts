@@ -17,11 +17,6 @@ describe('circles of data', () => {
     ]
     expect(library.compute(rivers).circles).toEqual(Float64Array.of(0, 0, 1, 6, 0, 1))
   })
-
-  it('may be any lists of numbers', () => {
-    const lists = [[0, 0, 1], Float32Array.of(6, 0, 1), { length: 3, 0: 0, 1: 8, 2: 1 }]
-    expect(library.compute(lists).circles).toEqual(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
-  })
 })
 
 describe('layers of data', () => {

@@ -6,7 +6,6 @@ import { PackedSteps } from '../../web/editing/packed-steps.ts'
 import type { Edit } from '../../web/lib/index.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 
-const CIRCLE = { x: 0, y: 0, r: 1 }
 /** Converts entries to plain objects. */
 const plain = (entries: History['done']) =>
   entries.map((entry) => (entry.kind === 'edits' ? { ...entry, steps: entry.steps.unpacked() } : entry))
@@ -15,32 +14,9 @@ const back = (id: number, x: number): Edit => ({ kind: 'replace', id, circle: { 
 describe('what goes back to before edits', () => {
   it('of one gesture is where each circle was at first, the newest before what is older', () => {
     const begun = record(EMPTY_HISTORY, [back(0, 1)], 7)
-    const gone: Edit = { kind: 'insert', circle: CIRCLE, id: 0 }
+    const gone: Edit = { kind: 'insert', circle: { x: 0, y: 0, r: 1 }, id: 0 }
     const { done } = record(record(begun, [back(0, 2), back(1, 5)], 7), [gone], 7)
     expect(plain(done)).toEqual([{ kind: 'edits', gesture: 7, steps: [gone, back(1, 5), back(0, 1)] }])
-  })
-
-  it('takes away what the gesture has brought, wherever that was moved', () => {
-    const brought = record(EMPTY_HISTORY, [{ kind: 'remove', id: 2 }], 3)
-    expect(plain(record(brought, [back(2, 4)], 3).done)).toEqual([
-      { kind: 'edits', gesture: 3, steps: [{ kind: 'remove', id: 2 }] },
-    ])
-  })
-
-  it('goes back to a circle that the gesture removed and brought again under its id', () => {
-    const removed = record(EMPTY_HISTORY, [{ kind: 'insert', circle: CIRCLE, id: 0 }], 3)
-    expect(plain(record(removed, [back(0, 4)], 3).done).at(-1)).toMatchObject({
-      steps: [back(0, 4), { kind: 'insert', id: 0 }],
-    })
-  })
-
-  it('takes away what came in the place of a circle that the gesture moved before', () => {
-    const moved = record(EMPTY_HISTORY, [back(0, 1)], 3)
-    const steps: Edit[] = [
-      { kind: 'remove', id: 0 },
-      { kind: 'insert', circle: CIRCLE, id: 0 },
-    ]
-    expect(plain(record(moved, steps, 3).done)).toEqual([{ kind: 'edits', gesture: 3, steps: [...steps, back(0, 1)] }])
   })
 
   it('of one gesture is the region, the areas and the attributes that were there at first', () => {

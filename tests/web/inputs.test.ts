@@ -168,3 +168,23 @@ describe('update', () => {
     expect(moving.certificate.certified).toBe(true)
   })
 })
+
+describe('arrays that keep their memory', () => {
+  const shared = (numbers: ArrayLike<number>) => {
+    const list = new Float64Array(new SharedArrayBuffer(8 * numbers.length))
+    list.set(numbers)
+    return list as unknown as Float64Array<ArrayBuffer>
+  }
+
+  it('are empty lists of no circles', () => {
+    for (const none of [new Float64Array(), new Float64Array(new ArrayBuffer(8), 8), shared([])]) {
+      expect(library.compute(none).circles).toHaveLength(0)
+    }
+  })
+
+  it('may be shared between threads, or begin inside a buffer', () => {
+    expect(library.compute(shared(CIRCLES)).vertices).toEqual(diagram.vertices)
+    expect(library.compute(Float64Array.of(7, ...CIRCLES, 7).subarray(1, 10)).vertices).toEqual(diagram.vertices)
+    expect(diagram.findAll(shared([1, 1, 6, 1]))).toEqual(Int32Array.of(0, 1))
+  })
+})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { describe, expect, it, vi } from 'vitest'
-import { ERROR_CODES, edgeAt, type LoadOptions, loadCircleVoronoi, vertexAt } from '../../web/lib/index.ts'
+import { ERROR_CODES, type LoadOptions, loadCircleVoronoi } from '../../web/lib/index.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { instantiate } from '../../web/lib/wasm/wasm.ts'
 import { library } from './library.ts'
@@ -9,32 +9,6 @@ import { library } from './library.ts'
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 
 describe('compute', () => {
-  it('gives the diagram of three circles', () => {
-    const diagram = library.compute(THREE)
-    expect(diagram.vertices).toHaveLength(3)
-    expect(diagram.edges).toHaveLength(12)
-    expect([...diagram.vertexCircles].sort()).toEqual([0, 1, 2])
-    const { x, y, r: radius } = vertexAt(diagram, 0)
-    expect(Math.hypot(x, y) - 1).toBeCloseTo(radius)
-    expect(Math.hypot(x - 10, y) - 2).toBeCloseTo(radius)
-    expect(Math.hypot(x - 4, y - 9) - 3).toBeCloseTo(radius)
-    for (const e of [0, 1, 2]) {
-      const edge = edgeAt(diagram, e)
-      expect([edge.start, edge.end].sort()).toEqual([-1, 0])
-    }
-    expect(diagram.stats).toMatchObject({ method: 'auto', counts: { circles: 3 } })
-    expect(diagram.certificate).toMatchObject({ certified: true, flaw: 'none', message: '' })
-  })
-
-  it('takes objects as well', () => {
-    const objects = [
-      { x: 0, y: 0, r: 1 },
-      { x: 10, y: 0, r: 2 },
-      { x: 4, y: 9, r: 3 },
-    ]
-    expect(library.compute(objects).vertices).toEqual(library.compute(THREE).vertices)
-  })
-
   it('copies: neither the input nor another result changes with a diagram', () => {
     const input = THREE.slice()
     const first = library.compute(input)
@@ -45,25 +19,9 @@ describe('compute', () => {
     expect(first.vertices).toEqual(vertices)
   })
 
-  it.each([0, 1, 2])('accepts %i circles', (count) => {
-    const diagram = library.compute(THREE.slice(0, 3 * count))
-    expect(diagram.vertices).toHaveLength(0)
-    expect(diagram.edges).toHaveLength(count === 2 ? 4 : 0)
-  })
-
-  it('reports hidden circles with one that hides them', () => {
-    expect([...library.compute(Float64Array.of(0, 0, 1, 0, 0, 5)).hidden]).toEqual([0, 1])
-  })
-
   it.each(['auto', 'touching-disc', 'flip'] as const)('can use the method %s', (method) => {
     const diagram = library.compute(THREE, { method })
     expect(diagram.stats.method).toBe(method)
-    expect(diagram.vertices).toHaveLength(3)
-  })
-
-  it.each(['dynamic', 'uniform', 'all-pairs'] as const)('can use the candidates %s', (candidates) => {
-    const diagram = library.compute(THREE, { method: 'touching-disc', candidates })
-    expect(diagram.stats.candidates).toBe(candidates)
     expect(diagram.vertices).toHaveLength(3)
   })
 })
@@ -185,23 +143,6 @@ describe('the WebAssembly', () => {
     expect(error.message).toContain(words)
     expect(error.message).toMatch(/[^.]\.$/)
     expect(error.cause).toBeInstanceOf(Error)
-  })
-})
-
-describe('certify', () => {
-  it('certifies a diagram that compute made', () => {
-    expect(library.certify(library.compute(THREE))).toMatchObject({ certified: true, flaw: 'none', message: '' })
-  })
-
-  it('names what is wrong', () => {
-    const diagram = library.compute(THREE)
-    const [i, j, k] = diagram.vertexCircles
-    const swapped = { ...diagram, vertexCircles: Int32Array.of(j as number, i as number, k as number) }
-    expect(library.certify(swapped)).toMatchObject({ certified: false, flaw: 'adjacency' })
-    const moved = { ...diagram, vertices: diagram.vertices.map((value) => value + 0.001) }
-    expect(library.certify(moved)).toMatchObject({ certified: false, flaw: 'vertexMisplaced', vertex: 0 })
-    const hidden = { ...diagram, hidden: Int32Array.of(0, 1) }
-    expect(library.certify(hidden)).toMatchObject({ certified: false, flaw: 'hiddenWithoutHider', circle: 0 })
   })
 })
 

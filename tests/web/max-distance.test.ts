@@ -210,17 +210,6 @@ describe('a maximum distance', () => {
       expect(centroids[1]).toBeCloseTo((-moment / area) * y, 9)
     }
   })
-
-  it('is a finite number', () => {
-    const diagram = library.compute([[0, 0, 1]])
-    for (const maxDistance of [Number.NaN, Number.POSITIVE_INFINITY]) {
-      const calls = [
-        () => diagram.cellArea(0, { maxDistance }),
-        () => diagram.cellOutline(0, { bounds: [0, 0, 1, 1], maxDistance }),
-      ]
-      for (const call of calls) expect(call).toThrow(expect.objectContaining({ code: 'badOption' }))
-    }
-  })
 })
 
 function grown({ minX, minY, maxX, maxY }: Box, more: number): Box {

@@ -166,15 +166,6 @@ describe('the motion of the first scene', () => {
   const HOME = { x: 70, y: 5, r: 1 }
   const closeTo = ({ x, y }: { x: number; y: number }) => ({ x: expect.closeTo(x), y: expect.closeTo(y), r: 1 })
 
-  it('goes around once in nine seconds', async () => {
-    const { at } = drifting()
-    expect(await at(0)).toEqual(HOME)
-    expect(await at(2250)).toEqual(closeTo({ x: 70.9, y: 5.7 }))
-    expect(await at(4500)).toEqual(closeTo({ x: 71.8, y: 5 }))
-    expect(await at(6750)).toEqual(closeTo({ x: 70.9, y: 4.3 }))
-    expect(await at(9000)).toEqual(closeTo(HOME))
-  })
-
   it.each(['pointerdown', 'keydown', 'wheel'])('goes home after %s, and ends', async (name) => {
     const { at, page, ends, moved, isHeard } = drifting()
     expect(isHeard()).toBe(true)

@@ -2,9 +2,12 @@
 // Opening and saving files on the whole page.
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { FilesClient } from '../../web/app/files/files-client.ts'
+import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { all, choose, chosenOf, control, element, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
+import { ThreadHere } from './page-threads.ts'
 import { box } from './shapes.ts'
 import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
@@ -108,4 +111,20 @@ describe('the dialog for columns', () => {
     await open('n,y,x,diameter\n9,2,1,6\n', 'a.csv')
     expect([dialog().open, circles()]).toEqual([false, [1, 2, 3]])
   })
+})
+
+it('a call of files ends where its thread breaks down or is canceled, and the next one has another thread', async () => {
+  const client = new FilesClient()
+  const make = () => client.call('make', { kind: 'family', family: 'grid', seed: 1, count: 9 })
+  for (const end of [
+    () => client.cancel(),
+    () => {
+      for (const thread of ThreadHere.running) if (thread.name.startsWith('files')) thread.onerror?.({ message: '' })
+    },
+  ]) {
+    const call = make()
+    end()
+    await expect(call).rejects.toBeInstanceOf(CircleVoronoiError)
+  }
+  expect(await make()).toHaveLength(27)
 })

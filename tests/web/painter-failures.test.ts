@@ -7,9 +7,10 @@ import { afterAll, beforeEach, expect, it, vi } from 'vitest'
 import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Painter } from '../../web/view/painter.ts'
-import type { Facts, FromPainter, InProgress } from '../../web/view/protocol.ts'
+import type { Facts, FromPainter, InProgress, ToPainter } from '../../web/view/protocol.ts'
 import { Failure, Superseded } from '../../web/view/refusal.ts'
-import type { PictureEvents, SceneClient } from '../../web/view/scene-client.ts'
+import type { Lost, PictureEvents, SceneClient } from '../../web/view/scene-client.ts'
+import { styleOf } from '../../web/view/style.ts'
 import { Canvas, Path } from './page-canvas.ts'
 import { ThreadHere } from './page-threads.ts'
 import { fetchHere } from './whole-page.ts'
@@ -185,3 +186,70 @@ it('whatever breaks down, every request ends, and each scene has the diagram of 
     { numRuns: 40 },
   )
 }, 300_000)
+
+/** The kind of message at which each thread breaks down. */
+let breaksAt: ToPainter['kind'] | undefined
+let started = 0
+class BreakingThread extends ThreadHere {
+  constructor(url: URL) {
+    super(url)
+    started += 1
+  }
+  override postMessage(data: ToPainter) {
+    const failed = { kind: 'failed', message: 'it broke', during: { scene: 1, kind: data.kind } }
+    if (data.kind === breaksAt) setImmediate(() => this.onmessage?.({ data: failed }))
+    else super.postMessage(data)
+  }
+}
+const STYLE = styleOf(new Proxy({}, { get: () => 'red' }))
+const BOX = { left: 0, top: 0, width: 256, height: 256 }
+const look = { paintId: 1, grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }, seen: BOX, wanted: BOX }
+const layers = { ...DEFAULT_LAYERS, hull: true }
+const TWO = Float64Array.of(0, 0, 1, 9, 0, 1)
+
+it.each<[string, (scene: SceneClient) => unknown, number, Lost]>([
+  ['layers', (scene) => scene.setLayers(layers), 2, { marks: false, layers: true }],
+  ['mark', (scene) => scene.mark(1, undefined), 2, { marks: true, layers: false }],
+  ['look', (scene) => scene.look(look, STYLE), 3, { marks: true, layers: true }],
+  ['open', (scene) => scene.open(TWO).catch(() => {}), 3, { marks: true, layers: true }],
+  ['ask', (scene) => scene.ask('tell', [0]), 2, { marks: false, layers: false }],
+])(
+  'a thread that breaks down at each %s is replaced by one without it, or by none until the next edit',
+  async (kind, act, count, lost) => {
+    vi.stubGlobal('Worker', BreakingThread)
+    breaksAt = undefined
+    started = 0
+    const told: Lost[] = []
+    const painter = new Painter()
+    const scene = painter.add({ ...listener([]), failed: (_, lost) => told.push(lost) })
+    await scene.open(TWO)
+    scene.setLayers(layers)
+    scene.look(look, STYLE)
+    scene.mark(0, undefined)
+    await quiet()
+    breaksAt = kind as ToPainter['kind']
+    act(scene)
+    await quiet()
+    expect([started, told.at(-1)]).toEqual([count, lost])
+    breaksAt = undefined
+    expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([2])
+    const drawn = await scene.ask('svg', { x: 0, y: 0, scale: 1, width: 100, height: 100 }, STYLE)
+    expect([drawn?.elements, drawn?.found.hull !== undefined]).toEqual([expect.stringContaining('<'), !lost.layers])
+    painter.dispose()
+    vi.stubGlobal('Worker', ThreadHere)
+  },
+)
+
+it.each([
+  ['cannot start', () => {}],
+  ['breaks down at its start', BreakingThread],
+])('where a thread %s the opening alone says so, and the next one tries again', async (_, Thread) => {
+  breaksAt = 'start'
+  vi.stubGlobal('Worker', Thread)
+  const failures: unknown[] = []
+  const scene = new Painter().add(listener(failures))
+  await expect(scene.open(TWO)).rejects.toThrow(Failure)
+  expect(failures).toEqual([])
+  vi.stubGlobal('Worker', ThreadHere)
+  expect((await scene.open(TWO)).counts.circles).toBe(2)
+})

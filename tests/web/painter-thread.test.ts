@@ -251,34 +251,6 @@ describe('questions', () => {
     clock.mockRestore()
     send({ kind: 'close', scene: 13 })
   })
-
-  it('about a point of circles that repeat are answered around that point', async () => {
-    send({ kind: 'add', scene: 14 })
-    const lattice = { a: [20, 0], b: [0, 20] } as const
-    send({ kind: 'open', scene: 14, revision: 1, opening: 1, circles: CIRCLES, lattice: lattice as never })
-    const touched = async (x: number, y: number, slack: number) =>
-      (await answerTo(14, 'touch', x, y, slack)) as {
-        disc: { x: number; y: number; r: number }
-        points: { x: number; y: number }[]
-      }
-    for (const slack of [0.01, 20]) {
-      const [here, there] = [await touched(7, 5, slack), await touched(7 + 20, 5 - 40, slack)]
-      for (const [one, other] of [
-        [here.disc, there.disc],
-        ...here.points.map((point, k) => [point, there.points[k] as typeof point] as const),
-      ] as const) {
-        expect(other.x - one.x).toBeCloseTo(20, 9)
-        expect(other.y - one.y).toBeCloseTo(-40, 9)
-      }
-      expect(there.disc.r).toBeCloseTo(here.disc.r, 9)
-      for (const { x, y } of here.points)
-        expect(Math.hypot(x - here.disc.x, y - here.disc.y)).toBeCloseTo(here.disc.r, 9)
-    }
-    const room = (await answerTo(14, 'room', 7, 5)) as object
-    expect(await answerTo(14, 'room', 27, 5)).toEqual(room)
-    expect(await answerTo(14, 'try', { x: 7, y: 5, r: 1 })).toBeUndefined()
-    send({ kind: 'close', scene: 14 })
-  })
 })
 
 describe('one scene', () => {
@@ -306,24 +278,6 @@ describe('one scene', () => {
       { elements: expect.stringContaining('<'), found: expect.anything() },
     ])
     send({ kind: 'close', scene: 3 })
-  })
-
-  it('is there from when it is added to when it is closed: what is for it before or after that is not heard', async () => {
-    const other = 5
-    await openScene(other)
-    const open = () => send({ kind: 'open', scene: 4, revision: 1, opening: 1, circles: CIRCLES })
-    const isOpened = () => saidOf('opened').some(({ scene }) => scene === 4)
-    open()
-    await heard(other)
-    expect(isOpened()).toBe(false)
-    send({ kind: 'add', scene: 4 })
-    send({ kind: 'close', scene: 4 })
-    open()
-    send({ kind: 'mark', scene: 4, selected: 0, hovered: undefined })
-    await heard(other)
-    expect(isOpened()).toBe(false)
-    expect(saidOf('marked')).toEqual([])
-    send({ kind: 'close', scene: other })
   })
 })
 

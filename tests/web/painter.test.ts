@@ -1,219 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import type { Circle, Edit } from '../../web/lib/index.ts'
-import { BasePicture } from '../../web/view/base-picture.ts'
-import { CircleTable } from '../../web/view/circle-table.ts'
-import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import type { Point } from '../../web/lib/index.ts'
+import { BasePicture, MOST_ENLARGED } from '../../web/view/base-picture.ts'
+import { toPlane, toScreen } from '../../web/view/camera.ts'
 import { Tiles } from '../../web/view/painter/tiles.ts'
-import { Painter } from '../../web/view/painter.ts'
-import type {
-  FromPainter,
-  GlobalResults,
-  Highlights,
-  InProgress,
-  PaintRequest,
-  PixelBox,
-  ToPainter,
-} from '../../web/view/protocol.ts'
-import type { SceneClient } from '../../web/view/scene-client.ts'
+import { type Grid, type PaintRequest, type PixelBox, TILE } from '../../web/view/protocol.ts'
+import type { Painted } from '../../web/view/scene-client.ts'
 import type { Style } from '../../web/view/style.ts'
-import { library, seededRandom } from './library.ts'
 import { Canvas } from './page-canvas.ts'
-
-const COUNTS = { circles: 0, hidden: 0, vertices: 0, edges: 0 }
-const NO_MARKS: Highlights = { selected: undefined, hovered: undefined }
-/** The smallest valid module. The tests never run it. */
-const WASM = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0)
-
-/** A thread that answers on command. */
-class FakeWorker {
-  static all: FakeWorker[] = []
-  readonly got: ToPainter[] = []
-  isTerminated = false
-  onmessage: ((event: { data: FromPainter }) => void) | undefined
-  onerror: ((event: { message: string }) => void) | undefined
-
-  constructor() {
-    FakeWorker.all.push(this)
-  }
-
-  postMessage(message: ToPainter): void {
-    this.got.push(message)
-  }
-
-  terminate(): void {
-    this.isTerminated = true
-  }
-
-  answer(data: FromPainter): void {
-    this.onmessage?.({ data })
-  }
-
-  of<Kind extends ToPainter['kind']>(kind: Kind): Extract<ToPainter, { kind: Kind }>[] {
-    return this.got.filter((message) => message.kind === kind) as Extract<ToPainter, { kind: Kind }>[]
-  }
-}
-
-function opened(revision: number): FromPainter {
-  return { kind: 'opened', scene: 1, revision, counts: COUNTS, seconds: 0 }
-}
-
-describe('the painter', () => {
-  let painter: Painter
-  let scene: SceneClient
-  let found: (GlobalResults | undefined)[]
-  const worker = (k = -1) => FakeWorker.all.at(k) as FakeWorker
-  const request: PaintRequest = {
-    paintId: 1,
-    grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 },
-    seen: { left: 0, top: 0, width: 10, height: 10 },
-    wanted: { left: 0, top: 0, width: 256, height: 256 },
-  }
-
-  beforeEach(() => {
-    FakeWorker.all = []
-    vi.stubGlobal('Worker', FakeWorker)
-    painter = new Painter({ wasm: WASM })
-    found = []
-    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found: (each) => found.push(each), failed() {} })
-  })
-  afterEach(() => vi.unstubAllGlobals())
-
-  it('tells why there is no thread, and tries once more when something is asked again', async () => {
-    let isBroken = true
-    class BrokenWorker extends FakeWorker {
-      constructor() {
-        if (isBroken) throw new Error('There are no threads here.')
-        super()
-      }
-    }
-    vi.stubGlobal('Worker', BrokenWorker)
-    const other = new Painter({ wasm: WASM }).add({ painted() {}, marked() {}, outlined() {}, found() {}, failed() {} })
-    await expect(other.open(new Float64Array())).rejects.toThrow('There are no threads here.')
-    isBroken = false
-    const open = other.open(new Float64Array())
-    worker().answer(opened(2))
-    expect((await open).counts).toEqual(COUNTS)
-  })
-
-  it('never tells a new thread what the last one was doing when it failed, and says that something failed', async () => {
-    const circles = Float64Array.of(0, 0, 1)
-    const failures: [string, unknown][] = []
-    const events = { painted() {}, marked() {}, outlined() {}, found() {} }
-    const failing = painter.add({ ...events, failed: ({ message }, lost) => failures.push([message, lost]) })
-    const begin = async () => {
-      const open = failing.open(circles)
-      const { revision } = worker().of('open').at(-1) as { revision: number }
-      worker().answer({ ...opened(revision), scene: 2 } as FromPainter)
-      await open
-      failing.look(request, {} as never)
-      failing.setLayers({ ...DEFAULT_LAYERS, hull: true })
-    }
-    const told = () =>
-      worker()
-        .got.slice(1)
-        .flatMap((message) => ('scene' in message && message.scene === 2 ? [message.kind] : []))
-    const during = (kind: InProgress['kind']) =>
-      worker().answer({ kind: 'failed', message: 'it broke', during: { scene: 2, kind } })
-
-    await begin()
-    // The request is unanswered when the thread ends, whatever the thread reports.
-    failing.mark(0, undefined)
-    worker().onerror?.({ message: 'it broke' })
-    expect(told()).toEqual(['add', 'layers', 'open', 'look'])
-    const message = expect.stringContaining('it broke')
-    expect(failures).toEqual([[message, { marks: true, layers: false }]])
-
-    // The next thread fails before it has done anything. Its successor receives less, and has no successor itself.
-    during('paint')
-    expect(told()).toEqual(['add', 'open', 'look'])
-    expect(failures.at(-1)).toEqual([message, { marks: true, layers: true }])
-    during('paint')
-    expect(FakeWorker.all.length).toBe(3)
-
-    // Answered settings are repeated, unless the thread fails while describing them.
-    for (const [kind, marks, layers] of [
-      ['ask', false, false],
-      ['edit', true, false],
-      ['look', true, false],
-      ['find', false, true],
-      ['layers', false, true],
-    ] as const) {
-      await begin()
-      failing.mark(0, undefined)
-      worker().answer({ kind: 'marked', scene: 2, marks: NO_MARKS })
-      during(kind)
-      expect(failures.at(-1)).toEqual([message, { marks, layers }])
-      expect([told().includes('mark'), told().includes('layers')]).toEqual([!marks, !layers])
-    }
-    // A failure of another scene is not caused by this one.
-    await begin()
-    worker().answer({ kind: 'failed', message: 'it broke', during: { scene: 1, kind: 'paint' } })
-    expect(failures.at(-1)).toEqual([message, { marks: false, layers: false }])
-  })
-
-  it('replaces a thread that continues by another one with all layers once everything is painted again', async () => {
-    const open = scene.open(Float64Array.of(0, 0, 1))
-    worker().answer(opened(1))
-    await open
-    scene.setLayers(DEFAULT_LAYERS)
-    const painted = { kind: 'painted', scene: 1, grid: 1, patches: [], paintId: 1 } as const
-    const failAfter = (isWhole: boolean) => {
-      worker().answer({ ...painted, isWhole })
-      worker().onerror?.({ message: 'it broke' })
-      return [FakeWorker.all.length, worker().of('layers').length]
-    }
-    expect([true, true, false].map(failAfter)).toEqual([
-      [2, 1],
-      [3, 1],
-      [4, 0],
-    ])
-  })
-
-  it('starts nothing once it is disposed of', async () => {
-    painter.dispose()
-    await expect(scene.open(new Float64Array())).rejects.toThrow(/disposed/)
-    expect(FakeWorker.all.length).toBe(1)
-  })
-})
-
-describe('what another thread has to know', () => {
-  it('makes the same circles by the same ids', () => {
-    const random = seededRandom(17)
-    const circleOf = (): Circle => ({ x: 20 * random(), y: 20 * random(), r: 3 * random() ** 4 })
-    for (let round = 0; round < 20; round++) {
-      const circles = Float64Array.from({ length: 3 * Math.floor(8 * random()) }, random)
-      const editor = library.edit(circles)
-      const table = new CircleTable(circles.slice())
-      let next = circles.length / 3
-      for (let k = 0; k < 40; k++) {
-        const ids = editor.ids()
-        const id = ids[Math.floor(random() * ids.length)]
-        const choice = random()
-        const edits: Edit[] = []
-        if (choice < 0.5 || id === undefined) edits.push({ kind: 'insert', circle: circleOf() })
-        else if (choice < 0.7) edits.push({ kind: 'remove', id })
-        else if (choice < 0.9)
-          edits.push({ kind: 'replace', id, circle: circleOf() }, { kind: 'insert', circle: circleOf() })
-        else {
-          const come = { kind: 'insert', circle: circleOf() } as const
-          edits.push(come, { kind: 'remove', id: next }, come)
-        }
-        // A refused edit assigns no ids.
-        expect(() => editor.apply([...edits, { kind: 'remove', id: 1e6 }])).toThrow()
-        table.follow(editor.apply(edits))
-        next += edits.filter(({ kind }) => kind === 'insert').length
-      }
-      const other = library.edit(table.circles(), table.keptIds)
-      const copy = new CircleTable(table.circles(), 0, table.keptIds)
-      for (const ids of [other.ids(), copy.ids()]) expect([...ids]).toEqual([...editor.ids()])
-      expect([copy.circles(), copy.size, copy.count]).toEqual([table.circles(), table.size, table.count])
-      for (const id of editor.ids()) expect(other.circle(id)).toEqual(editor.circle(id))
-      const another = circleOf()
-      expect([...other.insert(another).inserted]).toEqual([...editor.insert(another).inserted])
-    }
-  })
-})
 
 describe('tiles', () => {
   const style = {} as Style
@@ -263,144 +58,160 @@ describe('tiles', () => {
   )
 })
 
-describe('the base picture', () => {
-  const size = { width: 300, height: 200 }
-  const ORIGIN = { x: 0, y: 0, scale: 1 }
-  let canvases: { drawn: unknown[][]; width: number; height: number }[]
-  let closed: number
-  beforeEach(() => {
-    canvases = []
-    closed = 0
-    vi.stubGlobal(
-      'OffscreenCanvas',
-      class {
-        readonly drawn: unknown[][] = []
-        readonly width: number
-        readonly height: number
-        constructor(width: number, height: number) {
-          this.width = width
-          this.height = height
-          canvases.push(this)
-        }
-        getContext() {
-          return {
-            drawImage: (...args: unknown[]) => this.drawn.push(args),
-            clearRect: (...box: unknown[]) => this.drawn.push(['clear', ...box]),
-          }
-        }
-      },
+/** A piece of a picture on a canvas: pixels of a grid, after so many edits. */
+interface Piece {
+  readonly grid: Grid
+  readonly box: PixelBox
+  readonly edits: number
+  readonly left: number
+  readonly top: number
+  readonly width: number
+}
+
+/** A canvas that keeps the pieces that are drawn on it. */
+class PieceCanvas {
+  pieces: Piece[] = []
+  readonly canvas = this
+  readonly width: number
+  readonly height: number
+  constructor(width: number, height: number) {
+    this.width = width
+    this.height = height
+  }
+  getContext() {
+    return this
+  }
+  drawImage({ pieces, width: whole }: PieceCanvas, left: number, top: number, width = whole): void {
+    const zoom = width / whole
+    const drawn = pieces.map((piece) => ({
+      ...piece,
+      left: left + zoom * piece.left,
+      top: top + zoom * piece.top,
+      width: zoom * piece.width,
+    }))
+    const isBelow = (piece: Piece) => drawn.some((other) => other.left === piece.left && other.top === piece.top)
+    const isInside = (piece: Piece) =>
+      piece.left < this.width && piece.top < this.height && piece.left + piece.width > 0 && piece.top + piece.width > 0
+    this.pieces = [...this.pieces.filter((piece) => !isBelow(piece)), ...drawn.filter(isInside)]
+  }
+  clearRect(left: number, top: number, width: number, height: number): void {
+    this.pieces = this.pieces.filter(
+      (piece) =>
+        piece.left >= left + width ||
+        piece.top >= top + height ||
+        piece.left + piece.width <= left ||
+        piece.top + piece.width <= top,
     )
-  })
+  }
+}
+
+describe('the base picture', () => {
+  const SIZE = { width: 300, height: 200 }
+  beforeEach(() => vi.stubGlobal('OffscreenCanvas', PieceCanvas))
   afterEach(() => vi.unstubAllGlobals())
 
-  const image = { close: () => closed++ } as unknown as ImageBitmap
-  const patch = { box: { left: 256, top: 512, width: 256, height: 256 }, image }
-  const whole = (picture: BasePicture, { paintId, grid }: PaintRequest) =>
-    picture.put({ kind: 'painted', scene: 1, grid: grid.id, patches: [], paintId, isWhole: true })
-  /** The canvases on the screen, with their places. */
-  const shown = (picture: BasePicture, camera: typeof ORIGIN, ratio = 1) => {
-    const places: unknown[][] = []
-    const context = {
-      canvas: { width: 300 * ratio, height: 200 * ratio },
-      clearRect: (...box: number[]) => places.push(['clear', ...box]),
-      drawImage: (canvas: (typeof canvases)[number], ...place: number[]) =>
-        places.push([canvases.indexOf(canvas), ...place.map((pixel) => Math.round(100 * pixel) / 100)]),
-    }
-    picture.draw(context as unknown as CanvasRenderingContext2D, camera, size, ratio)
-    expect(places[0]).toEqual(['clear', 0, 0, 300 * ratio, 200 * ratio])
-    return places.slice(1)
+  const place = fc.integer({ min: -700, max: 700 })
+  const isLate = fc.constantFrom(false, false, true)
+  const length = { minLength: 5, maxLength: 25, size: 'max' } as const
+  const action = fc.oneof(
+    fc.record({
+      kind: fc.constant('look' as const),
+      x: place,
+      y: place,
+      scale: fc.constantFrom(1, 1, 1, 1, 2, 0.25, 0.002),
+    }),
+    fc.record({ kind: fc.constant('again' as const) }),
+    fc.record({ kind: fc.constant('paint' as const), isWhole: fc.constantFrom(true, true, false), isLate }),
+    fc.record({ kind: fc.constant('edit' as const), x: place, y: place, isLate }),
+  )
+
+  it('shows pixels where they belong, none from before an edit, and is whole once its newest request is painted', () => {
+    fc.assert(
+      fc.property(fc.array(action, length), fc.constantFrom(1, 2), (script, ratio) => {
+        const picture = new BasePicture()
+        let camera = { x: 0, y: 0, scale: 1 }
+        let [edits, images, isWhole, isBegun] = [0, 0, false, false]
+        /** Points of the plane that were seen sharply. */
+        let known: readonly Point[] = []
+        const requests: PaintRequest[] = []
+        const note = (request: PaintRequest | undefined) => {
+          if (request === undefined) return
+          requests.push(request)
+          isWhole = false
+          isBegun = false
+        }
+        /** The tiles of a request that meet a box. */
+        const tilesOf = ({ grid, wanted }: PaintRequest, count = Infinity) => {
+          const patches = []
+          for (let left = wanted.left; left < wanted.left + wanted.width; left += TILE) {
+            for (let top = wanted.top; top < wanted.top + wanted.height && patches.length < count; top += TILE) {
+              const box = { left, top, width: TILE, height: TILE }
+              const image = Object.assign(new PieceCanvas(TILE, TILE), { close: () => images-- })
+              image.pieces = [{ grid, box, edits, left: 0, top: 0, width: TILE }]
+              images += 1
+              patches.push({ box, image: image as unknown as ImageBitmap })
+            }
+          }
+          return patches
+        }
+        for (const action of [{ kind: 'look', x: 0, y: 0, scale: 1 } as const, ...script]) {
+          const formerGrid = requests.at(-1)?.grid
+          // A thread that has begun with the newest request answers no edits for an older one.
+          const request = requests.at('isLate' in action && action.isLate && !isBegun ? -2 : -1)
+          if (action.kind === 'look') {
+            camera = { x: action.x, y: action.y, scale: action.scale }
+            note(picture.see(camera, SIZE, ratio))
+            expect(picture.see(camera, SIZE, ratio)).toBeUndefined()
+          } else if (request === undefined) continue
+          else if (action.kind === 'again') note(picture.again(camera, SIZE))
+          else {
+            const { grid, paintId } = request
+            const isEdit = action.kind === 'edit'
+            edits += Number(isEdit)
+            isBegun ||= request === requests.at(-1)
+            const patches = tilesOf(request, isEdit || action.isWhole ? Infinity : 2)
+            if (isEdit) {
+              const box = { minX: action.x, minY: action.y, maxX: action.x + 200, maxY: action.y + 300 }
+              const edited: Partial<Painted> = { kind: 'edited', grid: grid.id, patches, boxes: [box] }
+              picture.put(edited as Painted)
+            } else {
+              picture.put({ kind: 'painted', scene: 1, grid: grid.id, patches, paintId, isWhole: action.isWhole })
+              isWhole ||= action.isWhole && request === requests.at(-1)
+            }
+          }
+          const screen = new PieceCanvas(SIZE.width * ratio, SIZE.height * ratio)
+          picture.draw(screen as unknown as CanvasRenderingContext2D, camera, SIZE, ratio)
+          for (const { grid, box, left, top, width } of screen.pieces) {
+            const corner = { x: grid.x + box.left / grid.scale, y: grid.y - box.top / grid.scale }
+            const { x, y } = toScreen(camera, SIZE, corner)
+            expect(Math.max(Math.abs(left - x * ratio), Math.abs(top - y * ratio))).toBeLessThan(0.51)
+            expect(width).toBeCloseTo((TILE * camera.scale * ratio) / grid.scale, 6)
+            // Browsers take minutes for extreme scales.
+            expect(width).toBeLessThanOrEqual(TILE * MOST_ENLARGED)
+          }
+          if (action.kind === 'edit') {
+            const middle = toScreen(camera, SIZE, { x: action.x + 100, y: action.y + 150 })
+            expect(screen.pieces.filter((piece) => piece.edits < edits && holds(piece, middle, ratio))).toEqual([])
+          }
+          expect([picture.isWhole, images]).toEqual([isWhole, 0])
+          const sharp = screen.pieces.filter(({ grid }) => grid.id === requests.at(-1)?.grid.id)
+          const isSeen = (point: Point) => sharp.some((piece) => holds(piece, point, ratio))
+          const points = [1, 150, 299].flatMap((x) => [1, 100, 199].map((y) => ({ x, y })))
+          if (isWhole && picture.isSharp(camera, ratio)) expect(points.filter((point) => !isSeen(point))).toEqual([])
+          // Pixels that are known stay while the picture is moved.
+          const isMoved = action.kind === 'look' && formerGrid === requests.at(-1)?.grid
+          const onScreen = ({ x, y }: Point) => x > 1 && x < SIZE.width - 1 && y > 1 && y < SIZE.height - 1
+          const still = known.map((point) => toScreen(camera, SIZE, point)).filter(onScreen)
+          if (isMoved) expect(still.filter((point) => !isSeen(point))).toEqual([])
+          known = points.filter(isSeen).map((point) => toPlane(camera, SIZE, point))
+        }
+        picture.clear()
+        expect(picture.isWhole).toBe(false)
+      }),
+    )
+  })
+
+  function holds({ left, top, width }: Piece, { x, y }: Point, ratio: number): boolean {
+    return left <= x * ratio && left + width >= x * ratio && top <= y * ratio && top + width >= y * ratio
   }
-
-  it('asks for whole tiles around what is seen, and for more only beyond them', () => {
-    const picture = new BasePicture()
-    const first = picture.see(ORIGIN, size, 1)
-    expect(first).toEqual({
-      paintId: 1,
-      grid: { id: 1, x: -150, y: 100, scale: 1, pixelRatio: 1 },
-      seen: { left: 0, top: 0, width: 301, height: 201 },
-      wanted: { left: -256, top: -256, width: 1024, height: 768 },
-    })
-    expect([canvases[0]?.width, canvases[0]?.height]).toEqual([1024, 768])
-    // The last places within the margins on all four sides.
-    for (const [x, y] of [
-      [-256, 0],
-      [467, 0],
-      [0, 256],
-      [0, -311],
-    ] as const) {
-      const other = new BasePicture()
-      other.see(ORIGIN, size, 1)
-      expect(other.see({ ...ORIGIN, x, y }, size, 1), `${x} ${y}`).toBeUndefined()
-      expect(other.see({ ...ORIGIN, x: x + Math.sign(x), y: y + Math.sign(y) }, size, 1)).toBeDefined()
-    }
-    const before = canvases.length
-    const more = picture.see({ ...ORIGIN, x: 600, y: -300 }, size, 1)
-    expect(more).toMatchObject({ paintId: 2, grid: first?.grid, wanted: { left: 256, top: 0 } })
-    // Pixels that are known are copied.
-    expect(canvases[before]?.drawn).toEqual([[canvases[0], -256 - 256, -256]])
-  })
-
-  it('asks for all pixels again, for what is seen then, and is whole once that request is painted', () => {
-    const picture = new BasePicture()
-    expect(picture.again(ORIGIN, size)).toBeUndefined()
-    const first = picture.see(ORIGIN, size, 2) as PaintRequest
-    whole(picture, first)
-    expect([picture.isWhole, picture.isSharp({ ...ORIGIN, x: 9, y: 9 }, 2)]).toEqual([true, true])
-    expect(picture.again({ x: 10, y: 20, scale: 1 }, size)).toEqual({
-      paintId: 2,
-      grid: first.grid,
-      seen: { left: 20, top: -40, width: 601, height: 401 },
-      wanted: first.wanted,
-    })
-    expect(picture.isWhole).toBe(false)
-    whole(picture, first)
-    expect(picture.isWhole).toBe(false)
-    whole(picture, { ...first, paintId: 2 })
-    expect(picture.isWhole).toBe(true)
-    expect([1, 2].map((ratio) => picture.isSharp({ ...ORIGIN, scale: 2 }, ratio))).toEqual([false, false])
-    picture.clear()
-    expect([picture.isWhole, shown(picture, ORIGIN)]).toEqual([false, []])
-  })
-
-  it('is drawn where the camera is, enlarged until sharp pixels are there, and on whole pixels in its own scale', () => {
-    const picture = new BasePicture()
-    whole(picture, picture.see(ORIGIN, size, 2) as PaintRequest)
-    expect(shown(picture, ORIGIN, 2)).toEqual([[0, -256, -256, 1280, 1024]])
-    expect(shown(picture, { ...ORIGIN, x: 10, y: 5 }, 2)).toEqual([[0, -276, -246, 1280, 1024]])
-    const places = [1, 1.5].map((scale) => shown(picture, { x: 0.3, y: 0.4, scale }, 2).flat())
-    expect(places.map((place) => place.every(Number.isInteger))).toEqual([true, false])
-    // Pixels of half the scale are shown twice as large around the middle of the picture.
-    expect(shown(picture, { ...ORIGIN, scale: 2 }, 2)).toEqual([[0, -300 - 512, -200 - 512, 2560, 2048]])
-    const counts = [256, 257, 1 / 256, 1 / 257].map((scale) => shown(picture, { ...ORIGIN, scale }, 2).length)
-    expect(counts).toEqual([1, 0, 1, 0])
-    // The former pixels are below the new ones until the new ones are whole. Only two scales are kept.
-    const visible = (scale: number) => shown(picture, { ...ORIGIN, scale }, 2).map(([canvas]) => canvas)
-    const second = picture.see({ ...ORIGIN, scale: 2 }, size, 2) as PaintRequest
-    expect(visible(2)).toEqual([0, 1])
-    const third = picture.see({ ...ORIGIN, scale: 4 }, size, 2) as PaintRequest
-    expect(visible(4)).toEqual([0, 2])
-    whole(picture, second)
-    expect(visible(4)).toEqual([0, 2])
-    whole(picture, third)
-    expect(visible(4)).toEqual([2])
-  })
-
-  it('takes patches where they belong, frees them, and shows no circles from before an edit', () => {
-    const picture = new BasePicture()
-    const first = picture.see(ORIGIN, size, 1) as PaintRequest
-    picture.put({ kind: 'painted', scene: 1, grid: first.grid.id, patches: [patch], paintId: 1, isWhole: true })
-    expect(canvases[0]?.drawn).toEqual([[image, 512, 768]])
-    const second = picture.see({ ...ORIGIN, scale: 2 }, size, 1) as PaintRequest
-    const boxes = [{ minX: 10, minY: 20, maxX: 40, maxY: 70 }]
-    const edited = (grid: number) => {
-      for (const { drawn } of canvases) drawn.length = 0
-      picture.put({ kind: 'edited', grid, patches: [patch], boxes } as never)
-      return canvases.map(({ drawn }) => drawn)
-    }
-    const cleared = ['clear', 10 + 150 + 256, 100 - 70 + 256, 30, 50]
-    expect(edited(first.grid.id)).toEqual([[[image, 512, 768]], []])
-    expect(edited(second.grid.id)).toEqual([[cleared], [[image, expect.any(Number), expect.any(Number)]]])
-    expect(edited(99)).toEqual([[cleared], []])
-    expect(closed).toBe(4)
-  })
 })

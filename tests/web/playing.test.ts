@@ -33,7 +33,6 @@ const button = (name: string) => control(root(), name)
 const isEnabled = (name: string) => !button(name).disabled
 const sentence = () => textOf(root().querySelector('.sentence'))
 const scene = (circles = SIX) => ({ circles: circles.slice(), dataSet: '', isEdited: false, domain: NO_DOMAIN })
-const insert = { kind: 'insert', circle: { x: 20, y: 20, r: 1 } } as const
 
 async function press(name: string) {
   button(name).click()
@@ -286,20 +285,6 @@ describe('keys in the player', () => {
   })
 })
 
-describe('circles that change while their method is shown', () => {
-  it('are played from the same stage, or from the start within one', async () => {
-    for (let k = 0; k < 2; k++) await key('PageDown')
-    const line = textOf(root().querySelector('[aria-current]'))
-    await replayed(() => figure.editing.edit([insert]))
-    expect(textOf(root().querySelector('[aria-current]'))).toBe(line)
-    expect(told.at(-1)).toEqual([step(), last() + 1])
-    await go(last() - 8)
-    expect(text()).toMatch(/disc/)
-    await replayed(() => figure.editing.edit([{ ...insert, circle: { x: -20, y: 20, r: 1 } }]))
-    expect(step()).toBe(0)
-  })
-})
-
 describe('a player that is closed', () => {
   it('shows the diagram, goes no farther, and does not play as it is opened again', async () => {
     await press(WORDS.play)
@@ -319,20 +304,6 @@ describe('a player that is closed', () => {
     figure.stepping.restart()
     await figure.stepping.whenReady()
     expect(step()).toBe(0)
-  })
-
-  it('plays from the start where no step is shown, and from the step that is shown', async () => {
-    await go(undefined)
-    figure.stepping.play()
-    await figure.stepping.whenReady()
-    await quiet()
-    expect(step()).toBe(0)
-    figure.stepping.pause()
-    await go(4)
-    figure.stepping.play()
-    expect(step()).toBe(4)
-    await seconds(1)
-    expect(step()).toBe(5)
   })
 
   it.each(['closed', 'disposed of'])('or that was %s while it loaded is no problem', async (how) => {

@@ -130,7 +130,10 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
         const onBounds = (x: number, y: number) =>
           x === bounds.minX || x === bounds.maxX || y === bounds.minY || y === bounds.maxY
         const met = new Map<string, number>()
-        for (const polygon of diagram.cellPolygons({ bounds, tolerance })) {
+        const polygons = [...diagram.cellPolygons({ bounds, tolerance })]
+        // The neighbors of a cell that is too thin for a polygon have their points alone.
+        fc.pre(polygons.length === [...indicesOf(diagram)].filter((i) => diagram.cellOutline(i, { bounds })[0]).length)
+        for (const polygon of polygons) {
           const own = new Set(polygon.filter(([x, y]) => !onBounds(x, y)).map(String))
           for (const point of own) met.set(point, (met.get(point) ?? 0) + 1)
         }

@@ -145,26 +145,6 @@ describe('the name of the selected circle', () => {
   }
   const named = () => [0, 1, 2, 3, 4].map((id) => page.editing.nameOf(id))
 
-  it('is written when its field is left or at Enter, and taken back by Escape and undo', async () => {
-    await select(2)
-    await expectOneStep(async () => {
-      await entered(card(), 'Name', ' Cc ')
-      expect([named(), textOf(element('inspector-title'))]).toEqual([['Aa', 'Bb', 'Cc', 'Dd', ''], 'Cc'])
-    })
-    expect(named()[2]).toBe('')
-    type('Other')
-    send(name(), 'keydown', { key: 'Escape' })
-    send(name(), 'change')
-    await quiet()
-    expect([named()[2], name().value, document.activeElement]).toEqual(['', '', element('figure')])
-    type('Third')
-    send(name(), 'keydown', { key: 'Enter' })
-    send(name(), 'change')
-    await quiet()
-    expect(named()[2]).toBe('Third')
-    expect(page.store.get().history.done.at(-1)).toMatchObject({ kind: 'edits' })
-  })
-
   it('is given to the circle for which it was begun, also if another one is selected meanwhile', async () => {
     await select(2)
     type('Second')
@@ -179,23 +159,6 @@ describe('the name of the selected circle', () => {
 })
 
 describe('the color of the selection', () => {
-  it('is one step, however many are tried, and ends by the button', async () => {
-    await select(2)
-    expect(controls(card()).has('Automatic color')).toBe(false)
-    await expectOneStep(async () => {
-      for (const color of ['#111111', '#222222', '#123456']) {
-        control(card(), 'Color').value = color
-        send(control(card(), 'Color'), 'input')
-        await quiet()
-      }
-      send(control(card(), 'Color'), 'change')
-      expect([page.actions.ownColorOf(2), page.actions.ownColorOf(3)]).toEqual(['#123456', undefined])
-    })
-    await entered(card(), 'Color', '#abcdef')
-    await pressed(card(), 'Automatic color')
-    expect([page.actions.ownColorOf(2), document.activeElement]).toEqual([undefined, element('figure')])
-  })
-
   it('of several circles is set on their card', async () => {
     const group = element('group')
     await select(1, 4)
@@ -242,19 +205,6 @@ describe('the menu', () => {
     await openAt({ x: 20, y: 0 })
     expect([selection(), labels()]).toEqual([[1, 3], ofOne.slice(1)])
     await expectOneStep(() => pick('Duplicate'))
-  })
-
-  it('of an empty place selects all, and shows everything', async () => {
-    const { camera } = page.view
-    await openAt({ x: 5, y: 12 })
-    await pick('Select all')
-    expect(selection()).toEqual([0, 1, 2, 3, 4])
-    page.actions.zoomAtMiddle(1)
-    expect(page.view.camera).not.toEqual(camera)
-    await openAt({ x: 5, y: 12 })
-    await pick('Show everything')
-    expect(page.view.camera).toEqual(camera)
-    expect(document.activeElement).toBe(figure())
   })
 })
 

@@ -32,22 +32,6 @@ async function stateIn(text: string) {
 }
 
 describe('the panel Share', () => {
-  it('copies the code of a frame, which is higher where the method is played', async () => {
-    await pressed(panel, 'Copy embed code')
-    const code = await out.text()
-    expect(code).toMatch(
-      /^<iframe src="[^"]*\/embed\.html#v1.*title="Voronoi diagram of circles".*aspect-ratio: 3 \/ 2/,
-    )
-    expect([...((await stateIn(code)).state.circles as Float64Array)]).toEqual([...FIVE])
-    page.actions.showStep(2)
-    await quiet()
-    await pressed(panel, 'Copy embed code')
-    const played = await out.text()
-    expect(played).toMatch(/aspect-ratio: 1;/)
-    expect((await stateIn(played)).state).toMatchObject({ step: 2 })
-    page.actions.showStep(undefined)
-  })
-
   it('warns of long texts, and refuses too many circles', async () => {
     const many = (count: number) =>
       Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.01 : (k * k) % 1009) + k / 7)

@@ -26,14 +26,6 @@ const THREE = Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 1)
 const scene = { circles: THREE, dataSet: 'three', isEdited: false }
 
 describe('what a link says of circles', () => {
-  it('is their data set, and what was done with them', () => {
-    const table = new CircleTable(THREE.slice())
-    expect(circlesOfLink(scene, table, LINK_LIMITS.circles)).toEqual({ dataSet: 'three' })
-    table.follow({ ...NO_CHANGE, removed: Int32Array.of(1) })
-    const edits = [{ kind: 'remove', id: 1 }]
-    expect(circlesOfLink(scene, table, LINK_LIMITS.circles)).toEqual({ dataSet: 'three', edits })
-  })
-
   it('is the circles where there is no data set, or much was done', () => {
     const table = new CircleTable(THREE.slice())
     expect(circlesOfLink({ ...scene, dataSet: '' }, table, LINK_LIMITS.circles)).toEqual({ circles: THREE })
@@ -250,15 +242,6 @@ describe('the storage of scenes', () => {
     const locks = { request, query: async () => ({ held: [] }) } as unknown as LockManager
     const storage = await SceneStorage.claim({ all, ofTab, path: '/', locks, isReload: true }, true)
     expect([storage.read(), ofTab.getItem(prefixOf('/')) === 'own']).toEqual(['v1.a', false])
-  })
-
-  it('leaves what a closed tab kept where a tab is opened by a link', async () => {
-    const browser = new Browser()
-    const first = await browser.open()
-    await first.storage.write('v1.a')
-    first.close()
-    await (await browser.open(false)).storage.write('v1.b')
-    expect((await browser.open()).storage.read()).toBe('v1.a')
   })
 
   it('makes room by what closed tabs have left, the oldest first, and never by that of open ones', async () => {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Repeating circles in the painting thread.
 import { describe, expect, it } from 'vitest'
-import type { CircleVoronoiError, Lattice } from '../../web/lib/index.ts'
+import type { Lattice } from '../../web/lib/index.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
-import { boxOf } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS, repeatingLayers } from '../../web/view/layers.ts'
 import { answers } from '../../web/view/painter/answers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
@@ -199,28 +198,5 @@ describe('circles that repeat', () => {
     expect(scene.counts().circles).toBe(6)
     scene.edit([], { lattice: { a: [9, 0], b: [0, 9] } })
     expect(scene.counts().edges).toBe(18)
-  })
-
-  it('have no box of parallel periods, and no region', () => {
-    const problem = (lattice: Lattice) => {
-      try {
-        sceneOf(circles(3, 9), lattice)
-      } catch (error) {
-        return (error as CircleVoronoiError).message
-      }
-      return ''
-    }
-    expect(problem({ a: [1, 0], b: [2, 0] })).toMatch(/^The periods must not be zero or parallel/)
-    expect(problem({ a: [1, 0], b: [0, 8e28] })).toMatch(/^The periods must be finite/)
-  })
-
-  it('are seen with a part of their images', () => {
-    const all = { minX: 0, minY: 0, maxX: 1, maxY: 1 }
-    expect(boxOf(all, { region: undefined, areas: undefined, lattice: LATTICE })).toEqual({
-      minX: -1,
-      minY: -1,
-      maxX: 11,
-      maxY: 7,
-    })
   })
 })

@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { roundLength } from '../../web/app/panels/scale.ts'
 import type { Box, Edit } from '../../web/lib/index.ts'
 import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../web/view/camera.ts'
-import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS, type Layers, MOST_MAPPED } from '../../web/view/layers.ts'
 import { BoxIndex } from '../../web/view/painter/box-index.ts'
 import { addAround } from '../../web/view/painter/boxes.ts'
@@ -32,11 +32,6 @@ describe('camera', () => {
         expect(back.y).toBeCloseTo(point.y, 6)
       }),
     )
-  })
-
-  it('has y upwards in the plane', () => {
-    const flat = { x: 0, y: 0, scale: 1 }
-    expect(toPlane(flat, SIZE, { x: 400, y: 0 }).y).toBe(300)
   })
 
   it('keeps the anchor in its place while it zooms', () => {
@@ -119,15 +114,6 @@ describe('what is hit', () => {
     expect(scene.hitAt({ x: 20, y: 0 }, 0.5, 2)).toEqual({ id: 3, part: 'cell' })
     // A mouse needs less room.
     expect(scene.hitAt({ x: 3.1, y: 0 }, 0.5)).toEqual({ id: 0, part: 'disc' })
-  })
-
-  it('is where circles are after edits', () => {
-    const edited = new CircleTable(Float64Array.of(0, 0, 1, 10, 0, 1))
-    edited.follow({ ...NO_CHANGE, replaced: Int32Array.of(0), circles: Float64Array.of(5, 5, 1) })
-    expect(edited.hitAt({ x: 5, y: 5 }, 0.1)).toEqual({ id: 0, part: 'disc' })
-    expect(edited.hitAt({ x: 0, y: 0 }, 0.1)).toEqual({ id: 0, part: 'cell' })
-    edited.follow({ ...NO_CHANGE, removed: Int32Array.of(0) })
-    expect(edited.hitAt({ x: 5, y: 5 }, 0.1)).toEqual({ id: 1, part: 'cell' })
   })
 
   it('is nothing where there is nothing', () => {

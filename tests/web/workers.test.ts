@@ -63,9 +63,9 @@ const MINE = new RangeError('mine')
 /** The result of a request as plain data, or the code and the circle of its error. */
 async function outcomeOf(act: () => unknown): Promise<unknown> {
   try {
-    return JSON.parse(
-      JSON.stringify(await act(), (key, value) => (key === 'stats' || key === 'seconds' ? undefined : value)),
-    )
+    const value = await act()
+    expect(value).not.toBeInstanceOf(Error)
+    return JSON.parse(JSON.stringify(value, (key, part) => (key === 'stats' || key === 'seconds' ? undefined : part)))
   } catch (error) {
     return error instanceof CircleVoronoiError
       ? { code: error.code, circle: error.circle, weights: error.weights }
