@@ -5,9 +5,10 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/convex_polygon.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/compute_periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi_families/families.h"
 #include "median.h"
 #include "processor_seconds.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "circle_voronoi/convex_polygon.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/box.h"
+#include "circle_voronoi/periodic_diagram.h"
 
 namespace circle_voronoi::cli {
 

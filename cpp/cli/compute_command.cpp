@@ -6,8 +6,9 @@
 
 #include "box.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/io.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/progress.h"
 #include "circles_input.h"
 #include "command_error.h"

@@ -11,7 +11,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/export.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region.h"
 #include "files.h"
 #include "progress_line.h"

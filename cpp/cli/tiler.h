@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/tile.h"
 
 namespace circle_voronoi::cli {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Diagrams in a box whose opposite sides are glued together.
-#include "circle_voronoi/periodic.h"
-
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -14,6 +12,9 @@
 #include <vector>
 
 #include "arrays.h"
+#include "circle_voronoi/compute_periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
+#include "circle_voronoi/periodic_queries.h"
 #include "errors.h"
 #include "interruptible.h"
 #include "module.h"

@@ -23,7 +23,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/region.h"
 #include "circle_voronoi/region_queries.h"

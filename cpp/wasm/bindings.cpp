@@ -13,8 +13,9 @@
 
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/final_cells.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "option_names.h"
 #include "trace_arrays.h"
 #include "values.h"

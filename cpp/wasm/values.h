@@ -17,7 +17,7 @@
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/stats.h"
 
 namespace circle_voronoi {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/fit_areas.h"
-#include "circle_voronoi/periodic.h"
 #include "circle_voronoi/region.h"
 #include "circle_voronoi_families/families.h"
 #include "edit_script.h"

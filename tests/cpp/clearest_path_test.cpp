@@ -9,8 +9,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi_families/families.h"
 #include "parameters.h"
 #include "path_checks.h"

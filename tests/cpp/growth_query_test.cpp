@@ -9,10 +9,12 @@
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/merged.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
+#include "circle_voronoi/periodic_queries.h"
 #include "circle_voronoi/queries.h"
 #include "growth.h"
 
@@ -103,7 +105,7 @@ Lattice latticeAround(const std::vector<Circle>& circles) {
 }
 
 TEST(GrowthOfQueries, OfAPeriodicDiagram) {
-  expectGrowth({"computePeriodic", "periodic.h",
+  expectGrowth({"computePeriodic", "compute_periodic.h",
                 [](const GrowthInput& input) {
                   return [circles = input.circles] {
                     const PeriodicDiagram periodic = computePeriodic(circles, latticeAround(circles)).value();

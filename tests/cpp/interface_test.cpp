@@ -18,14 +18,16 @@
 #include <utility>
 #include <vector>
 
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/method.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/tile.h"
 #include "circle_voronoi_families/families.h"
 

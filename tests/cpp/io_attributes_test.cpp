@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "lines.h"
 
 namespace circle_voronoi {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Circles that repeat with two periods, compared with the diagram of many copies.
-#include "circle_voronoi/periodic.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,6 +20,9 @@
 #include "at.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
+#include "circle_voronoi/periodic_queries.h"
 #include "random.h"
 #include "regions.h"
 #include "report.h"

@@ -9,10 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/convex_polygon.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region_queries.h"
 
 namespace circle_voronoi {

@@ -7,19 +7,12 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
-
-/// An axis-parallel rectangle with minX < maxX and minY < maxY.
-struct Box {
-  double minX = 0;
-  double minY = 0;
-  double maxX = 1;
-  double maxY = 1;
-};
 
 /// A closed convex polygon, of which a Region can be made. Its coordinates are rounded to multiples of 2^-96, like all
 /// numbers (compute.h).

@@ -11,12 +11,13 @@
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/attributes.h"
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/point.h"
 #include "circle_voronoi/region.h"
 

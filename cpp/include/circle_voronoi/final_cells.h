@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
-#include "circle_voronoi/convex_polygon.h"
+#include "circle_voronoi/box.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 

@@ -9,7 +9,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {

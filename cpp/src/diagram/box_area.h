@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "two_part.h"
 
 namespace circle_voronoi {

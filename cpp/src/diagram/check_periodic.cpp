@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "box_area.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "guarded.h"
 #include "mix.h"
 #include "vectors.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "circle_voronoi/diagram.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region.h"
 
 namespace circle_voronoi {

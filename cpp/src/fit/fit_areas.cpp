@@ -16,6 +16,7 @@
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/metric.h"

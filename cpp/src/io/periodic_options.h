@@ -2,7 +2,7 @@
 #pragma once
 
 #include "circle_voronoi/export.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 
 namespace circle_voronoi {
 

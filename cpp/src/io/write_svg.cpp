@@ -13,7 +13,7 @@
 #include "chord.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/hull.h"
-#include "circle_voronoi/periodic.h"
+#include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/queries.h"
 #include "edge_points.h"
 #include "infinity.h"

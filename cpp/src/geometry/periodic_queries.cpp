@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "circle_voronoi/periodic.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,8 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/curve.h"
+#include "circle_voronoi/periodic_diagram.h"
+#include "circle_voronoi/periodic_queries.h"
 #include "guarded.h"
 #include "reduced_lattice.h"
 #include "scale.h"
