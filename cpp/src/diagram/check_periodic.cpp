@@ -6,16 +6,16 @@
 #include <optional>
 #include <vector>
 
+#include "at.h"
 #include "box_area.h"
 #include "circle_voronoi/periodic_diagram.h"
 #include "guarded.h"
 #include "mix.h"
+#include "three_touch_disc.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 bool fits(const PeriodicDiagram& periodic) {
   const Diagram& diagram = periodic.diagram;
@@ -144,13 +144,13 @@ class FoldCheck {
     return is(i, j) || is(j, k) || is(k, i);
   }
 
-  /// The triangle of a center and a side. Vertices are right to 36 bits of their distances.
+  /// The triangle of a center and a side.
   void addTriangle(const Circle& c, const Vertex& start, const Vertex& end) {
     const Vector u = {start.x - c.x, start.y - c.y};
     const Vector v = {end.x - c.x, end.y - c.y};
     area_ += cross(u, v) / 2;
     const double size = std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y);
-    rounding_ += size * (0x1p-34 * size + 0x1p-50 * (std::abs(c.x) + std::abs(c.y)));
+    rounding_ += size * (kVertexRounding * size + 0x1p-50 * (std::abs(c.x) + std::abs(c.y)));
   }
 
   /// The corners of the three cells around a vertex, seen from the smallest of its circles. Their weights add up to

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -37,8 +39,6 @@ class TieSettler {
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   bool isLess(int i, int j) const { return circle_voronoi::isLess(circles_, i, j); }
   bool isSettled(int h) const { return isSettledTie(dual_, h, circles_); }
 

@@ -5,8 +5,9 @@
 #define EIGEN_DONT_VECTORIZE
 #define EIGEN_MPL2_ONLY
 #include <Eigen/SparseCholesky>
-#include <numeric>
 #include <utility>
+
+#include "disjoint_sets.h"
 
 namespace circle_voronoi {
 namespace {
@@ -15,19 +16,12 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 /// Numbers the components of a graph by the first of their cells.
 std::size_t findComponents(std::span<const Spring> springs, std::vector<std::size_t>& componentOf) {
-  std::vector<std::size_t> parent(componentOf.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto rootOf = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const Spring& spring : springs) {
-    const std::size_t i = rootOf(static_cast<std::size_t>(spring.left));
-    const std::size_t j = rootOf(static_cast<std::size_t>(spring.right));
-    parent[std::max(i, j)] = std::min(i, j);
-  }
+  DisjointSets sets(componentOf.size());
+  for (const Spring& spring : springs) sets.join(spring.left, spring.right);
+  const auto first = std::move(sets).representatives();
   std::size_t count = 0;
-  for (std::size_t i = 0; i < parent.size(); ++i) componentOf[i] = parent[i] == i ? count++ : componentOf[rootOf(i)];
+  for (std::size_t i = 0; i < first.size(); ++i)
+    componentOf[i] = at(first[i]) == i ? count++ : componentOf[at(first[i])];
   return count;
 }
 

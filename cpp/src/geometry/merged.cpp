@@ -4,40 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "near_vertices.h"
 #include "scale.h"
 
 namespace circle_voronoi {
 namespace {
-
-/// Union-find over indices, the smallest index of a set standing for it.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  std::int32_t find(std::int32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void unite(std::int32_t i, std::int32_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
-  /// For each index, the representative of its set.
-  std::vector<std::int32_t> first() && {
-    for (std::int32_t& parent : parent_) parent = parent_[parent];  // of a smaller index, and so done before
-    return std::move(parent_);
-  }
-
- private:
-  std::vector<std::int32_t> parent_;
-};
 
 /// Returns 2^-40 of the numbers from which a vertex was computed. This is 2^13 times the unit roundoff, which allows
 /// for the condition of three-touch discs of circles that can be drawn, and it is far too small to be seen.
@@ -63,12 +37,12 @@ bool isShortEdge(const Diagram& diagram, const Edge& edge, std::optional<double>
 }  // namespace
 
 std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram, const Chosen& edges, const Chosen& vertices) {
-  Sets sets(vertices.size());
+  DisjointSets sets(vertices.size());
   for (std::size_t row = 0; row < edges.size(); ++row) {
     const Edge& edge = diagram.edges[edges[row]];
-    if (isShortEdge(diagram, edge, std::nullopt)) sets.unite(vertices.rowOf(edge.start), vertices.rowOf(edge.end));
+    if (isShortEdge(diagram, edge, std::nullopt)) sets.join(vertices.rowOf(edge.start), vertices.rowOf(edge.end));
   }
-  return std::move(sets).first();
+  return std::move(sets).representatives();
 }
 
 std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram) {
@@ -77,13 +51,13 @@ std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram) {
 
 MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZero) {
   const std::size_t count = diagram.vertices.size();
-  Sets sets(count);
+  DisjointSets sets(count);
   std::vector<bool> isShort(diagram.edges.size(), false);
   for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
     const Edge& edge = diagram.edges[e];
     if (!isShortEdge(diagram, edge, nearZero)) continue;
     isShort[e] = true;
-    sets.unite(edge.start, edge.end);
+    sets.join(edge.start, edge.end);
   }
 
   MergedDiagram merged;

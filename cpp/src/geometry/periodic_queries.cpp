@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "at.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/periodic_diagram.h"
@@ -15,8 +16,6 @@
 
 namespace circle_voronoi {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// Reduces a lattice in a unit that makes its coordinates integers (computePeriodic).
 ReducedLattice reduced(const Lattice& lattice, int& exponent) {

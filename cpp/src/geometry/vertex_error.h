@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "circle_voronoi/diagram.h"
+#include "three_touch_disc.h"
 
 namespace circle_voronoi {
 
-/// Returns a bound on how far a vertex may be off. Vertices are right to 36 bits of the distances from and between
-/// their circles (vertexOf), vertices of power diagrams to 21 bits (radicalCenter).
+/// Returns a bound on how far a vertex may be off. The vertices of power diagrams are right to
+/// 21 bits of the distances from and between their circles (radicalCenter), other vertices to kVertexRounding.
 inline double vertexError(const Diagram& diagram, VertexIndex vertex) {
-  constexpr double kVertexRounding = 0x1p-34;
   constexpr double kPowerVertexRounding = 0x1p-18;
   constexpr double kRoundingOfCoordinates = 0x1p-48;
   const Vertex& v = diagram.vertices[static_cast<std::size_t>(vertex)];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "at.h"
 #include "flatten.h"
 #include "ordered_sides.h"
 #include "scale.h"
@@ -18,8 +19,6 @@ constexpr double kRoundingError = 0x1p-40;
 /// The most rounds in which edges restore their unrounded points. Each round may reverse neighboring edges; few inputs
 /// need two.
 constexpr int kMostRounds = 8;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Whether the area of a counter-clockwise ring is more than what rounding of its points can make.
 bool hasArea(const std::vector<Point>& ring) {
@@ -86,7 +85,7 @@ void CellPolygons::roundPoints() {
   for (Point& p : inner) p = frame_.round(p);
   // A restored place is recorded for the first of the vertices at one point.
   std::vector<bool> isRestored(places.size(), false);
-  const auto firstOf = [&](VertexIndex vertex) { return index(flattener_.firstHere()[index(vertex)]); };
+  const auto firstOf = [&](VertexIndex vertex) { return at(flattener_.firstHere()[at(vertex)]); };
   const auto restorePlace = [&](VertexIndex vertex) {
     if (vertex == kNone) return;
     places[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
@@ -99,7 +98,7 @@ void CellPolygons::roundPoints() {
     restorePlace(edges[edge].end);
   };
   const auto sharePlaces = [&] {
-    for (std::size_t v = 0; v < places.size(); ++v) places[v] = places[index(flattener_.firstHere()[v])];
+    for (std::size_t v = 0; v < places.size(); ++v) places[v] = places[at(flattener_.firstHere()[v])];
   };
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!points_.isInside[e] && isExact_[e]) restoreEnds(e);
@@ -110,7 +109,7 @@ void CellPolygons::roundPoints() {
     if (frame_.hasDigits) {
       sharePlaces();
       for (const EdgeIndex e : wronglyRounded()) {
-        restoreEnds(index(e));
+        restoreEnds(at(e));
         isDone = false;
       }
     }
@@ -146,7 +145,7 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
   std::vector<EdgeIndex> wrong;
   const auto count = static_cast<std::int32_t>(frame_.diagram.edges.size());
   for (EdgeIndex e = 0; e < count; ++e) {
-    if (!isInside(e) && !isExact_[index(e)] && !partsTurnRight(e)) wrong.push_back(e);
+    if (!isInside(e) && !isExact_[at(e)] && !partsTurnRight(e)) wrong.push_back(e);
   }
   // The boundary of a cell that is cut need not turn around its center.
   for (CircleIndex i = 0; i < circleCount(); ++i) {
@@ -156,7 +155,7 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
       for (const OutlinePiece& piece : loop) {
         if (piece.side == kNone) continue;
         const EdgeIndex edge = Diagram::edgeOf(piece.side);
-        if (!isInside(edge) && !isExact_[index(edge)]) wrong.push_back(edge);
+        if (!isInside(edge) && !isExact_[at(edge)]) wrong.push_back(edge);
       }
     }
   }
@@ -165,10 +164,10 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
 
 /// Whether each step turns around both foci of an edge and is farther from them than rounding can move it.
 bool CellPolygons::turnsRight(EdgeIndex edge, std::span<const Point> points) const {
-  const Edge& ends = frame_.diagram.edges[index(edge)];
+  const Edge& ends = frame_.diagram.edges[at(edge)];
   const auto& circles = frame_.diagram.circles;
-  const Point left = {circles[index(ends.left)].x, circles[index(ends.left)].y};
-  const Point right = {circles[index(ends.right)].x, circles[index(ends.right)].y};
+  const Point left = {circles[at(ends.left)].x, circles[at(ends.left)].y};
+  const Point right = {circles[at(ends.right)].x, circles[at(ends.right)].y};
   const auto isFar = [&](Point q) {
     const double least = 2 * frame_.grid.error();
     const auto isBeyond = [&](Vector v) { return std::max(std::abs(v.x), std::abs(v.y)) > least; };
@@ -219,7 +218,7 @@ CellPolygons::Ring CellPolygons::wholeRing(CircleIndex circle) const {
 /// Whether an end of a part of an edge is drawn in a vertex: if it is there but for rounding.
 bool CellPolygons::isDrawnIn(VertexIndex vertex, Point end) const {
   if (vertex == kNone) return false;
-  const Vertex& place = frame_.diagram.vertices[index(vertex)];
+  const Vertex& place = frame_.diagram.vertices[at(vertex)];
   const double distance = std::abs(end.x - place.x) + std::abs(end.y - place.y);
   return distance <= kRoundingError * std::max(std::abs(place.x), std::abs(place.y));
 }
@@ -237,7 +236,7 @@ CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
   const auto draw = [&](Point& p, VertexIndex vertex, Point original) {
     if (isDrawnIn(vertex, original)) {
       p = placeOf(vertex);
-    } else if (!isExact_[index(edge)]) {
+    } else if (!isExact_[at(edge)]) {
       p = frame_.roundOnBoundary(p);
     }
   };

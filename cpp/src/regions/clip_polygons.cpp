@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 
 #include "at.h"
 #include "circle_arc.h"
 #include "clip_parts.h"
+#include "disjoint_sets.h"
 #include "distance_signs.h"
 #include "flatten.h"
 #include "in_circle.h"
@@ -129,7 +129,8 @@ void ClipFlattener::collectPlaces() {
   const auto& parts = clipped_.parts();
   const Diagram& diagram = clipped_.diagram();
   const auto& crossings = parts.crossings.all;
-  // Sets of places: vertices, then crossings, then corners next to these.
+  // Sets of places: corners next to crossings, then vertices, then crossings. A corner stands for the others, and a
+  // vertex for crossings.
   const Chosen& vertices = parts.scope.vertices;
   std::vector<std::int32_t> cornersNearby;
   for (const Crossing& crossing : crossings) {
@@ -137,22 +138,11 @@ void ClipFlattener::collectPlaces() {
   }
   const Chosen corners(std::move(cornersNearby));
   const std::size_t vertexCount = vertices.size();
-  const std::size_t firstCorner = vertexCount + crossings.size();
-  std::vector<std::size_t> parents(firstCorner + corners.size());
-  std::iota(parents.begin(), parents.end(), std::size_t{0});
-  const auto rootOf = [&](std::size_t place) {
-    while (parents[place] != place) place = parents[place] = parents[parents[place]];
-    return place;
-  };
-  // A corner stands for the others, and a vertex for crossings.
-  const auto rank = [&](std::size_t place) {
-    return std::pair(place >= firstCorner ? 0 : place < vertexCount ? 1 : 2, place);
-  };
+  const std::size_t firstVertex = corners.size();
+  const std::size_t firstCrossing = firstVertex + vertexCount;
+  DisjointSets sets(firstCrossing + crossings.size());
   const auto join = [&](std::size_t a, std::size_t b) {
-    a = rootOf(a);
-    b = rootOf(b);
-    if (rank(b) < rank(a)) std::swap(a, b);
-    parents[b] = a;
+    sets.join(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
   };
   const auto sizeOf = [](Vector v) { return std::abs(v.x) + std::abs(v.y); };
   const auto vertexAt = [&](VertexIndex v) { return Point{diagram.vertices[at(v)].x, diagram.vertices[at(v)].y}; };
@@ -166,27 +156,30 @@ void ClipFlattener::collectPlaces() {
   const double most = mostReach();
   const auto isNear = [&](Point p, Point q, double reach) { return sizeOf(vectorTo(p, q)) <= std::min(reach, most); };
   for (std::size_t v = 0; v < vertexCount; ++v) {
-    if (isNear(vertexAt(vertices[v]), vertexAt(vertices[at(firstHere_[v])]), kInfinite)) join(v, at(firstHere_[v]));
+    const std::size_t first = at(firstHere_[v]);
+    if (isNear(vertexAt(vertices[v]), vertexAt(vertices[first]), kInfinite)) join(firstVertex + v, firstVertex + first);
   }
   for (std::size_t c = 0; c < crossings.size(); ++c) {
     const Crossing& crossing = crossings[c];
     const Edge& edge = diagram.edges[at(crossing.edge)];
     const Point p = crossing.point;
     for (const VertexIndex v : {edge.start, edge.end}) {
-      if (v != kNone && isNear(p, vertexAt(v), reachOf(v))) join(vertexCount + c, at(vertices.rowOf(v)));
+      if (v != kNone && isNear(p, vertexAt(v), reachOf(v)))
+        join(firstCrossing + c, firstVertex + at(vertices.rowOf(v)));
     }
     const double reach = kOnePlace * (sizeOf({p.x, p.y}) + sizeOf(vectorTo(centerOf(diagram, edge.left), p)));
     for (const RegionSideIndex corner : {crossing.side, parts.sideAfter(crossing.side)}) {
-      if (isNear(p, parts.pointOf(corner), reach)) join(vertexCount + c, firstCorner + at(corners.rowOf(corner)));
+      if (isNear(p, parts.pointOf(corner), reach)) join(firstCrossing + c, at(corners.rowOf(corner)));
     }
   }
   const auto pointOfPlace = [&](std::size_t place) {
-    if (place < vertexCount) return vertexAt(vertices[place]);
-    return place < firstCorner ? crossings[place - vertexCount].point : parts.pointOf(corners[place - firstCorner]);
+    if (place < firstVertex) return parts.pointOf(corners[place]);
+    return place < firstCrossing ? vertexAt(vertices[place - firstVertex]) : crossings[place - firstCrossing].point;
   };
-  for (std::size_t place = 0; place < firstCorner; ++place) {
+  const auto first = std::move(sets).representatives();
+  for (std::size_t place = firstVertex; place < first.size(); ++place) {
     const Point p = pointOfPlace(place);
-    const Point q = pointOfPlace(rootOf(place));
+    const Point q = pointOfPlace(at(first[place]));
     if (p != q) places_.emplace_back(p, q);
   }
   std::ranges::sort(places_, {}, [](const auto& pair) { return placeKey(pair.first); });

@@ -5,12 +5,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 #include "arithmetic.h"
 #include "at.h"
 #include "compensated_sum.h"
+#include "disjoint_sets.h"
 #include "dissolve.h"
 #include "guarded.h"
 #include "in_circle.h"
@@ -252,29 +252,6 @@ void checkNesting(const Given& given, const RingOrder& order, const Names& names
   }
 }
 
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t add() {
-    parent_.push_back(parent_.size());
-    return parent_.size() - 1;
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// Returns whether they were apart.
-  bool join(std::size_t i, std::size_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[i] = j;
-    return i != j;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// Refuses polygons whose rings touch so that they cut the interior apart: then rings and the points where they touch
 /// form a cycle.
 void checkInteriors(const RingOrder& order, const std::vector<std::int32_t>& polygonOfRing) {
@@ -286,11 +263,11 @@ void checkInteriors(const RingOrder& order, const std::vector<std::int32_t>& pol
     for (; k < end; ++k) rings.push_back(order.touches[k].ring);
     std::ranges::sort(rings, {}, [&](std::int32_t ring) { return polygonOfRing[at(ring)]; });
     std::int32_t polygon = -1;
-    std::size_t point = 0;
+    std::int32_t point = 0;
     for (const std::int32_t ring : rings) {
       if (polygonOfRing[at(ring)] != polygon) point = sets.add();
       polygon = polygonOfRing[at(ring)];
-      if (!sets.join(at(ring), point)) {
+      if (!sets.join(ring, point)) {
         refuse("The rings of polygon " + std::to_string(polygon) +
                " of the region touch so that they cut its interior apart.");
       }
