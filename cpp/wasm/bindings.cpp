@@ -128,8 +128,8 @@ val certifyValue(const val& value) {
 /// `box`: minX, minY, maxX, maxY.
 val finalCellsValue(const val& value, const val& box, double maxRadius) {
   return valueOf([&] {
-    const Known known = {itemsFrom<double, Box>(box).at(0), maxRadius};
-    const Result<FinalCells> cells = finalCells(diagramFrom(value), known);
+    const MissingCircles missing = {itemsFrom<double, Box>(box).at(0), maxRadius};
+    const Result<FinalCells> cells = finalCells(diagramFrom(value), missing);
     if (!cells.ok()) return errorValue(cells.error());
     val result = val::object();
     result.set("neededHalo", float64Array(cells.value().neededHalo));

@@ -127,7 +127,7 @@ void expectSamples(const ClippedDiagram& clipped, const Box& box, int count, std
     const double gap = clipped.maxDistance() ? distanceFrom(diagram, nearest, p) - *clipped.maxDistance() : -1e300;
     double least = std::abs(gap);
     for (const SideIndex side : diagram.sides(nearest)) {
-      least = std::min(least, lead(diagram, nearest, diagram.neighborOf(side), p));
+      least = std::min(least, distanceDifference(diagram, nearest, diagram.neighborOf(side), p));
     }
     if (least < 1e-9 * (std::abs(p.x) + std::abs(p.y))) continue;
     bool isInside = false;

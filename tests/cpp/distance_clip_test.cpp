@@ -16,8 +16,8 @@
 #include "clip_families.h"
 #include "clip_parts.h"
 #include "independent_clip.h"
-#include "judge_near.h"
-#include "near_part.h"
+#include "judge_within.h"
+#include "part_within.h"
 #include "report.h"
 #include "rings.h"
 #include "vectors.h"
@@ -396,7 +396,7 @@ TEST(DistanceClip, DiscsThatCollapseInCoordinatesAreEmpty) {
       const double area = circle_voronoi::area(clipped.outline(i));
       EXPECT_TRUE(i != 1 || std::abs(area - 3.14159265358979 * radius * radius) < 1e-12) << area;
       EXPECT_LE(area, 4 * std::max(radius, 0.0) * std::max(radius, 0.0));
-      EXPECT_NEAR(circle_voronoi::area(bufferOutline(diagram, i, distance)), area, 1e-12);
+      EXPECT_NEAR(circle_voronoi::area(outlineWithin(diagram, i, distance)), area, 1e-12);
       for (const auto& loop : clipped.outline(i)) EXPECT_FALSE(loop.empty());
     }
     EXPECT_EQ(clipped.polygons(1e-3).polygonOffsets.size(), 4U);
@@ -419,7 +419,7 @@ void expectFaultsRefused(const ClippedDiagram& clipped, CircleIndex circle) {
   SCOPED_TRACE("cell " + std::to_string(std::int32_t{circle}));
   Loops loops;
   clipped.parts().loopsOf(circle, loops);
-  const NearLoops right = nearLoops(clipped.parts(), circle, loops);
+  const LoopsWithin right = loopsWithin(clipped.parts(), circle, loops);
   const AreaBounds bounds = areaBounds(clipped.parts(), circle, loops);
   const double rounding = 1e-12;
   EXPECT_EQ(faultOf(right, bounds, rounding), nullptr);
@@ -427,30 +427,31 @@ void expectFaultsRefused(const ClippedDiagram& clipped, CircleIndex circle) {
   EXPECT_NE(faultOf(right, {0, its - 1e-9}, rounding), nullptr);
   EXPECT_NE(faultOf(right, {its + 1e-9, its + 1}, rounding), nullptr);
   const auto expectRefused = [&](auto change) {
-    NearLoops wrong = right;
+    LoopsWithin wrong = right;
     change(wrong);
     EXPECT_NE(faultOf(wrong, bounds, rounding), nullptr);
   };
-  expectRefused([](NearLoops& wrong) { wrong.isSound = false; });
-  expectRefused([&](NearLoops& wrong) {
+  expectRefused([](LoopsWithin& wrong) { wrong.isSound = false; });
+  expectRefused([&](LoopsWithin& wrong) {
     wrong.outline.push_back(right.outline.front());
     wrong.isHole.push_back(0);
   });
   for (std::size_t k = 0; k < right.outline.size(); ++k) {
     for (std::size_t p = 0; p < right.outline[k].size(); ++p) {
-      expectRefused(
-          [&](NearLoops& wrong) { wrong.outline[k].erase(wrong.outline[k].begin() + static_cast<std::ptrdiff_t>(p)); });
+      expectRefused([&](LoopsWithin& wrong) {
+        wrong.outline[k].erase(wrong.outline[k].begin() + static_cast<std::ptrdiff_t>(p));
+      });
     }
-    expectRefused([&](NearLoops& wrong) { wrong.outline[k].clear(); });
-    expectRefused([&](NearLoops& wrong) { wrong.isHole[k] = wrong.isHole[k] != 0 ? 0 : 1; });
-    expectRefused([](NearLoops& wrong) { wrong.isHole.pop_back(); });
-    expectRefused([&](NearLoops& wrong) {
+    expectRefused([&](LoopsWithin& wrong) { wrong.outline[k].clear(); });
+    expectRefused([&](LoopsWithin& wrong) { wrong.isHole[k] = wrong.isHole[k] != 0 ? 0 : 1; });
+    expectRefused([](LoopsWithin& wrong) { wrong.isHole.pop_back(); });
+    expectRefused([&](LoopsWithin& wrong) {
       for (OutlinePiece& piece : wrong.outline[k]) piece.curve = reversed(piece.curve);
       std::ranges::reverse(wrong.outline[k]);
     });
     if (bounds.least < bounds.most) continue;
     // Without one of its loops.
-    expectRefused([&](NearLoops& wrong) {
+    expectRefused([&](LoopsWithin& wrong) {
       wrong.outline.erase(wrong.outline.begin() + static_cast<std::ptrdiff_t>(k));
       wrong.isHole.erase(wrong.isHole.begin() + static_cast<std::ptrdiff_t>(k));
     });

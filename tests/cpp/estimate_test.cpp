@@ -273,7 +273,7 @@ double turnPart(const Circles& c) {
   const Circle& o = c[corner];
   const Difference a(c[(corner + 1) % 3], o), b(c[(corner + 2) % 3], o);
   const Difference computed(a.y * b.s - a.s * b.y, a.s * b.x - a.x * b.s, a.x * b.y - a.y * b.x);
-  const double value = cone(computed, computed);
+  const double value = lorentzDot(computed, computed);
   return part(k, value, std::abs(value));
 }
 

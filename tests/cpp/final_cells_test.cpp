@@ -42,7 +42,9 @@ double inside(const Box& box, double x, double y) {
 }
 
 /// Whether a circle may lie outside.
-bool mayBeOutside(const Known& known, const Circle& c) { return inside(known.box, c.x, c.y) + c.r <= known.maxRadius; }
+bool mayBeOutside(const MissingCircles& known, const Circle& c) {
+  return inside(known.box, c.x, c.y) + c.r <= known.maxRadius;
+}
 
 /// A set of circles divided into known ones and others.
 struct Split {
@@ -51,7 +53,7 @@ struct Split {
   std::vector<std::int32_t> outside;
 };
 
-Split split(const Circles& circles, const Known& known) {
+Split split(const Circles& circles, const MissingCircles& known) {
   Split result;
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (mayBeOutside(known, circles[i])) {
@@ -142,8 +144,8 @@ struct Extent {
 
 /// A box around a part of the circles: some sides at random, some so that the disc of a vertex, widened by the radius
 /// of the circles outside, touches them but for next to nothing, and some infinitely far away.
-Known randomKnown(const Extent& extent, Random& random, const Diagram* diagram = nullptr) {
-  Known known;
+MissingCircles randomMissing(const Extent& extent, Random& random, const Diagram* diagram = nullptr) {
+  MissingCircles known;
   const auto& circles = extent.circles;
   known.maxRadius = random.below(2) == 0 ? 0 : circles[random.below(circles.size())].r;
   const double x = random.uniform(extent.low.x, extent.high.x);
@@ -172,7 +174,7 @@ Known randomKnown(const Extent& extent, Random& random, const Diagram* diagram =
 }
 
 /// The circle outside that comes nearest to a point, going straight out across the nearest side.
-std::optional<Circle> nearestOutside(const Known& known, Point p) {
+std::optional<Circle> nearestOutside(const MissingCircles& known, Point p) {
   const Box& box = known.box;
   const double depth = inside(box, p.x, p.y);
   if (std::isinf(depth)) return std::nullopt;
@@ -199,19 +201,19 @@ Circles randomCircles(std::size_t trial, Random& random) {
 }
 
 /// Whether the known part of a set of circles is an input: circles that are all small are none.
-bool isInput(const Circles& all, const Known& known) {
+bool isInput(const Circles& all, const MissingCircles& known) {
   const auto diagram = compute(split(all, known).known);
   return diagram.ok() || diagram.error().code != ErrorCode::coordinateTooSmall;
 }
 
 /// A part of a set of circles with its diagram and what of that is final.
 struct Part {
-  Known known;
+  MissingCircles known;
   Split circles;
   Diagram diagram;
   FinalCells cells;
 
-  Part(const Circles& all, const Known& known_)
+  Part(const Circles& all, const MissingCircles& known_)
       : known(known_),
         circles(split(all, known)),
         diagram(compute(circles.known).value()),
@@ -244,7 +246,7 @@ TEST(FinalCells, CirclesOutsideDoNotChangeFinalParts) {
   for (std::size_t trial = 0; trial < 10'000; ++trial) {
     Circles circles = randomCircles(trial, random);
     const Diagram whole = compute(circles).value();
-    const Known known = randomKnown(Extent(circles), random, &whole);
+    const MissingCircles known = randomMissing(Extent(circles), random, &whole);
     if (!isInput(circles, known)) continue;
     // Beside the circles of the family that are outside, some at the places that are worst for a vertex.
     const Part before(circles, known);
@@ -280,7 +282,7 @@ TEST(FinalCells, NearlyAllFinalCellsAreRecognized) {
   int missed = 0;
   for (std::size_t trial = 0; trial < 3'000; ++trial) {
     const Circles circles = randomCircles(trial, random);
-    const Known drawn = randomKnown(Extent(circles), random);
+    const MissingCircles drawn = randomMissing(Extent(circles), random);
     if (!isInput(circles, drawn)) continue;
     const Part part(circles, drawn);
     const auto& [known, inner, diagram, cells] = part;
@@ -320,13 +322,13 @@ TEST(FinalCells, TheHaloThatACellNeedsIsEnough) {
   for (std::size_t trial = 0; trial < 3'000; ++trial) {
     const Circles circles = randomCircles(trial, random);
     const Diagram whole = compute(circles).value();
-    const Known known = randomKnown(Extent(circles), random, &whole);
+    const MissingCircles known = randomMissing(Extent(circles), random, &whole);
     if (!isInput(circles, known)) continue;
     const Part part(circles, known);
     for (std::size_t i = 0; i < part.circles.known.size(); ++i) {
       const double halo = part.cells.neededHalo[i] * (1 + 1e-9);
       if (halo == 0 || std::isinf(halo) || random.below(4) != 0) continue;
-      Known wider = known;
+      MissingCircles wider = known;
       const auto rounding = [&](double side) { return std::isinf(side) ? 0 : 1e-9 * std::abs(side); };
       wider.box.minX -= halo + rounding(known.box.minX);
       wider.box.minY -= halo + rounding(known.box.minY);
@@ -378,7 +380,7 @@ TEST(FinalCells, ACircleMayReachFarThatIsKnown) {
   // Nine points on a grid, and a huge circle whose center is far outside: known or not, it cuts cells.
   Circles circles;
   for (int i = 0; i < 25; ++i) circles.push_back({static_cast<double>(i % 5), static_cast<double>(i / 5), 0});
-  const Known known = {{-3, -3, 7, 7}, 0};
+  const MissingCircles known = {{-3, -3, 7, 7}, 0};
   const auto isFinal = [&](std::int32_t i) {
     const Diagram diagram = compute(circles).value();
     return finalCells(diagram, known).value().isFinal(i);
@@ -432,7 +434,7 @@ TEST(FinalCells, BoxesOfAnySizeAreOnTheSafeSide) {
   Circles circles = generate(Family::uniform, 50, 1);
   for (Circle& c : circles) c = {c.x * 1e-15, c.y * 1e-15, c.r * 1e-15};
   const Diagram diagram = compute(circles).value();
-  const auto finalCount = [&](const Known& known) {
+  const auto finalCount = [&](const MissingCircles& known) {
     const auto cells = finalCells(diagram, known).value();
     return std::ranges::count(cells.neededHalo, 0.0);
   };
@@ -445,7 +447,7 @@ TEST(FinalCells, BoxesOfAnySizeAreOnTheSafeSide) {
 TEST(FinalCells, RefusesInvalidBoxesRadiiAndDiagrams) {
   const Circles circles = generate(Family::uniform, 10, 1);
   Diagram diagram = compute(circles).value();
-  const auto codeOf = [&](const Known& known) {
+  const auto codeOf = [&](const MissingCircles& known) {
     const auto cells = finalCells(diagram, known);
     return cells ? "none" : std::string(errorCodeName(cells.error().code));
   };

@@ -61,7 +61,7 @@ Verdicts compareJudges(int trials, Change change) {
         EXPECT_EQ(judge.judge(*state, *moved) == StepVerdict::right, isRight) << family.name << ", trial " << trial;
         (isRight ? verdicts.right : verdicts.wrong) += 1;
       }
-      state->takeBack(mark);
+      state->rollBack(mark);
       EXPECT_TRUE(isWholeRight(*state)) << family.name;
     }
   }
@@ -121,7 +121,7 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
   state->detach(inner);
   state->attach(inner, second);
   EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
-  state->takeBack(mark);
+  state->rollBack(mark);
 
   // A circle taken away though it hides others.
   mark = state->beginStep();
@@ -130,7 +130,7 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
   --state->visibleCount;
   state->removeSite(first);
   EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
-  state->takeBack(mark);
+  state->rollBack(mark);
 
   // A visible circle that is not in the dual.
   mark = state->beginStep();
@@ -139,7 +139,7 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
   EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
   ++state->visibleCount;
   EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::broken);
-  state->takeBack(mark);
+  state->rollBack(mark);
   EXPECT_TRUE(isWholeRight(*state));
 }
 

@@ -171,7 +171,7 @@ void expectSound(const Diagram& diagram, std::int32_t circle, const Outline& out
 double sumOfAreas(const Diagram& diagram, double d, double rounding) {
   double sum = 0;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
-    const Outline cut = bufferOutline(diagram, i, d);
+    const Outline cut = outlineWithin(diagram, i, d);
     EXPECT_LE(cut.size(), 1U);
     expectSound(diagram, i, cut, d, rounding);
     sum += area(cut);
@@ -182,15 +182,15 @@ double sumOfAreas(const Diagram& diagram, double d, double rounding) {
 TEST(MaxDistance, OfOneCircleIsADisc) {
   const Circles circles = {{3, 4, 2}};
   const Diagram diagram = diagramOf(circles);
-  const Outline disc = bufferOutline(diagram, 0, 1);
+  const Outline disc = outlineWithin(diagram, 0, 1);
   ASSERT_EQ(disc.size(), 1U);
   EXPECT_NEAR(area(disc), 9 * kPi, 1e-14 * 9 * kPi);
   EXPECT_NEAR(perimeter(disc), 6 * kPi, 1e-14 * 6 * kPi);
   EXPECT_NEAR(centroid(disc).x, 3, 1e-15);
   EXPECT_NEAR(centroid(disc).y, 4, 1e-15);
-  EXPECT_NEAR(area(bufferOutline(diagram, 0, -1)), kPi, 1e-14);
-  EXPECT_TRUE(bufferOutline(diagram, 0, -2).empty());
-  EXPECT_TRUE(bufferOutline(diagram, 0, -3).empty());
+  EXPECT_NEAR(area(outlineWithin(diagram, 0, -1)), kPi, 1e-14);
+  EXPECT_TRUE(outlineWithin(diagram, 0, -2).empty());
+  EXPECT_TRUE(outlineWithin(diagram, 0, -3).empty());
 }
 
 // The circle passes through corners of the region, exactly.
@@ -218,11 +218,11 @@ TEST(MaxDistance, OfTwoEqualCirclesIsTwoDiscsCutAlongALine) {
   const Diagram diagram = diagramOf(circles);
   const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
   for (const std::int32_t i : {0, 1}) {
-    const Outline apart = bufferOutline(diagram, i, 0.5);
+    const Outline apart = outlineWithin(diagram, i, 0.5);
     EXPECT_NEAR(area(apart), 2.25 * kPi, 1e-14 * 8);
     // They touch, in a point of both.
-    EXPECT_NEAR(area(bufferOutline(diagram, i, 1)), 4 * kPi, 1e-13);
-    const Outline cut = bufferOutline(diagram, i, 2);
+    EXPECT_NEAR(area(outlineWithin(diagram, i, 1)), 4 * kPi, 1e-13);
+    const Outline cut = outlineWithin(diagram, i, 2);
     EXPECT_NEAR(area(cut), 9 * kPi - segment, 1e-13);
     EXPECT_NEAR(perimeter(cut), 6 * kPi - 6 * std::acos(2 / 3.0) + 2 * std::sqrt(5), 1e-13);
     EXPECT_EQ(std::ranges::count(cut.at(0), 1 - i, &OutlinePiece::neighbor), 1);
@@ -265,7 +265,7 @@ TEST(MaxDistance, APointIsInTheOutlineOfItsNearestCircleAlone) {
     std::vector<Outline> free;
     std::vector<Outline> boxed;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-      free.push_back(bufferOutline(diagram, i, d));
+      free.push_back(outlineWithin(diagram, i, d));
       boxed.push_back(clippedBufferOutline(diagram, i, test::regionOf(box), d));
     }
     for (int k = 0; k < 60; ++k) {
@@ -325,10 +325,10 @@ TEST(MaxDistance, BothSidesOfAnEdgeAreCutInTheSamePoints) {
   const Diagram diagram = diagramOf(circles);
   std::size_t cut = 0;
   for (std::int32_t i = 0; i < 200; ++i) {
-    for (const Loop& loop : bufferOutline(diagram, i, 0.3)) {
+    for (const Loop& loop : outlineWithin(diagram, i, 0.3)) {
       for (const OutlinePiece& piece : loop) {
         if (piece.side == kNone) continue;
-        const Outline across = bufferOutline(diagram, piece.neighbor, 0.3);
+        const Outline across = outlineWithin(diagram, piece.neighbor, 0.3);
         const auto back = std::ranges::find(across.at(0), piece.side ^ 1, &OutlinePiece::side);
         ASSERT_NE(back, across.at(0).end());
         EXPECT_EQ(back->curve.start, piece.curve.end);
@@ -345,8 +345,8 @@ TEST(MaxDistance, OfTheCentersIsCutAroundThese) {
   const Circles circles = {{0, 0, 1}, {4, 0, 0.5}};
   const Diagram diagram = computeComparison(circles, Metric::centers).value();
   const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
-  EXPECT_NEAR(area(bufferOutline(diagram, 0, 3)), 9 * kPi - segment, 1e-13);
-  EXPECT_NEAR(area(bufferOutline(diagram, 1, 3)), 9 * kPi - segment, 1e-13);
+  EXPECT_NEAR(area(outlineWithin(diagram, 0, 3)), 9 * kPi - segment, 1e-13);
+  EXPECT_NEAR(area(outlineWithin(diagram, 1, 3)), 9 * kPi - segment, 1e-13);
 }
 
 // Polygons within the tolerance, one for each cell, and nothing of the diagram beyond the distance.

@@ -93,7 +93,7 @@ void measureCells(const Diagram& diagram, const Box& box, MeasuresOfCells& all) 
 void measureQueries(const Diagram& diagram, const Box& box, MeasuresOfCells& all) {
   const auto& circles = diagram.circles;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    const Outline disc = bufferOutline(diagram, i, (box.maxX - box.minX) / 8);
+    const Outline disc = outlineWithin(diagram, i, (box.maxX - box.minX) / 8);
     all.add(2, area(disc));
     all.add(1, perimeter(disc));
     all.add(centroid(disc));

@@ -146,7 +146,7 @@ TEST(Weights, WithoutThemANegativeRadiusIsAnError) {
   EXPECT_EQ(diagram.hidden, (std::vector<HiddenCircle>{{2, 1}}));
   diagram.weights = false;
   EXPECT_EQ(certify(diagram).error().code, ErrorCode::negativeRadius);
-  const Known known = {{-100, -100, 100, 100}, 0};
+  const MissingCircles known = {{-100, -100, 100, 100}, 0};
   EXPECT_EQ(finalCells(diagram, known).error().code, ErrorCode::negativeRadius);
   diagram.weights = true;
   EXPECT_TRUE(certify(diagram).value().certified());
@@ -206,8 +206,8 @@ TEST(Weights, CellsAndNearestCirclesStay) {
   const ConvexPolygon region = test::regionOf(Box{-100, -100, 1100, 1100});
   for (std::int32_t i = 0; i < 80; ++i) {
     EXPECT_EQ(area(outline(diagram, i, region)), area(outline(expected, i, region)));
-    const double near = area(bufferOutline(expected, i, 8));
-    EXPECT_NEAR(area(bufferOutline(diagram, i, 708)), near, 1e-9 * (1 + near));
+    const double near = area(outlineWithin(expected, i, 8));
+    EXPECT_NEAR(area(outlineWithin(diagram, i, 708)), near, 1e-9 * (1 + near));
   }
   Random random(test::seedOr(1));
   for (int k = 0; k < 200; ++k) {

@@ -167,9 +167,9 @@ class Checker {
       const std::int32_t found = timed("find", [&] { return finder.find(p); });
       require(found != kNone && diagram_.hasCell(found), "no circle is found");
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
-        require(lead(diagram_, found, i, p) >= -rounding_, "another circle is nearer than the one found");
+        require(distanceDifference(diagram_, found, i, p) >= -rounding_, "another circle is nearer than the one found");
         if (contains(diagram_, i, p))
-          require(lead(diagram_, i, found, p) >= -rounding_, "a cell contains what is not its");
+          require(distanceDifference(diagram_, i, found, p) >= -rounding_, "a cell contains what is not its");
       }
     }
   }

@@ -194,8 +194,9 @@ class Questions {
       const CircleIndex hint = static_cast<std::int32_t>(k % diagram_.circles.size());
       Answer answer(question("place", k));
       answer << found << finder.find(p, hint) << distanceFrom(diagram_, found, p) << contains(diagram_, found, p)
-             << contains(diagram_, hint, p) << lead(diagram_, hint, found, p);
-      for (const CircleIndex other : neighbors(diagram_, found)) answer << lead(diagram_, found, other, p);
+             << contains(diagram_, hint, p) << distanceDifference(diagram_, hint, found, p);
+      for (const CircleIndex other : neighbors(diagram_, found))
+        answer << distanceDifference(diagram_, found, other, p);
     }
   }
 

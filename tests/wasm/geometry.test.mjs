@@ -241,8 +241,8 @@ function answersOf(diagram, box, maxDistance) {
       say(
         `place ${k}`,
         ...[found, diagram.find(x, y, hint), distanceFrom(diagram, found, x, y), diagram.contains(found, x, y)],
-        ...[diagram.contains(hint, x, y), cells.lead(hint, found, x, y)],
-        ...Array.from(diagram.neighbors(found), (other) => cells.lead(found, other, x, y)),
+        ...[diagram.contains(hint, x, y), cells.distanceDifference(hint, found, x, y)],
+        ...Array.from(diagram.neighbors(found), (other) => cells.distanceDifference(found, other, x, y)),
       )
     })
   }

@@ -20,7 +20,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// Returns how much nearer p is to `circle` than to `other`: the difference of their distances, which is negative if
 /// `other` is nearer. It does not cancel if p is far away. For the power metric the difference is divided by a length.
-[[nodiscard]] double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point p);
+[[nodiscard]] double distanceDifference(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point p);
 
 /// Returns whether a cell contains p, up to rounding. Returns false for a hidden circle.
 ///
@@ -62,7 +62,7 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 /// the apex of the side to both ends.
 ///
 /// Precondition: maxDistance is finite and at most kRegionLimit in absolute value, and the metric is not the power.
-[[nodiscard]] Outline bufferOutline(const Diagram& diagram, CircleIndex circle, double maxDistance);
+[[nodiscard]] Outline outlineWithin(const Diagram& diagram, CircleIndex circle, double maxDistance);
 /// Returns the enclosed area, exact up to rounding: a polygon, plus the segments between arcs and their chords, whose
 /// closed forms need no functions but square roots.
 [[nodiscard]] double area(const Outline& outline);

@@ -32,7 +32,7 @@ struct ExportOptions {
   /// The region to which cells and edges are clipped, in place of `bounds`. It must outlive the call. The box is then
   /// its bounding box. Cells that the boundary of the region crosses, and those beside them, keep all digits.
   const Region* region = nullptr;
-  /// Cells and edges are cut at this distance from the nearest circle (`bufferOutline`). Finite and at most
+  /// Cells and edges are cut at this distance from the nearest circle (`outlineWithin`). Finite and at most
   /// kRegionLimit in absolute value.
   std::optional<double> maxDistance = {};
   /// The largest distance between the written curves and the true ones. Finite and positive. By default a

@@ -20,7 +20,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 ///
 /// This also holds for any circle, however large, that reaches no farther than maxRadius across the line of some side.
 /// So if the diagram has all circles whose bounding squares meet the box, maxRadius is 0.
-struct Known {
+struct MissingCircles {
   /// Sides may be infinite. If all four are, no circle is missing.
   Box box;
   double maxRadius = 0;
@@ -77,6 +77,6 @@ struct FinalCells {
 /// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, coordinateTooSmall,
 /// tooManyCircles, badArithmetic; badOption if the box is empty, or maxRadius is negative or not finite; badInput if
 /// the diagram names circles or vertices that do not exist.
-Result<FinalCells> finalCells(const Diagram& diagram, const Known& known);
+Result<FinalCells> finalCells(const Diagram& diagram, const MissingCircles& missing);
 
 }  // namespace circle_voronoi

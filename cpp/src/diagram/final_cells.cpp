@@ -28,8 +28,8 @@ struct HalfPlane {
 /// The known properties.
 class Outside {
  public:
-  explicit Outside(const Known& known) : reach_(known.maxRadius) {
-    const auto& [minX, minY, maxX, maxY] = known.box;
+  explicit Outside(const MissingCircles& missing) : reach_(missing.maxRadius) {
+    const auto& [minX, minY, maxX, maxY] = missing.box;
     // Lines so far away that sums could overflow are moved nearer, which only makes fewer parts final.
     constexpr double kFarthest = 0x1p1000;
     const HalfPlane sides[] = {{{1, 0}, minX}, {{-1, 0}, -maxX}, {{0, 1}, minY}, {{0, -1}, -maxY}};
@@ -78,10 +78,10 @@ double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circ
   return outside.excess(*disc, 0x1p-33 * farthest + 4 * kUnitRoundoff * (size + farthest));
 }
 
-std::optional<Error> checkKnown(const Known& known) {
-  const auto& [minX, minY, maxX, maxY] = known.box;
+std::optional<Error> checkMissing(const MissingCircles& missing) {
+  const auto& [minX, minY, maxX, maxY] = missing.box;
   if (!(minX < maxX) || !(minY < maxY)) return Error{ErrorCode::badOption, -1, "The box of what is known is empty."};
-  if (!(known.maxRadius >= 0) || std::isinf(known.maxRadius)) {
+  if (!(missing.maxRadius >= 0) || std::isinf(missing.maxRadius)) {
     return Error{ErrorCode::badOption, -1, "The largest radius of what is not known is no finite number from 0."};
   }
   return std::nullopt;
@@ -139,15 +139,15 @@ FinalCells finalCellsOf(std::span<const Circle> circles, const Diagram& diagram,
 
 }  // namespace
 
-Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
+Result<FinalCells> finalCells(const Diagram& diagram, const MissingCircles& missing) {
   return guarded([&]() -> Result<FinalCells> {
-    if (auto error = checkKnown(known)) return *std::move(error);
+    if (auto error = checkMissing(missing)) return *std::move(error);
     if (!fits(diagram)) {
       return Error{ErrorCode::badInput, -1, "The diagram names circles or vertices that are not there."};
     }
     const auto circles = validate(diagram.circles, diagram.weights);
     if (!circles) return circles.error();
-    return finalCellsOf(circles.value(), diagram, Outside(known));
+    return finalCellsOf(circles.value(), diagram, Outside(missing));
   });
 }
 

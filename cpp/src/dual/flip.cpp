@@ -112,7 +112,7 @@ class Flipper {
   bool isTopOf(int a, int b, int c) const {
     const auto square = [this](int i, int j) {
       const Difference d(circles_[i], circles_[j]);
-      return cone(d, d);
+      return lorentzDot(d, d);
     };
     return square(a, b) >= std::max(square(b, c), square(c, a));
   }

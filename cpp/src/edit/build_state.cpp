@@ -94,8 +94,8 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
   state->nextId = std::max(nextId, ids.empty() ? CircleId(0) : CircleId(ids.back() + 1));
   fillFaces(*state, construction.dual, construction.verdict.proof);
-  state->prepareToKeep();
-  state->keep();
+  state->prepareToCommit();
+  state->commit();
   return state;
 }
 

@@ -13,7 +13,7 @@ namespace circle_voronoi {
 /// Records the changes of a diagram.
 class ChangeRecorder {
  public:
-  /// Returns the changes of a state since it was kept. Gives numbers to new edges.
+  /// Returns the changes of a state since its last commit. Gives numbers to new edges.
   Result<Change> record(EditState& state, EditWay way);
 
   /// Returns the change from one state to another that was built anew, with numbers of its own.

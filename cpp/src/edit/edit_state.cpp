@@ -125,7 +125,7 @@ EditState::Mark EditState::beginStep() {
           faceCount,  sizes};
 }
 
-void EditState::takeBack(const Mark& mark) noexcept {
+void EditState::rollBack(const Mark& mark) noexcept {
   while (siteLog.size() > mark.sites) {
     const SavedSite& saved = siteLog.back();
     const int slot = saved.slot;
@@ -150,8 +150,8 @@ void EditState::takeBack(const Mark& mark) noexcept {
   }
   for (std::size_t i = mark.faces; i < faceLog.size(); ++i) noteEdgesOf(faceLog[i].face);
   faceLog.resize(mark.faces);
-  faceNumbers.takeBack(mark.faceNumbers);
-  siteNumbers.takeBack(mark.siteNumbers);
+  faceNumbers.rollBack(mark.faceNumbers);
+  siteNumbers.rollBack(mark.siteNumbers);
   nextId = mark.nextId;
   circleCount = mark.circleCount;
   visibleCount = mark.visibleCount;
@@ -168,13 +168,13 @@ void EditState::noteEdges() {
   for (std::size_t i = stepFaces_; i < faceLog.size(); ++i) noteEdgesOf(faceLog[i].face);
 }
 
-void EditState::prepareToKeep() {
+void EditState::prepareToCommit() {
   faceNumbers.prepare();
   siteNumbers.prepare();
   edgeNumbers.prepare();
 }
 
-void EditState::keep() noexcept {
+void EditState::commit() noexcept {
   for (const SavedSite& saved : siteLog) {
     const CircleId id = saved.site.id;
     if (id != kNone && sites[saved.slot].id != id && ids.slotOf(id) != kNone) ids.remove(id);
@@ -183,15 +183,15 @@ void EditState::keep() noexcept {
   for (const SavedFace& saved : faceLog) savedFaceAt_[saved.face] = kNone;
   siteLog.clear();
   faceLog.clear();
-  faceNumbers.keep();
-  siteNumbers.keep();
-  edgeNumbers.keep();
-  kept_ = beginStep();
+  faceNumbers.commit();
+  siteNumbers.commit();
+  edgeNumbers.commit();
+  committed_ = beginStep();
 }
 
-void EditState::takeAllBack() noexcept {
-  takeBack(kept_);
-  edgeNumbers.takeAllBack();
+void EditState::rollBackAll() noexcept {
+  rollBack(committed_);
+  edgeNumbers.rollBackAll();
 }
 
 }  // namespace circle_voronoi

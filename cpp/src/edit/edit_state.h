@@ -49,7 +49,7 @@ struct SizeCounts {
   bool areTooSmall() const { return large == 0 && small > 0; }
 };
 
-/// The whole diagram of an editor, and a log to undo the changes since it was last kept.
+/// The whole diagram of an editor, and a log to undo the changes since its last commit.
 ///
 /// Circles are in slots, rounded (limits.h). Vertices are faces of the dual, including those at infinity. Free numbers
 /// are reused, so that arrays have few gaps. Announce a change of a face or a site before you make it.
@@ -120,7 +120,7 @@ class EditState final : public DualKeeper {
 
   // A circle that is neither in a list nor in the dual counts as hidden.
 
-  /// Returns whether an id belongs to a circle that was removed before the state was kept.
+  /// Returns whether an id belongs to a circle that was removed before the last commit.
   bool isFormer(CircleId id) const { return id >= 0 && id < nextId && ids.slotOf(id) == kNone; }
   /// Adds a circle with a former id, or with a new one for kNone. Returns its slot.
   int addSite(const Circle& circle, CircleId id);
@@ -159,12 +159,12 @@ class EditState final : public DualKeeper {
 
     bool wasVisible() const { return site.id != kNone && !hasNoCell; }
   };
-  /// The former state of the parts that have changed since the diagram was kept. Each step saves a face or site at most
+  /// The former state of the parts that have changed since the last commit. Each step saves a face or site at most
   /// once.
   std::vector<SavedFace> faceLog;
   std::vector<SavedSite> siteLog;
 
-  /// A state within the log that `takeBack` can return to.
+  /// A state within the log that `rollBack` can return to.
   struct Mark {
     std::size_t faces;
     std::size_t sites;
@@ -178,9 +178,9 @@ class EditState final : public DualKeeper {
   };
   /// Begins a step: from now on, faces and sites are saved again before they change.
   Mark beginStep();
-  void takeBack(const Mark& mark) noexcept;
+  void rollBack(const Mark& mark) noexcept;
   const SavedFace* savedInStep(int face) const { return find(faceLog, savedFaceAt_[face], stepFaces_); }
-  /// Returns a face in the state that was kept; null if it has not changed.
+  /// Returns a face in the committed state; null if it has not changed.
   const SavedFace* firstSaved(int face) const {
     int at = savedFaceAt_[face];
     while (at != kNone && faceLog[at].before != kNone) at = faceLog[at].before;
@@ -192,11 +192,11 @@ class EditState final : public DualKeeper {
   /// Sets `edgeOf` for all corners of the faces that have changed in this step.
   void noteEdges();
 
-  /// Allocates the memory that `keep` needs.
-  void prepareToKeep();
-  /// Makes the current state the target of `takeAllBack`. Call `prepareToKeep` first.
-  void keep() noexcept;
-  void takeAllBack() noexcept;
+  /// Allocates the memory that `commit` needs.
+  void prepareToCommit();
+  /// Makes the current state the target of `rollBackAll`. Call `prepareToCommit` first.
+  void commit() noexcept;
+  void rollBackAll() noexcept;
 
   /// Resizes the arrays to hold all faces and slots that have numbers.
   void sizeToNumbers();
@@ -213,7 +213,7 @@ class EditState final : public DualKeeper {
   std::vector<int> savedSiteAt_;
   std::size_t stepFaces_ = 0;
   std::size_t stepSites_ = 0;
-  Mark kept_ = beginStep();
+  Mark committed_ = beginStep();
 };
 
 }  // namespace circle_voronoi

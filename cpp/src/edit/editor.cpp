@@ -130,19 +130,19 @@ class DiagramEditor::Editor {
     try {
       auto change = areFew(edits) ? applyLocally(edits, hint) : std::nullopt;
       if (!change) {
-        takeAllBack();
+        rollBackAll();
         return applyWhole(edits);
       }
       if (!*change) {
-        takeAllBack();
+        rollBackAll();
         return *std::move(change);
       }
-      state_->prepareToKeep();
-      state_->keep();
+      state_->prepareToCommit();
+      state_->commit();
       note(change->value());
       return *std::move(change);
     } catch (...) {
-      state_->takeAllBack();
+      state_->rollBackAll();
       stopTelling();
       throw;
     }
@@ -167,8 +167,8 @@ class DiagramEditor::Editor {
     return true;
   }
 
-  void takeAllBack() {
-    state_->takeAllBack();
+  void rollBackAll() {
+    state_->rollBackAll();
     if (!reporter_) return;
     reporter_->setShrinking(kPointAtInfinity);
     reporter_->reportChanges();

@@ -60,7 +60,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
   const bool isVisible = state_.isVisible(slot);
   if (isVisible && staysNear(slot, circle)) {
     if (move(slot, circle) && isRight(slot)) return EditWay::local;
-    state_.takeBack(mark);
+    state_.rollBack(mark);
     reportCircle(TraceKind::circleReplaced, slot, state_.circles[slot]);
     if (state_.reporter != nullptr) state_.reporter->reportChanges();
   }

@@ -483,8 +483,8 @@ class Fitter {
       const auto i = static_cast<std::size_t>(springs[k].left);
       const auto j = static_cast<std::size_t>(springs[k].right);
       const double growth = x[i] - x[j];
-      const double lead = weights[i] - weights[j];
-      const double slack = springs[k].length + (growth > 0 ? -lead : lead);
+      const double difference = weights[i] - weights[j];
+      const double slack = springs[k].length + (growth > 0 ? -difference : difference);
       if (!(std::abs(growth) > kStretch * slack)) continue;
       stiffness[k] *= std::clamp(std::abs(growth) / (kStretch * slack), kHardening, kMostHardening);
       isHarder = true;

@@ -12,9 +12,9 @@ namespace {
 
 const Circle& circleAt(const Diagram& diagram, CircleIndex i) { return diagram.circles[static_cast<std::size_t>(i)]; }
 
-/// Returns a bound on the rounding error of a lead, which is a part of the distance between the two centers minus the
-/// difference of the radii.
-double roundingOfLead(const Diagram& diagram, CircleIndex circle, CircleIndex other) {
+/// Returns a bound on the rounding error of distanceDifference: a part of the distance between the two centers minus
+/// the difference of the radii.
+double roundingOfDifference(const Diagram& diagram, CircleIndex circle, CircleIndex other) {
   const Circle& c = circleAt(diagram, circle);
   const Circle& d = circleAt(diagram, other);
   return 0x1p-49 * (lengthOf(between(d, c)) + std::abs(d.r - c.r));
@@ -33,7 +33,7 @@ double distanceFrom(const Diagram& diagram, CircleIndex circle, Point p) {
 }
 
 // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d)).
-double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point p) {
+double distanceDifference(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point p) {
   const Circle& c = circleAt(diagram, circle);
   const Circle& d = circleAt(diagram, other);
   const Vector fromCircle = {p.x - c.x, p.y - c.y};
@@ -59,8 +59,8 @@ bool contains(const Diagram& diagram, CircleIndex circle, Point p) {
     for (const SideIndex side : diagram.sides(asked[k])) {
       const CircleIndex other = diagram.neighborOf(side);
       if (other == circle) continue;
-      const double its = lead(diagram, circle, other, p);
-      const double rounding = roundingOfLead(diagram, circle, other);
+      const double its = distanceDifference(diagram, circle, other, p);
+      const double rounding = roundingOfDifference(diagram, circle, other);
       // Also false for NaN.
       if (!(its >= (k == 0 ? 0 : -rounding))) return false;
       if (its <= rounding && met.insert(other).second) asked.push_back(other);

@@ -88,7 +88,7 @@ void DiscLoops::addArc(std::vector<OutlinePiece>& loop, const RimPoint& from, co
   addSteps(loop, from.point, to.point, begin, std::max(begin, end));
 }
 
-void DiscLoops::join(NearLoops& result) {
+void DiscLoops::join(LoopsWithin& result) {
   struct Event {
     std::size_t chain;
     bool isEntry;
@@ -123,8 +123,8 @@ void DiscLoops::join(NearLoops& result) {
   }
 }
 
-NearLoops DiscLoops::finish(bool isWhole) {
-  NearLoops result;
+LoopsWithin DiscLoops::finish(bool isWhole) {
+  LoopsWithin result;
   if (!chains_.empty()) {
     join(result);
   } else if (isWhole) {
@@ -156,9 +156,9 @@ NearLoops DiscLoops::finish(bool isWhole) {
   return result;
 }
 
-void addNearArc(DiscLoops& loops, const DistanceSigns& signs, const Diagram& diagram, SideIndex side,
-                const EdgeCurve& curve, const ArcEnd& start, const ArcEnd& end) {
-  auto arc = nearArc(signs, diagram.edges[static_cast<std::size_t>(Diagram::edgeOf(side))], curve, start, end);
+void addArcWithin(DiscLoops& loops, const DistanceSigns& signs, const Diagram& diagram, SideIndex side,
+                  const EdgeCurve& curve, const ArcEnd& start, const ArcEnd& end) {
+  auto arc = arcWithin(signs, diagram.edges[static_cast<std::size_t>(Diagram::edgeOf(side))], curve, start, end);
   if (!arc) return;
   if (side % 2 != 0) {
     arc->curve = reversed(arc->curve);

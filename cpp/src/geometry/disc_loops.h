@@ -5,14 +5,14 @@
 #include <functional>
 #include <vector>
 
+#include "arc_within.h"
 #include "circle_voronoi/cells.h"
 #include "distance_signs.h"
-#include "near_arc.h"
 
 namespace circle_voronoi {
 
 /// The loops of the part of a cell in its disc. Holes come after the loop around them.
-struct NearLoops {
+struct LoopsWithin {
   Outline outline;
   std::vector<std::uint8_t> isHole;
   /// Whether entries and exits alternate around the rim. Otherwise the loops are not those of a diagram.
@@ -41,7 +41,7 @@ class DiscLoops {
   /// Returns whether the disc has a loop that does not meet its rim.
   bool hasLoops() const { return !closed_.empty() || !holes_.empty(); }
   /// Returns the loops. If no loop meets the rim, `isWhole` says whether the rim lies inside the loops.
-  NearLoops finish(bool isWhole);
+  LoopsWithin finish(bool isWhole);
 
  private:
   /// Pieces of a loop between an entry and an exit.
@@ -55,7 +55,7 @@ class DiscLoops {
   void addSteps(std::vector<OutlinePiece>& loop, Point start, Point end, double from, double to) const;
   Point pointAt(double place) const;
   Point center() const;
-  void join(NearLoops& result);
+  void join(LoopsWithin& result);
 
   const DistanceSigns& signs_;
   CircleIndex cell_;
@@ -76,7 +76,7 @@ class DiscLoops {
 
 /// Adds a side of the cell, or a part of it: its part in the disc, and where it meets the rim. `curve` is in the
 /// direction of the edge, from `start` to `end`.
-void addNearArc(DiscLoops& loops, const DistanceSigns& signs, const Diagram& diagram, SideIndex side,
-                const EdgeCurve& curve, const ArcEnd& start, const ArcEnd& end);
+void addArcWithin(DiscLoops& loops, const DistanceSigns& signs, const Diagram& diagram, SideIndex side,
+                  const EdgeCurve& curve, const ArcEnd& start, const ArcEnd& end);
 
 }  // namespace circle_voronoi

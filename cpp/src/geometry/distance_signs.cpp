@@ -79,12 +79,12 @@ ShiftedSign DistanceSigns::beyond(VertexIndex vertex) const {
   const Circle u = circle(indices[1]);
   const Circle v = circle(indices[2]);
   const Circle reach = reachOf(own);
-  const int sign =
-      seenFrom(own, std::array{&u, &v, &reach}, []<class Number>(const std::array<exact::Seen<Number>, 3>& seen, int) {
-        const Number zero(0);
-        const Number one(1);
-        return linearSign(seen[0], seen[1], zero, zero, one, one * seen[2].v.s);
-      });
+  const int sign = seenFrom(own, std::array{&u, &v, &reach},
+                            []<class Number>(const std::array<exact::RelativeCircle<Number>, 3>& seen, int) {
+                              const Number zero(0);
+                              const Number one(1);
+                              return linearSign(seen[0], seen[1], zero, zero, one, one * seen[2].v.s);
+                            });
   return {sign > 0 ? 1 : -1, sign == 0};
 }
 

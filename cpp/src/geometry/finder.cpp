@@ -100,7 +100,7 @@ Finder::Walker::Sides Finder::Walker::manySides(CircleIndex circle) const {
 CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
   CircleIndex circle = starts_.near(p, 0, [](CircleIndex) { return true; });
   if (circle == kNone) return kNone;
-  if (hint != kNone && diagram_.hasCell(hint) && lead(diagram_, hint, circle, p) > 0) circle = hint;
+  if (hint != kNone && diagram_.hasCell(hint) && distanceDifference(diagram_, hint, circle, p) > 0) circle = hint;
   // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
   // that was marked at step 1, 2, 4, 8 and so on.
   CircleIndex marked = circle;
@@ -138,7 +138,7 @@ CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
   CircleIndex nearest;
   const auto ask = [&](SideIndex side) {
     const CircleIndex neighbor = diagram_.neighborOf(side);
-    const double its = lead(diagram_, neighbor, circle, p);
+    const double its = distanceDifference(diagram_, neighbor, circle, p);
     if (its > most) {
       most = its;
       nearest = neighbor;

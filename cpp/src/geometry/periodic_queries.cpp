@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/periodic_queries.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,6 @@
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/periodic_diagram.h"
-#include "circle_voronoi/periodic_queries.h"
 #include "guarded.h"
 #include "reduced_lattice.h"
 #include "scale.h"
@@ -107,7 +108,7 @@ ContactTable contactTable(const PeriodicDiagram& periodic) {
     }
     const double whole = area(cell);
     table.areas[at(i)] = whole;
-    const double covered = least >= 0 && c.r > 0 ? std::numbers::pi * c.r * c.r : area(bufferOutline(diagram, i, 0));
+    const double covered = least >= 0 && c.r > 0 ? std::numbers::pi * c.r * c.r : area(outlineWithin(diagram, i, 0));
     // A cell without an area, up to rounding, is covered or not.
     table.packingFractions[at(i)] = whole > 0 ? std::min(covered / whole, 1.0) : c.r > 0;
   }

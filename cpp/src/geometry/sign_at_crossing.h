@@ -3,7 +3,7 @@
 // Signs at the crossing of a side of a region and a bisector, in integers or in polynomials of the shift.
 #pragma once
 
-#include "seen.h"
+#include "relative_circle.h"
 #include "shift_polynomial.h"
 
 namespace circle_voronoi {

@@ -164,7 +164,7 @@ EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece) {
 bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve) {
   if (edge.start == kNone || edge.end == kNone) return false;
   // Along an edge the distance is largest at one of its ends.
-  if (!frame.isNear(edge.start) || !frame.isNear(edge.end)) return false;
+  if (!frame.isWithin(edge.start) || !frame.isWithin(edge.end)) return false;
   // Corners of the region may be near the edges of cells that its boundary crosses.
   const auto isWhole = [&](CircleIndex circle) {
     return frame.clipped.parts().placeOf(circle) == ClippedDiagram::Place::inside;

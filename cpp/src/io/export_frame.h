@@ -34,7 +34,7 @@ struct ExportFrame {
   double area(double value) const { return hasDigits ? grid.round(value) : value; }
   bool hasInside(Point p) const { return clipped.region().contains(p); }
   /// Returns whether a vertex lies within the maximum distance.
-  bool isNear(VertexIndex vertex) const {
+  bool isWithin(VertexIndex vertex) const {
     return !clipped.maxDistance() || diagram.vertices[static_cast<std::size_t>(vertex)].r <= *clipped.maxDistance();
   }
 

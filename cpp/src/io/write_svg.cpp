@@ -241,7 +241,7 @@ void writeVertices(Writer& out, const EdgePoints& edges, double radius) {
   const auto& vertices = frame.diagram.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!frame.hasInside({vertices[v].x, vertices[v].y})) continue;
-    if (!frame.isNear(static_cast<std::int32_t>(v))) continue;
+    if (!frame.isWithin(static_cast<std::int32_t>(v))) continue;
     const auto [x, y] = edges.places[v];
     out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << x << "\" cy=\"" << y << "\" r=\""
         << radius << "\"/>\n";

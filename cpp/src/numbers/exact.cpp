@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "seen.h"
+#include "relative_circle.h"
 
 namespace circle_voronoi::exact {
 namespace {
@@ -28,9 +28,9 @@ namespace {
 /// plane of W_z and the two that the line touches. This is the sign of M.x D.y - M.y D.x + M.s sqrt(d). If M is on the
 /// cone, all three have a common tangent.
 template <class M, class D>
-int reachSign(const Numbers<M>& m, const Numbers<D>& d) {
+int reachSign(const Vector3<M>& m, const Vector3<D>& d) {
   return signOf(
-      cone(m, m).sign(), [&] { return planeCross(m, d).sign(); }, [&] { return m.s.sign(); });
+      lorentzDot(m, m).sign(), [&] { return planeCross(m, d).sign(); }, [&] { return m.s.sign(); });
 }
 
 /// Returns the sign of <M, M>, with M as in `overlapSign`. M is g_u g_v g_z times the cross product of two sides of the
@@ -40,7 +40,7 @@ int reachSign(const Numbers<M>& m, const Numbers<D>& d) {
 ///   4 <M, M> = (A + C - B)^2 - 4 A C,
 /// J. Casey's condition that four circles touch one.
 template <class Number>
-int touchSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z) {
+int touchSign(const RelativeCircle<Number>& u, const RelativeCircle<Number>& v, const RelativeCircle<Number>& z) {
   const auto a = tangentSquare(u, v) * z.g;
   const auto b = tangentSquare(v, z) * u.g;
   const auto c = tangentSquare(z, u) * v.g;
@@ -52,7 +52,7 @@ int touchSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& 
 /// Returns 1 if circle z overlaps the disc of (o, u, v), 0 if it touches the disc, -1 if it is clear of the disc. This
 /// is reachSign with M = g_z (V x U) + g_v (U x Z) + g_u (Z x V).
 template <class Number>
-int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z) {
+int overlapSign(const RelativeCircle<Number>& u, const RelativeCircle<Number>& v, const RelativeCircle<Number>& z) {
   return signOf(
       touchSign(u, v, z),
       [&] {
@@ -65,7 +65,7 @@ int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>
 /// Returns the vector times a power of two. Each component is right within 2^-51 of the largest, and none exceeds
 /// 2^128.
 template <class Number>
-Numbers<double> normalized(const Numbers<Number>& v) {
+Vector3<double> normalized(const Vector3<Number>& v) {
   const std::array<LeadingBits, 3> parts = {v.x.leading(), v.y.leading(), v.s.leading()};
   const int exponent = std::max({parts[0].exponent, parts[1].exponent, parts[2].exponent});
   const auto scaled = [&](const LeadingBits& part) {
@@ -77,11 +77,11 @@ Numbers<double> normalized(const Numbers<Number>& v) {
 /// Returns whether the direction of the disc with the axis D lies to the left of E. This is the sign of E x e,
 /// with p = D.s (D x E), q = D . E.
 template <class D, class E>
-bool isLeftOf(const Numbers<E>& e, const Numbers<D>& d) {
+bool isLeftOf(const Vector3<E>& e, const Vector3<D>& d) {
   // <D, D> is right within 2^-48 and its root within 2^-24. All other errors are smaller.
-  const Numbers<double> a = normalized(d);
-  const Numbers<double> b = normalized(e);
-  const double value = a.s * planeCross(a, b) + planeDot(a, b) * std::sqrt(std::max(cone(a, a), 0.0));
+  const Vector3<double> a = normalized(d);
+  const Vector3<double> b = normalized(e);
+  const double value = a.s * planeCross(a, b) + planeDot(a, b) * std::sqrt(std::max(lorentzDot(a, a), 0.0));
   const double error = 0x1p-22 * planeDot(a, a) * (std::abs(b.x) + std::abs(b.y));
   if (std::abs(value) > error) return value > 0;
   const auto dot = planeDot(d, e);
@@ -115,11 +115,11 @@ InverseLine inverseLineOf(const Face& face, const Circle& o) {
     const auto d = axisOf(u, v);
     const auto n = cross(u.v, v.v);
     const auto w = u.v - v.v;
-    const Floating root = sqrt(floating(u.g) * floating(v.g) * floating(cone(w, w)));
+    const Floating root = sqrt(floating(u.g) * floating(v.g) * floating(lorentzDot(w, w)));
     const Floating size = floating(planeDot(d, d));
     const auto ss = d.s * d.s;
     return {sumOf(-(d.s * d.x), -d.y, root, ss - d.y * d.y, size), sumOf(-(d.s * d.y), d.x, root, ss - d.x * d.x, size),
-            sumOf(planeCross(n, d), n.s, root, cone(n, n), size), size, exponent};
+            sumOf(planeCross(n, d), n.s, root, lorentzDot(n, n), size), size, exponent};
   });
 }
 
@@ -151,16 +151,17 @@ std::optional<DiscPoint> discPoint(const Face& face) {
 }
 
 int directionSign(const Face& face, const Circle& from, int axis) {
-  return seenFrom(from, othersOf(face, &from), [axis]<class Number>(const std::array<Seen<Number>, 2>& seen, int) {
-    const Number kx(axis == 0 ? kAxisX : -kAxisY);
-    const Number ky(axis == 0 ? kAxisY : kAxisX);
-    const auto& [u, v] = seen;
-    const auto d = axisOf(u, v);
-    const auto turned = kx * d.y - ky * d.x;
-    const auto norm = (d.s * d.s) * (kx * kx + ky * ky) - turned * turned;
-    return signOf(
-        norm.sign(), [&] { return -d.s.sign() * (kx * d.x + ky * d.y).sign(); }, [&] { return -turned.sign(); });
-  });
+  return seenFrom(
+      from, othersOf(face, &from), [axis]<class Number>(const std::array<RelativeCircle<Number>, 2>& seen, int) {
+        const Number kx(axis == 0 ? kAxisX : -kAxisY);
+        const Number ky(axis == 0 ? kAxisY : kAxisX);
+        const auto& [u, v] = seen;
+        const auto d = axisOf(u, v);
+        const auto turned = kx * d.y - ky * d.x;
+        const auto norm = (d.s * d.s) * (kx * kx + ky * ky) - turned * turned;
+        return signOf(
+            norm.sign(), [&] { return -d.s.sign() * (kx * d.x + ky * d.y).sign(); }, [&] { return -turned.sign(); });
+      });
 }
 
 int crossSign(const Face& first, const Face& second, const Circle& from) {
@@ -181,7 +182,7 @@ int crossSign(const Face& first, const Face& second, const Circle& from) {
     }
     const auto dot = planeDot(d, e);
     const auto sum = dot + d.s * e.s;
-    return signOf((sum * sum - cone(d, d) * cone(e, e)).sign(),
+    return signOf((sum * sum - lorentzDot(d, d) * lorentzDot(e, e)).sign(),
                   [&] { return -(d.s * dot + e.s * planeDot(d, d)).sign(); }, [&] { return planeCross(d, e).sign(); });
   });
 }
@@ -226,12 +227,12 @@ int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
 }
 
 // Along the line, the difference of two circles has some length. Across the line, it is the difference of their radii.
-// Hence the cone product of two differences is the product of their lengths along the line.
+// Hence the Lorentz product of two differences is the product of their lengths along the line.
 bool touchesBetween(const Circle& a, const Circle& b, const Circle& c) {
   const auto isSameWay = [](const Circle& from, const Circle& to, const Circle& circle) {
     return seenFrom(from, std::array{&to, &circle}, [](const auto& seen, int) {
              const auto& [u, z] = seen;
-             return cone(u.v, z.v).sign();
+             return lorentzDot(u.v, z.v).sign();
            }) > 0;
   };
   return isSameWay(a, b, c) && isSameWay(b, a, c);

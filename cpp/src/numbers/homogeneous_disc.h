@@ -29,7 +29,7 @@ struct Difference {
   Difference operator-() const { return {-x, -y, -s}; }
 };
 
-inline double cone(const Difference& u, const Difference& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
+inline double lorentzDot(const Difference& u, const Difference& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
 
 inline Difference cross(const Difference& u, const Difference& v) {
   return {u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
@@ -57,7 +57,7 @@ struct HomogeneousDisc {
 inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
   constexpr double u = kUnitRoundoff;
   const Difference d(b, a);
-  const double g = cone(d, d);
+  const double g = lorentzDot(d, d);
   HomogeneousDisc disc;
   const double l = size(d);
   if (g <= 12 * u * l * l) return disc;
@@ -95,10 +95,10 @@ inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d
 /// Computes the disc of three circles c0, c1, c2 from d01 = c1 - c0, d12 = c2 - c1 and d20 = c0 - c2. The error is
 /// unknown if rounding hides the result.
 ///
-/// Let A and B be the differences from the corner o, C = B - A, <.,.> the cone product, ' negate the third component,
-/// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The center, with
-/// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. There are
-/// two solutions. The counter-clockwise disc is
+/// Let A and B be the differences from the corner o, C = B - A, <.,.> the Lorentz product, ' negate the third
+/// component, g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The
+/// center, with its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> =
+/// 0. There are two solutions. The counter-clockwise disc is
 ///   -sign(k) (g22 (g11 - g12) A' + g11 (g22 - g12) B' + N S) / w,  w = 2 |k|.
 ///
 /// Error: let a = |A|, b = |B|, c = |C| >= a, b in (x, y, s) space, T = a b c, Q = a b T. Differences are right within
@@ -127,12 +127,12 @@ inline CornerDisc discOfSides(const Difference& d01, const Difference& d12, cons
                                                                 : std::tie(d20, d12, d01, size20, size12, size01);
   const Difference b = -minusB;
 
-  const double g11 = cone(a, a);
-  const double g22 = cone(b, b);
-  const double g12 = cone(a, b);
-  const double g33 = cone(c, c);
+  const double g11 = lorentzDot(a, a);
+  const double g22 = lorentzDot(b, b);
+  const double g12 = lorentzDot(a, b);
+  const double g33 = lorentzDot(c, c);
   const Difference n = cross(a, b);
-  const double k = cone(n, n);
+  const double k = lorentzDot(n, n);
 
   HomogeneousDisc& disc = result.disc;
   const double la = std::sqrt(aa);
@@ -192,7 +192,7 @@ inline Estimate distanceOf(const Circle& circle, const HomogeneousDisc& disc, co
 inline Estimate tangentLengthSquared(const Circle& a, const Circle& b) {
   const Difference d(a, b);
   const double l = size(d);
-  return {cone(d, d), 8 * kUnitRoundoff * l * l + kUnderflowError};
+  return {lorentzDot(d, d), 8 * kUnitRoundoff * l * l + kUnderflowError};
 }
 
 /// Returns how far circle c reaches beyond the tangent line to the left of a -> b, times |d|^2, d = b - a, with the
@@ -206,7 +206,7 @@ inline Estimate reachBeyond(const Circle& a, const Circle& b, const Circle& c) {
   constexpr double u = kUnitRoundoff;
   const Difference d(b, a);
   const Difference e(c, a);
-  const double g = cone(d, d);
+  const double g = lorentzDot(d, d);
   const double l = size(d);
   if (g <= 12 * u * l * l) return {};
   const double root = std::sqrt(g);

@@ -10,7 +10,7 @@
 
 #include <type_traits>
 
-#include "seen.h"
+#include "relative_circle.h"
 
 namespace circle_voronoi {
 
@@ -19,8 +19,8 @@ struct None {};
 
 /// Returns the sign of alpha x + beta y + gamma rho + delta at the vertex of a circle and two others that it sees.
 template <class Number, class Alpha, class Beta, class Gamma, class Delta>
-int linearSign(const exact::Seen<Number>& u, const exact::Seen<Number>& v, const Alpha& alpha, const Beta& beta,
-               const Gamma& gamma, const Delta& delta) {
+int linearSign(const exact::RelativeCircle<Number>& u, const exact::RelativeCircle<Number>& v, const Alpha& alpha,
+               const Beta& beta, const Gamma& gamma, const Delta& delta) {
   const auto d = exact::axisOf(u, v);
   auto p = -(d.s * (alpha * d.x + beta * d.y));
   auto q = beta * d.x - alpha * d.y;

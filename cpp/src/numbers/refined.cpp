@@ -53,12 +53,12 @@ Relative tangentSquareOf(const Circle* a, const Circle* b) {
 }
 
 /// A circle as seen from another: U, the length of U, and g. For the point at infinity, U is 0 and g is 1.
-struct Sight {
+struct RelativeCircle {
   Difference v = {0, 0, 0};
   double size = 0;
   Relative square;
 
-  Sight(const Circle* circle, const Circle& from) {
+  RelativeCircle(const Circle* circle, const Circle& from) {
     if (circle == nullptr) return;
     v = Difference(*circle, from);
     size = circle_voronoi::size(v);
@@ -80,7 +80,7 @@ struct Axis {
   double size;
 
   /// `square` is g of p and q, seen from each other.
-  Axis(const Sight& p, const Sight& q, const Relative& square)
+  Axis(const RelativeCircle& p, const RelativeCircle& q, const Relative& square)
       : x(p.v.x * q.g() - q.v.x * p.g()),
         y(p.v.y * q.g() - q.v.y * p.g()),
         s(p.v.s * q.g() - q.v.s * p.g()),
@@ -138,7 +138,7 @@ Estimate normOf(const Relative& a, const Relative& b, const Relative& c) {
 /// Error: with T = g_n |P| |Q| + g_q |P| |N| + g_p |N| |Q| each component of M is at most T and within 9 u T: the cross
 /// products within 4 u, times g within 3 u more, and two sums. So with k, the axis's size, a is within 15 sqrt(2)
 /// u + 2 u of T k, and b sqrt(d) within 16 u; the sum adds 2 u: 42 u in all.
-Estimate factorOf(const Sight& p, const Sight& q, const Sight& n, const Axis& d) {
+Estimate factorOf(const RelativeCircle& p, const RelativeCircle& q, const RelativeCircle& n, const Axis& d) {
   const Difference qp = cross(q.v, p.v);
   const Difference pn = cross(p.v, n.v);
   const Difference nq = cross(n.v, q.v);
@@ -152,8 +152,8 @@ Estimate factorOf(const Sight& p, const Sight& q, const Sight& n, const Axis& d)
 
 Direction refinedDirection(const exact::Face& face, const Circle& from) {
   const auto [first, second] = exact::othersOf(face, &from);
-  const Sight p(first, from);
-  const Sight q(second, from);
+  const RelativeCircle p(first, from);
+  const RelativeCircle q(second, from);
   const Relative pq = tangentSquareOf(first, second);
   if (!areKnown({p.square, q.square, pq})) return {0, 0, kUnknownError};
   return Axis(p, q, pq).direction();
@@ -175,8 +175,8 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   const Circle& o = *circles[result.corner];
   const Circle& first = *circles[(result.corner + 1) % 3];
   const Circle& second = *circles[(result.corner + 2) % 3];
-  const Sight p(&first, o);
-  const Sight q(&second, o);
+  const RelativeCircle p(&first, o);
+  const RelativeCircle q(&second, o);
   const Relative pq = tangentSquareOf(&first, &second);
   if (!areKnown({p.square, q.square, pq})) return result;
   const Axis d(p, q, pq);
@@ -212,8 +212,8 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
 // - d x e is at most |d| |e|, within 4 u, its double times the root within 7 u of twice that.
 // The sums add 2 u to all. One more u covers terms of higher order.
 Estimate refinedReach(const Circle& a, const Circle& b, const Circle& c) {
-  const Sight d(&b, a);
-  const Sight e(&c, a);
+  const RelativeCircle d(&b, a);
+  const RelativeCircle e(&c, a);
   const Relative bc = tangentSquareOf(&b, &c);
   if (!areKnown({d.square, e.square, bc})) return {};
   const double root = std::sqrt(d.g());
@@ -234,10 +234,10 @@ RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, con
   result.added = secondOthers[isSharedFirst ? 1 : 0];
   result.side = isSharedFirst ? -1 : 1;
 
-  const Sight p(firstOthers[0], from);
-  const Sight q(firstOthers[1], from);
-  const Sight n(result.added, from);
-  const Sight& w = shared == firstOthers[0] ? p : q;
+  const RelativeCircle p(firstOthers[0], from);
+  const RelativeCircle q(firstOthers[1], from);
+  const RelativeCircle n(result.added, from);
+  const RelativeCircle& w = shared == firstOthers[0] ? p : q;
   const Relative pq = tangentSquareOf(firstOthers[0], firstOthers[1]);
   const Relative wn = tangentSquareOf(shared, result.added);
   if (!areKnown({p.square, q.square, n.square, pq, wn})) return result;

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstddef>
 
-#include "seen.h"
+#include "relative_circle.h"
 
 namespace circle_voronoi {
 
@@ -104,11 +104,11 @@ auto cross(const PlaneVector<A>& u, const PlaneVector<B>& v) {
 /// Takes places as they are.
 struct AsGiven {
   template <class Number>
-  static auto fixed(const exact::Numbers<Number>& v) {
+  static auto fixed(const exact::Vector3<Number>& v) {
     return PlaneVector{v.x, v.y};
   }
   template <class Number>
-  static auto moved(const exact::Numbers<Number>& v) {
+  static auto moved(const exact::Vector3<Number>& v) {
     return PlaneVector{v.x, v.y};
   }
   template <class Number>
@@ -124,11 +124,11 @@ struct AsGiven {
 /// Takes places of a region as they are after the shift.
 struct AsMoved {
   template <int kLimbs>
-  static auto fixed(const exact::Numbers<FixedInteger<kLimbs>>& v) {
+  static auto fixed(const exact::Vector3<FixedInteger<kLimbs>>& v) {
     return PlaneVector{number(v.x), number(v.y)};
   }
   template <int kLimbs>
-  static auto moved(const exact::Numbers<FixedInteger<kLimbs>>& v) {
+  static auto moved(const exact::Vector3<FixedInteger<kLimbs>>& v) {
     ShiftPolynomial<kLimbs, 1> x(v.x);
     ShiftPolynomial<kLimbs, 1> y(v.y);
     x.at(1, 0) = FixedInteger<kLimbs>(1);

@@ -47,8 +47,8 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   const Difference u(*circles[iu], o);
   const Difference v(*circles[iv], o);
   const Difference w(*circles[iv], *circles[iu]);
-  const double uu = cone(u, u);
-  const double vv = cone(v, v);
+  const double uu = lorentzDot(u, u);
+  const double vv = lorentzDot(v, v);
   const Difference n = cross(u, v);
   const Difference vn = cross(v, n);
   const Difference nu = cross(n, u);
@@ -56,12 +56,12 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   const double scale = 1 / (2 * (n.x * n.x + n.y * n.y + n.s * n.s));
   const Difference base(scale * (uu * vn.x + vv * nu.x), scale * (uu * vn.y + vv * nu.y),
                         scale * (uu * vn.s + vv * nu.s));
-  const double qa = cone(n, n);
-  const double qb = cone(base, n);
-  const double qc = cone(base, base);
+  const double qa = lorentzDot(n, n);
+  const double qb = lorentzDot(base, n);
+  const double qc = lorentzDot(base, base);
   // qb^2 - qa qc is a quarter of the product of the squared tangent lengths, which do not cancel and are positive
   // unless one circle hides another.
-  const double discriminant = uu * vv * cone(w, w);
+  const double discriminant = uu * vv * lorentzDot(w, w);
   if (!(discriminant >= 0)) return std::nullopt;
   const double root = std::sqrt(discriminant) / 2;
   // Both forms are the root (-qb - root) / qa; each is used where it does not cancel.

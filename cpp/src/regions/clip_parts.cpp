@@ -12,9 +12,9 @@
 #include "edge_curve.h"
 #include "in_outline.h"
 #include "judge_clip.h"
-#include "judge_near.h"
-#include "near_part.h"
+#include "judge_within.h"
 #include "ordered_sides.h"
+#include "part_within.h"
 #include "refuse_clip.h"
 #include "scale.h"
 #include "with_key.h"
@@ -73,12 +73,12 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
   }
   moments = momentsOf(*this, visit);
   if (const char* fault = faultOf(record, moments)) refuseClip(fault);
-  if (maxDistance) judgeNearParts();
+  if (maxDistance) judgePartsWithin();
 }
 
 /// Judges the cells that the boundary of the region cuts. Around other rims, exits and entries alternate as the sides
 /// of the cell follow each other.
-void ClippedDiagram::Parts::judgeNearParts() const {
+void ClippedDiagram::Parts::judgePartsWithin() const {
   const DistanceSigns signs(diagram, *maxDistance);
   Loops loops;
   for (std::size_t row = 0; row < scope.cells.size(); ++row) {
@@ -91,7 +91,7 @@ void ClippedDiagram::Parts::judgeNearParts() const {
     const double pieces = std::max(1.0, kRoundingOfPiece * static_cast<double>(loops.pieces.size()));
     const double rounding = kRounding * pieces * size * farthest;
     const AreaBounds areas = areaBounds(*this, circle, loops);
-    if (const char* fault = faultOf(nearLoops(*this, circle, loops), areas, rounding)) {
+    if (const char* fault = faultOf(loopsWithin(*this, circle, loops), areas, rounding)) {
       refuseClip(fault);
     }
   }

@@ -116,7 +116,7 @@ class ClippedDiagram::Parts {
   bool isBorderInside(CircleIndex circle) const;
   std::vector<std::vector<std::int32_t>> holesIn(const Loops& loops, const std::vector<std::int32_t>& polygons,
                                                  const std::vector<std::int32_t>& holes) const;
-  void judgeNearParts() const;
+  void judgePartsWithin() const;
 
   std::vector<InCell> into_;
   std::vector<std::int32_t> placesInto_;  ///< for each crossing its place in into_, or kNone

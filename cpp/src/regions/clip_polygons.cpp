@@ -210,7 +210,7 @@ void ClipFlattener::collectCorners() {
         kOnePlace * (std::abs(p.x) + std::abs(p.y) + lengthOf(vectorTo(centerOf(diagram, cell), p)));
     sectors.visitSidesNear(p, std::max(rounding, tolerance_), [&](SideIndex side) {
       const CircleIndex neighbor = diagram.neighborOf(side);
-      const double distance = lead(diagram, cell, neighbor, p) / 2;
+      const double distance = distanceDifference(diagram, cell, neighbor, p) / 2;
       clearance = std::min(clearance, distance);
       const bool isStraight =
           diagram.metric != Metric::circles || diagram.circles[at(cell)].r == diagram.circles[at(neighbor)].r;

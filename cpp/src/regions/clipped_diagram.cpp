@@ -14,7 +14,7 @@
 #include "clip_parts.h"
 #include "clip_polygons.h"
 #include "guarded.h"
-#include "near_part.h"
+#include "part_within.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -31,7 +31,7 @@ void append(ClippedCells& cells, Point start, SideIndex side, RegionSideIndex re
   cells.r.push_back(r);
 }
 
-void append(ClippedCells& cells, const NearLoops& loops) {
+void append(ClippedCells& cells, const LoopsWithin& loops) {
   for (std::size_t k = 0; k < loops.outline.size(); ++k) {
     cells.isHole.push_back(loops.isHole[k]);
     for (const OutlinePiece& piece : loops.outline[k]) {
@@ -58,7 +58,7 @@ ClippedCells cellsOf(const ClippedDiagram& clipped, const Circles& circles) {
   for (const CircleIndex circle : circles) {
     clipped.parts().loopsOf(circle, loops);
     if (clipped.maxDistance()) {
-      append(cells, nearLoops(clipped.parts(), circle, loops));
+      append(cells, loopsWithin(clipped.parts(), circle, loops));
     } else {
       append(cells, loops);
     }
@@ -94,7 +94,7 @@ void visitParts(const Parts& parts, EdgeIndex edge, Add add) {
   };
   const auto addArc = [&](const Arc& arc) {
     if (!parts.maxDistance) return add({parts.curveOf(arc), sideOf(arc.start), sideOf(arc.end)});
-    const auto near = nearArc(parts, arc);
+    const auto near = arcWithin(parts, arc);
     if (!near) return;
     add({near->curve, near->isCutFrom ? RegionSideIndex() : sideOf(arc.start),
          near->isCutTo ? RegionSideIndex() : sideOf(arc.end)});
@@ -156,7 +156,7 @@ ClippedDiagram::Place ClippedDiagram::placeOf(CircleIndex circle) const {
 Outline ClippedDiagram::outline(CircleIndex circle) const {
   Loops loops;
   parts_->loopsOf(circle, loops);
-  if (parts_->maxDistance) return nearLoops(*parts_, circle, loops).outline;
+  if (parts_->maxDistance) return loopsWithin(*parts_, circle, loops).outline;
   Outline outline;
   for (std::size_t k = 0; k < loops.isHole.size(); ++k) outline.push_back(parts_->piecesOf(loops.loop(k)));
   return outline;

@@ -200,12 +200,12 @@ class Walk {
         {std::max(corner.x - box.minX, box.maxX - corner.x), std::max(corner.y - box.minY, box.maxY - corner.y)});
     const auto isNearer = [&](SideIndex side) {
       const CircleIndex neighbor = diagram_.neighborOf(side);
-      const auto lead = [&](Point p) { return signs_.compare(neighbor, sectors_.cell(), p); };
-      if (lead(corner).sign < 0) return false;
-      if (!isConvexBetween(neighbor, sectors_.cell())) return lead(corner).least * kClearance > reach;
+      const auto comparison = [&](Point p) { return signs_.compare(neighbor, sectors_.cell(), p); };
+      if (comparison(corner).sign < 0) return false;
+      if (!isConvexBetween(neighbor, sectors_.cell())) return comparison(corner).least * kClearance > reach;
       const std::array<Point, 4> corners = {Point{box.minX, box.minY}, Point{box.maxX, box.minY},
                                             Point{box.maxX, box.maxY}, Point{box.minX, box.maxY}};
-      return std::ranges::all_of(corners, [&](Point p) { return lead(p).sign > 0; });
+      return std::ranges::all_of(corners, [&](Point p) { return comparison(p).sign > 0; });
     };
     if (!sectors_.isStarWithManySides()) return std::ranges::any_of(sectors_.sides(), isNearer);
     const Sectors::Sector sector = sectors_.find(corner);

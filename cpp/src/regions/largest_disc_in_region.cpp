@@ -11,10 +11,10 @@
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/region_queries.h"
 #include "guarded.h"
+#include "relative_circle.h"
 #include "rounded.h"
 #include "scale.h"
 #include "scaled_region.h"
-#include "seen.h"
 
 namespace circle_voronoi {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "at.h"
 #include "in_circle.h"
+#include "relative_circle.h"
 #include "ring_sweep.h"
-#include "seen.h"
 
 namespace circle_voronoi {
 namespace {

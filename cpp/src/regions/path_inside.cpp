@@ -271,7 +271,7 @@ class PathGraph {
     const double size = largestOf(vectorTo(centerOf(own), p)) + largestOf(vectorTo(centerOf(other), p)) +
                         std::abs(p.x) + std::abs(p.y) +
                         std::abs(diagram_.circles[at(own)].r - diagram_.circles[at(other)].r);
-    return lead(diagram_, own, other, p) < -kNearSide * size;
+    return distanceDifference(diagram_, own, other, p) < -kNearSide * size;
   }
 
   /// Returns a node on a side in a cell: a new one, or `node` if that is given.

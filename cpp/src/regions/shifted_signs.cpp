@@ -8,7 +8,7 @@
 #include "homogeneous_disc.h"
 #include "in_circle.h"
 #include "linear_sign.h"
-#include "seen.h"
+#include "relative_circle.h"
 #include "sign_at_crossing.h"
 #include "vectors.h"
 #include "vertex_error.h"
@@ -17,12 +17,12 @@ namespace circle_voronoi {
 namespace {
 
 using exact::cross;
-using exact::Numbers;
 using exact::planeCross;
 using exact::planeDot;
-using exact::Seen;
+using exact::RelativeCircle;
 using exact::seenFrom;
 using exact::signOf;
+using exact::Vector3;
 
 /// Generous bounds on rounding, relative to the sizes of the summands. Nothing overflows or underflows: all numbers are
 /// multiples of 2^-96 up to 2^100 (limits.h), at most six are multiplied, and vertices, of which there is one at most
@@ -288,7 +288,7 @@ int ShiftedSigns::turnFromEnd(SideIndex side, bool isTarget, Point corner) const
   if (std::abs(value) > sizeOf(toCorner) * (error + kSignRounding * sizeOf(toEnd))) return signOfNumber(value);
   const auto [u, v] = exact::othersOf(faceOf(side, isTarget), &own);
   const Circle p = circleAt(corner, own);
-  return seenFrom(own, std::array{u, v, &p}, []<class Number>(const std::array<Seen<Number>, 3>& seen, int) {
+  return seenFrom(own, std::array{u, v, &p}, []<class Number>(const std::array<RelativeCircle<Number>, 3>& seen, int) {
     const auto turn = [&](const Number& x, const Number& y) {
       return linearSign(seen[0], seen[1], y, -x, None(), None());
     };

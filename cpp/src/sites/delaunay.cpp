@@ -165,7 +165,7 @@ struct Triangulation {
 class Triangulator {
  public:
   /// The arguments must outlive this object.
-  Triangulator(Triangulation& triangulation, const Site* sites, Done progress = {})
+  Triangulator(Triangulation& triangulation, const Site* sites, ProgressCallback progress = {})
       : corners_(triangulation.corners.get()),
         indices_(triangulation.indices.get()),
         toInfinity_(triangulation.toInfinity.get()),
@@ -261,7 +261,7 @@ class Triangulator {
   HalfEdge* halfEdges_;
   std::vector<int>& representative_;
   const Site* first_;
-  Done progress_;
+  ProgressCallback progress_;
   std::int64_t stepsToTell_ = kStepsPerReport;
   std::int64_t steps_ = 0;
 };
@@ -462,7 +462,7 @@ struct Job {
 /// Triangulates all sites. One thread works recursively. Several threads make the same cuts first, then the parts, then
 /// the seams. Returns the number of steps.
 std::int64_t triangulate(Triangulation& triangulation, std::span<Site> sites, const Box& box, Threads threads,
-                         const Done& progress) {
+                         const ProgressCallback& progress) {
   if (threads.rangesOf(sites.size()) == 1) {
     Triangulator triangulator(triangulation, sites.data(), progress);
     triangulator.build(sites, box, 0);
@@ -508,7 +508,7 @@ std::int64_t triangulate(Triangulation& triangulation, std::span<Site> sites, co
 
 /// Returns the triangulation of points, and the number of steps that it took.
 std::pair<Triangulation, std::int64_t> triangulationOf(std::span<const Point> points, Threads threads,
-                                                       const Done& progress) {
+                                                       const ProgressCallback& progress) {
   Triangulation triangulation(points.size());
   if (points.empty()) return {std::move(triangulation), 0};
   std::vector<Site> sites;
@@ -562,7 +562,7 @@ Dual takeDual(Triangulation& triangulation, Threads threads) {
   return dual;
 }
 
-std::vector<std::array<int, 2>> edgesOf(const Triangulation& triangulation, const Done& progress) {
+std::vector<std::array<int, 2>> edgesOf(const Triangulation& triangulation, const ProgressCallback& progress) {
   std::vector<std::array<int, 2>> edges;
   edges.reserve(triangulation.halfEdgeCount() / 2);
   forEachIndex(triangulation.halfEdgeCount(), progress, [&](std::size_t i) {
@@ -584,9 +584,9 @@ Delaunay delaunay(std::span<const Point> points, Threads threads) {
   return {std::move(dual), std::move(triangulation.representative), steps};
 }
 
-DelaunayEdges delaunayEdges(std::span<const Point> points, const Done& progress) {
+DelaunayEdges delaunayEdges(std::span<const Point> points, const ProgressCallback& progress) {
   constexpr double kTriangulated = 0.9;  // of the time, about
-  const Done telling = partOf(progress, 0, kTriangulated);
+  const ProgressCallback telling = partOf(progress, 0, kTriangulated);
   auto [triangulation, steps] = triangulationOf(points, Threads(), telling);
   auto edges = edgesOf(triangulation, partOf(progress, kTriangulated, 1));
   return {std::move(edges), std::move(triangulation.representative)};

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "done.h"
 #include "dual.h"
+#include "progress_callback.h"
 #include "threads.h"
 #include "vectors.h"
 
@@ -30,6 +30,6 @@ struct DelaunayEdges {
   std::vector<std::array<int, 2>> edges;
   std::vector<int> representative;
 };
-DelaunayEdges delaunayEdges(std::span<const Point> points, const Done& progress = {});
+DelaunayEdges delaunayEdges(std::span<const Point> points, const ProgressCallback& progress = {});
 
 }  // namespace circle_voronoi

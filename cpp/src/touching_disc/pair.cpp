@@ -12,7 +12,7 @@ namespace circle_voronoi {
 namespace {
 
 /// Sorts pairs by a counting sort over the first index, then each run; drops repetitions.
-std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount, const Done& progress) {
+std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount, const ProgressCallback& progress) {
   std::vector<std::size_t> first(circleCount + 1, 0);
   for (const auto& [i, j] : pairs) ++first[i + 1];
   for (int i = 0; i < circleCount; ++i) first[i + 1] += first[i];
@@ -36,7 +36,7 @@ std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount, 
 
 }  // namespace
 
-std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress,
+std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const ProgressCallback& progress,
                                 const Observer& observer) {
   // Approximate shares of the time.
   constexpr double kTriangulated = 0.91;

@@ -20,7 +20,7 @@ inline constexpr std::int64_t kMaxPairs = std::numeric_limits<std::int32_t>::max
 /// The pairs of circles that have neighboring or coinciding samples in the Delaunay graph of the samples (paper,
 /// section 4.1), each once, in lexicographic order. Refuses (guarded.h) more than kMaxPairs, tooManyCircles. Reports
 /// the finished part to `progress` from time to time, and each edge of that graph and each pair to `observer`.
-std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress = {},
+std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const ProgressCallback& progress = {},
                                 const Observer& observer = {});
 
 /// Every pair, in lexicographic order.

@@ -47,7 +47,7 @@ double smallestRadius(std::span<const Circle> circles) {
 class Sampler {
  public:
   /// `count` is the number of samples to come.
-  Sampler(std::span<const Circle> circles, std::int64_t count, const Done& progress)
+  Sampler(std::span<const Circle> circles, std::int64_t count, const ProgressCallback& progress)
       : circles_(circles), smallest_(smallestRadius(circles)), count_(count), progress_(progress) {
     if (count > kMaxSamplePoints) {
       throw ThrownError{{ErrorCode::tooManyCircles, -1,
@@ -76,7 +76,7 @@ class Sampler {
   std::span<const Circle> circles_;
   double smallest_;
   std::int64_t count_;
-  const Done& progress_;
+  const ProgressCallback& progress_;
   Samples samples_;
 };
 
@@ -94,7 +94,7 @@ std::int64_t countDynamically(const Dual& centers, std::span<const int> angular)
 }  // namespace
 
 Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, std::span<const int> angular,
-                          const Done& progress) {
+                          const ProgressCallback& progress) {
   Sampler sampler(circles, countDynamically(centers, angular), progress);
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
     const int i = centers.origin[h];
@@ -110,7 +110,7 @@ Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, 
   return std::move(sampler).take();
 }
 
-Samples sampleUniformly(std::span<const Circle> circles, int count, const Done& progress) {
+Samples sampleUniformly(std::span<const Circle> circles, int count, const ProgressCallback& progress) {
   constexpr Vector kQuadrants[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
   std::vector<Vector> directions;
   for (int k = 0; k < count; ++k) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
-#include "done.h"
 #include "dual.h"
+#include "progress_callback.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -32,10 +32,10 @@ inline constexpr std::int64_t kMaxSamplePoints = std::numeric_limits<std::int32_
 /// Refuses (guarded.h) more than kMaxSamplePoints, tooManyCircles. Reports the finished part to `progress` from time to
 /// time.
 Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, std::span<const int> angular,
-                          const Done& progress = {});
+                          const ProgressCallback& progress = {});
 
 /// Returns `count` equally spaced points on each circle (paper, section 4.1). Subtracts the smallest radius, refuses
 /// too many points and reports progress as sampleDynamically does.
-Samples sampleUniformly(std::span<const Circle> circles, int count, const Done& progress = {});
+Samples sampleUniformly(std::span<const Circle> circles, int count, const ProgressCallback& progress = {});
 
 }  // namespace circle_voronoi

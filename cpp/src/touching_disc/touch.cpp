@@ -46,7 +46,7 @@ class Touch {
     result_.topology.vertexCircles.reserve(2 * circles.size());
   }
 
-  TouchResult run(const Done& progress) {
+  TouchResult run(const ProgressCallback& progress) {
     constexpr std::size_t kDiscsPerReport = 1 << 14;
     std::size_t next = 0;
     while (next < discs_.size() || !queue_.empty()) {
@@ -286,7 +286,7 @@ class Touch {
 }  // namespace
 
 TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer,
-                  const Done& progress) {
+                  const ProgressCallback& progress) {
   return Touch(circles, pairs, observer).run(progress);
 }
 

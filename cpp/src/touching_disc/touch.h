@@ -6,8 +6,8 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/trace.h"
-#include "done.h"
 #include "pair.h"
+#include "progress_callback.h"
 #include "topology.h"
 
 namespace circle_voronoi {
@@ -27,6 +27,6 @@ struct TouchResult {
 /// leftover directed edges are the hull: one cycle if all went well (paper, Lemma 2). Reports the finished part of the
 /// pairs to `progress` from time to time.
 TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer = {},
-                  const Done& progress = {});
+                  const ProgressCallback& progress = {});
 
 }  // namespace circle_voronoi

@@ -79,7 +79,7 @@ export class Finder {
     let circle = this.#starts.near(x, y)
     if (!this.#cells.exists(circle)) circle = this.#someCircle()
     if (circle === NONE) return NONE
-    if (this.#cells.exists(hint) && this.#cells.lead(hint, circle, x, y) > 0) circle = hint
+    if (this.#cells.exists(hint) && this.#cells.distanceDifference(hint, circle, x, y) > 0) circle = hint
     // Each step comes nearer, so the walk ends. But rounding may lead around a loop, which then meets the circle marked
     // at step 4, 8, 16 and so on.
     let marked = circle
@@ -244,10 +244,11 @@ export class Finder {
       side = at(nextSide, side)
       const toOther = plainDistance(circles, neighbor, x, y)
       const otherR = at(circles, 3 * neighbor + 2)
-      let lead = metric === 'centers' ? toCenter - toOther : toCenter - r - (toOther - otherR)
-      if (metric === 'power' || !isClear(lead, toCenter, r, toOther, otherR)) lead = cells.lead(neighbor, circle, x, y)
-      if (lead > most) {
-        most = lead
+      let difference = metric === 'centers' ? toCenter - toOther : toCenter - r - (toOther - otherR)
+      if (metric === 'power' || !isClear(difference, toCenter, r, toOther, otherR))
+        difference = cells.distanceDifference(neighbor, circle, x, y)
+      if (difference > most) {
+        most = difference
         nearest = neighbor
       }
     } while (side !== stop)
@@ -298,11 +299,11 @@ function plainDistance(circles: Float64Array, circle: number, x: number, y: numb
 }
 
 /**
- * Whether a lead from plain distances certainly has the right sign: it exceeds the rounding error, and no square
+ * Whether a difference of plain distances certainly has the right sign: it exceeds the rounding error, and no square
  * overflows or underflows.
  */
-function isClear(lead: number, toCenter: number, r: number, toOther: number, otherR: number): boolean {
-  return Math.abs(lead) > ROUNDING * (toCenter + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL
+function isClear(difference: number, toCenter: number, r: number, toOther: number, otherR: number): boolean {
+  return Math.abs(difference) > ROUNDING * (toCenter + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL
 }
 
 /** Whether a counter-clockwise turn from `reference` meets v no later than w. */

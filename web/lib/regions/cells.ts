@@ -128,11 +128,11 @@ export class Cells {
     for (const k of asked) {
       for (const other of this.neighbors(k)) {
         if (asked.has(other)) continue
-        const lead = this.lead(circle, other, x, y)
-        const rounding = this.#roundingOfLead(circle, other)
+        const difference = this.distanceDifference(circle, other, x, y)
+        const rounding = this.#roundingOfDifference(circle, other)
         // The comparison is false for NaN, too.
-        if (!(lead >= (k === circle ? 0 : -rounding))) return false
-        if (lead <= rounding) asked.add(other)
+        if (!(difference >= (k === circle ? 0 : -rounding))) return false
+        if (difference <= rounding) asked.add(other)
       }
     }
     return true
@@ -143,7 +143,7 @@ export class Cells {
    * other circle is nearer, computed without cancellation for points far away. For the metric `power` the difference is
    * divided by a length.
    */
-  lead(circle: number, other: number, x: number, y: number): number {
+  distanceDifference(circle: number, other: number, x: number, y: number): number {
     // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d))
     const { circles, metric } = this.diagram
     const cx = at(circles, 3 * circle)
@@ -166,10 +166,10 @@ export class Cells {
   }
 
   /**
-   * Returns a bound on the rounding error of a lead, which is a part of the distance between the two centers minus the
-   * difference of the radii.
+   * Returns a bound on the rounding error of `distanceDifference`: a part of the distance between the two centers minus
+   * the difference of the radii.
    */
-  #roundingOfLead(circle: number, other: number): number {
+  #roundingOfDifference(circle: number, other: number): number {
     const { circles } = this.diagram
     const dx = at(circles, 3 * circle) - at(circles, 3 * other)
     const dy = at(circles, 3 * circle + 1) - at(circles, 3 * other + 1)

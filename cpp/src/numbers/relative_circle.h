@@ -17,50 +17,51 @@ namespace circle_voronoi::exact {
 
 /// A vector in (x, y, s) space with the cone x^2 + y^2 = s^2.
 template <class Number>
-struct Numbers {
+struct Vector3 {
   Number x, y, s;
 };
 template <class Number>
-Numbers(Number, Number, Number) -> Numbers<Number>;
+Vector3(Number, Number, Number) -> Vector3<Number>;
 
 template <class Number>
-auto operator+(const Numbers<Number>& u, const Numbers<Number>& v) {
-  return Numbers{u.x + v.x, u.y + v.y, u.s + v.s};
+auto operator+(const Vector3<Number>& u, const Vector3<Number>& v) {
+  return Vector3{u.x + v.x, u.y + v.y, u.s + v.s};
 }
 template <class Number>
-auto operator-(const Numbers<Number>& u, const Numbers<Number>& v) {
-  return Numbers{u.x - v.x, u.y - v.y, u.s - v.s};
+auto operator-(const Vector3<Number>& u, const Vector3<Number>& v) {
+  return Vector3{u.x - v.x, u.y - v.y, u.s - v.s};
 }
 template <class A, class B>
-auto times(const A& f, const Numbers<B>& v) {
-  return Numbers{f * v.x, f * v.y, f * v.s};
+auto times(const A& f, const Vector3<B>& v) {
+  return Vector3{f * v.x, f * v.y, f * v.s};
 }
 template <class A, class B>
-auto cross(const Numbers<A>& u, const Numbers<B>& v) {
-  return Numbers{u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
+auto cross(const Vector3<A>& u, const Vector3<B>& v) {
+  return Vector3{u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
 }
 template <class A, class B>
-auto planeCross(const Numbers<A>& u, const Numbers<B>& v) {
+auto planeCross(const Vector3<A>& u, const Vector3<B>& v) {
   return u.x * v.y - u.y * v.x;
 }
 template <class A, class B>
-auto planeDot(const Numbers<A>& u, const Numbers<B>& v) {
+auto planeDot(const Vector3<A>& u, const Vector3<B>& v) {
   return u.x * v.x + u.y * v.y;
 }
 template <class A, class B>
-auto cone(const Numbers<A>& u, const Numbers<B>& v) {
+auto lorentzDot(const Vector3<A>& u, const Vector3<B>& v) {
   return planeDot(u, v) - u.s * v.s;
 }
 
 /// A circle u seen from another: U and g_u. The point at infinity has U = 0, g_u = 1.
 template <class Number>
-struct Seen {
-  Numbers<Number> v;
+struct RelativeCircle {
+  Vector3<Number> v;
   decltype(Number() * Number()) g;
   bool isAtInfinity;
 
-  Seen() : g(1), isAtInfinity(true) {}
-  explicit Seen(const Numbers<Number>& difference) : v(difference), g(cone(v, v)), isAtInfinity(false) {}
+  RelativeCircle() : g(1), isAtInfinity(true) {}
+  explicit RelativeCircle(const Vector3<Number>& difference)
+      : v(difference), g(lorentzDot(v, v)), isAtInfinity(false) {}
 };
 
 using limbs::SignedWide;
@@ -104,10 +105,10 @@ auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
   }
   const auto seenAs = [&](const auto& differences) {
     using Number = std::decay_t<decltype(differences[0][0])>;
-    std::array<Seen<Number>, kCount> seen;
+    std::array<RelativeCircle<Number>, kCount> seen;
     for (std::size_t i = 0; i < kCount; ++i) {
       const auto& [x, y, s] = differences[i];
-      if (circles[i] != nullptr) seen[i] = Seen<Number>({x, y, s});
+      if (circles[i] != nullptr) seen[i] = RelativeCircle<Number>({x, y, s});
     }
     return formula(seen, unit.exponent());
   };
@@ -133,7 +134,7 @@ auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
 
 /// Returns the axis D of the disc of (o, u, v).
 template <class Number>
-auto axisOf(const Seen<Number>& u, const Seen<Number>& v) {
+auto axisOf(const RelativeCircle<Number>& u, const RelativeCircle<Number>& v) {
   return times(v.g, u.v) - times(u.g, v.v);
 }
 
@@ -150,10 +151,10 @@ int signOf(int norm, P p, Q q) {
 /// Returns the squared length of the common tangents of two circles seen from a third; 1 if one is the point at
 /// infinity.
 template <class Number>
-auto tangentSquare(const Seen<Number>& u, const Seen<Number>& v) {
-  if (u.isAtInfinity || v.isAtInfinity) return Seen<Number>().g;
+auto tangentSquare(const RelativeCircle<Number>& u, const RelativeCircle<Number>& v) {
+  if (u.isAtInfinity || v.isAtInfinity) return RelativeCircle<Number>().g;
   const auto w = u.v - v.v;
-  return cone(w, w);
+  return lorentzDot(w, w);
 }
 
 /// The number mantissa * 2^exponent. Each operation is right to 53 bits.

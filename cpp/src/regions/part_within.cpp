@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "near_part.h"
+#include "part_within.h"
 
 #include <algorithm>
 #include <numbers>
@@ -35,7 +35,7 @@ class LoopCutter {
   LoopCutter(const Parts& parts, CircleIndex cell)
       : parts_(parts), cell_(cell), signs_(parts.diagram, *parts.maxDistance), cut_(signs_, cell) {}
 
-  NearLoops run(const Loops& loops) {
+  LoopsWithin run(const Loops& loops) {
     if (!signs_.hasDisc(cell_)) return {};
     for (std::size_t k = 0; k < loops.isHole.size(); ++k) {
       collectSteps(loops.loop(k));
@@ -117,8 +117,8 @@ class LoopCutter {
         const Arc arc = arcOf(step);
         const Edge& edge = parts_.diagram.edges[at(arc.edge)];
         const EdgeCurve curve = parts_.curveOf(arc);
-        addNearArc(cut_, signs_, parts_.diagram, step.side, curve, arcEnd(parts_, arc.start, edge.start),
-                   arcEnd(parts_, arc.end, edge.end));
+        addArcWithin(cut_, signs_, parts_.diagram, step.side, curve, arcEnd(parts_, arc.start, edge.start),
+                     arcEnd(parts_, arc.end, edge.end));
         hasEdgeInside_ = hasEdgeInside_ || last.sign < 0;
       } else {
         addSide(step, next, first, last);
@@ -211,16 +211,16 @@ class LoopCutter {
 
 }  // namespace
 
-std::optional<NearArc> nearArc(const Parts& parts, const Arc& arc) {
+std::optional<ArcWithin> arcWithin(const Parts& parts, const Arc& arc) {
   const Edge& edge = parts.diagram.edges[at(arc.edge)];
   const DistanceSigns signs(parts.diagram, *parts.maxDistance);
-  auto near =
-      nearArc(signs, edge, parts.curveOf(arc), arcEnd(parts, arc.start, edge.start), arcEnd(parts, arc.end, edge.end));
+  auto near = arcWithin(signs, edge, parts.curveOf(arc), arcEnd(parts, arc.start, edge.start),
+                        arcEnd(parts, arc.end, edge.end));
   if (!near || near->isPoint() || !signs.hasDisc(edge.left) || !signs.hasDisc(edge.right)) return std::nullopt;
   return near;
 }
 
-NearLoops nearLoops(const Parts& parts, CircleIndex circle, const Loops& loops) {
+LoopsWithin loopsWithin(const Parts& parts, CircleIndex circle, const Loops& loops) {
   if (loops.isHole.empty()) return {};
   return LoopCutter(parts, circle).run(loops);
 }

@@ -17,6 +17,6 @@ struct AreaBounds {
 /// - Each loop has pieces, and each piece ends where the next one begins.
 /// - Holes have no positive area and other loops no negative one, and the area of all is within its bounds, except for
 ///   rounding.
-const char* faultOf(const NearLoops& loops, const AreaBounds& bounds, double rounding);
+const char* faultOf(const LoopsWithin& loops, const AreaBounds& bounds, double rounding);
 
 }  // namespace circle_voronoi

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "arc_within.h"
 #include "circle_voronoi/cells.h"
 #include "disc_loops.h"
-#include "near_arc.h"
 
 namespace circle_voronoi {
 
-Outline bufferOutline(const Diagram& diagram, CircleIndex circle, double maxDistance) {
+Outline outlineWithin(const Diagram& diagram, CircleIndex circle, double maxDistance) {
   const DistanceSigns signs(diagram, maxDistance);
   if (!diagram.hasCell(circle) || !signs.hasDisc(circle)) return {};
   DiscLoops loops(signs, circle);
@@ -17,7 +17,7 @@ Outline bufferOutline(const Diagram& diagram, CircleIndex circle, double maxDist
     begins = false;
     const Edge& edge = diagram.edges[static_cast<std::size_t>(Diagram::edgeOf(side))];
     const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
-    addNearArc(loops, signs, diagram, side, curve, {edge.start}, {edge.end});
+    addArcWithin(loops, signs, diagram, side, curve, {edge.start}, {edge.end});
   }
   if (!sides.empty()) loops.endLoop();
   return loops.finish(!loops.hasLoops()).outline;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "near_arc.h"
+#include "arc_within.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +29,11 @@ ShiftedSign pastApexOf(const DistanceSigns& signs, const Edge& edge, const ArcEn
 }  // namespace
 
 // The distance from both circles grows from the apex to both sides.
-std::optional<NearArc> nearArc(const DistanceSigns& signs, const Edge& edge, const EdgeCurve& curve,
-                               const ArcEnd& start, const ArcEnd& end) {
+std::optional<ArcWithin> arcWithin(const DistanceSigns& signs, const Edge& edge, const EdgeCurve& curve,
+                                   const ArcEnd& start, const ArcEnd& end) {
   const ShiftedSign first = beyondOf(signs, start);
   const ShiftedSign last = beyondOf(signs, end);
-  NearArc arc = {curve, first.sign > 0, last.sign > 0};
+  ArcWithin arc = {curve, first.sign > 0, last.sign > 0};
   if (!arc.isCutFrom && !arc.isCutTo) return arc;
   if (arc.isCutFrom && arc.isCutTo) {
     const bool hasApex = signs.hasApex(edge.left, edge.right) && pastApexOf(signs, edge, start, -1).sign < 0 &&

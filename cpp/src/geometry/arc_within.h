@@ -16,7 +16,7 @@ struct ArcEnd {
 };
 
 /// The part of an arc of an edge within a distance of its circles.
-struct NearArc {
+struct ArcWithin {
   EdgeCurve curve;
   bool isCutFrom = false;  ///< whether it begins where the edge meets the rims of both cells
   bool isCutTo = false;
@@ -27,7 +27,7 @@ struct NearArc {
 
 /// Returns the part of an arc of an edge within the distance, in the direction of the edge: nothing if there is none.
 /// `curve` is the arc, and `start` and `end` are its ends. Both cells of the edge get the same bits.
-std::optional<NearArc> nearArc(const DistanceSigns& signs, const Edge& edge, const EdgeCurve& curve,
-                               const ArcEnd& start, const ArcEnd& end);
+std::optional<ArcWithin> arcWithin(const DistanceSigns& signs, const Edge& edge, const EdgeCurve& curve,
+                                   const ArcEnd& start, const ArcEnd& end);
 
 }  // namespace circle_voronoi

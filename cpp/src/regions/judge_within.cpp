@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "judge_near.h"
+#include "judge_within.h"
 
 #include "circle_voronoi/cells.h"
 
 namespace circle_voronoi {
 
-const char* faultOf(const NearLoops& loops, const AreaBounds& bounds, double rounding) {
+const char* faultOf(const LoopsWithin& loops, const AreaBounds& bounds, double rounding) {
   constexpr const char* kOpen = "The part of a cell within the maximum distance does not close.";
   constexpr const char* kArea = "The area of the part of a cell within the maximum distance is impossible.";
   if (!loops.isSound || loops.isHole.size() != loops.outline.size()) return kOpen;
