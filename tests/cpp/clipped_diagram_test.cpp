@@ -10,7 +10,9 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
@@ -28,6 +30,24 @@ namespace {
 using test::hardRegions;
 using test::RegionShape;
 using test::seedOr;
+
+// A clip refers to its diagram and its region, so neither may be a temporary object.
+template <class ItsDiagram, class ItsRegion>
+constexpr bool kCanClip = requires(ItsDiagram&& diagram, ItsRegion&& region) {
+  ClippedDiagram::from(std::forward<ItsDiagram>(diagram), std::forward<ItsRegion>(region));
+  ClippedDiagram::from(std::forward<ItsDiagram>(diagram), std::forward<ItsRegion>(region), 1.0);
+};
+template <class ItsDiagram, class ItsRegion>
+constexpr bool kCanClipCells = requires(ItsDiagram&& diagram, ItsRegion&& region, std::span<const CircleIndex> cells) {
+  ClippedDiagram::ofCells(std::forward<ItsDiagram>(diagram), std::forward<ItsRegion>(region), cells);
+  ClippedDiagram::ofCells(std::forward<ItsDiagram>(diagram), std::forward<ItsRegion>(region), cells, 1.0);
+};
+static_assert(kCanClip<const Diagram&, const Region&> && kCanClip<Diagram&, Region&>);
+static_assert(!kCanClip<Diagram, const Region&> && !kCanClip<const Diagram, const Region&>);
+static_assert(!kCanClip<const Diagram&, Region> && !kCanClip<const Diagram&, const Region>);
+static_assert(kCanClipCells<const Diagram&, const Region&> && kCanClipCells<Diagram&, Region&>);
+static_assert(!kCanClipCells<Diagram, const Region&> && !kCanClipCells<const Diagram, const Region&>);
+static_assert(!kCanClipCells<const Diagram&, Region> && !kCanClipCells<const Diagram&, const Region>);
 
 double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 

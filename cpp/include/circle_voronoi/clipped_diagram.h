@@ -94,6 +94,12 @@ class ClippedDiagram {
   /// checked.
   static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region& region,
                                         std::span<const CircleIndex> circles, std::optional<double> maxDistance = {});
+  static Result<ClippedDiagram> ofCells(const Diagram&& diagram, const Region& region,
+                                        std::span<const CircleIndex> circles,
+                                        std::optional<double> maxDistance = {}) = delete;
+  static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region&& region,
+                                        std::span<const CircleIndex> circles,
+                                        std::optional<double> maxDistance = {}) = delete;
 
   [[nodiscard]] const Diagram& diagram() const;
   [[nodiscard]] const Region& region() const;
