@@ -312,5 +312,16 @@ TEST(ComputeOptions, ProgressTellsEachStageAsItBegins) {
                                                              {"assemble", 0}}));
 }
 
+// Insertion finds the hidden circles of this family, and its result is judged: each has its own stage.
+TEST(ComputeOptions, ProgressNamesWhatAnInsertionDoes) {
+  using Told = std::vector<std::pair<std::string, double>>;
+  const auto circles = generate(Family::barelyOut, 3000, 1);
+  EXPECT_EQ(progressOf(circles, Method::automatic),
+            (Told{{"order", 0}, {"triangulate", 0}, {"flip", 0}, {"certify", 0}, {"triangulate", 0}, {"assemble", 0}}));
+  const Seconds seconds = compute(circles).value().stats.seconds;
+  EXPECT_GT(seconds.flip, 0);
+  EXPECT_GT(seconds.certify, 0);
+}
+
 }  // namespace
 }  // namespace circle_voronoi

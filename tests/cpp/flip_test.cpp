@@ -9,7 +9,7 @@
 
 #include "circle_voronoi_families/families.h"
 #include "dual_edits.h"
-#include "find_sites.h"
+#include "found_sites.h"
 #include "judge.h"
 #include "order.h"
 #include "proof.h"
@@ -59,7 +59,7 @@ TEST(Flip, RightsRandomFlips) {
 TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
   for (const Family family : kFamilies) {
     SCOPED_TRACE(familyName(family));
-    FoundSites found = findSites(order(validate(generate(family, 200, 1)).value()));
+    FoundSites found = test::foundSites(order(validate(generate(family, 200, 1)).value()));
     const Sites sites = triangulate(std::move(found.sites));
     Dual dual = found.inserted ? found.inserted->dual : sites.centers;
     Predicates predicates(sites.circles);
@@ -90,7 +90,7 @@ TEST(Flip, KnowsWhichEdgesAreRight) {
   std::int64_t known = 0;
   for (const Family family : kFamilies) {
     SCOPED_TRACE(familyName(family));
-    Sites sites = triangulate(findSites(order(validate(generate(family, 200, 2)).value())).sites);
+    Sites sites = triangulate(test::foundSites(order(validate(generate(family, 200, 2)).value())).sites);
     Dual& dual = sites.centers;
     Predicates predicates(sites.circles);
     FaceDiscs discs(sites.circles, dual, predicates);
@@ -104,7 +104,7 @@ TEST(Flip, KnowsWhichEdgesAreRight) {
 }
 
 TEST(Flip, LeavesTheProofOfChangedFacesToTheJudge) {
-  Sites sites = triangulate(findSites(order(validate(generate(Family::logUniform, 200, 2)).value())).sites);
+  Sites sites = triangulate(test::foundSites(order(validate(generate(Family::logUniform, 200, 2)).value())).sites);
   Dual& dual = sites.centers;
   const Dual before = dual;
   Predicates predicates(sites.circles);
@@ -152,7 +152,7 @@ TEST(Flip, DoesNothingToARightDual) {
 
 /// Flips from the triangulation of the centers, as for a diagram. They tell of all wrong faces, and keep the discs.
 Flips flipFromCenters(const std::vector<Circle>& circles) {
-  Sites sites = triangulate(findSites(order(validate(circles).value())).sites);
+  Sites sites = triangulate(test::foundSites(order(validate(circles).value())).sites);
   Predicates predicates(sites.circles);
   FaceDiscs discs(sites.circles, sites.centers, predicates);
   Flips flips = flip(sites.centers, discs);

@@ -9,7 +9,7 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
-#include "find_sites.h"
+#include "found_sites.h"
 #include "judge.h"
 #include "random.h"
 #include "report.h"
@@ -25,7 +25,7 @@ void check(const std::vector<Circle>& circles, const std::string& what) {
   const std::vector<HiddenCircle> expected = test::hiddenByDefinition(circles);
   // By a search, and where it gives up at once by insertion.
   for (const std::int64_t mostSteps : {kMostStepsACircle, std::int64_t{-1000}}) {
-    const Sites visible = findSites(order(circles), mostSteps).sites;
+    const Sites visible = test::foundSites(order(circles), Threads(), mostSteps).sites;
     ASSERT_EQ(visible.hidden, expected) << what << test::describe(circles);
     EXPECT_EQ(visible.circles.size() + visible.hidden.size(), circles.size());
     for (std::size_t i = 0; i < visible.circles.size(); ++i) {
@@ -86,14 +86,14 @@ TEST(Hide, OfEqualCirclesTheFirstIsNamed) {
   for (int i = 99; i >= 0; --i) circles.push_back({static_cast<double>(i), 0, 1000});
   circles.push_back({50, 0, 1});
   check(circles, "equal");
-  EXPECT_EQ(findSites(order(circles)).sites.hidden, (std::vector<HiddenCircle>{{100, 0}}));
+  EXPECT_EQ(test::foundSites(order(circles)).sites.hidden, (std::vector<HiddenCircle>{{100, 0}}));
 }
 
 TEST(Hide, InsertionLeavesTheDiagramOfTheVisibleCircles) {
   const std::uint64_t seed = test::seedOr(1);
   for (const FamilyInfo& family : families()) {
     const auto circles = validate(generate(family.family, 500, seed)).value();
-    const auto [visible, inserted] = findSites(order(circles), -1000);
+    const auto [visible, inserted] = test::foundSites(order(circles), Threads(), -1000);
     if (!visible.centers.origin.empty()) continue;  // the triangulation has shown that none is hidden
     ASSERT_TRUE(inserted) << family.name;
     Predicates predicates(visible.circles);
@@ -106,7 +106,7 @@ TEST(Hide, TakesNLogNSteps) {
   for (const FamilyInfo& family : families()) {
     for (const Variant& variant : variants()) {
       const auto steps = [&](std::size_t count) {
-        return findSites(order(validate(variant.make(family.family, count, seed)).value())).sites.steps;
+        return test::foundSites(order(validate(variant.make(family.family, count, seed)).value())).sites.steps;
       };
       const std::string name = std::string(family.name) + std::string(variant.name) + ", seed " + std::to_string(seed);
       const auto few = static_cast<double>(steps(1'000));
@@ -120,7 +120,7 @@ TEST(Hide, TakesNLogNSteps) {
 
 TEST(Hide, TheTriangulationIsThatOfTheVisibleCenters) {
   for (const Family family : {Family::uniform, Family::hidden, Family::duplicates, Family::chaos}) {
-    const Sites sites = triangulate(findSites(order(validate(generate(family, 500, 1)).value())).sites);
+    const Sites sites = triangulate(test::foundSites(order(validate(generate(family, 500, 1)).value())).sites);
     const int count = static_cast<int>(sites.circles.size());
     EXPECT_EQ(sites.centers.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
   }
@@ -134,7 +134,7 @@ TEST(Hide, ATriangulationWithHiddenCentersIsNotKept) {
     std::vector<Circle> circles = {{random.uniform(-30, 30), random.uniform(-30, 30), 10}};
     for (int i = 0; i < 12; ++i) circles.push_back({random.uniform(-30, 30), random.uniform(-30, 30), random.unit()});
     const OrderedCircles ordered = order(circles);
-    const Sites sites = findSites(ordered).sites;
+    const Sites sites = test::foundSites(ordered).sites;
     const bool looksClear = std::ranges::adjacent_find(ordered.circles, [](const Circle& a, const Circle& b) {
                               return std::hypot(a.x - b.x, a.y - b.y) <= std::max(a.r, b.r);
                             }) == ordered.circles.end();

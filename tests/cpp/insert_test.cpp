@@ -6,8 +6,8 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
 #include "face_discs.h"
-#include "find_sites.h"
 #include "flip.h"
+#include "found_sites.h"
 #include "insert_cell.h"
 #include "judge.h"
 #include "random.h"
@@ -19,7 +19,7 @@ namespace circle_voronoi {
 namespace {
 
 std::vector<Circle> visibleCircles(const std::vector<Circle>& circles) {
-  return findSites(order(validate(circles).value())).sites.circles;
+  return test::foundSites(order(validate(circles).value())).sites.circles;
 }
 
 /// Whether insertion, and the flips that follow it, lead to the right dual.

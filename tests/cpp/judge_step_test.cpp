@@ -18,7 +18,7 @@ namespace circle_voronoi {
 namespace {
 
 std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
-  return buildState(circles, test::firstIds(circles.size()), kNone, false).value();
+  return buildState(circles, test::firstIds(circles.size()), kNone, {}).value();
 }
 
 /// Flips an edge, right or wrong; whether that left no loop.

@@ -12,6 +12,7 @@
 #include "brute_force.h"
 #include "exact.h"
 #include "face_discs.h"
+#include "found_sites.h"
 #include "report.h"
 #include "tie_inputs.h"
 #include "triangulate.h"
@@ -141,7 +142,7 @@ FilterCounts compare(std::span<const Circle> circles) {
   const auto rounded = validate(circles);
   EXPECT_TRUE(rounded.ok());
   if (!rounded) return {};
-  const Sites sites = triangulate(findSites(order(rounded.value())).sites);
+  const Sites sites = triangulate(test::foundSites(order(rounded.value())).sites);
   Comparison comparison(sites.circles);
   comparison.run();
   return comparison.counts();

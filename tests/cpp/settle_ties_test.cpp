@@ -15,7 +15,7 @@
 #include "at.h"
 #include "circle_voronoi/compute.h"
 #include "compare.h"
-#include "find_sites.h"
+#include "found_sites.h"
 #include "insert.h"
 #include "judge.h"
 #include "order.h"
@@ -78,7 +78,7 @@ TEST(SettleTies, LeaveTheProofOfTheDualThatTheyMake) {
   int changed = 0;
   test::forEachTie(seed, 60, [&](const Circles& circles, std::string_view kind) {
     SCOPED_TRACE(kind);
-    const Circles visible = findSites(order(validate(circles).value())).sites.circles;
+    const Circles visible = test::foundSites(order(validate(circles).value())).sites.circles;
     Predicates predicates(visible);
     Dual dual = insertAll(visible, predicates).value().dual;
     const Dual before = dual;

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "apollonius.h"
-#include "find_sites.h"
+#include "found_sites.h"
 #include "judge.h"
 #include "order.h"
 #include "pair.h"
@@ -14,7 +14,7 @@
 namespace circle_voronoi::test {
 
 std::vector<Circle> visibleCircles(Family family, std::size_t count, std::uint64_t seed) {
-  return findSites(order(validate(generate(family, count, seed)).value())).sites.circles;
+  return test::foundSites(order(validate(generate(family, count, seed)).value())).sites.circles;
 }
 
 bool isRight(std::span<const Circle> circles, const Dual& dual) {

@@ -19,7 +19,7 @@ struct Steps {
   explicit Steps(const std::vector<Circle>& circles) : state(stateOf(circles)), stepper(*state, locator) {}
 
   static std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
-    return buildState(circles, test::firstIds(circles.size()), kNone, false).value();
+    return buildState(circles, test::firstIds(circles.size()), kNone, {}).value();
   }
 
   std::unique_ptr<EditState> state;

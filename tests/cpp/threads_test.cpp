@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -12,10 +13,11 @@
 
 #include "centers.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/editor.h"
 #include "circle_voronoi_families/families.h"
 #include "delaunay.h"
 #include "dual_edits.h"
-#include "find_sites.h"
+#include "found_sites.h"
 #include "judge.h"
 #include "order.h"
 #include "validate.h"
@@ -130,6 +132,27 @@ TEST(Compute, HasTheSameBitsByTheTouchingDiscMethodInThreads) {
   expectSameBitsInThreads(Family::uniform, options);
 }
 
+TEST(Editor, HasTheSameBitsInAnyNumberOfThreads) {
+  const auto circles = generate(Family::hidden, kCircles, 1);
+  const auto movedBy = [](DiagramEditor editor, std::span<const Circle> all) {
+    // So many edits compute the whole diagram.
+    std::vector<Edit> edits;
+    for (std::size_t i = 0; i < all.size(); i += 2) {
+      edits.push_back({Edit::Kind::replace, static_cast<std::int32_t>(i), {all[i].x + 0.5, all[i].y, all[i].r}});
+    }
+    EXPECT_EQ(editor.apply(edits).value().way, EditWay::whole);
+    return editor.snapshot();
+  };
+  const auto one = movedBy(DiagramEditor::from(circles).value(), circles);
+  for (const int threads : {2, 4}) {
+    expectSameBits(movedBy(DiagramEditor::from(circles, {.threads = threads}).value(), circles).value(), one.value(),
+                   std::to_string(threads));
+  }
+  const auto refused = DiagramEditor::from(circles, {.threads = -1});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::badOption);
+}
+
 TEST(Compute, CanBeCancelledInThreads) {
   Options options;
   options.threads = 3;
@@ -186,9 +209,9 @@ TEST(Judge, NamesTheSameTiesInAnyNumberOfThreads) {
 TEST(Hide, IsTheSameInAnyNumberOfThreads) {
   for (const Family family : {Family::hidden, Family::duplicates, Family::nearNested}) {
     const auto circles = validate(generate(family, 2 * kCircles, 1)).value();
-    const Sites expected = findSites(order(circles)).sites;
+    const Sites expected = test::foundSites(order(circles)).sites;
     for (const int count : {2, 8}) {
-      const Sites actual = findSites(order(circles, Threads(count)), kMostStepsACircle, Threads(count)).sites;
+      const Sites actual = test::foundSites(order(circles, Threads(count)), Threads(count)).sites;
       EXPECT_EQ(actual.indices, expected.indices);
       EXPECT_EQ(actual.hidden, expected.hidden);
       EXPECT_EQ(actual.steps, expected.steps);

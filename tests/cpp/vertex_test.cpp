@@ -10,7 +10,7 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "exact.h"
-#include "find_sites.h"
+#include "found_sites.h"
 #include "report.h"
 #include "three_touch_disc.h"
 #include "tie_inputs.h"
@@ -47,7 +47,7 @@ TEST(Vertex, IsThatOfExactArithmeticInAndNearTies) {
         Random random(seed * 1'000'003 + trial * 64 + static_cast<std::uint64_t>(disturbance));
         auto circles = kind.make(5, random);
         test::disturb(circles, test::Disturbance{disturbance}, random);
-        compareAll(findSites(order(validate(circles).value())).sites.circles);
+        compareAll(test::foundSites(order(validate(circles).value())).sites.circles);
         if (testing::Test::HasFailure())
           FAIL() << kind.name << ", disturbance " << disturbance << test::describe(circles);
       }

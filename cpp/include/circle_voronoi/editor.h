@@ -99,6 +99,9 @@ struct EditorOptions {
   /// The number of ids given out: those below it that no circle has are the ids of removed circles. At least one more
   /// than the largest id; kNone stands for that.
   CircleId nextId = kNone;
+  /// The number of threads that may work at the same time while the whole diagram is computed: when the editor is made,
+  /// and in large edits. 0 means one for each hardware thread. The result has the same bits for any number.
+  int threads = 1;
 };
 
 /// A certified Voronoi diagram whose circles can be inserted, removed, moved and resized.
@@ -120,7 +123,8 @@ struct EditorOptions {
 /// Only one thread at a time may use an editor, except that several threads may call const functions.
 class DiagramEditor {
  public:
-  /// Makes an editor. Errors: see `compute`; badOption if the ids or the next id do not fit.
+  /// Makes an editor. Errors: see `compute`; badOption if the ids, the next id or the number of
+  /// threads do not fit.
   static Result<DiagramEditor> from(std::span<const Circle> circles, const EditorOptions& options = {});
 
   DiagramEditor(DiagramEditor&&) noexcept;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "threads.h"
 
+#include <string>
+
 #ifndef CIRCLE_VORONOI_ONE_THREAD
 #include <atomic>
 #include <exception>
@@ -10,6 +12,12 @@
 #endif
 
 namespace circle_voronoi {
+
+std::optional<Error> Threads::refusalOf(int count) {
+  if (count >= 0) return {};
+  return Error{ErrorCode::badOption, kNone,
+               "The number of threads must not be negative (got " + std::to_string(count) + ")."};
+}
 
 #ifndef CIRCLE_VORONOI_ONE_THREAD
 

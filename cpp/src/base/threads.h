@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
+
+#include "circle_voronoi/error.h"
 
 namespace circle_voronoi {
 
@@ -19,6 +22,9 @@ inline constexpr bool kHasThreads = true;
 /// is shared out.
 class Threads {
  public:
+  /// Returns an error if there cannot be so many threads, badOption.
+  static std::optional<Error> refusalOf(int count);
+
   /// `count` 0 means one for each hardware thread. Without support for threads it is always 1.
   explicit Threads(int count = 1);
 

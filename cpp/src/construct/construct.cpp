@@ -10,8 +10,10 @@
 #include <variant>
 
 #include "flip.h"
+#include "guarded.h"
 #include "insert.h"
 #include "judge.h"
+#include "order.h"
 #include "pair.h"
 #include "repair.h"
 #include "report_faces.h"
@@ -19,6 +21,7 @@
 #include "settle_ties.h"
 #include "touch.h"
 #include "triangulate.h"
+#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -181,7 +184,7 @@ struct Unjudged {
 };
 
 /// Builds the dual by insertion, and by flips where a near tie misled it.
-std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts) {
+std::optional<Unjudged> insertedDual(std::span<const Circle> circles, Counts& counts) {
   Predicates predicates(circles);
   auto result = insertAll(circles, predicates);
   Proof proof;
@@ -195,28 +198,15 @@ std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts
   return Unjudged{std::move(result->dual), std::move(proof)};
 }
 
-}  // namespace
-
-std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts) {
-  if (circles.size() > kLargestPatch) return std::nullopt;
-  const OrderedCircles ordered = order(circles);
-  auto solved = inserted(ordered.circles, counts);
-  if (!solved) return std::nullopt;
-  Predicates predicates(ordered.circles);
-  const Verdict verdict = judge(ordered.circles, solved->dual, predicates, std::move(solved->proof));
-  addCounts(predicates, counts);
-  if (!verdict.isRight()) return std::nullopt;
-  for (int& corner : solved->dual.origin) {
-    if (corner != kPointAtInfinity) corner = ordered.indices[corner];
-  }
-  return std::move(solved->dual);
-}
-
+/// Runs the touching disc method on the candidates of `options` and judges the result. With `options.resample`, tries
+/// again with more samples around the flaw. Events go to `observer`, in sites and scaled units.
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
                                      Journal& journal, Threads threads) {
   const int n = static_cast<int>(sites.circles.size());
-  std::vector<int> angular(n, *options.samples);
+  const int sampleCount = sampleCountOf(options);
+  std::vector<int> angular(n, sampleCount);
   journal.stats.way = Way::touchingDisc;
+  journal.stats.candidates = options.candidates;
   for (int round = 0;; ++round) {
     if (observer) observer({TraceKind::roundBegun, {}, {kNone, kNone, kNone}, kNone, {round, kNone}});
     Samples samples;
@@ -226,7 +216,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       const bool isDynamic = options.candidates == Candidates::dynamic;
       if (observer && isDynamic) reportOfCenters(sites.centers, observer);
       samples = isDynamic ? sampleDynamically(sites.circles, sites.centers, angular, tell)
-                          : sampleUniformly(sites.circles, *options.samples, tell);
+                          : sampleUniformly(sites.circles, sampleCount, tell);
       journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
       if (observer) reportOfSamples(samples, observer);
     }
@@ -261,18 +251,16 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
   }
 }
 
-Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
-  return flippedFromCenters(sites, false, observer, journal, threads);
-}
-
-Construction constructAutomatically(FoundSites& found, const Observer& observer, Journal& journal, Threads threads) {
-  Sites& sites = found.sites;
-  if (found.inserted) {
+/// Returns the first certified dual. If none is certified, returns the last one, with its verdict. Uses up the
+/// triangulation of the sites, because flips change it in place. A dual that insertion made is certified already.
+Construction constructAutomatically(Sites& sites, std::optional<InsertedDual> inserted, const Observer& observer,
+                                    Journal& journal, Threads threads) {
+  if (inserted) {
     journal.stats.way = Way::insert;
-    journal.stats.counts.flips += found.inserted->flips;
-    addCounts(found.inserted->signs, journal.stats.counts);
-    Construction result = {std::move(found.inserted->dual), {}};
-    result.verdict.proof = std::move(found.inserted->proof);
+    journal.stats.counts.flips += inserted->flips;
+    addCounts(inserted->signs, journal.stats.counts);
+    Construction result = {std::move(inserted->dual), {}};
+    result.verdict.proof = std::move(inserted->proof);
     FaceReporter reporter(result.dual, sites.circles, observer);
     reporter.reportRound(0);
     reporter.reportChanges();
@@ -283,7 +271,7 @@ Construction constructAutomatically(FoundSites& found, const Observer& observer,
   journal.stats.way = Way::insert;
   auto anew = [&] {
     const Stopwatch watch = journal.enter(Stage::flip);
-    return inserted(sites.circles, journal.stats.counts);
+    return insertedDual(sites.circles, journal.stats.counts);
   }();
   if (!anew) return result;
   result.dual = std::move(anew->dual);
@@ -292,6 +280,75 @@ Construction constructAutomatically(FoundSites& found, const Observer& observer,
   result.verdict = judged(result.dual, std::move(anew->proof), sites.circles, journal, threads);
   reporter.reportChanges();
   return result;
+}
+
+/// Translates the events of visible circles to those of the input.
+Observer observerOfInput(const Observer& observer, const std::vector<int>& visible) {
+  if (!observer) return {};
+  return [&observer, &visible](TraceEvent event) {
+    for (CircleIndex& circle : event.circles) {
+      if (circle != kNone) circle = visible[circle];
+    }
+    observer(event);
+  };
+}
+
+}  // namespace
+
+int sampleCountOf(const Options& options) {
+  return options.samples.value_or(options.candidates == Candidates::uniform ? kDefaultUniformSamples
+                                                                            : kDefaultDynamicSamples);
+}
+
+std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts) {
+  if (circles.size() > kLargestPatch) return std::nullopt;
+  const OrderedCircles ordered = order(circles);
+  auto solved = insertedDual(ordered.circles, counts);
+  if (!solved) return std::nullopt;
+  Predicates predicates(ordered.circles);
+  const Verdict verdict = judge(ordered.circles, solved->dual, predicates, std::move(solved->proof));
+  addCounts(predicates, counts);
+  if (!verdict.isRight()) return std::nullopt;
+  for (int& corner : solved->dual.origin) {
+    if (corner != kPointAtInfinity) corner = ordered.indices[corner];
+  }
+  return std::move(solved->dual);
+}
+
+Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
+  return flippedFromCenters(sites, false, observer, journal, threads);
+}
+
+State construct(std::vector<Circle> circles, const Options& options, Journal& journal) {
+  const Threads threads(options.threads);
+  OrderedCircles ordered = [&] {
+    const Stopwatch watch = journal.enter(Stage::order);
+    return order(circles, threads);
+  }();
+  FoundSites found = findSites(std::move(ordered), journal, threads);
+  State state = {std::move(found.sites), {}};
+  Sites& sites = state.sites;
+  if (found.inserted && options.method != Method::automatic) {
+    // Another method makes a dual of its own.
+    const Stopwatch watch = journal.enter(Stage::triangulate);
+    sites = triangulate(std::move(sites), threads);
+  }
+  if (auto error = refusalOfHidden(circles, sites.hidden)) throw ThrownError{*std::move(error)};
+  circles = std::vector<Circle>();  // the sites have them
+  journal.stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
+  const Observer observer = observerOfInput(options.observer, sites.indices);
+  switch (options.method) {
+    case Method::automatic:
+      state.construction = constructAutomatically(sites, std::move(found.inserted), observer, journal, threads);
+      break;
+    case Method::flip:
+      state.construction = constructByFlips(sites, observer, journal, threads);
+      break;
+    case Method::touchingDisc:
+      state.construction = constructByTouchingDisc(sites, options, observer, journal, threads);
+      break;
+  }
+  return state;
 }
 
 }  // namespace circle_voronoi

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "circle_voronoi/compute.h"
 #include "find_sites.h"
@@ -28,10 +29,19 @@ struct Construction {
   bool isRight() const { return !flawed && verdict.isRight(); }
 };
 
-/// Runs the touching disc method on the candidates of `options` and judges the result. With `options.resample`, tries
-/// again with more samples around the flaw. Events go to `observer`, in sites and scaled units.
-Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
-                                     Journal& journal, Threads threads);
+/// The sites of some circles, and a construction over them.
+struct State {
+  Sites sites;
+  Construction construction;
+};
+
+/// Runs the method of `options` on valid circles. With Method::automatic, the construction is the first certified dual,
+/// made by flips, by local repair if the flips leave few wrong faces, or by insertion; if none is certified, the last
+/// one. Events go to the observer of `options`, in indices of the circles. Throws the error of `refusalOfHidden`.
+State construct(std::vector<Circle> circles, const Options& options, Journal& journal);
+
+/// Returns the number of samples that the touching disc method takes.
+int sampleCountOf(const Options& options);
 
 /// Flips from the Delaunay triangulation of the centers, judged.
 Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads);
@@ -39,11 +49,5 @@ Construction constructByFlips(Sites& sites, const Observer& observer, Journal& j
 /// Returns the certified dual of a few circles, none of which hides another, built by insertion. Returns nothing if
 /// there are too many circles, or if the judge rejects the dual.
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts);
-
-/// Returns the first certified dual, made by flips, by local repair if the flips leave few wrong faces, or by
-/// insertion. If none is certified, returns the last one, with its verdict. Uses up the triangulation of the sites,
-/// because flips change it in place. A dual that insertion made is certified already.
-Construction constructAutomatically(FoundSites& found, const Observer& observer, Journal& journal,
-                                    Threads threads = Threads());
 
 }  // namespace circle_voronoi

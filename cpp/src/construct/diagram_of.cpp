@@ -11,7 +11,9 @@
 
 namespace circle_voronoi {
 
-Diagram diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, Threads threads) {
+Diagram diagramOf(std::span<const Circle> circles, State state, Threads threads) {
+  Sites& sites = state.sites;
+  Construction& construction = state.construction;
   Diagram diagram;
   Topology topology;
   Links links;

@@ -11,6 +11,7 @@
 #include "insert.h"
 #include "judge.h"
 #include "settle_ties.h"
+#include "triangulate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -52,11 +53,14 @@ struct LargestOfEachCenter {
 };
 
 /// Finds the visible circles by insertion: they keep a cell. Returns nothing if this cannot be proven.
-std::optional<FoundSites> hideByInsertion(const OrderedCircles& ordered, Threads threads) {
+std::optional<FoundSites> hideByInsertion(const OrderedCircles& ordered, Journal& journal, Threads threads) {
   const LargestOfEachCenter largest(ordered.circles);
   const SomeCircles apart(ordered, largest.places);
   Predicates predicatesApart(apart.circles);
-  auto inserted = insertAll(apart.circles, predicatesApart);
+  auto inserted = [&] {
+    const Stopwatch watch = journal.enter(Stage::flip);
+    return insertAll(apart.circles, predicatesApart);
+  }();
   if (!inserted) return std::nullopt;
 
   // Renumber the circles that have a cell, and collect the rest. A copy of another circle gets its hider from that one.
@@ -87,9 +91,14 @@ std::optional<FoundSites> hideByInsertion(const OrderedCircles& ordered, Threads
   const SomeCircles hidden(ordered, std::move(rest));
 
   Predicates predicates(visible.circles);
-  Verdict verdict = judge(visible.circles, dual, predicates, {}, threads);
+  Verdict verdict = [&] {
+    const Stopwatch watch = journal.enter(Stage::certify);
+    Verdict its = judge(visible.circles, dual, predicates, {}, threads);
+    if (its.isRight()) settleTies(dual, its, visible.circles, predicates);
+    return its;
+  }();
   if (!verdict.isRight()) return std::nullopt;
-  settleTies(dual, verdict, visible.circles, predicates);
+  const Stopwatch watch = journal.enter(Stage::triangulate);
   const Hiders named = findHiders(visible, hidden, kNoLimit, threads);
   Hiders all{std::vector<int>(ordered.circles.size(), kNone), named.steps + inserted->flips};
   for (std::size_t j = 0; j < hidden.places.size(); ++j) {
@@ -108,14 +117,20 @@ std::optional<FoundSites> hideByInsertion(const OrderedCircles& ordered, Threads
 
 }  // namespace
 
-FoundSites findSites(OrderedCircles ordered, std::int64_t mostStepsACircle, Threads threads) {
+FoundSites findSites(OrderedCircles ordered, Journal& journal, Threads threads, std::int64_t mostStepsACircle) {
+  const auto triangulated = [&](std::int64_t mostSteps) -> std::optional<FoundSites> {
+    const Stopwatch watch = journal.enter(Stage::triangulate);
+    auto sites = hide(ordered, mostSteps, threads);
+    if (!sites) return std::nullopt;
+    return FoundSites{triangulate(*std::move(sites), threads), std::nullopt};
+  };
   const std::int64_t mostSteps = kFewSteps + mostStepsACircle * static_cast<std::int64_t>(ordered.circles.size());
-  if (auto sites = hide(ordered, mostSteps, threads)) return {*std::move(sites), std::nullopt};
-  if (auto found = hideByInsertion(ordered, threads)) {
+  if (auto found = triangulated(mostSteps)) return *std::move(found);
+  if (auto found = hideByInsertion(ordered, journal, threads)) {
     found->sites.steps += mostSteps;
     return *std::move(found);
   }
-  return {*hide(ordered, kNoLimit, threads), std::nullopt};
+  return *triangulated(kNoLimit);
 }
 
 }  // namespace circle_voronoi

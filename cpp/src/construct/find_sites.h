@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hide.h"
+#include "journal.h"
 #include "predicates.h"
 #include "proof.h"
 
@@ -18,17 +19,20 @@ struct InsertedDual {
   FilterCounts signs;  ///< the signs computed for the dual and its proof
 };
 
+/// Sites, and either the triangulation of their centers or the dual that insertion left when it found the hidden
+/// circles.
 struct FoundSites {
   Sites sites;
-  std::optional<InsertedDual> inserted;  ///< the dual of the sites, if insertion found the hidden circles
+  std::optional<InsertedDual> inserted;
 };
 
 /// The limit of the search for hiders, in steps per circle. Ordinary circles take ten to twenty.
 inline constexpr std::int64_t kMostStepsACircle = 30;
 
-/// Removes the hidden circles (hide.h). If the search takes more than 1000 steps plus `mostStepsACircle` for each
-/// circle, the construction of the Voronoi diagram finds the hidden circles instead (insert.h).
-FoundSites findSites(OrderedCircles ordered, std::int64_t mostStepsACircle = kMostStepsACircle,
-                     Threads threads = Threads());
+/// Removes the hidden circles (hide.h), and triangulates the centers of the others. If the search takes more than 1000
+/// steps plus `mostStepsACircle` for each circle, the construction of the Voronoi diagram finds the hidden circles
+/// instead (insert.h): its insertion and its judge are stages of their own.
+FoundSites findSites(OrderedCircles ordered, Journal& journal, Threads threads = Threads(),
+                     std::int64_t mostStepsACircle = kMostStepsACircle);
 
 }  // namespace circle_voronoi

@@ -18,7 +18,8 @@ std::optional<Diagram> recompute(const Diagram& before, std::span<const Circle> 
   auto rounded = validate(circles, before.weights);
   auto dual = dualOf({before.vertexCircles, before.edges, before.hull}, static_cast<int>(circles.size()));
   if (!rounded || !std::holds_alternative<Dual>(dual)) return {};
-  Sites sites;
+  State state;
+  Sites& sites = state.sites;
   sites.circles = std::move(*rounded);
   sites.indices.resize(circles.size());
   std::iota(sites.indices.begin(), sites.indices.end(), 0);
@@ -26,9 +27,9 @@ std::optional<Diagram> recompute(const Diagram& before, std::span<const Circle> 
 
   const Progress progress;
   Journal journal(progress);
-  Construction construction = constructByFlips(sites, {}, journal, Threads());
-  if (!construction.isRight()) return {};
-  Diagram result = diagramOf(circles, std::move(construction), std::move(sites));
+  state.construction = constructByFlips(sites, {}, journal, Threads());
+  if (!state.construction.isRight()) return {};
+  Diagram result = diagramOf(circles, std::move(state));
   result.weights = before.weights;
   result.stats = std::move(journal.stats);
   result.stats.method = Method::automatic;

@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "construct.h"
-#include "find_sites.h"
-#include "order.h"
-#include "triangulate.h"
+#include "guarded.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -57,26 +55,30 @@ Vertex vertexOfFace(const EditState& state, int face) {
 }
 
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
-                                              CircleId nextId, bool weights) {
-  const auto valid = validate(circles, weights);
+                                              CircleId nextId, const EditorOptions& options) {
+  const auto valid = validate(circles, options.weights);
   if (!valid) return valid.error();
   const std::vector<Circle>& rounded = *valid;
-  const Progress silent;
-  Journal journal(silent);
-  FoundSites found = findSites(order(rounded));
-  Sites& sites = found.sites;
-  if (!found.inserted) sites = triangulate(std::move(sites));
-  if (auto error = refusalOfHidden(rounded, sites.hidden)) {
-    if (error->circle != kNone) error->circle = ids[static_cast<std::size_t>(error->circle)];
-    return *std::move(error);
+  Options ours;
+  ours.weights = options.weights;
+  ours.threads = options.threads;
+  Journal journal(ours.progress);
+  State constructed;
+  try {
+    constructed = construct(rounded, ours, journal);
+  } catch (ThrownError& refusal) {
+    std::int64_t& circle = refusal.error.circle;
+    if (circle != kNone) circle = ids[static_cast<std::size_t>(circle)];
+    throw;
   }
-  const Construction construction = constructAutomatically(found, {}, journal);
+  const auto& [sites, construction] = constructed;
   if (!construction.isRight()) {
     return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
   }
 
   auto state = std::make_unique<EditState>();
-  state->weights = weights;
+  state->weights = options.weights;
+  state->threads = options.threads;
   state->circleCount = static_cast<int>(circles.size());
   state->visibleCount = static_cast<int>(sites.circles.size());
   state->siteNumbers = NumberPool(state->circleCount);

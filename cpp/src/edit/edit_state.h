@@ -73,6 +73,7 @@ class EditState final : public DualKeeper {
   std::vector<int> edgeNumber;  ///< the same for both halves; kNone at infinity
 
   bool weights = false;  ///< whether radii are additive weights
+  int threads = 1;       ///< EditorOptions::threads
   IdTable ids;
   CircleId nextId = 0;
   int circleCount = 0;

@@ -35,7 +35,7 @@ Error notFormer(CircleId id, std::size_t edit) {
 
 /// Returns the ids of the circles that an editor starts with, or an error.
 Result<std::vector<CircleId>> startIds(std::size_t count, const EditorOptions& options) {
-  const auto& [weights, given, nextId] = options;
+  const auto& [weights, given, nextId, threads] = options;
   const auto error = [](const std::string& message) { return Error{ErrorCode::badOption, kNone, message}; };
   std::vector<CircleId> ids(given.begin(), given.end());
   if (ids.empty()) {
@@ -335,7 +335,7 @@ class DiagramEditor::Editor {
       ids.push_back(entry.id);
       circles.push_back(entry.circle);
     }
-    auto state = buildState(circles, ids, nextId, state_->weights);
+    auto state = buildState(circles, ids, nextId, {.weights = state_->weights, .threads = state_->threads});
     if (!state) return state.error();
     auto change = recorder_.recordWhole(*state_, **state);
     if (change) {
@@ -387,7 +387,8 @@ Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles, const
   return guarded([&]() -> Result<DiagramEditor> {
     const auto ids = startIds(circles.size(), options);
     if (!ids) return ids.error();
-    auto state = buildState(circles, *ids, options.nextId, options.weights);
+    if (auto error = Threads::refusalOf(options.threads)) return *std::move(error);
+    auto state = buildState(circles, *ids, options.nextId, options);
     if (!state) return state.error();
     return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
   });

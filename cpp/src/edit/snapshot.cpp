@@ -46,7 +46,8 @@ Result<Diagram> snapshotOf(const EditState& state) {
   });
   // The search for hiders needs spatial order, which the slots have lost after many edits.
   const OrderedCircles ordered = order(circles);
-  Sites sites;
+  State result;
+  Sites& sites = result.sites;
   OrderedCircles hidden;
   std::vector<int> siteOf(state.sites.size(), kNone);
   for (std::size_t i = 0; i < ordered.circles.size(); ++i) {
@@ -76,8 +77,8 @@ Result<Diagram> snapshotOf(const EditState& state) {
   stats.way = Way::edit;
   stats.counts.circles = static_cast<std::int64_t>(circles.size());
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
-  Construction construction = {compacted(state, siteOf), {}};
-  Diagram diagram = diagramOf(circles, std::move(construction), std::move(sites));
+  result.construction.dual = compacted(state, siteOf);
+  Diagram diagram = diagramOf(circles, std::move(result));
   diagram.weights = state.weights;
   diagram.stats = stats;
   return diagram;

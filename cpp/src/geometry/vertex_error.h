@@ -8,8 +8,8 @@
 
 namespace circle_voronoi {
 
-/// Returns a bound on how far a vertex may be off. The vertices of power diagrams are right to
-/// 21 bits of the distances from and between their circles (radicalCenter), other vertices to kVertexRounding.
+/// Returns a bound on how far a vertex may be off. The vertices of power diagrams are right to 21 bits
+/// of the distances from and between their circles (radicalCenter), other vertices to kVertexRounding.
 inline double vertexError(const Diagram& diagram, VertexIndex vertex) {
   constexpr double kPowerVertexRounding = 0x1p-18;
   constexpr double kRoundingOfCoordinates = 0x1p-48;

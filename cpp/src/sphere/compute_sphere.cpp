@@ -66,10 +66,7 @@ std::optional<Error> errorOf(std::span<const Cap> caps, const SphereOptions& opt
         ErrorCode::badOption, kNone,
         "The radius of the sphere must be a number from 1e-20 to 1e20 (got " + numberText(options.radius) + ")."};
   }
-  if (options.threads < 0) {
-    return Error{ErrorCode::badOption, kNone,
-                 "The number of threads must not be negative (got " + std::to_string(options.threads) + ")."};
-  }
+  if (auto error = Threads::refusalOf(options.threads)) return error;
   if (caps.size() > kMaxCircles) {
     return Error{ErrorCode::tooManyCircles, kNone,
                  "There are " + std::to_string(caps.size()) + " caps; at most " + std::to_string(kMaxCircles) +
