@@ -12,6 +12,7 @@ add_executable(circle_voronoi_region_tests
   fit_limits_test.cpp
   fit_periodic_test.cpp
   independent_clip.cpp
+  laws_test.cpp
   meetings_test.cpp
   recompute_test.cpp
   region_shapes.cpp
@@ -27,7 +28,7 @@ endif()
 set_source_files_properties(clipped_polygons_test.cpp PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON
   COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-set_source_files_properties(distance_clip_test.cpp independent_clip.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(distance_clip_test.cpp independent_clip.cpp laws_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 # Clips for GEOS (tests/long/geos.test.mjs).
 add_executable(circle_voronoi_print_clips print_clips.cpp clip_families.cpp)
 target_link_libraries(circle_voronoi_print_clips PRIVATE circle_voronoi_trials nlohmann_json::nlohmann_json)

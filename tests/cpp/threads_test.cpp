@@ -135,7 +135,7 @@ TEST(Compute, HasTheSameBitsByTheTouchingDiscMethodInThreads) {
 TEST(Editor, HasTheSameBitsInAnyNumberOfThreads) {
   const auto circles = generate(Family::hidden, kCircles, 1);
   const auto movedBy = [](DiagramEditor editor, std::span<const Circle> all) {
-    // So many edits compute the whole diagram.
+    // A batch of this size computes the whole diagram.
     std::vector<Edit> edits;
     for (std::size_t i = 0; i < all.size(); i += 2) {
       edits.push_back({Edit::Kind::replace, static_cast<std::int32_t>(i), {all[i].x + 0.5, all[i].y, all[i].r}});

@@ -51,6 +51,13 @@ struct RimPoint {
 ///
 /// Each sign is found in doubles with an error bound or, if that does not decide, in integers. Where the value is 0 for
 /// the region that is not moved, the sign is a tie.
+///
+/// Laws (laws_test.cpp):
+///   hasApex(i, j) == hasApex(j, i).
+///   pastApex(i, j, v) and pastApex(j, i, v) have opposite signs, unless it is a tie.
+///   pastFoot(i, p, q, r) and pastFoot(i, q, p, r) have opposite signs.
+///   meetsDisc(i, p, q) == meetsDisc(i, q, p).
+///   isBefore is a strict order of the points of a rim.
 class DistanceSigns {
  public:
   /// The metric is not the power. The distance is rounded as the circles were (limits.h).

@@ -15,6 +15,18 @@ namespace circle_voronoi::exact {
 /// The signs that the certificate rests on, computed in integer arithmetic from the circles' bits: never wrong, never
 /// rounded. Circles are passed by pointer; a null pointer is the point at infinity.
 ///
+/// Laws (laws_test.cpp): a face may begin with any of its corners, unless the point at infinity has to be the last one.
+///   crossSign(f, g, o) == -crossSign(g, f, o).
+///   overlapSign(f, d, o) == overlapSign(f, d, p) for corners o and p of f.
+///   touchSign((a, b, c), d, o) is the same for all orders of the four circles. overlapSign(f, d, o) is 0 only if
+///   touchSign(f, d, o) is.
+///   contains(a, b) && contains(b, a) only if a == b.
+///   touchesBetween(a, b, c) == touchesBetween(b, a, c).
+/// Moving all circles, multiplying all numbers by a power of two, adding a number to all radii, and turning the plane
+/// by a right angle change no sign but that of a direction, as long as nothing is rounded. A reflection of the plane
+/// exchanges two corners of each face and both circles of a tangent line: crossSign changes its sign, the others do
+/// not.
+///
 /// A face is three circles in counter-clockwise order around their three-touch disc. With the point at infinity it is
 /// two circles and their outer tangent line: (a, b, null) has the line to the left of a -> b. No circle of a face hides
 /// another.

@@ -10,6 +10,10 @@ namespace circle_voronoi {
 
 /// Exact tests of points, fast for the coordinates that people draw: integers and short decimals, whose ties no
 /// floating-point filter decides.
+///
+/// Laws (laws_test.cpp):
+///   orientation(a, b, c) == orientation(b, c, a) == -orientation(b, a, c).
+///   inCircle(a, b, c, d) == inCircle(b, c, a, d) == inCircle(b, a, d, c).
 
 /// Returns 1 if points a, b, c are counter-clockwise, -1 if they are clockwise, 0 if they are collinear. Coordinates
 /// are at most kRegionLimit. The sign is exact if they are rounded (rounded.h); otherwise it may be 0 for points that

@@ -56,6 +56,13 @@ struct FaceDisc {
 
 /// The signs that the construction and the certificate rest on. Each sign is exact. Double arithmetic with a proven
 /// error bound is tried first, then arithmetic with more digits (refined.h), then integers (exact.h). A zero is a tie.
+///
+/// Laws, beside those of exact.h (laws_test.cpp):
+///   disc(i, j, k) == disc(j, k, i), to the bit, where double arithmetic decides whether the disc exists
+///   (FaceDisc::isFiltered). Otherwise both exist or none does.
+///   turn(o, f, g) == -turn(o, g, f), and 0 for f == g.
+///   exactEdgeOrder(a, b, c, d) == exactEdgeOrder(b, a, d, c) for circles a and b of equal radius.
+///   hiddenOf(a, b) == hiddenOf(b, a) unless the circles are equal.
 class Predicates {
  public:
   /// `circles` must outlive the predicates and must not hide one another.

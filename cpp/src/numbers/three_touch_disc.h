@@ -27,7 +27,7 @@ struct ThreeTouchDisc {
 /// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCenter, bit for bit.
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c);
 
-/// How far a vertex may be off, as a share of the sum of the coordinates' differences between it and its circles.
+/// A bound on the error of a vertex, as a share of the sum of the coordinates' differences between it and its circles.
 inline constexpr double kVertexRounding = 0x1p-34;
 
 /// Computes the disc of three circles in counter-clockwise order. However near the circles come to having no disc, or

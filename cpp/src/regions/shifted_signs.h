@@ -19,6 +19,15 @@ namespace circle_voronoi {
 /// that does not decide, in integers. Where the unmoved value is 0, its derivatives decide.
 ///
 /// A `Line` is the line through two corners of the region, from the first to the second. Its left side has the sign 1.
+///
+/// Laws (laws_test.cpp), with -l for the line from l.to to l.from:
+///   compare(i, j, p).sign == -compare(j, i, p).sign.
+///   sideOf, sideOfEnd and sideOfApex change their signs from l to -l; the last two have the same sign from both sides
+///   of an edge.
+///   goesToNeighbor(s, -l) == goesToNeighbor(twin(s), l), and not both goesToNeighbor(s, l) and goesToNeighbor(s, -l).
+///   isBefore(i, j, l, m) != isBefore(i, j, m, l), and isBefore(i, j, l, m) == isBefore(j, i, -m, -l).
+///   sideOfCrossing(i, j, l, m) == -sideOfCrossing(i, j, l, -m) == sideOfCrossing(j, i, -l, m).
+///   turnFromRay(i, p, q) == -turnFromRay(i, q, p).
 class ShiftedSigns {
  public:
   struct Line {
