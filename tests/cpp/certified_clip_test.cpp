@@ -462,10 +462,10 @@ class CorruptedClip : public testing::Test {
     diagram_ = compute(circles).value();
     scope_ = {diagram_, std::nullopt};
     const auto clipped = ClippedDiagram::from(diagram_, region_).value();
-    crossings_ = clipped.parts().crossings;
-    levels_.assign(clipped.parts().arcs.levels().begin(), clipped.parts().arcs.levels().end());
-    arcs_.assign(clipped.parts().arcs.all().begin(), clipped.parts().arcs.all().end());
-    moments_ = clipped.parts().moments;
+    crossings_ = ClipParts::of(clipped).crossings;
+    levels_.assign(ClipParts::of(clipped).arcs.levels().begin(), ClipParts::of(clipped).arcs.levels().end());
+    arcs_.assign(ClipParts::of(clipped).arcs.all().begin(), ClipParts::of(clipped).arcs.all().end());
+    moments_ = ClipParts::of(clipped).moments;
     EXPECT_EQ(fault(), nullptr);
     EXPECT_EQ(areaFault(), nullptr);
     EXPECT_FALSE(crossings_.rings.empty());

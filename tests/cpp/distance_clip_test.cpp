@@ -418,9 +418,9 @@ TEST(DistanceClip, ChordsOfRimsDoNotCutHoles) {
 void expectFaultsRefused(const ClippedDiagram& clipped, CircleIndex circle) {
   SCOPED_TRACE("cell " + std::to_string(std::int32_t{circle}));
   Loops loops;
-  clipped.parts().loopsOf(circle, loops);
-  const LoopsWithin right = loopsWithin(clipped.parts(), circle, loops);
-  const AreaBounds bounds = areaBounds(clipped.parts(), circle, loops);
+  ClipParts::of(clipped).loopsOf(circle, loops);
+  const LoopsWithin right = loopsWithin(ClipParts::of(clipped), circle, loops);
+  const AreaBounds bounds = areaBounds(ClipParts::of(clipped), circle, loops);
   const double rounding = 1e-12;
   EXPECT_EQ(faultOf(right, bounds, rounding), nullptr);
   const double its = area(right.outline);
@@ -484,9 +484,9 @@ TEST(DistanceClip, LoopsThatAreWrongAreRefusedAlsoWhollyWithinTheDistance) {
     const auto clipped = ClippedDiagram::from(diagram, region, 40).value();
     for (const CircleIndex i : {0, 1, 2}) {
       Loops loops;
-      clipped.parts().loopsOf(i, loops);
+      ClipParts::of(clipped).loopsOf(i, loops);
       if (loops.isHole.empty()) continue;
-      EXPECT_EQ(areaBounds(clipped.parts(), i, loops).least, areaBounds(clipped.parts(), i, loops).most);
+      EXPECT_EQ(areaBounds(ClipParts::of(clipped), i, loops).least, areaBounds(ClipParts::of(clipped), i, loops).most);
       expectFaultsRefused(clipped, i);
     }
   }

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,6 +62,8 @@ struct ClippedPolygons {
   std::vector<std::int32_t> pointOffsets = {0};    ///< for each ring where its points begin, and their number
   std::vector<Point> points;
 };
+
+class ClipParts;
 
 /// A diagram in a region: the parts of its cells and edges that lie inside.
 ///
@@ -155,21 +156,11 @@ class ClippedDiagram {
   /// corner, because inside a cell it is convex along every line.
   [[nodiscard]] std::optional<EmptyDisc> largestEmptyDisc() const;
 
-  class Parts;
-  /// For the library's own use: `from`, which calls `visit` with each part of an edge inside the region, so that its
-  /// curve is computed once.
-  static Result<ClippedDiagram> visitingArcs(const Diagram& diagram, const Region& region,
-                                             const std::function<void(const Edge&, const EdgeCurve&)>& visit);
-  /// For the library's own use.
-  [[nodiscard]] const Parts& parts() const { return *parts_; }
-
  private:
-  static Result<ClippedDiagram> make(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
-                                     std::optional<std::span<const CircleIndex>> circles,
-                                     const std::function<void(const Edge&, const EdgeCurve&)>& visit);
-  explicit ClippedDiagram(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+  friend class ClipParts;
+  explicit ClippedDiagram(std::shared_ptr<const ClipParts> parts) : parts_(std::move(parts)) {}
 
-  std::shared_ptr<const Parts> parts_;
+  std::shared_ptr<const ClipParts> parts_;
 };
 
 }  // namespace circle_voronoi

@@ -8,6 +8,7 @@
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/curve.h"
+#include "clip_parts.h"
 #include "guarded.h"
 #include "spring.h"
 #include "vectors.h"
@@ -24,7 +25,7 @@ double lengthBetween(const Diagram& diagram, const Edge& edge) {
 
 CellMeasure measureCells(const Diagram& diagram, const Region& region) {
   CellMeasure result;
-  const auto clipped = ClippedDiagram::visitingArcs(diagram, region, [&](const Edge& edge, const EdgeCurve& arc) {
+  const auto clipped = ClipParts::clip(diagram, region, {}, {}, [&](const Edge& edge, const EdgeCurve& arc) {
     result.springs.push_back({edge.left, edge.right, stiffness(arc), lengthBetween(diagram, edge)});
   });
   if (!clipped) throw ThrownError{clipped.error()};

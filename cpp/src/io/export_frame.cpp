@@ -167,7 +167,7 @@ bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve
   if (!frame.isWithin(edge.start) || !frame.isWithin(edge.end)) return false;
   // Corners of the region may be near the edges of cells that its boundary crosses.
   const auto isWhole = [&](CircleIndex circle) {
-    return frame.clipped.parts().placeOf(circle) == ClippedDiagram::Place::inside;
+    return ClipParts::of(frame.clipped).placeOf(circle) == ClippedDiagram::Place::inside;
   };
   if (!frame.isBox && !(isWhole(edge.left) && isWhole(edge.right))) return false;
   const double margin = frame.grid.error();

@@ -15,7 +15,6 @@
 namespace circle_voronoi {
 namespace {
 
-using Parts = ClippedDiagram::Parts;
 using Place = ClippedDiagram::Place;
 
 Point placeOf(const Vertex& vertex) { return {vertex.x, vertex.y}; }
@@ -29,7 +28,7 @@ Point placeOf(const Vertex& vertex) { return {vertex.x, vertex.y}; }
 class Adder {
  public:
   /// Calls `visit`, if there is one, with each part of an edge inside.
-  Adder(const Parts& parts, const VisitArc& visit)
+  Adder(const ClipParts& parts, const VisitArc& visit)
       : parts_(parts),
         diagram_(parts.diagram),
         moments_(parts.scope.cells.size()),
@@ -189,7 +188,7 @@ class Adder {
     sum.y += y.value();
   }
 
-  const Parts& parts_;
+  const ClipParts& parts_;
   const Diagram& diagram_;
   std::vector<Moments> moments_;
   std::vector<Point> references_;
@@ -210,6 +209,6 @@ Point CellMoments::centroid(std::size_t row) const {
   return {references[row].x + x / area, references[row].y + y / area};
 }
 
-CellMoments momentsOf(const ClippedDiagram::Parts& parts, const VisitArc& visit) { return Adder(parts, visit).run(); }
+CellMoments momentsOf(const ClipParts& parts, const VisitArc& visit) { return Adder(parts, visit).run(); }
 
 }  // namespace circle_voronoi

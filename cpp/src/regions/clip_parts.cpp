@@ -33,8 +33,8 @@ Crossings crossingsFor(const Diagram& diagram, const Region& region, const ClipS
 
 }  // namespace
 
-ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::optional<double> itsMaxDistance,
-                             std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit)
+ClipParts::ClipParts(const Diagram& its, const Region& itsRegion, std::optional<double> itsMaxDistance,
+                     std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit)
     : diagram(its),
       region(itsRegion),
       maxDistance(itsMaxDistance),
@@ -78,7 +78,7 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
 
 /// Judges the cells that the boundary of the region cuts. Around other rims, exits and entries alternate as the sides
 /// of the cell follow each other.
-void ClippedDiagram::Parts::judgePartsWithin() const {
+void ClipParts::judgePartsWithin() const {
   const DistanceSigns signs(diagram, *maxDistance);
   Loops loops;
   for (std::size_t row = 0; row < scope.cells.size(); ++row) {
@@ -97,12 +97,11 @@ void ClippedDiagram::Parts::judgePartsWithin() const {
   }
 }
 
-std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(const std::vector<InCell>& all,
-                                                                             CircleIndex cell) {
+std::span<const ClipParts::InCell> ClipParts::within(const std::vector<InCell>& all, CircleIndex cell) {
   return withKey(all, std::int32_t{cell}, [](const InCell& one) { return std::int32_t{one.cell}; });
 }
 
-EdgeCurve ClippedDiagram::Parts::orderedCurveOf(const Arc& arc) const {
+EdgeCurve ClipParts::orderedCurveOf(const Arc& arc) const {
   EdgeCurve curve = orderedCurve(diagram, arc.edge);
   const auto& [first, last] =
       isOrdered(diagram, arc.edge) ? std::pair(arc.start, arc.end) : std::pair(arc.end, arc.start);
@@ -119,13 +118,13 @@ EdgeCurve ClippedDiagram::Parts::orderedCurveOf(const Arc& arc) const {
   return curve;
 }
 
-EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {
+EdgeCurve ClipParts::curveOf(const Arc& arc) const {
   if (arc.start == kNone && arc.end == kNone) return curveOf(arc.edge);
   const EdgeCurve curve = orderedCurveOf(arc);
   return isOrdered(diagram, arc.edge) ? curve : reversed(curve);
 }
 
-EdgeCurve ClippedDiagram::Parts::curveOf(const LoopPiece& piece) const {
+EdgeCurve ClipParts::curveOf(const LoopPiece& piece) const {
   const EdgeIndex edge = Diagram::edgeOf(piece.side);
   const EdgeCurve curve = piece.arc == kNone ? orderedCurve(diagram, edge) : orderedCurveOf(arcs.all()[at(piece.arc)]);
   return isOrdered(diagram, edge) == (piece.side % 2 == 0) ? curve : reversed(curve);
@@ -133,7 +132,7 @@ EdgeCurve ClippedDiagram::Parts::curveOf(const LoopPiece& piece) const {
 
 /// Adds the arcs that follow a crossing where the boundary leaves the cell, up to a crossing where it comes back, which
 /// is returned.
-std::int32_t ClippedDiagram::Parts::addArcs(std::int32_t crossing, Loops& loops) const {
+std::int32_t ClipParts::addArcs(std::int32_t crossing, Loops& loops) const {
   const Crossing& from = crossings.all[at(crossing)];
   std::int32_t arc = arcs.arcAt(crossing);
   SideIndex side = from.isEntry ? 2 * from.edge : 2 * from.edge + 1;
@@ -155,7 +154,7 @@ std::int32_t ClippedDiagram::Parts::addArcs(std::int32_t crossing, Loops& loops)
 }
 
 /// Adds the loop that begins with the boundary after a crossing.
-void ClippedDiagram::Parts::addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const {
+void ClipParts::addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const {
   const auto into = crossingsInto(cellAfter(crossings.all[at(first)]));
   std::int32_t crossing = first;
   do {
@@ -174,14 +173,14 @@ void ClippedDiagram::Parts::addChain(std::int32_t first, std::vector<std::uint8_
 }
 
 /// Whether all of the border of a cell lies in the region.
-bool ClippedDiagram::Parts::isBorderInside(CircleIndex circle) const {
+bool ClipParts::isBorderInside(CircleIndex circle) const {
   const auto sides = diagram.sides(circle);
   return !sides.empty() && std::ranges::all_of(sides, [&](SideIndex side) {
     return arcs.isInside(diagram.originOf(side)) && !arcs.isCrossed(Diagram::edgeOf(side));
   });
 }
 
-void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
+void ClipParts::loopsOf(CircleIndex circle, Loops& loops) const {
   loops.clear();
   if (placeOf(circle) == Place::outside) return;
   const auto into = crossingsInto(circle);
@@ -244,9 +243,8 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
 }
 
 /// Returns for each loop the holes in it. `polygons` has the polygon of each loop, or -1 for a whole border.
-std::vector<std::vector<std::int32_t>> ClippedDiagram::Parts::holesIn(const Loops& loops,
-                                                                      const std::vector<std::int32_t>& polygons,
-                                                                      const std::vector<std::int32_t>& holes) const {
+std::vector<std::vector<std::int32_t>> ClipParts::holesIn(const Loops& loops, const std::vector<std::int32_t>& polygons,
+                                                          const std::vector<std::int32_t>& holes) const {
   std::vector<std::vector<std::int32_t>> result(polygons.size());
   // The loops by polygons, with the whole border first.
   std::vector<std::int32_t> order(polygons.size());
@@ -275,7 +273,7 @@ std::vector<std::vector<std::int32_t>> ClippedDiagram::Parts::holesIn(const Loop
   return result;
 }
 
-std::vector<OutlinePiece> ClippedDiagram::Parts::piecesOf(std::span<const LoopPiece> loop) const {
+std::vector<OutlinePiece> ClipParts::piecesOf(std::span<const LoopPiece> loop) const {
   std::vector<OutlinePiece> pieces;
   pieces.reserve(loop.size());
   for (std::size_t k = 0; k < loop.size(); ++k) {

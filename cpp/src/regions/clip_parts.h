@@ -38,12 +38,19 @@ struct Loops {
   }
 };
 
-/// The data of a ClippedDiagram.
-class ClippedDiagram::Parts {
+/// The data of a ClippedDiagram. Exported because fits and the library for files use them.
+class CIRCLE_VORONOI_API ClipParts {
  public:
+  static const ClipParts& of(const ClippedDiagram& clipped) { return *clipped.parts_; }
+
+  /// Clips all cells, or some, and calls `visit` with each part of an edge inside the region, so that its curve is
+  /// computed once. Errors: see ClippedDiagram.
+  static Result<ClippedDiagram> clip(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
+                                     std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit);
+
   /// For all cells, or for some. Throws a ThrownError if the judge finds a fault (judge_clip.h).
-  Parts(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
-        std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit);
+  ClipParts(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
+            std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit);
 
   using Place = ClippedDiagram::Place;
   /// Returns how a cell lies to the region, whatever the maximum distance. A cell that is not clipped counts as
@@ -125,10 +132,10 @@ class ClippedDiagram::Parts {
 };
 
 /// Adds up the moments of the parts of the cells in the region, whatever the maximum distance.
-CellMoments momentsOf(const ClippedDiagram::Parts& parts, const VisitArc& visit);
+CellMoments momentsOf(const ClipParts& parts, const VisitArc& visit);
 
 template <class Visit>
-void ClippedDiagram::Parts::visitCorners(const Stretch& stretch, Visit visit) const {
+void ClipParts::visitCorners(const Stretch& stretch, Visit visit) const {
   if (crossings.isOnSideOfNext[static_cast<std::size_t>(stretch.from)] != 0) return;
   RegionSideIndex side = crossings.all[static_cast<std::size_t>(stretch.from)].side;
   const RegionSideIndex last = crossings.all[static_cast<std::size_t>(stretch.to)].side;

@@ -114,19 +114,20 @@ Point betweenOnBisector(const Bisector& bisector, Point from, Point to, Point co
 ClipFlattener::ClipFlattener(const ClippedDiagram& clipped, double tolerance)
     : clipped_(clipped),
       tolerance_(tolerance),
-      firstHere_(firstVerticesHere(clipped.diagram(), clipped.parts().scope.edges, clipped.parts().scope.vertices)) {
+      firstHere_(firstVerticesHere(clipped.diagram(), ClipParts::of(clipped).scope.edges,
+                                   ClipParts::of(clipped).scope.vertices)) {
   collectPlaces();
   collectCorners();
 }
 
 /// Regions may be smaller than the rounding of vertices.
 double ClipFlattener::mostReach() const {
-  const Box& box = clipped_.parts().bounds;
+  const Box& box = ClipParts::of(clipped_).bounds;
   return kOneCorner * std::max(box.maxX - box.minX, box.maxY - box.minY);
 }
 
 void ClipFlattener::collectPlaces() {
-  const auto& parts = clipped_.parts();
+  const auto& parts = ClipParts::of(clipped_);
   const Diagram& diagram = clipped_.diagram();
   const auto& crossings = parts.crossings.all;
   // Sets of places: corners next to crossings, then vertices, then crossings. A corner stands for the others, and a
@@ -192,7 +193,7 @@ Point ClipFlattener::placeOf(Point p) const {
 }
 
 void ClipFlattener::collectCorners() {
-  const auto& parts = clipped_.parts();
+  const auto& parts = ClipParts::of(clipped_);
   const Diagram& diagram = clipped_.diagram();
   double clearance = 0;  // how far the last point is from the border of its cell, at least
   Point last;
@@ -304,7 +305,7 @@ std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part
 }
 
 std::vector<Point> ClipFlattener::pointsOf(const OutlinePiece& piece) const {
-  EdgeCurve part = clipped_.parts().curveOf(Diagram::edgeOf(piece.side));
+  EdgeCurve part = ClipParts::of(clipped_).curveOf(Diagram::edgeOf(piece.side));
   const bool isAlong = piece.side % 2 == 0;
   part.start = isAlong ? piece.curve.start : piece.curve.end;
   part.end = isAlong ? piece.curve.end : piece.curve.start;

@@ -20,7 +20,6 @@
 namespace circle_voronoi {
 namespace {
 
-using Parts = ClippedDiagram::Parts;
 using Place = ClippedDiagram::Place;
 
 void append(ClippedCells& cells, Point start, SideIndex side, RegionSideIndex regionSide, double r) {
@@ -56,9 +55,9 @@ ClippedCells cellsOf(const ClippedDiagram& clipped, const Circles& circles) {
   ClippedCells cells;
   Loops loops;
   for (const CircleIndex circle : circles) {
-    clipped.parts().loopsOf(circle, loops);
+    ClipParts::of(clipped).loopsOf(circle, loops);
     if (clipped.maxDistance()) {
-      append(cells, loopsWithin(clipped.parts(), circle, loops));
+      append(cells, loopsWithin(ClipParts::of(clipped), circle, loops));
     } else {
       append(cells, loops);
     }
@@ -88,7 +87,7 @@ struct EdgePart {
 };
 
 template <class Add>
-void visitParts(const Parts& parts, EdgeIndex edge, Add add) {
+void visitParts(const ClipParts& parts, EdgeIndex edge, Add add) {
   const auto sideOf = [&](std::int32_t crossing) {
     return crossing == kNone ? RegionSideIndex() : parts.crossings.all[at(crossing)].side;
   };
@@ -110,24 +109,17 @@ void visitParts(const Parts& parts, EdgeIndex edge, Add add) {
 
 Result<ClippedDiagram> ClippedDiagram::from(const Diagram& diagram, const Region& region,
                                             std::optional<double> maxDistance) {
-  return make(diagram, region, maxDistance, std::nullopt, {});
+  return ClipParts::clip(diagram, region, maxDistance, std::nullopt, {});
 }
 
 Result<ClippedDiagram> ClippedDiagram::ofCells(const Diagram& diagram, const Region& region,
                                                std::span<const CircleIndex> circles,
                                                std::optional<double> maxDistance) {
-  return make(diagram, region, maxDistance, circles, {});
+  return ClipParts::clip(diagram, region, maxDistance, circles, {});
 }
 
-Result<ClippedDiagram> ClippedDiagram::visitingArcs(const Diagram& diagram, const Region& region,
-                                                    const VisitArc& visit) {
-  return make(diagram, region, std::nullopt, std::nullopt, visit);
-}
-
-Result<ClippedDiagram> ClippedDiagram::make(const Diagram& diagram, const Region& region,
-                                            std::optional<double> maxDistance,
-                                            std::optional<std::span<const CircleIndex>> circles,
-                                            const VisitArc& visit) {
+Result<ClippedDiagram> ClipParts::clip(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
+                                       std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit) {
   return guarded([&]() -> Result<ClippedDiagram> {
     if (auto checked = checkMaxDistance(maxDistance); !checked) return checked.error();
     if (maxDistance && diagram.metric == Metric::power) {
@@ -140,7 +132,7 @@ Result<ClippedDiagram> ClippedDiagram::make(const Diagram& diagram, const Region
     if (auto checked = circles ? checkArrays(diagram, *circles) : checkArrays(diagram); !checked) {
       return checked.error();
     }
-    return ClippedDiagram(std::make_shared<const Parts>(diagram, region, maxDistance, circles, visit));
+    return ClippedDiagram(std::make_shared<const ClipParts>(diagram, region, maxDistance, circles, visit));
   });
 }
 
@@ -237,7 +229,7 @@ std::optional<EmptyDisc> ClippedDiagram::largestEmptyDisc() const {
   const auto offerPoint = [&](Point p, CircleIndex circle, CircleIndex other) {
     offer({p.x, p.y, distanceFrom(diagram(), circle, p)}, {circle, other, kNone});
   };
-  const Parts& parts = *parts_;
+  const ClipParts& parts = *parts_;
   for (std::size_t row = 0; row < parts.scope.vertices.size(); ++row) {
     const VertexIndex vertex = parts.scope.vertices[row];
     if (parts.arcs.isInside(vertex)) offer(diagram().vertices[at(vertex)], diagram().vertexCircles[at(vertex)]);

@@ -12,19 +12,17 @@
 namespace circle_voronoi {
 namespace {
 
-using Parts = ClippedDiagram::Parts;
-
 /// Points nearer than this share of the distance are within it, whatever rounding does.
 constexpr double kCertainlyWithin = 1 - 0x1p-30;
 
-SideCrossing sideCrossing(const Parts& parts, std::int32_t crossing) {
+SideCrossing sideCrossing(const ClipParts& parts, std::int32_t crossing) {
   const Crossing& its = parts.crossings.all[at(crossing)];
   const Edge& edge = parts.diagram.edges[at(its.edge)];
   const auto [before, after] = its.isEntry ? std::pair(edge.left, edge.right) : std::pair(edge.right, edge.left);
   return {parts.pointOf(its.side), parts.pointOf(parts.sideAfter(its.side)), before, after, its.point};
 }
 
-ArcEnd arcEnd(const Parts& parts, std::int32_t crossing, VertexIndex vertex) {
+ArcEnd arcEnd(const ClipParts& parts, std::int32_t crossing, VertexIndex vertex) {
   if (crossing == kNone) return {vertex};
   return {kNone, sideCrossing(parts, crossing)};
 }
@@ -32,7 +30,7 @@ ArcEnd arcEnd(const Parts& parts, std::int32_t crossing, VertexIndex vertex) {
 /// Cuts the loops of a cell in the region at the rim of its disc.
 class LoopCutter {
  public:
-  LoopCutter(const Parts& parts, CircleIndex cell)
+  LoopCutter(const ClipParts& parts, CircleIndex cell)
       : parts_(parts), cell_(cell), signs_(parts.diagram, *parts.maxDistance), cut_(signs_, cell) {}
 
   LoopsWithin run(const Loops& loops) {
@@ -174,7 +172,7 @@ class LoopCutter {
     if (hasEdgeInside_) return false;
     if (ringsInside_.empty()) {
       const Circle c = signs_.circle(cell_);
-      return parts_.placeOf(cell_) == Parts::Place::inside || parts_.region.contains({c.x, c.y});
+      return parts_.placeOf(cell_) == ClipParts::Place::inside || parts_.region.contains({c.x, c.y});
     }
     // Around an outermost ring in the disc: one that has the leftmost corner, and the highest side from there.
     const auto offsets = parts_.region.ringOffsets();
@@ -200,7 +198,7 @@ class LoopCutter {
     return parts_.region.polygonOffsets()[at(parts_.region.polygonOf(outermost))] != outermost;
   }
 
-  const Parts& parts_;
+  const ClipParts& parts_;
   CircleIndex cell_;
   DistanceSigns signs_;
   DiscLoops cut_;
@@ -211,7 +209,7 @@ class LoopCutter {
 
 }  // namespace
 
-std::optional<ArcWithin> arcWithin(const Parts& parts, const Arc& arc) {
+std::optional<ArcWithin> arcWithin(const ClipParts& parts, const Arc& arc) {
   const Edge& edge = parts.diagram.edges[at(arc.edge)];
   const DistanceSigns signs(parts.diagram, *parts.maxDistance);
   auto near = arcWithin(signs, edge, parts.curveOf(arc), arcEnd(parts, arc.start, edge.start),
@@ -220,12 +218,12 @@ std::optional<ArcWithin> arcWithin(const Parts& parts, const Arc& arc) {
   return near;
 }
 
-LoopsWithin loopsWithin(const Parts& parts, CircleIndex circle, const Loops& loops) {
+LoopsWithin loopsWithin(const ClipParts& parts, CircleIndex circle, const Loops& loops) {
   if (loops.isHole.empty()) return {};
   return LoopCutter(parts, circle).run(loops);
 }
 
-AreaBounds areaBounds(const Parts& parts, CircleIndex circle, const Loops& loops) {
+AreaBounds areaBounds(const ClipParts& parts, CircleIndex circle, const Loops& loops) {
   const DistanceSigns signs(parts.diagram, *parts.maxDistance);
   const double radius = std::max(signs.radius(circle), 0.0);
   const Circle& c = parts.diagram.circles[at(circle)];

@@ -70,7 +70,7 @@ struct PathLink {
 
 class PathGraph {
  public:
-  PathGraph(const ClippedDiagram::Parts& parts, Point from, Point to)
+  PathGraph(const ClipParts& parts, Point from, Point to)
       : parts_(parts), diagram_(parts.diagram), signs_(diagram_), given_{from, to} {
     addNodes();
     addEdges();
@@ -435,7 +435,7 @@ class PathGraph {
     RegionSideIndex corner;
   };
 
-  const ClippedDiagram::Parts& parts_;
+  const ClipParts& parts_;
   const Diagram& diagram_;
   ShiftedSigns signs_;
   std::array<Point, 2> given_;
@@ -493,7 +493,7 @@ Result<std::optional<ClearestPath>> clearestPath(const Diagram& diagram, Point p
     // Regions round points (limits.h).
     const Point from = rounded(p);
     const Point to = rounded(q);
-    const PathGraph graph(clipped->parts(), from, to);
+    const PathGraph graph(ClipParts::of(*clipped), from, to);
     const auto route = graph.route();
     if (!route) return std::optional<ClearestPath>();
     ClearestPath path;
