@@ -7,6 +7,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "circle_voronoi/region.h"
+
 namespace circle_voronoi::cli {
 namespace {
 
@@ -54,7 +56,7 @@ std::string readBox(std::string_view text, Box& box, Sides sides) {
   }
   box = {values[0], values[1], values[2], values[3]};
   if (sides == Sides::maybeInfinite) return "";
-  const auto region = ConvexPolygon::from(box);
+  const auto region = Region::from(box);
   return region ? "" : region.error().message;
 }
 

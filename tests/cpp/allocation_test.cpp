@@ -17,7 +17,6 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
@@ -290,14 +289,10 @@ TEST(Allocation, MayFailBeforeARefusal) {
   });
 }
 
-TEST(Allocation, MayFailInPolygons) {
-  const std::vector<Point> corners = {{0, 0}, {1, 0}, {0, 1}};
-  failEachAllocation([&] { return ConvexPolygon::from(corners); },
-                     [](const ConvexPolygon& polygon) { ASSERT_EQ(polygon.size(), 3U); });
-  failEachAllocation([&] { return ConvexPolygon::from(Box{}); },
-                     [](const ConvexPolygon& polygon) { ASSERT_EQ(polygon.size(), 4U); });
-  failEachAllocationBefore(ErrorCode::badOption, [&] { return ConvexPolygon::from(Box{1, 1, 0, 0}); });
-  failEachAllocationBefore(ErrorCode::badOption, [] { return ConvexPolygon::from(std::span<const Point>()); });
+TEST(Allocation, MayFailInBoxes) {
+  failEachAllocation([&] { return Region::from(Box{}); },
+                     [](const Region& region) { ASSERT_EQ(region.sideCount(), 4U); });
+  failEachAllocationBefore(ErrorCode::badOption, [&] { return Region::from(Box{1, 1, 0, 0}); });
 }
 
 }  // namespace

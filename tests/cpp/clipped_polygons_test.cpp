@@ -52,7 +52,7 @@ BoostPolygons boostOf(const std::vector<std::vector<Region::Ring>>& polygons) {
 }
 
 /// A cell in a large box as a fine polygon.
-BoostPolygon fineCell(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& box, double tolerance) {
+BoostPolygon fineCell(const Diagram& diagram, CircleIndex circle, const Region& box, double tolerance) {
   BoostPolygon polygon;
   for (const auto& loop : outline(diagram, circle, box)) {
     for (const OutlinePiece& piece : loop) {
@@ -66,7 +66,7 @@ BoostPolygon fineCell(const Diagram& diagram, CircleIndex circle, const ConvexPo
 
 TEST(ClippedPolygons, AreasAreThoseOfBoostGeometry) {
   std::mt19937_64 random(test::seedOr(3));
-  const ConvexPolygon box = ConvexPolygon::from(Box{-3, -3, 4, 4}).value();
+  const Region box = test::regionOf(Box{-3, -3, 4, 4});
   for (int trial = 0; trial < 3; ++trial) {
     const auto circles = randomCircles(random, 30, 0.1);
     const Diagram diagram = computeComparison(circles, trial == 1 ? Metric::power : Metric::circles).value();

@@ -372,34 +372,5 @@ TEST(Curve, SegmentIsStraight) {
   EXPECT_NEAR(pointAt(curve.bisector, curve.to).x, 4, 1e-15);
 }
 
-TEST(ConvexPolygon, ContainsItsBorder) {
-  const std::vector<Point> corners = {{0, 0}, {3, 0}, {6, 0}, {6, 4}, {-2, 4}};
-  const ConvexPolygon polygon = ConvexPolygon::from(corners).value();
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Point next = polygon.cornerAfter(k);
-    const Point middle = {(corners[k].x + next.x) / 2, (corners[k].y + next.y) / 2};
-    EXPECT_TRUE(polygon.contains(corners[k])) << k;
-    EXPECT_TRUE(polygon.contains(middle)) << k;
-    const Vector side = {next.x - corners[k].x, next.y - corners[k].y};
-    EXPECT_FALSE(polygon.contains({middle.x + 1e-9 * side.y, middle.y - 1e-9 * side.x})) << k;
-    // The first side goes on in the next.
-    EXPECT_EQ(polygon.contains({next.x + side.x, next.y + side.y}), k == 0) << k;
-  }
-}
-
-TEST(ConvexPolygon, RejectsPolygonsThatAreNotConvex) {
-  const auto from = [](std::vector<Point> corners) { return ConvexPolygon::from(corners); };
-  EXPECT_TRUE(from({{0, 0}, {1, 0}, {1, 1}}));
-  EXPECT_TRUE(from({{0, 0}, {1, 0}, {2, 0}, {1, 1}}));
-  EXPECT_FALSE(from({{0, 0}, {1, 0}}));
-  EXPECT_FALSE(from({{0, 0}, {1, 1}, {1, 0}}));            // clockwise
-  EXPECT_FALSE(from({{0, 0}, {2, 0}, {1, 0.5}, {2, 2}}));  // a reflex corner
-  EXPECT_FALSE(from({{0, 0}, {0, 0}, {1, 0}, {1, 1}}));    // a corner twice
-  EXPECT_FALSE(from({{0, 0}, {1, 0}, {2, 0}}));            // no area
-  EXPECT_FALSE(from({{0, 0}, {1, 0}, {1, std::nan("")}}));
-  const Point star[] = {{1, 0}, {-0.8, 0.6}, {0.3, -0.95}, {0.3, 0.95}, {-0.8, -0.6}};
-  EXPECT_FALSE(ConvexPolygon::from(star));  // turns left, but twice
-}
-
 }  // namespace
 }  // namespace circle_voronoi

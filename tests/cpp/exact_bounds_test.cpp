@@ -24,7 +24,7 @@
 
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/convex_polygon.h"
+#include "in_circle.h"
 #include "report.h"
 #include "rings.h"
 #include "same_cells.h"
@@ -527,16 +527,24 @@ std::string textOf(const Input& input) {
   return text;
 }
 
+/// Returns whether a region of one ring turns left at each of its corners, or goes straight on.
+bool isConvex(const Region& region) {
+  const auto points = region.points();
+  const std::size_t n = points.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    if (orientation(points[k], points[(k + 1) % n], points[(k + 2) % n]) < 0) return false;
+  }
+  return true;
+}
+
 /// Expects that all cells are those of the oracle, and so is the largest empty disc. Returns the number of cells; none
 /// if the input is none.
 int expectRight(const Input& input) {
-  // The corners may come in either order.
-  auto polygon = ConvexPolygon::from(input.ring);
-  if (!polygon) polygon = ConvexPolygon::from(Ring(input.ring.rbegin(), input.ring.rend()));
+  const auto made = Region::fromRings(std::array{input.ring});
   const auto diagram = compute(input.circles);
-  if (!polygon || !diagram) return 0;
+  if (!made || !isConvex(*made) || !diagram) return 0;
   SCOPED_TRACE(textOf(input));
-  const Region region = Region::from(*polygon).value();
+  const Region& region = *made;
   const auto clipped = ClippedDiagram::from(*diagram, region);
   EXPECT_TRUE(clipped) << clipped.error().message;
   if (!clipped) return 0;

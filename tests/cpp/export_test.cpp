@@ -303,7 +303,7 @@ TEST(Export, AreasAreThoseOfTheCells) {
     if (test::isTooWideToDraw(family.family)) continue;
     const auto circles = generate(family.family, 60, 2);
     const Diagram diagram = compute(circles).value();
-    const ConvexPolygon box = test::regionOf(exportBox(circles));
+    const Region box = test::regionOf(exportBox(circles));
     // The areas of narrow cells are tiny compared with the triangles whose areas are summed.
     const double rounding = 1e-15 * box.area();
     const Json file = Json::parse(textOf(writeGeoJson, circles));

@@ -21,7 +21,6 @@
 #include "circle_voronoi/box.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/compute_periodic.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/finder.h"
@@ -118,11 +117,12 @@ TEST(Options, SamplesOfNoneAreThoseOfTheCandidates) {
   EXPECT_EQ(compute(circles, options).error().code, ErrorCode::badOption);
 }
 
-TEST(ConvexPolygon, IsMadeOfABoxOnlyIfItIsOne) {
-  static_assert(!std::is_constructible_v<ConvexPolygon, Box>);
-  EXPECT_EQ(ConvexPolygon::from(Box{0, 0, 2, 1})->area(), 2);
+TEST(Region, IsMadeOfABoxOnlyIfItIsOne) {
+  static_assert(!std::is_constructible_v<Region, Box>);
+  EXPECT_EQ(Region::from(Box{0, 0, 2, 1})->area(), 2);
+  EXPECT_EQ(Region::from(Box{-0x1p100, -0x1p100, 0x1p100, 0x1p100})->area(), 0x1p202);
   for (const Box& box : {Box{0, 0, 0, 1}, Box{0, 1, 1, 0}, Box{0, 0, NAN, 1}, Box{0, 0, 1, INFINITY}}) {
-    EXPECT_EQ(ConvexPolygon::from(box).error().code, ErrorCode::badOption);
+    EXPECT_EQ(Region::from(box).error().code, ErrorCode::badOption);
   }
 }
 

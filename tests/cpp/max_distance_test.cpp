@@ -199,13 +199,13 @@ TEST(MaxDistance, ARegionWithItsCornersOnTheCircleIsWhole) {
   for (const auto& [x, y, reach] : {std::array{3.0, 4.0, 5.0}, std::array{5.0, 12.0, 13.0}, std::array{8.0, 15.0, 17.0},
                                     std::array{7.0, 24.0, 25.0}, std::array{20.0, 21.0, 29.0},
                                     std::array{33.0, 56.0, 65.0}, std::array{16.0, 63.0, 65.0}}) {
-    const Outline box = clippedBufferOutline(diagram, 0, test::regionOf(Box{-x, -y, x, y}), reach);
+    const Outline box = outlineWithin(diagram, 0, test::regionOf(Box{-x, -y, x, y}), reach);
     ASSERT_EQ(box.size(), 1U);
     EXPECT_EQ(box[0].size(), 4U) << reach;
     EXPECT_EQ(area(box), 4 * x * y);
     EXPECT_EQ(perimeter(box), 4 * (x + y));
-    const ConvexPolygon triangle = ConvexPolygon::from(std::vector<Point>{{0, 0}, {x, y}, {-y, x}}).value();
-    const Outline half = clippedBufferOutline(diagram, 0, triangle, reach);
+    const Region triangle = test::regionOf(Region::Ring{{0, 0}, {x, y}, {-y, x}});
+    const Outline half = outlineWithin(diagram, 0, triangle, reach);
     ASSERT_EQ(half.size(), 1U);
     const auto isLong = [](const OutlinePiece& piece) { return arcLength(piece.curve) > 1e-13; };
     EXPECT_EQ(std::ranges::count_if(half[0], isLong), 3) << reach;
@@ -266,7 +266,7 @@ TEST(MaxDistance, APointIsInTheOutlineOfItsNearestCircleAlone) {
     std::vector<Outline> boxed;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
       free.push_back(outlineWithin(diagram, i, d));
-      boxed.push_back(clippedBufferOutline(diagram, i, test::regionOf(box), d));
+      boxed.push_back(outlineWithin(diagram, i, test::regionOf(box), d));
     }
     for (int k = 0; k < 60; ++k) {
       // Half of the points lie near the boundary of a grown circle.
@@ -284,7 +284,7 @@ TEST(MaxDistance, APointIsInTheOutlineOfItsNearestCircleAlone) {
       }
       if (isOnBorder) continue;
       const bool isNear = distanceFrom(diagram, nearest, p) < d;
-      const ConvexPolygon region = test::regionOf(box);
+      const Region region = test::regionOf(box);
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
         const auto at = static_cast<std::size_t>(i);
         EXPECT_EQ(windings(free[at], p, margin / 10), i == nearest && isNear ? 1 : 0) << i;
@@ -364,7 +364,7 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
   ASSERT_EQ(features.size(), circles.size());
   for (std::int32_t i = 0; i < 60; ++i) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
-    const Outline exact = clippedBufferOutline(diagram, i, test::regionOf(exportBox(circles, d)), d);
+    const Outline exact = outlineWithin(diagram, i, test::regionOf(exportBox(circles, d)), d);
     const auto& feature = features[static_cast<std::size_t>(i)];
     EXPECT_NEAR(feature["properties"]["area"].get<double>(), area(exact), 1e-12);
     ASSERT_EQ(feature["geometry"].is_null(), exact.empty()) << i;
@@ -429,7 +429,7 @@ TEST(MaxDistance, TheBoxGrowsWithIt) {
     const Box box = exportBox(far);
     EXPECT_LT(box.minX, far[0].x);
     EXPECT_GT(box.maxX, far[0].x);
-    EXPECT_TRUE(ConvexPolygon::from(box).ok());
+    EXPECT_TRUE(Region::from(box).ok());
   }
 }
 

@@ -105,12 +105,14 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
   }
 }
 
-/// The distance of a point from the nearest side of a region, negative outside.
-double depthIn(const ConvexPolygon& region, Point p) {
+/// The distance of a point from the nearest side of a convex region, negative outside.
+double depthIn(const Region& region, Point p) {
   double depth = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    const Point from = region.corners()[k];
-    const Vector side = {region.cornerAfter(k).x - from.x, region.cornerAfter(k).y - from.y};
+  const auto corners = region.points();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Point from = corners[k];
+    const Point to = corners[(k + 1) % corners.size()];
+    const Vector side = {to.x - from.x, to.y - from.y};
     depth = std::min(depth, cross(side, {p.x - from.x, p.y - from.y}) / length(side));
   }
   return depth;
@@ -128,7 +130,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
       SCOPED_TRACE(trial);
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
       const double width = size * random.logUniform(-2, 0.3);
-      ConvexPolygon region = test::regionOf(Box{p.x - width, p.y - width / 2, p.x + width, p.y + width / 2});
+      Region region = test::regionOf(Box{p.x - width, p.y - width / 2, p.x + width, p.y + width / 2});
       if (trial % 2 == 1) {
         std::vector<Point> corners;
         const std::size_t cornerCount = 3 + random.below(8);
@@ -137,10 +139,10 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
           const Vector direction = directionAt((static_cast<double>(k) + turn) / static_cast<double>(cornerCount));
           corners.push_back({p.x + width * direction.x, p.y + width * direction.y});
         }
-        region = ConvexPolygon::from(corners).value();
+        region = test::regionOf(corners);
       }
       const double rounding = 1e-12 * (size + width + std::abs(p.x) + std::abs(p.y));
-      const auto largest = largestEmptyDiscInside(diagram, region);
+      const auto largest = largestEmptyDiscInside(diagram, region).value();
       ASSERT_TRUE(largest);
       const Point center = {largest->disc.x, largest->disc.y};
       const double radius = largest->disc.r;
@@ -180,7 +182,7 @@ TEST(Queries, NoCirclesHaveNoAnswers) {
   EXPECT_FALSE(largestEmptyDiscCenteredIn(diagram, test::regionOf(Box{0, 0, 1, 1})));
   EXPECT_FALSE(largestEmptyDiscCenteredInHull(diagram));
   // But a region has a largest disc.
-  const auto inside = largestEmptyDiscInside(diagram, test::regionOf(Box{0, 0, 1, 1}));
+  const auto inside = largestEmptyDiscInside(diagram, test::regionOf(Box{0, 0, 1, 1})).value();
   ASSERT_TRUE(inside);
   EXPECT_EQ(inside->disc.r, 0.5);
 }
@@ -239,7 +241,7 @@ TEST(Queries, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
         // An edge passes through the center, but neither of its circles touches.
         Case{{{4, 0, 0}, {4, 1, 0}}, {3.9, 0, 4.1, 1}, 0.1}}) {
     const Diagram diagram = compute(circles).value();
-    const auto largest = largestEmptyDiscInside(diagram, test::regionOf(box));
+    const auto largest = largestEmptyDiscInside(diagram, test::regionOf(box)).value();
     ASSERT_TRUE(largest);
     EXPECT_NEAR(largest->disc.r, radius, 1e-14);
     // Any of several equal discs may be found. It names the circles that it touches, and no other.
@@ -255,8 +257,8 @@ TEST(Queries, WhereCirclesCoverTheRegionNoDiscIsInside) {
   const std::vector<Circle> circles = {{0, 0, 10}, {12, 0, 5}};
   const Diagram diagram = compute(circles).value();
   const Box covered = {-1, -2, 3, 2};
-  EXPECT_LT(largestEmptyDiscInside(diagram, test::regionOf(covered))->disc.r, 0);
-  EXPECT_EQ(largestEmptyDiscInside(diagram, test::regionOf(covered))->disc,
+  EXPECT_LT(largestEmptyDiscInside(diagram, test::regionOf(covered)).value()->disc.r, 0);
+  EXPECT_EQ(largestEmptyDiscInside(diagram, test::regionOf(covered)).value()->disc,
             largestEmptyDiscCenteredIn(diagram, test::regionOf(covered))->disc);
 }
 

@@ -12,40 +12,28 @@
 #include "circle_voronoi/box.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region_queries.h"
 
 namespace circle_voronoi {
 
-// Cells and discs in convex polygons, which tests of many properties use. Precondition: the diagram is certified.
+// Cells and discs in regions, which tests of many properties use. Precondition: the diagram is certified.
 
-inline Region regionIn(const ConvexPolygon& polygon) { return Region::from(polygon).value(); }
-
-inline Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& polygon) {
-  const Region region = regionIn(polygon);
+inline Outline outline(const Diagram& diagram, CircleIndex circle, const Region& region) {
   return ClippedDiagram::ofCells(diagram, region, std::array{circle})->outline(circle);
 }
 
-inline Outline clippedBufferOutline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& polygon,
-                                    double maxDistance) {
-  const Region region = regionIn(polygon);
+inline Outline outlineWithin(const Diagram& diagram, CircleIndex circle, const Region& region, double maxDistance) {
   return ClippedDiagram::ofCells(diagram, region, std::array{circle}, maxDistance)->outline(circle);
 }
 
-/// The parts of an edge in a polygon.
-inline std::vector<EdgeCurve> edgePartsIn(const Diagram& diagram, EdgeIndex edge, const ConvexPolygon& polygon) {
-  const Region region = regionIn(polygon);
+/// The parts of an edge in a region.
+inline std::vector<EdgeCurve> edgePartsIn(const Diagram& diagram, EdgeIndex edge, const Region& region) {
   return ClippedDiagram::from(diagram, region)->edgeParts(edge);
 }
 
-inline std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, const ConvexPolygon& polygon) {
-  const Region region = regionIn(polygon);
+inline std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, const Region& region) {
   return ClippedDiagram::from(diagram, region)->largestEmptyDisc();
-}
-
-inline std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& polygon) {
-  return largestEmptyDiscInside(diagram, regionIn(polygon)).value();
 }
 
 }  // namespace circle_voronoi
@@ -53,7 +41,10 @@ inline std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, c
 namespace circle_voronoi::test {
 
 /// Returns the region of a box that is valid.
-inline ConvexPolygon regionOf(const Box& box) { return ConvexPolygon::from(box).value(); }
+inline Region regionOf(const Box& box) { return Region::from(box).value(); }
+
+/// Returns the region of a ring that is valid.
+inline Region regionOf(const Region::Ring& ring) { return Region::fromRings(std::array{ring}).value(); }
 
 /// Returns the bounding box of circles. Precondition: there is a circle.
 inline Box boundingBoxOf(std::span<const Circle> circles) {

@@ -108,7 +108,7 @@ void measureQueries(const Diagram& diagram, const Box& box, MeasuresOfCells& all
   if (const auto pair = closestPair(diagram)) all.add(1, pair->gap);
   all.add(*largestEmptyDiscCenteredIn(diagram, test::regionOf(box)));
   all.add(*largestEmptyDiscCenteredInHull(diagram));
-  all.add(*largestEmptyDiscInside(diagram, test::regionOf(box)));
+  all.add(**largestEmptyDiscInside(diagram, test::regionOf(box)));
   const ClearestPath path = clearestPath(diagram, {box.minX, box.minY}, {box.maxX, box.maxY / 2});
   all.add(1, path.clearance);
   for (const std::int32_t edge : path.edges) all.add(0, edge);
@@ -188,8 +188,8 @@ TEST(Scale, SmallestNumbersAreRoundedOnly) {
     EXPECT_NEAR(perimeter(scaledParts) / scale, perimeter(parts), 0.02);
     EXPECT_NEAR(centroid(scaledParts).x / scale, centroid(parts).x, 0.02);
   }
-  const EmptyDisc disc = *largestEmptyDiscInside(diagram, test::regionOf(box));
-  const EmptyDisc scaledDisc = *largestEmptyDiscInside(scaledDiagram, test::regionOf(scaledBox));
+  const EmptyDisc disc = **largestEmptyDiscInside(diagram, test::regionOf(box));
+  const EmptyDisc scaledDisc = **largestEmptyDiscInside(scaledDiagram, test::regionOf(scaledBox));
   EXPECT_NEAR(scaledDisc.disc.r / scale, disc.disc.r, 0.01);
 }
 

@@ -203,7 +203,7 @@ TEST(Weights, CellsAndNearestCirclesStay) {
   const Diagram diagram = compute(weights, kWeights).value();
   const Finder finder(diagram);
   const Finder sameFinder(expected);
-  const ConvexPolygon region = test::regionOf(Box{-100, -100, 1100, 1100});
+  const Region region = test::regionOf(Box{-100, -100, 1100, 1100});
   for (std::int32_t i = 0; i < 80; ++i) {
     EXPECT_EQ(area(outline(diagram, i, region)), area(outline(expected, i, region)));
     const double near = area(outlineWithin(expected, i, 8));
@@ -214,7 +214,7 @@ TEST(Weights, CellsAndNearestCirclesStay) {
     const Point p = {random.uniform(-100, 1100), random.uniform(-100, 1100)};
     EXPECT_EQ(finder.find(p), sameFinder.find(p));
   }
-  const auto disc = largestEmptyDiscInside(diagram, region);
+  const auto disc = largestEmptyDiscInside(diagram, region).value();
   const auto sameDisc = largestEmptyDiscCenteredIn(expected, region);
   ASSERT_TRUE(disc && sameDisc);
   // 700 more than the circles leave: sides are nearer than circles.

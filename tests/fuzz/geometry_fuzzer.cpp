@@ -313,8 +313,7 @@ void run(std::span<const std::uint8_t> bytes) {
   auto region = Region::from(box);
   if (!region) return;
   checkClip(*diagram, *region);
-  const auto nearly = ConvexPolygon::from(nearlyBox(box, bytes));
-  if (const auto other = nearly ? Region::from(*nearly) : region) checkClip(*diagram, *other);
+  if (const auto nearly = Region::fromRings(std::array{nearlyBox(box, bytes)})) checkClip(*diagram, *nearly);
   Checker(*diagram, box, *std::move(region)).run();
 }
 

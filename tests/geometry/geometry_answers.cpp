@@ -73,11 +73,6 @@ class Questions {
  public:
   Questions(const Diagram& diagram, const Box& box, double maxDistance)
       : diagram_(diagram), box_(box), maxDistance_(maxDistance) {
-    const double x = box.minX + (box.maxX - box.minX) / 2;
-    const double y = box.minY + (box.maxY - box.minY) / 2;
-    const std::array<Point, 4> diamond = {Point{x, box.minY}, {box.maxX, y}, {x, box.maxY}, {box.minX, y}};
-    regions_.push_back(ConvexPolygon::from(box).value());
-    regions_.push_back(ConvexPolygon::from(diamond).value());
     tolerance_ = 1e-4 * std::max(box.maxX - box.minX, box.maxY - box.minY);
     for (int j = 0; j < kPlaces; ++j) {
       for (int i = 0; i < kPlaces; ++i) places_.push_back(placeAt(i, j));
@@ -85,7 +80,7 @@ class Questions {
   }
 
   void askAll() const {
-    askRegions();
+    askBoxes();
     for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram_.edges.size()); ++e) askEdge(e);
     for (CircleIndex i = 0; i < static_cast<std::int32_t>(diagram_.circles.size()); ++i) askCell(i);
     askPlaces();
@@ -100,13 +95,7 @@ class Questions {
             box_.minY + (j / (kPlaces - 1.0)) * (box_.maxY - box_.minY)};
   }
 
-  void askRegions() const {
-    for (std::size_t k = 0; k < regions_.size(); ++k) {
-      const ConvexPolygon& region = regions_[k];
-      Answer(question("region", k)) << region.area() << region.middle();
-      Answer inside(question("region contains", k));
-      for (const Point& p : places_) inside << region.contains(p);
-    }
+  void askBoxes() const {
     const Box box = exportBox(diagram_.circles);
     Answer("exportBox") << box.minX << box.minY << box.maxX << box.maxY;
     const Box grown = exportBox(diagram_.circles, maxDistance_);
@@ -248,7 +237,6 @@ class Questions {
   Box box_;
   double maxDistance_;
   double tolerance_;
-  std::vector<ConvexPolygon> regions_;
   std::vector<Point> places_;
 };
 

@@ -13,7 +13,6 @@ import { loadComparison } from '../../dist/lib/comparison.js'
 import { bezierPointAt } from '../../dist/lib/curves/bezier.js'
 import { linkSides } from '../../dist/lib/diagram/link-sides.js'
 import {
-  ConvexPolygon,
   clearestPath,
   closestPair,
   convexHull,
@@ -154,14 +153,6 @@ function answersOf(diagram, box, maxDistance) {
   const say = (question, ...numbers) => answers.push([question, numbers.map(Number)])
   const of = (p) => [p.x, p.y]
   const { minX, minY, maxX, maxY } = box
-  const [x, y] = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2]
-  const corners = [
-    { x, y: minY },
-    { x: maxX, y },
-    { x, y: maxY },
-    { x: minX, y },
-  ]
-  const regions = [ConvexPolygon.of(box), ConvexPolygon.from(corners)]
   const tolerance = 1e-4 * Math.max(maxX - minX, maxY - minY)
   const places = Array.from({ length: PLACES * PLACES }, (_, k) => ({
     x: minX + ((k % PLACES) / (PLACES - 1)) * (maxX - minX),
@@ -170,10 +161,6 @@ function answersOf(diagram, box, maxDistance) {
   const { circles, cells, edges, metric } = diagram
   const count = circles.length / 3
 
-  regions.forEach((region, k) => {
-    say(`region ${k}`, region.area(), ...of(region.middle()))
-    say(`region contains ${k}`, ...places.map((p) => region.contains(p)))
-  })
   say('exportBox', ...Object.values(exportBox(circles)))
   say('exportBox of a distance', ...Object.values(exportBox(circles, maxDistance)))
   const { nextSide, vertexSides, firstSide } = diagram

@@ -13,7 +13,6 @@
 #include "circle_voronoi/attributes.h"
 #include "circle_voronoi/box.h"
 #include "circle_voronoi/circle.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
@@ -25,7 +24,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The part of a diagram to write, and the precision.
 struct ExportOptions {
-  /// The box to which cells and edges are clipped, one that `ConvexPolygon::from` accepts. By default it is the
+  /// The box to which cells and edges are clipped, one that `Region::from` accepts. By default it is the
   /// bounding box of the circles with a margin of a twentieth of its size. The circles are first grown by
   /// `maxDistance`, if that is given.
   std::optional<Box> bounds = {};

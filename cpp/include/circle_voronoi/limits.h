@@ -23,7 +23,7 @@ inline constexpr double kCoordinateStep = 0x1p-96;
 inline constexpr double kSmallestInput = 0x1p-56;
 /// kSmallestInput as messages write it.
 inline constexpr const char* kSmallestInputText = "1.4e-17 (2^-56)";
-/// The largest coordinate of a box or a convex polygon and the largest `maxDistance`, in absolute value: sixteen times
+/// The largest coordinate of a box and the largest `maxDistance`, in absolute value: sixteen times
 /// that of a circle, so that there is a box around any circles.
 inline constexpr double kRegionLimit = 0x1p100;
 /// kRegionLimit as messages write it.

@@ -9,7 +9,6 @@
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/box.h"
-#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/limits.h"
@@ -71,9 +70,8 @@ class Region {
   static Result<Region> fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
                                    std::span<const std::int32_t> polygonOffsets = {},
                                    const RegionOptions& options = {});
-  /// Makes a region from a convex polygon.
-  static Result<Region> from(const ConvexPolygon& polygon);
-  /// Makes a region from a box. Errors: see ConvexPolygon.
+  /// Makes a region from a box.
+  /// Errors: badOption if the box is empty, or a coordinate is not finite or exceeds kRegionLimit; badArithmetic.
   static Result<Region> from(const Box& box);
 
   /// Returns the points of all rings without repetitions, one ring after the other. Outer rings run counter-clockwise

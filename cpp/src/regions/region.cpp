@@ -223,7 +223,7 @@ Cleaned cleaned(const Given& given, const Names& names, bool leavesOut = false) 
     offsets.push_back(static_cast<std::int32_t>(points.size()));
     result.inputRing.push_back(r);
   }
-  // The coordinates of a convex polygon may be small: they were rounded when it was made.
+  // The coordinates of a box may be small.
   if (given.limit == kCoordinateLimit) {
     if (auto error = tooSmallError(largest, "The points of the region")) throw ThrownError{*std::move(error)};
   }
@@ -321,8 +321,6 @@ Grouping grouped(const Given& given, const RingOrder& order) {
   }
   return result;
 }
-
-Region::Ring closedOnce(std::span<const Point> corners) { return {corners.begin(), corners.end()}; }
 
 /// Flat arrays of lists of rings.
 struct Flat {
@@ -431,19 +429,20 @@ Result<Region> Region::fromRings(std::span<const Ring> rings, const RegionOption
   });
 }
 
-Result<Region> Region::from(const ConvexPolygon& polygon) {
-  return guarded([&]() -> Result<Region> {
-    Flat flat;
-    flat.add(closedOnce(polygon.corners()));
-    checkArrays({flat.points, flat.ringOffsets, {}});
-    return valid(flat.points, flat.ringOffsets, {}, kRegionLimit);
-  });
-}
-
 Result<Region> Region::from(const Box& box) {
-  const auto polygon = ConvexPolygon::from(box);
-  if (!polygon) return polygon.error();
-  return from(*polygon);
+  return guarded([&]() -> Result<Region> {
+    const auto isInRange = [](Point p) { return std::abs(p.x) <= kRegionLimit && std::abs(p.y) <= kRegionLimit; };
+    if (!isInRange({box.minX, box.minY}) || !isInRange({box.maxX, box.maxY})) {
+      refuse(std::string("A coordinate of the box is not finite, or beyond ") + kRegionLimitText + ".");
+    }
+    const auto [minX, minY] = rounded(Point{box.minX, box.minY});
+    const auto [maxX, maxY] = rounded(Point{box.maxX, box.maxY});
+    if (!(minX < maxX && minY < maxY)) refuse("The box is empty.");
+    const std::array<Point, 4> corners = {Point{minX, minY}, {maxX, minY}, {maxX, maxY}, {minX, maxY}};
+    constexpr std::array<std::int32_t, 2> kOneRing = {0, 4};
+    checkArrays({corners, kOneRing, {}});
+    return valid(corners, kOneRing, {}, kRegionLimit);
+  });
 }
 
 RegionRingIndex Region::ringOf(RegionSideIndex side) const {
