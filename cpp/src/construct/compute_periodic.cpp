@@ -83,8 +83,8 @@ Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice) {
   torus.reduced = reduce(roundedVector(a), roundedVector(b));
   // Periods that are parallel but for their own rounding come this near to zero.
   if (largestOf(torus.reduced.a) < 0x1p10) {
-    return Error{ErrorCode::badOption, kNone,
-                 "The periods must not be zero or parallel, up to 2^-40 of the largest coordinate."};
+    return errorWith(ErrorCode::badOption,
+                     "The periods must not be zero or parallel, up to 2^-40 of the largest coordinate.");
   }
   torus.lattice = {asInput(roundedVector(a)), asInput(roundedVector(b))};
   torus.centers.reserve(circles.size());
@@ -301,7 +301,7 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
     if (!diagram) return ofGivenCircle(diagram.error(), result);
     result.diagram = std::move(diagram).value();
     if (!result.diagram.certificate.certified()) {
-      return Error{ErrorCode::notCertified, kNone, "The diagram of the images is not certified."};
+      return errorWith(ErrorCode::notCertified, "The diagram of the images is not certified.");
     }
     if (torus.moves.empty() && hasEqualCirclesApart(result)) {
       gather(torus);

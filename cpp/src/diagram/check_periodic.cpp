@@ -196,7 +196,7 @@ class FoldCheck {
 
 Result<void> checkPeriodic(const PeriodicDiagram& periodic) {
   return guarded([&]() -> Result<void> {
-    if (!fits(periodic)) return Error{ErrorCode::badInput, kNone, "The parts of the diagram do not fit together."};
+    if (!fits(periodic)) return errorWith(ErrorCode::badInput, "The parts of the diagram do not fit together.");
     if (auto error = FoldCheck(periodic).run()) return *std::move(error);
     return {};
   });

@@ -80,9 +80,9 @@ double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circ
 
 std::optional<Error> checkMissing(const MissingCircles& missing) {
   const auto& [minX, minY, maxX, maxY] = missing.box;
-  if (!(minX < maxX) || !(minY < maxY)) return Error{ErrorCode::badOption, -1, "The box of what is known is empty."};
+  if (!(minX < maxX) || !(minY < maxY)) return errorWith(ErrorCode::badOption, "The box of what is known is empty.");
   if (!(missing.maxRadius >= 0) || std::isinf(missing.maxRadius)) {
-    return Error{ErrorCode::badOption, -1, "The largest radius of what is not known is no finite number from 0."};
+    return errorWith(ErrorCode::badOption, "The largest radius of what is not known is no finite number from 0.");
   }
   return std::nullopt;
 }
@@ -143,7 +143,7 @@ Result<FinalCells> finalCells(const Diagram& diagram, const MissingCircles& miss
   return guarded([&]() -> Result<FinalCells> {
     if (auto error = checkMissing(missing)) return *std::move(error);
     if (!fits(diagram)) {
-      return Error{ErrorCode::badInput, -1, "The diagram names circles or vertices that are not there."};
+      return errorWith(ErrorCode::badInput, "The diagram names circles or vertices that are not there.");
     }
     const auto circles = validate(diagram.circles, diagram.weights);
     if (!circles) return circles.error();

@@ -73,7 +73,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   }
   const auto& [sites, construction] = constructed;
   if (!construction.isRight()) {
-    return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
+    return errorWith(ErrorCode::notCertified, "No construction led to a certified diagram.");
   }
 
   auto state = std::make_unique<EditState>();

@@ -117,7 +117,7 @@ class DiagramEditor::Editor {
   /// Applies edits, then tells the observer. If the observer throws, the exception reaches the caller, but the edits
   /// are done.
   Result<Change> edited(std::span<const Edit> edits, CircleId hint) {
-    if (isTelling_) return Error{ErrorCode::badInput, kNone, "An observer must not edit the editor that calls it."};
+    if (isTelling_) return errorWith(ErrorCode::badInput, "An observer must not edit the editor that calls it.");
     auto change = guarded([&] { return apply(edits, hint); });
     if (!change) events_.clear();  // refused edits were never done
     handOut();

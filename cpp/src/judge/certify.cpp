@@ -160,7 +160,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, const Diagram& diagram
 Result<Certificate> certify(const Diagram& diagram) {
   return guarded([&]() -> Result<Certificate> {
     if (diagram.metric == Metric::power) {
-      return Error{ErrorCode::badOption, -1, "There is no certificate for a power diagram."};
+      return errorWith(ErrorCode::badOption, "There is no certificate for a power diagram.");
     }
     const auto circles = validate(diagram.circles, diagram.weights);
     if (!circles) return circles.error();
