@@ -205,7 +205,9 @@ TEST(LargestDiscInRegion, DoesNotDependOnHolesUnderCircles) {
       }
     }
     const double found = discIn(circles, regionFrom(rings)).disc.r;
-    if (std::max(bare, found) > 0) EXPECT_NEAR(found, bare, 1e-9);
+    if (std::max(bare, found) > 0) {
+      EXPECT_NEAR(found, bare, 1e-9);
+    }
   }
 }
 
