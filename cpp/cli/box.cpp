@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "circle_voronoi/region.h"
+#include "number_text.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -52,7 +53,10 @@ std::string readBox(std::string_view text, Box& box, Sides sides) {
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string min = kBoxNames[i];
     const std::string max = kBoxNames[i + 2];
-    if (!(values[i] < values[i + 2])) return max + " has to be above " + min + ".";
+    if (values[i] < values[i + 2]) continue;
+    const bool isAcross180 = i == 0 && values[0] > 0 && values[0] <= 180 && values[2] < 0 && values[2] >= -180;
+    return max + " has to be above " + min +
+           (isAcross180 ? "; across 180 degrees, longitudes go on: MAXX is " + numberText(values[2] + 360) + "." : ".");
   }
   box = {values[0], values[1], values[2], values[3]};
   if (sides == Sides::maybeInfinite) return "";

@@ -88,13 +88,20 @@ void noteSkipped(const CircleFile& file, ProgressLine& progress) {
        progress);
 }
 
-void noteHidden(const Diagram& diagram, ProgressLine& progress) {
-  const std::size_t count = diagram.hidden.size();
-  if (4 * count <= diagram.circles.size()) return;
-  note(std::to_string(count) + " of " + std::to_string(diagram.circles.size()) +
+void noteHidden(std::size_t hidden, std::size_t count, ProgressLine& progress) {
+  if (4 * hidden <= count) return;
+  note(std::to_string(hidden) + " of " + std::to_string(count) +
            " circles are hidden inside others and have no cell. Perhaps their radii have another unit than x and y, as "
-           "meters and degrees do (see --project), or are diameters or another column (see --radius).",
+           "meters and degrees do (see --sphere and --project), or are diameters or another column (see --radius).",
        progress);
+}
+
+void noteDegrees(const CircleFile& file, ProgressLine& progress) {
+  if (!file.areDegrees) return;
+  note(
+      "The centers are longitude and latitude, and the diagram is that of a plane where all degrees are equally long. "
+      "For the Earth, see --sphere and --project.",
+      progress);
 }
 
 void note(const std::string& sentence, ProgressLine& progress) {

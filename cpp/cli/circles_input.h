@@ -41,7 +41,10 @@ CircleFile readInput(const CirclesInput& input, const std::string& text);
 void noteSkipped(const CircleFile& file, ProgressLine& progress);
 
 /// Prints a hint on standard error if more than a quarter of the circles of a file are hidden.
-void noteHidden(const Diagram& diagram, ProgressLine& progress);
+void noteHidden(std::size_t hidden, std::size_t count, ProgressLine& progress);
+
+/// Prints a hint on standard error if circles are given in degrees, for a diagram of the plane.
+void noteDegrees(const CircleFile& file, ProgressLine& progress);
 
 /// Prints a note on standard error.
 void note(const std::string& sentence, ProgressLine& progress);

@@ -17,6 +17,7 @@
 #include "option_flag.h"
 #include "output.h"
 #include "progress_line.h"
+#include "sphere_part.h"
 #include "tile_part.h"
 #include "trace_lines.h"
 #include "whole_number.h"
@@ -40,6 +41,7 @@ struct ComputeArguments {
   int threads = Options{}.threads;
   std::string trace;
   std::string lattice;  ///< AX,AY,BX,BY; empty if the circles do not repeat
+  SpherePart sphere;
   TilePart tile;
   std::string progress = "auto";
 };
@@ -76,6 +78,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   settleInput(command, arguments.input);
   refuseUnused(command, arguments);
   settle(arguments.output);
+  check(arguments.sphere, command, arguments.output);
   check(arguments.tile, arguments.output);
   if (!arguments.lattice.empty()) checkPeriodicOutput(arguments.output);
   refuseSharedFiles(
@@ -88,8 +91,13 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   }
   const std::string name = inputName(arguments.input.file);
   CircleFile file = readInput(arguments.input, readText(arguments.input.file));
+  if (arguments.sphere.isAsked) {
+    return computeOnSphere(arguments.sphere, arguments.output, arguments.input, std::move(file), arguments.threads,
+                           progress);
+  }
+  if (arguments.projection.empty()) noteDegrees(file, progress);
   arguments.output.attributes = std::move(file.attributes);
-  project(arguments.projection, file.circles, arguments.output, name);
+  project(arguments.projection, file.circles, arguments.output, name, progress);
   const std::vector<Circle>& circles = file.circles;
 
   Options options;
@@ -123,7 +131,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
     });
   }
   noteSkipped(file, progress);
-  noteHidden(diagram, progress);
+  noteHidden(diagram.hidden.size(), diagram.circles.size(), progress);
   writeDiagram(arguments.output, name, diagram, progress);
 }
 
@@ -136,6 +144,7 @@ void addComputeCommand(CLI::App& program) {
       *command, arguments->input,
       "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property r; - is standard input");
   addProjectOption(*command, arguments->projection);
+  addSphereOptions(*command, arguments->sphere);
   addOutputOptions(*command, arguments->output);
   command->add_option(flagOf(&Options::method), arguments->method, "How to build the diagram")
       ->type_name("METHOD")

@@ -70,8 +70,9 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
   CircleFile file = readInput(arguments.input, readText(arguments.input.file));
   const auto areas = numbersIn(file.attributes, arguments.areas);
   if (!areas) throw CommandError{kBadInput, name + ": " + areas.error().message};
+  if (arguments.projection.empty()) noteDegrees(file, progress);
   arguments.output.attributes = std::move(file.attributes);
-  project(arguments.projection, file.circles, arguments.output, name);
+  project(arguments.projection, file.circles, arguments.output, name, progress);
 
   AreaFitOptions options;
   options.shares = arguments.shares;

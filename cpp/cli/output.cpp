@@ -10,16 +10,21 @@
 #include <vector>
 
 #include "box.h"
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/export.h"
+#include "circle_voronoi/finder.h"
 #include "circle_voronoi/io.h"
 #include "circles_input.h"
 #include "command_error.h"
+#include "number_text.h"
 #include "whole_number.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
 constexpr const char* kDefaultFormat = "json";
+/// The ratio of scales on a map from which on cells may be visibly wrong.
+constexpr double kWorthAWarning = 1.02;
 const std::vector<std::string> kFormats = {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj", "stats"};
 
 using WriteExport = Result<void> (*)(std::ostream&, const Diagram&, const ExportOptions&);
@@ -43,15 +48,6 @@ using WriteCircles = Result<void> (*)(std::ostream&, std::span<const Circle>, co
 const std::map<std::string, WriteCircles> kCircleFormats = {
     {"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}};
 
-/// `name` is the name of the input.
-void write(const Output& output, const std::string& name, ProgressLine& progress,
-           const std::function<Result<void>(std::ostream&)>& writer) {
-  // The output may share the screen with the progress line.
-  if (output.file == kStandardStream) progress.end();
-  progress.show("write");
-  writeText(output.file, [&](std::ostream& out) { checkWritten(writer(out), name + ": "); });
-}
-
 /// Prints a warning on standard error if members of a collection such as `crs` get lost, although circles or cells keep
 /// their other attributes.
 void noteCollection(const Output& output, ProgressLine& progress) {
@@ -70,7 +66,40 @@ void projectLimits(Output& output) {
   }
   if (output.region) {
     const std::string what = output.regionFile.empty() ? "--bounds" : inputName(output.regionFile);
-    output.region = output.projection->plane(*output.region, what);
+    output.region = output.projection->plane(*output.region, what, {.dissolve = output.dissolve});
+  }
+}
+
+/// Prints a warning on standard error if the scale of the map differs much between circles, as Mercator's does.
+void noteScales(const Projection& projection, std::span<const Circle> circles, ProgressLine& progress) {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (const Circle& c : circles) {
+    least = std::min(least, projection.scaleAt(c.y));
+    largest = std::max(largest, projection.scaleAt(c.y));
+  }
+  const double ratio = std::round(largest / least * 100) / 100;
+  if (ratio <= kWorthAWarning) return;
+  note("On this map lengths are " + numberText(ratio) +
+           " times as large at some circles as at others, so places between them may be in a wrong cell. --sphere has "
+           "no such error.",
+       progress);
+}
+
+/// Throws CommandError if a cell that is written in degrees contains a pole: its ring would go around the pole, not
+/// around the cell.
+void refusePoles(const Output& output, const std::string& name, const Diagram& diagram) {
+  if (!output.projection || !(output.format.starts_with("geojson") || output.format == "wkt")) return;
+  if (diagram.circles.empty()) return;
+  const Box box = output.region ? output.region->bounds() : exportBox(diagram.circles, output.maxDistance);
+  for (const Point pole : output.projection->poles()) {
+    const bool isIn = pole.x >= box.minX && pole.x <= box.maxX && pole.y >= box.minY && pole.y <= box.maxY;
+    if (!isIn || (output.region && !output.region->contains(pole))) continue;
+    const CircleIndex nearest = Finder(diagram).find(pole);
+    if (output.maxDistance && distanceFrom(diagram, nearest, pole) > *output.maxDistance) continue;
+    throw CommandError{kBadInput, name + ": the cell of circle " + std::to_string(nearest) +
+                                      " contains a pole, so it is no polygon in degrees around its center; use "
+                                      "--sphere."};
   }
 }
 
@@ -130,6 +159,14 @@ void addOutputOptions(CLI::App& command, Output& output) {
       ->transform(wholeNumber(std::numeric_limits<int>::max()));
 }
 
+void write(const Output& output, const std::string& name, ProgressLine& progress,
+           const std::function<Result<void>(std::ostream&)>& writer) {
+  // The output may share the screen with the progress line.
+  if (output.file == kStandardStream) progress.end();
+  progress.show("write");
+  writeText(output.file, [&](std::ostream& out) { checkWritten(writer(out), name + ": "); });
+}
+
 std::string endingOf(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
@@ -181,11 +218,13 @@ void addProjectOption(CLI::App& command, std::string& name) {
       ->check(CLI::IsMember(kProjections));
 }
 
-void project(const std::string& name, std::vector<Circle>& circles, Output& output, const std::string& input) {
+void project(const std::string& name, std::vector<Circle>& circles, Output& output, const std::string& input,
+             ProgressLine& progress) {
   if (name.empty() || circles.empty()) return;
   const auto found = std::ranges::find(kProjections, name);
   const auto kind = static_cast<Projection::Kind>(found - kProjections.begin());
   output.projection = Projection::around(circles, kind, input);
+  noteScales(*output.projection, circles, progress);
   for (Circle& circle : circles) circle = output.projection->plane(circle);
   output.projection->record(output.attributes);
   projectLimits(output);
@@ -198,6 +237,7 @@ void takeRecordedProjection(Output& output, const CircleAttributes& attributes) 
 
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress) {
   const auto found = kExports.find(output.format);
+  refusePoles(output, name, diagram);
   if (output.format == "geojsonl") noteCollection(output, progress);
   write(output, name, progress, [&](std::ostream& out) {
     if (found != kExports.end()) return found->second(out, diagram, exportOptions(output));

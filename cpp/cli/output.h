@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,6 +41,10 @@ void addOutputFile(CLI::App& command, Output& output);
 /// Adds these options to a command.
 void addOutputOptions(CLI::App& command, Output& output);
 
+/// Writes what `writer` writes to the file of the output. Errors call the input `name`. Throws CommandError.
+void write(const Output& output, const std::string& name, ProgressLine& progress,
+           const std::function<Result<void>(std::ostream&)>& writer);
+
 /// Returns the extension of a file in lower case, without the dot; empty if there is none.
 std::string endingOf(const std::string& file);
 
@@ -56,8 +62,9 @@ void addProjectOption(CLI::App& command, std::string& name);
 
 /// Projects circles with longitude and latitude, and the box and the region of the output. The output is converted back
 /// to degrees. `name` is the name of a projection; if it is empty, the function does nothing. Throws CommandError,
-/// which calls the input `input`.
-void project(const std::string& name, std::vector<Circle>& circles, Output& output, const std::string& input);
+/// which calls the input `input`. Prints a warning on standard error if scales differ much.
+void project(const std::string& name, std::vector<Circle>& circles, Output& output, const std::string& input,
+             ProgressLine& progress);
 
 /// Restores the projection from the file of a diagram that `compute` has projected, so that cells are written in
 /// degrees. Projects the box and the region. Throws CommandError.

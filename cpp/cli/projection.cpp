@@ -151,9 +151,18 @@ Point Projection::degrees(Point plane) const {
 
 Circle Projection::plane(const Circle& circle) const {
   const Point center = plane(Point{circle.x, circle.y});
-  if (kind_ != Kind::mercator) return {center.x, center.y, circle.r};
-  const SineCosine latitude = sineCosine(circle.y * kDegree);
-  return {center.x, center.y, circle.r * (radius_ / (normalCurvature(latitude.sine) * latitude.cosine))};
+  return {center.x, center.y, circle.r * scaleAt(circle.y)};
+}
+
+double Projection::scaleAt(double latitude) const {
+  if (kind_ != Kind::mercator) return 1;
+  const SineCosine angle = sineCosine(latitude * kDegree);
+  return radius_ / (normalCurvature(angle.sine) * angle.cosine);
+}
+
+std::vector<Point> Projection::poles() const {
+  if (kind_ == Kind::mercator) return {};
+  return {plane(Point{longitude_, 90}), plane(Point{longitude_, -90})};
 }
 
 Projection Projection::around(std::span<const Circle> circles, Kind kind, const std::string& name) {
@@ -169,7 +178,8 @@ Projection Projection::around(std::span<const Circle> circles, Kind kind, const 
       fail(i,
            "is at (" + numberText(c.x) + ", " + numberText(c.y) + "), which is no longitude and latitude in degrees.");
     }
-    if (kind == Kind::mercator && std::abs(c.y) > kNorthernmost) fail(i, "is too near a pole for --project mercator.");
+    if (kind == Kind::mercator && std::abs(c.y) > kNorthernmost)
+      fail(i, "is too near a pole for --project mercator; use --sphere.");
     const SineCosine meridian = sineCosine(wrapped(c.x) * kDegree);
     const SineCosine latitude = sineCosine(c.y * kDegree);
     x += latitude.cosine * meridian.cosine;
@@ -186,12 +196,14 @@ Projection Projection::around(std::span<const Circle> circles, Kind kind, const 
     const SineCosine latitude = sineCosine(circles[i].y * kDegree);
     const double turn = sineCosine(wrapped(circles[i].x - projection.longitude_) * kDegree).cosine;
     if (center.sine * latitude.sine + center.cosine * latitude.cosine * turn >= least) continue;
-    fail(i, "is more than 60 degrees from the middle of the circles, too far for one map; use --project mercator.");
+    fail(i,
+         "is more than 60 degrees from the middle of the circles, too far for one map; use --sphere, or --project "
+         "mercator.");
   }
   return projection;
 }
 
-Region Projection::plane(const Region& region, const std::string& name) const {
+Region Projection::plane(const Region& region, const std::string& name, const RegionOptions& options) const {
   std::vector<Point> points;
   std::vector<std::int32_t> ringOffsets = {0};
   const auto offsets = region.ringOffsets();
@@ -220,16 +232,14 @@ Region Projection::plane(const Region& region, const std::string& name) const {
     }
     ringOffsets.push_back(static_cast<std::int32_t>(points.size()));
   }
-  auto projected = Region::fromArrays(points, ringOffsets, region.polygonOffsets());
+  auto projected = Region::fromArrays(points, ringOffsets, region.polygonOffsets(), options);
   if (!projected) throw CommandError{kBadInput, name + ": " + projected.error().message};
   return *std::move(projected);
 }
 
 Circle Projection::degrees(const Circle& circle) const {
   const Point center = degrees(Point{circle.x, circle.y});
-  if (kind_ != Kind::mercator) return {center.x, center.y, circle.r};
-  const SineCosine latitude = sineCosine(center.y * kDegree);
-  return {center.x, center.y, circle.r / (radius_ / (normalCurvature(latitude.sine) * latitude.cosine))};
+  return {center.x, center.y, circle.r / scaleAt(center.y)};
 }
 
 void Projection::removeFrom(CircleAttributes& attributes) {

@@ -54,7 +54,11 @@ class Projection {
   Circle degrees(const Circle& circle) const;
   /// Returns a region with its points in degrees as a region of the plane. Long sides get more points. Throws
   /// CommandError.
-  Region plane(const Region& region, const std::string& name) const;
+  Region plane(const Region& region, const std::string& name, const RegionOptions& options) const;
+  /// Returns the scale of lengths at a latitude: 1 at the center. Only that of Mercator's projection changes much.
+  double scaleAt(double latitude) const;
+  /// Returns the places of the poles that are on the map, where polygons in degrees have no meaning.
+  std::vector<Point> poles() const;
 
  private:
   SineCosine auxiliaryOf(double latitude) const;

@@ -30,6 +30,7 @@ PYBIND11_MODULE(_core_of_main, module) {
   addUpdates(module);
   addFiles(module);
   addPeriodic(module);
+  addSphere(module);
   if (PyModule_AddFunctions(module.ptr(), plainFunctions) != 0) throw pybind11::error_already_set();
 }
 

@@ -10,5 +10,6 @@ void addRegions(pybind11::module_& module);
 void addUpdates(pybind11::module_& module);
 void addFiles(pybind11::module_& module);
 void addPeriodic(pybind11::module_& module);
+void addSphere(pybind11::module_& module);
 
 }  // namespace circle_voronoi::python

@@ -82,11 +82,11 @@ describe('is well made', () => {
   })
 
   it('to are-the-types-wrong', () => {
-    const wasm = ['', '-comparison', '-files', '-regions'].map((name) => `circle-voronoi${name}.wasm`)
+    const wasm = ['', '-comparison', '-files', '-regions', '-sphere'].map((name) => `circle-voronoi${name}.wasm`)
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), tarball(), ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/regions', '/comparison', '/files', '/link', ...ELEMENT])
+    for (const name of ['', '/worker', '/worker-thread', '/regions', '/comparison', '/sphere', '/files', '/link', ...ELEMENT])
       assert.ok(judged.includes(`"circle-voronoi${name}"`), judged)
   })
 

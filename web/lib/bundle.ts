@@ -7,6 +7,7 @@
 import './generated/circle-voronoi.js'
 import './generated/circle-voronoi-comparison.js'
 import './generated/circle-voronoi-regions.js'
+import './generated/circle-voronoi-sphere.js'
 import { answerRequests } from './threads/answer-requests.ts'
 import { THREAD_NAME } from './threads/thread-file.ts'
 
@@ -14,6 +15,7 @@ export * from './comparison.ts'
 export * from './index.ts'
 export * from './link.ts'
 export * from './regions.ts'
+export * from './sphere.ts'
 export * from './worker.ts'
 
 // The workers run the same file.

@@ -13,13 +13,14 @@ import type { DiagramData, Disposal } from './base/types.ts'
 import { Diagram } from './diagram/diagram.ts'
 import { type Lattice, latticeNumbers } from './diagram/lattice.ts'
 import { PeriodicDiagram } from './diagram/periodic-diagram.ts'
+import createSphereModule from './generated/circle-voronoi-sphere.js'
 import type { Region } from './regions/region.ts'
 import type { RingArrays } from './regions/region-shape.ts'
 import { EditorClient } from './threads/editor-client.ts'
 import { startThread, type Thread } from './threads/thread.ts'
 import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
 import type { Reply, Request } from './threads/worker-messages.ts'
-import { defaultRegionsWasm } from './wasm/default-wasm.ts'
+import { defaultRegionsWasm, defaultSphereWasm } from './wasm/default-wasm.ts'
 import { type EditorOptions, editorStart } from './wasm/editor.ts'
 import {
   type AreaFit,
@@ -33,6 +34,15 @@ import {
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
 import { ACCESSORS, checkOptions, type Options } from './wasm/options.ts'
 import { newestWasm, wasmOf } from './wasm/regions.ts'
+import {
+  type CapAccessors,
+  type Caps,
+  newestSphereWasm,
+  type SphereOptions,
+  sphereInput,
+  spheresOf,
+} from './wasm/sphere.ts'
+import type { SphereDiagram } from './wasm/sphere-diagram.ts'
 import { type CompiledWasm, compileWasm } from './wasm/wasm.ts'
 
 export type { AsyncDiagramEditor, AsyncEditorMethods } from './threads/worker-editor.ts'
@@ -44,6 +54,16 @@ export type { AreaFit, Disposal, FitOptions, LoadOptions, Options, PeriodicAreaF
  * @category Workers
  */
 export interface AsyncOptions extends Options {
+  /** A signal that cancels the computation at once; the promise is rejected with the reason of the signal. */
+  readonly signal?: AbortSignal | undefined
+}
+
+/**
+ * Options of `computeSphere` in a worker.
+ *
+ * @category Workers
+ */
+export interface AsyncSphereOptions extends SphereOptions {
   /** A signal that cancels the computation at once; the promise is rejected with the reason of the signal. */
   readonly signal?: AbortSignal | undefined
 }
@@ -77,6 +97,15 @@ export interface WorkerMethods {
    * @throws CircleVoronoiError as `computePeriodic`, and what `compute` of the worker throws. Each as a rejection.
    */
   computePeriodic(circles: Circles, lattice: Lattice, options?: AsyncOptions): Promise<PeriodicDiagram>
+  /** Computes a diagram on a sphere of circles that functions find in data. */
+  computeSphere<Datum>(data: Iterable<Datum>, options: AsyncSphereOptions & CapAccessors<Datum>): Promise<SphereDiagram>
+  /**
+   * Computes a diagram on a sphere in the worker, with the arguments of `computeSphere` of `Spheres`. Both threads take
+   * the module that `loadSphere` of this thread loaded last, or else the file next to this module.
+   *
+   * @throws CircleVoronoiError as `computeSphere`, and what `compute` of the worker throws. Each as a rejection.
+   */
+  computeSphere(places: Caps, options?: AsyncSphereOptions): Promise<SphereDiagram>
   /**
    * Creates an editor in a thread of its own, with the arguments of `edit` of the library.
    *
@@ -180,6 +209,9 @@ function arraysOf({ points, ringOffsets, polygonOffsets }: Region): RingArrays {
 class Client implements CircleVoronoiWorker {
   readonly #module: () => Promise<CompiledWasm>
   readonly #regionsModule = loadedOnce(() => compileWasm(undefined, defaultRegionsWasm))
+  readonly #sphereModule = loadedOnce(() => compileWasm(undefined, defaultSphereWasm))
+  /** Answers the questions about diagrams that the worker has computed. */
+  readonly #spheres = loadedOnce((wasm: CompiledWasm) => spheresOf(createSphereModule, wasm))
   #thread: Thread | undefined
   /** The first job belongs to the thread; the others wait. */
   #jobs: Job[] = []
@@ -205,6 +237,21 @@ class Client implements CircleVoronoiWorker {
     const [ax, ay, bx, by] = latticeNumbers(lattice, 'computePeriodic') as unknown as [number, number, number, number]
     const reply = await this.#computed('computePeriodic', circles, { lattice: { a: [ax, ay], b: [bx, by] } }, options)
     return new PeriodicDiagram((reply as Extract<Reply, { periodic: unknown }>).periodic)
+  }
+
+  async computeSphere<Datum>(
+    places: Caps | Iterable<Datum>,
+    options: AsyncSphereOptions & Partial<CapAccessors<Datum>> = {},
+  ): Promise<SphereDiagram> {
+    const sphere = sphereInput(places, options, ['signal'])
+    const { signal } = options
+    checkSignal(signal)
+    const wasm = newestSphereWasm() ?? (await this.#sphereModule())
+    const [reply, { diagramOf }] = await Promise.all([
+      this.#ask({ sphere, wasm }, [sphere.caps.buffer], { tell: () => {}, signal }),
+      this.#spheres(wasm),
+    ])
+    return diagramOf((reply as Extract<Reply, { sphere: unknown }>).sphere)
   }
 
   #computed<Datum>(

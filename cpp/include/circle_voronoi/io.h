@@ -42,6 +42,9 @@ struct ReadOptions {
 struct CircleFile {
   std::vector<Circle> circles = {};
   CircleAttributes attributes = {};
+  /// Whether x and y are called longitude and latitude, in any of the usual spellings, and are in their range: degrees,
+  /// with which a plane is not what is meant (`computeSphere`).
+  bool areDegrees = false;
   /// Why each row or feature was skipped (ReadOptions::skipInvalid). `circle` is its index in the file.
   std::vector<Error> skipped = {};
 };

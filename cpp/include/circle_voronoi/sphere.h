@@ -157,10 +157,15 @@ Result<void> checkSphere(const SphereDiagram& diagram);
 
 /// Returns the length of the border of a cell, or of its part within `maxDistance` of its cap.
 [[nodiscard]] double perimeter(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance = {});
+/// Returns the lengths of the borders of all cells.
+[[nodiscard]] std::vector<double> perimeters(const SphereDiagram& diagram, std::optional<double> maxDistance = {});
+
+/// The default tolerance of polygons as a part of the sphere's radius: 64 m on the Earth.
+inline constexpr double kSphereTolerance = 1e-5;
 
 struct SpherePolygonOptions {
   /// The largest distance between the polygons and the true borders, along the ground. Finite and positive. By default
-  /// a hundred-thousandth of the sphere's radius: 64 m on the Earth.
+  /// kSphereTolerance of the sphere's radius.
   std::optional<double> tolerance = {};
   /// Cells are cut at this distance from their caps.
   std::optional<double> maxDistance = {};
@@ -172,7 +177,8 @@ struct SpherePolygonOptions {
 /// all degrees.
 ///
 /// Row i has the polygons of cap i, none if it has no cell. Neighbors share their points to the bit, except on the
-/// antimeridian and at the poles. Cells that are narrower than the tolerance may have polygons that cross themselves.
+/// antimeridian and at the poles. Polygons are valid as the OGC and GEOS define it: borders of cells that are narrower
+/// than the tolerance are followed more closely. Where rounding alone makes a ring cross itself, it is divided there.
 ///
 /// Errors: badOption if the tolerance is not finite and positive, or the distance is not finite.
 Result<ClippedPolygons> cellPolygons(const SphereDiagram& diagram, const SpherePolygonOptions& options = {});

@@ -31,6 +31,7 @@ from ._errors import CircleVoronoiError
 from ._frames import to_geodataframe
 from ._periodic import Contacts, PeriodicAreaFit, PeriodicDiagram, compute_periodic, fit_areas_periodic
 from ._regions import Region
+from ._sphere import EARTH_RADIUS, FarthestPlace, SphereDiagram, compute_sphere
 
 __all__ = [
     "AreaFit",
@@ -39,12 +40,16 @@ __all__ = [
     "ClearestPath",
     "Contacts",
     "Diagram",
+    "EARTH_RADIUS",
     "EmptyDisc",
+    "FarthestPlace",
     "PeriodicAreaFit",
     "PeriodicDiagram",
     "Region",
+    "SphereDiagram",
     "compute",
     "compute_periodic",
+    "compute_sphere",
     "fit_areas",
     "fit_areas_periodic",
     "read",

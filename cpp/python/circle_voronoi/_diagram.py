@@ -31,6 +31,7 @@ from ._arguments import (
 )
 from ._errors import CircleVoronoiError
 from ._frames import circles_of, is_frame
+from ._polygons import nested, shapes_of
 from ._regions import region_of
 
 if TYPE_CHECKING:
@@ -268,16 +269,7 @@ class Diagram:
             _distance(max_distance),
             None if tolerance is None else positive(tolerance, "tolerance"),
         )
-        cells = _nested(*arrays)
-        try:
-            from shapely.geometry import MultiPolygon, Polygon
-        except ImportError:
-            return cells
-        shapes: list[Any] = []
-        for cell in cells:
-            parts = [Polygon(rings[0], rings[1:]) for rings in cell]
-            shapes.append(None if not parts else parts[0] if len(parts) == 1 else MultiPolygon(parts))
-        return shapes
+        return shapes_of(nested(*arrays))
 
     def neighbors(
         self, circle: int, *, bounds: Any = None, region: Any = None, max_distance: float | None = None
@@ -748,14 +740,6 @@ def _members(attributes: Any, row: int) -> str:
 
 def _distance(value: Any) -> float | None:
     return optional_number(value, "max_distance")
-
-
-def _nested(
-    polygons: Indices, rings: Indices, points: Indices, coordinates: npt.NDArray[np.float64]
-) -> list[list[list[Floats]]]:
-    loops = np.split(coordinates, points[1:-1]) if len(points) > 1 else []
-    shapes = [loops[first:end] for first, end in zip(rings[:-1], rings[1:])]
-    return [shapes[first:end] for first, end in zip(polygons[:-1], polygons[1:])]
 
 
 def _unpickled(text: bytes, ids: Indices) -> Diagram:

@@ -12,6 +12,7 @@ from ._errors import CircleVoronoiError
 
 if TYPE_CHECKING:
     from ._diagram import Diagram
+    from ._sphere import SphereDiagram
 
 
 def is_frame(data: Any) -> bool:
@@ -24,27 +25,62 @@ def circles_of(frame: Any, x: Any, y: Any, r: Any) -> Floats:
     if hasattr(frame, "geometry"):
         if x is not None or y is not None:
             raise CircleVoronoiError("A GeoDataFrame has its points as geometry; give no x and y.", "badOption")
+        crs = getattr(frame, "crs", None)
+        if crs is not None and crs.is_geographic:
+            raise CircleVoronoiError(
+                f"The coordinates are degrees ({crs.to_string()}), in which distances mean nothing in a plane. Use"
+                " compute_sphere, or project them, for example with frame.to_crs(frame.estimate_utm_crs()).",
+                "badInput",
+            )
         points = _points(frame)
     else:
         points = np.column_stack([_column(frame, x or "x"), _column(frame, y or "y")])
-    if r is None or isinstance(r, str):
-        radii = _column(frame, r or "r")
+    return np.column_stack([points, _radii(frame, r)])
+
+
+def caps_of(frame: Any, lat: Any, r: Any, lon: Any) -> Floats:
+    """Return the circles of a table in degrees. A GeoDataFrame has its points as geometry."""
+    if hasattr(frame, "geometry"):
+        if lon is not None or lat is not None:
+            raise CircleVoronoiError("A GeoDataFrame has its points as geometry; give no lon and lat.", "badOption")
+        crs = getattr(frame, "crs", None)
+        if crs is not None and not crs.is_geographic:
+            raise CircleVoronoiError(
+                f"The coordinates are not degrees ({crs.to_string()}). Convert them with frame.to_crs(4326).", "badInput"
+            )
+        places = _points(frame)
     else:
-        radii = column(r, len(frame), "r")
-    return np.column_stack([points, radii])
+        names = [_first(frame, lon, ("lon", "longitude", "lng", "long")), _first(frame, lat, ("lat", "latitude"))]
+        places = np.column_stack([_column(frame, name) for name in names])
+    return np.column_stack([places, _radii(frame, r)])
 
 
-def to_geodataframe(diagram: Diagram, frame: Any, **limits: Any) -> Any:
+def _radii(frame: Any, r: Any) -> Floats:
+    return _column(frame, r or "r") if r is None or isinstance(r, str) else column(r, len(frame), "r")
+
+
+def _first(frame: Any, given: str | None, usual: tuple[str, ...]) -> str:
+    """Return the name of a column that the user gave, or the first of the usual names that the table has in any case."""
+    if given is not None:
+        return given
+    for name in usual:
+        for one in frame.columns:
+            if str(one).lower() == name:
+                return one
+    return usual[0]
+
+
+def to_geodataframe(diagram: Diagram | SphereDiagram, frame: Any, **limits: Any) -> Any:
     """Return a copy of a GeoDataFrame with the cells as its geometry.
 
     Parameters
     ----------
-    diagram : Diagram
+    diagram : Diagram or SphereDiagram
         The diagram of the rows of `frame`, in their order.
     frame : geopandas.GeoDataFrame
         The table. The copy has the same rows, columns, index and crs.
     **limits
-        `tolerance`, `bounds`, `region` and `max_distance` of `Diagram.polygons`.
+        The arguments of `Diagram.polygons` or `SphereDiagram.polygons`.
 
     Returns
     -------
@@ -86,13 +122,6 @@ def _column(frame: Any, name: str) -> Floats:
 
 
 def _points(frame: Any) -> Floats:
-    crs = getattr(frame, "crs", None)
-    if crs is not None and crs.is_geographic:
-        raise CircleVoronoiError(
-            f"The coordinates are degrees ({crs.to_string()}), in which distances mean nothing. Project them first,"
-            " for example with frame.to_crs(frame.estimate_utm_crs()).",
-            "badInput",
-        )
     points = np.empty((len(frame), 2))
     for row, geometry in enumerate(frame.geometry):
         if geometry is None or geometry.is_empty:

@@ -64,10 +64,16 @@ class CircleMembers {
       throw ReadError{found->offset - 1, found->name + " and " + found->otherName + " mean the same."};
     }
     if (found->kind != JsonKind::number) {
-      throw ReadError{found->offset - 1,
-                      "expected a number for " + found->name + ", not " + std::string(nameOf(found->kind)) + "."};
+      throw ReadError{found->offset - 1, "expected a number for " + found->name + ", not " +
+                                             std::string(circle_voronoi::nameOf(found->kind)) + "."};
     }
     return &found->value;
+  }
+
+  /// Returns the name of number k as in the text; empty if it is missing.
+  std::string_view nameOf(std::size_t k) const {
+    const Found* const found = best(k);
+    return found == nullptr ? std::string_view() : std::string_view(found->name);
   }
 
   /// Returns the id in JSON; empty if there is none.

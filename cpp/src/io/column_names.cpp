@@ -24,6 +24,15 @@ bool isSameName(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, {}, lower, lower);
 }
 
+bool areDegrees(std::string_view x, std::string_view y) {
+  constexpr std::array<std::string_view, 4> kLongitudes = {"lon", "long", "lng", "longitude"};
+  constexpr std::array<std::string_view, 2> kLatitudes = {"lat", "latitude"};
+  const auto isIn = [](const auto& names, std::string_view name) {
+    return std::ranges::any_of(names, [&](std::string_view known) { return isSameName(name, known); });
+  };
+  return isIn(kLongitudes, x) && isIn(kLatitudes, y);
+}
+
 ColumnNames::ColumnNames(const ReadOptions& options)
     : own_{options.x, options.y, options.radius},
       id_(options.id.empty() ? "id" : options.id),

@@ -15,6 +15,9 @@ namespace circle_voronoi {
 /// Returns whether two names are equal, ignoring the case of ASCII letters.
 bool isSameName(std::string_view a, std::string_view b);
 
+/// Returns whether x and y have names of longitude and latitude.
+bool areDegrees(std::string_view x, std::string_view y);
+
 /// The names of the columns of a table, of the members of a JSON object and of the properties of a GeoJSON point that
 /// mean x, y, r or the id of a circle.
 class ColumnNames {

@@ -376,6 +376,7 @@ Result<ParsedFile> readCsv(std::string_view text, std::string_view name, const R
   CsvRowReader rows(*layout, options);
   rows.read(text, result.parsed);
   if (keep == Keep::attributes) result.attributes = attributesOf(text, *layout, rows.decimalMark(), rows.skipped());
+  result.areDegrees = areDegrees(layout->names[0], layout->names[1]);
   result.skipped = rows.skipped();
   return result;
 } catch (const ReadError& failure) {

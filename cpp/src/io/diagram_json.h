@@ -22,6 +22,9 @@ void writeLines(Writer& out, std::size_t count, Item item) {
   out << (count == 0 ? "]" : "\n ]");
 }
 
+/// Writes the height, the id and the properties of a circle as further members of its object.
+void writeAttributeMembers(Writer& out, const CircleAttributes& attributes, std::size_t circle);
+
 /// Writes a diagram in the format of `writeJson`. `writeMore` may write further members, each with a comma after it.
 void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits, const CircleAttributes& attributes,
                   const std::function<void()>& writeMore);

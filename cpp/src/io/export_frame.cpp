@@ -16,8 +16,6 @@ namespace {
 constexpr double kLeastMargin = 0x1p-50;
 constexpr double kMargin = 0.05;
 constexpr double kTolerance = 1e-5;
-/// The share of the tolerance that rounding may use up, in each coordinate.
-constexpr double kRoundingShare = 0.1;
 
 double sizeOf(const Box& box) { return std::max(box.maxX - box.minX, box.maxY - box.minY); }
 

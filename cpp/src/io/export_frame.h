@@ -15,6 +15,9 @@
 
 namespace circle_voronoi {
 
+/// The share of the tolerance that rounding may use up, in each coordinate.
+inline constexpr double kRoundingShare = 0.1;
+
 /// Returns the region to which a diagram is clipped: the region of the options, their box, or the default box.
 /// Errors: notCertified if the diagram is not certified; badInput if the numbers of vertexCircles and vertices differ;
 /// badOption if an option is out of range.

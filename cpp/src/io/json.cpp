@@ -54,6 +54,8 @@ Result<ParsedFile> readJson(std::string_view text, std::string_view name, const 
   const ColumnNames names(options);
   JsonReader reader(text);
   ItemReader items(options, keep);
+  bool isFirst = true;
+  bool hasDegrees = false;
   items.read(reader, [&](ItemReader::Item& item) {
     const JsonKind kind = reader.kind();
     if (kind == JsonKind::array) {
@@ -66,12 +68,16 @@ Result<ParsedFile> readJson(std::string_view text, std::string_view name, const 
     }
     CircleMembers members(names, 0, keep);
     item.circle = readObject(reader, text, members, names);
+    hasDegrees = (isFirst || hasDegrees) && areDegrees(members.nameOf(0), members.nameOf(1));
+    isFirst = false;
     item.properties = members.others();
     item.id = members.id();
     item.height = members.height();
   });
   reader.finish();
-  return items.take();
+  ParsedFile file = items.take();
+  file.areDegrees = hasDegrees;
+  return file;
 } catch (const ReadError& failure) {
   return errorAt(name, text, failure);
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
 #include "circle_voronoi/io.h"
 #include "guarded.h"
 #include "text.h"
@@ -17,12 +20,14 @@ Result<CircleFile> readFile(std::string_view text, std::string_view name, const 
                 : begin == '{' ? readGeoJson(rest, name, options, keep)
                                : readCsv(rest, name, options, keep);
     if (!read) return read.error();
-    auto& [parsed, attributes, skipped] = read.value();
+    auto& [parsed, attributes, hasDegrees, skipped] = read.value();
     // Only the reader knows the line of each circle.
     if (const auto judged = validate(parsed.circles, options.weights); !judged) {
       return errorAtCircle(judged.error(), parsed.offsets, name, rest);
     }
-    CircleFile file = {std::move(parsed.circles), std::move(attributes), errorsAt(name, rest, skipped)};
+    const auto isInRange = [](const Circle& c) { return std::abs(c.x) <= 360 && std::abs(c.y) <= 90; };
+    const bool areDegrees = hasDegrees && std::ranges::all_of(parsed.circles, isInRange);
+    CircleFile file = {std::move(parsed.circles), std::move(attributes), areDegrees, errorsAt(name, rest, skipped)};
     if (!file.circles.empty() || file.skipped.empty()) return file;
     Error error = file.skipped.front();
     error.message = error.message.substr(0, error.message.size() - 1) + "; all others are invalid as well.";

@@ -37,6 +37,7 @@ struct ReadError {
 struct ParsedFile {
   ParsedCircles parsed;
   CircleAttributes attributes;
+  bool areDegrees = false;  ///< by the names of x and y
   std::vector<ReadError> skipped;
 };
 

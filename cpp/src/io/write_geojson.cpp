@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,56 +10,12 @@
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/periodic_queries.h"
 #include "circle_voronoi/tile.h"
+#include "geojson_feature.h"
 #include "periodic_options.h"
 #include "writer.h"
 
 namespace circle_voronoi {
 namespace {
-
-void writePosition(Writer& out, Point p) { out << "[" << p.x << "," << p.y << "]"; }
-
-void writePolygon(Writer& out, const CellPolygons::Polygon& rings) {
-  std::string_view separator = "[[";
-  for (const auto& ring : rings) {
-    out << separator;
-    for (const Point& p : ring) {
-      writePosition(out, p);
-      out << ",";
-    }
-    writePosition(out, ring.front());
-    out << "]";
-    separator = ",[";
-  }
-  out << "]";
-}
-
-void writeGeometry(Writer& out, const std::vector<CellPolygons::Polygon>& polygons) {
-  if (polygons.empty()) {
-    out << "null";
-    return;
-  }
-  const bool isOne = polygons.size() == 1;
-  out << R"({"type":")" << (isOne ? "Polygon" : "MultiPolygon") << R"(","coordinates":)" << (isOne ? "" : "[");
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    if (i > 0) out << ",";
-    writePolygon(out, polygons[i]);
-  }
-  out << (isOne ? "}" : "]}");
-}
-
-/// Writes the attributes of a circle from its file, after the properties of `writeGeoJson`.
-void writeAttributes(Writer& out, const CircleAttributes& attributes, std::size_t circle) {
-  const std::string_view height = entryOf(attributes.heights, circle);
-  const auto isOwn = [&](std::string_view name) {
-    constexpr std::array<std::string_view, 7> kWritten = {"circle",   "r",      "area",      "neighbors",
-                                                          "hiddenBy", "shifts", "hiderShift"};
-    return std::ranges::find(kWritten, name) != kWritten.end() || (!height.empty() && name == "z");
-  };
-  visitProperties(attributes, circle, isOwn, [&](std::string_view name, std::string_view value) {
-    out << "," << jsonString(name) << ":" << value;
-  });
-  if (!height.empty()) out << R"(,"z":)" << height;
-}
 
 void writeShift(Writer& out, const Shift& shift) { out << "[" << shift[0] << "," << shift[1] << "]"; }
 

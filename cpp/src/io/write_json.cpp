@@ -43,6 +43,14 @@ void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
 
 }  // namespace
 
+void writeAttributeMembers(Writer& out, const CircleAttributes& attributes, std::size_t circle) {
+  if (const auto height = entryOf(attributes.heights, circle); !height.empty()) out << ", \"z\": " << height;
+  if (const auto id = entryOf(attributes.ids, circle); !id.empty()) out << ", \"id\": " << id;
+  if (const auto members = entryOf(attributes.properties, circle); !members.empty()) {
+    out << ", \"properties\": {" << members << "}";
+  }
+}
+
 void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits, const CircleAttributes& attributes,
                   const std::function<void()>& writeMore) {
   const DecimalGrid grid(digits);
@@ -54,11 +62,7 @@ void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits
   writeLines(out, diagram.circles.size(), [&](std::size_t i) {
     out << "{\"x\": " << diagram.circles[i].x << ", \"y\": " << diagram.circles[i].y
         << ", \"r\": " << diagram.circles[i].r;
-    if (const auto height = entryOf(attributes.heights, i); !height.empty()) out << ", \"z\": " << height;
-    if (const auto id = entryOf(attributes.ids, i); !id.empty()) out << ", \"id\": " << id;
-    if (const auto members = entryOf(attributes.properties, i); !members.empty()) {
-      out << ", \"properties\": {" << members << "}";
-    }
+    writeAttributeMembers(out, attributes, i);
     out << "}";
   });
   out << ",\n \"hidden\": ";

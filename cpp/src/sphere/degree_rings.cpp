@@ -150,6 +150,8 @@ std::vector<Polygon> closedAlongSides(const std::vector<Ring>& lines) {
 
 }  // namespace
 
+bool isWhole(const Ring& ring) { return ring == kAll; }
+
 std::vector<Polygon> polygonsOf(const Ring& line) {
   if (line.empty()) return {{kAll}};
   const Cutter cutter(line);

@@ -40,6 +40,9 @@ using Ring = std::vector<Point>;
 /// The outer ring, counter-clockwise, and holes.
 using Polygon = std::vector<Ring>;
 
+/// Whether a ring is the rectangle of all degrees.
+bool isWhole(const Ring& ring);
+
 /// Returns the polygons of the region to the left of a closed line on the sphere, cut at the antimeridian: in the
 /// rectangle of all degrees, along whose sides they are closed. Without points, the region is the whole sphere.
 ///

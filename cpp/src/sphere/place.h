@@ -126,12 +126,17 @@ struct Touch {
 /// The caps of a diagram as places, with radii as angles.
 class Places {
  public:
-  explicit Places(const SphereDiagram& diagram) : diagram_(diagram) {
-    places_.reserve(diagram.caps.size());
+  /// Makes the place of a cap whenever it is asked for: for a few caps.
+  static Places ofFew(const SphereDiagram& diagram) { return Places(diagram, 0); }
+
+  explicit Places(const SphereDiagram& diagram) : Places(diagram, diagram.caps.size()) {
     for (const Cap& cap : diagram.caps) places_.push_back(placeAt(cap.longitude, cap.latitude));
   }
 
-  const Place& operator[](CircleIndex cap) const { return places_[static_cast<std::size_t>(cap)]; }
+  Place operator[](CircleIndex cap) const {
+    const auto i = static_cast<std::size_t>(cap);
+    return places_.empty() ? placeAt(diagram_.caps[i].longitude, diagram_.caps[i].latitude) : places_[i];
+  }
 
   /// Returns by how much the radius of one cap exceeds that of another, as an angle.
   double growth(CircleIndex from, CircleIndex to) const {
@@ -159,6 +164,8 @@ class Places {
   Touch touchFrom(const std::array<CircleIndex, 3>& caps) const;
 
  private:
+  Places(const SphereDiagram& diagram, std::size_t count) : diagram_(diagram) { places_.reserve(count); }
+
   const SphereDiagram& diagram_;
   std::vector<Place> places_;
 };

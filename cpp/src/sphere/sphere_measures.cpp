@@ -166,22 +166,8 @@ double areaOf(const SphereDiagram& diagram, const Places& places, CircleIndex ca
   return share * diagram.radius * diagram.radius;
 }
 
-}  // namespace
-
-double area(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance) {
-  return areaOf(diagram, Places(diagram), cap, maxDistance);
-}
-
-std::vector<double> areas(const SphereDiagram& diagram, std::optional<double> maxDistance) {
-  const Places places(diagram);
-  std::vector<double> result(diagram.caps.size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = areaOf(diagram, places, static_cast<std::int32_t>(i), maxDistance);
-  }
-  return result;
-}
-
-double perimeter(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance) {
+double perimeterOf(const SphereDiagram& diagram, const Places& places, CircleIndex cap,
+                   std::optional<double> maxDistance) {
   const auto onBorder = [](const CellSide& side, const CellPart& part) {
     // With K the cotangent, K' its derivative: sqrt(1 + K^2 + K'^2) / (1 + K^2).
     const double offset = side.border.offset;
@@ -191,7 +177,35 @@ double perimeter(const SphereDiagram& diagram, CircleIndex cap, std::optional<do
     }));
   };
   const auto onCircle = [](const SineCosine& arc, double turn) { return turn * arc.sine; };
-  return diagram.radius * sumOver(diagram, Places(diagram), cap, maxDistance, onBorder, onCircle);
+  return diagram.radius * sumOver(diagram, places, cap, maxDistance, onBorder, onCircle);
+}
+
+template <class Measure>
+std::vector<double> ofAll(const SphereDiagram& diagram, std::optional<double> maxDistance, Measure measure) {
+  const Places places(diagram);
+  std::vector<double> result(diagram.caps.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = measure(diagram, places, static_cast<std::int32_t>(i), maxDistance);
+  }
+  return result;
+}
+
+}  // namespace
+
+double area(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance) {
+  return areaOf(diagram, Places::ofFew(diagram), cap, maxDistance);
+}
+
+std::vector<double> areas(const SphereDiagram& diagram, std::optional<double> maxDistance) {
+  return ofAll(diagram, maxDistance, areaOf);
+}
+
+double perimeter(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance) {
+  return perimeterOf(diagram, Places::ofFew(diagram), cap, maxDistance);
+}
+
+std::vector<double> perimeters(const SphereDiagram& diagram, std::optional<double> maxDistance) {
+  return ofAll(diagram, maxDistance, perimeterOf);
 }
 
 }  // namespace circle_voronoi

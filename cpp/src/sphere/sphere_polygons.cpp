@@ -3,16 +3,22 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "at.h"
+#include "circle_voronoi/region.h"
 #include "circle_voronoi/sphere.h"
 #include "degree_rings.h"
+#include "flatten.h"
 #include "guarded.h"
 #include "number_text.h"
 #include "sphere_cell.h"
+#include "valid_polygons.h"
 
 namespace circle_voronoi {
 namespace {
@@ -27,6 +33,12 @@ constexpr double kStraightness = 64;
 /// A piece of a border is split this many times, at most.
 constexpr int kMostSplits = 48;
 
+/// Edges of cells whose polygons would cross themselves are followed more closely: within 2^-6 of the tolerance at
+/// level 1, and so on, up to level 2, and no closer than a part of the distance from the center.
+constexpr int kMostLevels = 2;
+constexpr double kFinestPart = 0x1p-16;
+constexpr int kLevelBits = 6;
+
 /// Bearings that differ by less are the same up to rounding.
 constexpr double kSameBearing = 1e-13;
 
@@ -40,7 +52,9 @@ struct BorderPoint {
 /// Follows borders and circles around a center in steps that are straight in degrees, within a tolerance.
 class Sampler {
  public:
-  Sampler(const Place& center, double tolerance) : center_(center), tolerance_(tolerance / kDegree) {}
+  /// `share`: the part of the tolerance that is used, and of the usual deviation near the center.
+  Sampler(const Place& center, double tolerance, double share)
+      : center_(center), tolerance_(tolerance / kDegree), share_(share) {}
 
   /// Appends the points after `from`, to `to`, of the curve whose cotangent at a bearing is `side.cotangentAt`.
   void follow(const CellSide& side, BorderPoint from, const BorderPoint& to, std::vector<Point>& points) const {
@@ -81,9 +95,7 @@ class Sampler {
               int halvings) const {
     if (halvings < kMostSplits && !isNear(a, b)) {
       const BorderPoint middle = between(side, a, b);
-      // Near the center the cell may be much smaller than the tolerance.
-      const double tolerance = std::min(tolerance_, std::min(a.angle, b.angle) / (16 * kDegree));
-      if (!isStraight(a, b, {between(side, a, middle), middle, between(side, middle, b)}, tolerance)) {
+      if (!isStraight(a, b, {between(side, a, middle), middle, between(side, middle, b)})) {
         refine(side, a, middle, points, halvings + 1);
         refine(side, middle, b, points, halvings + 1);
         return;
@@ -92,10 +104,22 @@ class Sampler {
     points.push_back(b.degrees);
   }
 
+  /// The tolerance of a piece at level 0, in degrees: near the center the cell may be much smaller than the tolerance.
+  double usualOf(const BorderPoint& a, const BorderPoint& b) const {
+    return std::min(tolerance_, distanceOf(a, b) / 16);
+  }
+
+  double leastOf(const BorderPoint& a, const BorderPoint& b) const {
+    const double usual = usualOf(a, b);
+    return std::max(share_ * usual, std::min(usual, kFinestPart * distanceOf(a, b)));
+  }
+
+  /// The distance of a piece from the center, in degrees.
+  static double distanceOf(const BorderPoint& a, const BorderPoint& b) { return std::min(a.angle, b.angle) / kDegree; }
+
   bool isNear(const BorderPoint& a, const BorderPoint& b) const {
     const double across = std::abs(b.bearing - a.bearing) * sineCosine(std::max(a.angle, b.angle)).sine;
-    const double least = std::min(tolerance_, std::min(a.angle, b.angle) / (16 * kDegree));
-    return (std::abs(b.angle - a.angle) + across) / kDegree <= least / 1024;
+    return (std::abs(b.angle - a.angle) + across) / kDegree <= usualOf(a, b) / 1024;
   }
 
   /// A point of a curve between two: half way by bearing, or by angle where this changes faster.
@@ -116,9 +140,9 @@ class Sampler {
     return pointOf(side, bearing, side.cotangentAt(bearing));
   }
 
-  /// Whether the points between lie within a tolerance of the segment from a to b.
-  static bool isStraight(const BorderPoint& a, const BorderPoint& b, const std::array<BorderPoint, 3>& points,
-                         double tolerance) {
+  /// Whether the points between lie near enough to the segment from a to b.
+  bool isStraight(const BorderPoint& a, const BorderPoint& b, const std::array<BorderPoint, 3>& points) const {
+    const double tolerance = leastOf(a, b);
     const auto step = [&](Point p, Point q) {
       const double turn = degrees::isPole(p) || degrees::isPole(q) ? 0 : degrees::turn(p.x, q.x);
       return Vector{turn, q.y - p.y};
@@ -138,6 +162,7 @@ class Sampler {
 
   Place center_;
   double tolerance_;  ///< in degrees
+  double share_;
 };
 
 /// A part of an edge that a maximum distance leaves, with its ends.
@@ -156,8 +181,9 @@ class CellPolygons {
   CellPolygons(const SphereDiagram& diagram, const SpherePolygonOptions& options)
       : diagram_(diagram),
         places_(diagram),
-        tolerance_(options.tolerance.value_or(diagram.radius * 1e-5) / diagram.radius),
+        tolerance_(options.tolerance.value_or(kSphereTolerance * diagram.radius) / diagram.radius),
         maxDistance_(options.maxDistance),
+        levels_(diagram.caps.size(), kUnknown),
         isFollowed_(diagram.caps.size()),
         pieces_(diagram.edges.size()) {
     // Vertices of one place are one point, for rounding could turn the edges between them.
@@ -179,15 +205,12 @@ class CellPolygons {
 
   /// Appends the row of a cell.
   void add(CircleIndex cap, ClippedPolygons& result) {
-    const sphere::Reach reach = sphere::reachOf(diagram_, cap, maxDistance_);
-    if (diagram_.hasCell(cap) && !(reach.angle && !(*reach.angle > 0))) {
-      for (const degrees::Polygon& polygon : degrees::polygonsOf(ringOf(cap, reach))) {
-        for (const degrees::Ring& ring : polygon) {
-          result.points.insert(result.points.end(), ring.begin(), ring.end());
-          result.pointOffsets.push_back(static_cast<std::int32_t>(result.points.size()));
-        }
-        result.ringOffsets.push_back(static_cast<std::int32_t>(result.pointOffsets.size() - 1));
+    for (const degrees::Polygon& polygon : polygonsOf(cap)) {
+      for (const degrees::Ring& ring : polygon) {
+        result.points.insert(result.points.end(), ring.begin(), ring.end());
+        result.pointOffsets.push_back(static_cast<std::int32_t>(result.points.size()));
       }
+      result.ringOffsets.push_back(static_cast<std::int32_t>(result.pointOffsets.size() - 1));
     }
     result.polygonOffsets.push_back(static_cast<std::int32_t>(result.ringOffsets.size() - 1));
   }
@@ -200,13 +223,105 @@ class CellPolygons {
     BorderPoint end;
   };
 
-  /// Returns the outline of a cell in degrees; no points if it is the whole sphere.
-  degrees::Ring ringOf(CircleIndex cap, const sphere::Reach& reach) {
-    const Sampler sampler(places_[cap], tolerance_);
+  using Polygons = std::vector<degrees::Polygon>;
+
+  /// Returns the polygons of a cell. If rounding alone makes rings cross, they are divided where they do.
+  Polygons polygonsOf(CircleIndex cap) {
+    const sphere::Reach reach = sphere::reachOf(diagram_, cap, maxDistance_);
+    if (!diagram_.hasCell(cap) || (reach.angle && !(*reach.angle > 0))) return {};
+    bool isRaised = levelOf(cap) > 0;
+    for (const SideIndex side : diagram_.sides(cap)) isRaised = isRaised || levelOf(diagram_.neighborOf(side)) > 0;
+    const degrees::Ring ring = ringOf(cap, reach, isRaised ? std::nullopt : std::optional<int>(0));
+    if (auto polygons = validOf(cap, ring)) return *std::move(polygons);
+    std::vector<degrees::Ring> rings;
+    for (degrees::Polygon& polygon : degrees::polygonsOf(ring)) {
+      for (degrees::Ring& outline : polygon) rings.push_back(std::move(outline));
+    }
+    // A ring that turns the wrong way around for rounding is no hole in the whole.
+    if (rings.size() == 2 && degrees::isWhole(rings.front()) && !isInCell(cap, sphere::placeAt(-180, 0)))
+      rings.erase(rings.begin());
+    const auto united = Region::fromRings(rings, {.dissolve = true});
+    return united ? rowsOf(*united) : Polygons();
+  }
+
+  /// Returns how closely the edges of a cell must be followed, so that its polygons do not cross themselves; 0 if no
+  /// level is close enough. This depends on the cell alone, and edges are followed as closely as both their cells need.
+  int levelOf(CircleIndex cap) {
+    int& level = levels_[at(cap)];
+    if (level != kUnknown) return level;
+    const sphere::Reach reach = sphere::reachOf(diagram_, cap, maxDistance_);
+    level = 0;
+    if (reach.angle && !(*reach.angle > 0)) return level;
+    while (level <= kMostLevels && !validOf(cap, ringOf(cap, reach, level))) ++level;
+    if (level > kMostLevels) level = 0;
+    return level;
+  }
+
+  /// Returns the polygons of a ring; nothing if they cross themselves, or are not those of the cell.
+  std::optional<Polygons> validOf(CircleIndex cap, const degrees::Ring& ring) const {
+    const Cap& c = diagram_.caps[at(cap)];
+    Polygons polygons = degrees::polygonsOf(ring);
+    const auto cutCount = polygons.size();
+    if (cutCount == 0) return polygons;
+    // Around both poles there is a hole.
+    const bool hasHole = polygons.front().size() > 1;
+    if (hasHole && !isInCell(cap, sphere::placeAt(-180, 0))) return std::nullopt;
+    if (cutCount == 1 && !hasHole && isStarShaped(polygons[0][0], {sphere::wrapped(c.longitude), c.latitude})) {
+      return polygons;
+    }
+    Polygons valid;
+    for (degrees::Polygon& polygon : polygons) {
+      std::vector<PointLoop> loops;
+      for (degrees::Ring& outline : polygon) loops.push_back({std::move(outline), !loops.empty()});
+      for (auto& part : validPolygons(std::move(loops))) valid.push_back(std::move(part));
+    }
+    if (!valid.empty() && !Region::fromPolygons(valid)) return std::nullopt;
+    return valid;
+  }
+
+  /// Whether a ring turns left around a point everywhere, and once.
+  static bool isStarShaped(const degrees::Ring& ring, Point center) {
+    int crossings = 0;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point p = ring[k];
+      const Point q = ring[k + 1 == ring.size() ? 0 : k + 1];
+      if (!isLeftTurn(center, p, q)) return false;
+      crossings += p.y < center.y && q.y >= center.y ? 1 : 0;
+    }
+    return crossings == 1;
+  }
+
+  /// Whether a place is in a cell: no neighbor is nearer.
+  bool isInCell(CircleIndex cap, const Place& place) const {
+    const auto distance = [&](CircleIndex i) {
+      return sphere::viewOf(places_[i], place).angle() - diagram_.caps[at(i)].r / diagram_.radius;
+    };
+    const auto isNearer = [&](CircleIndex neighbor) { return distance(neighbor) < distance(cap); };
+    return std::ranges::none_of(neighbors(diagram_, cap), isNearer);
+  }
+
+  static Polygons rowsOf(const Region& region) {
+    const auto index = [](std::int32_t i) { return static_cast<std::size_t>(i); };
+    Polygons polygons;
+    for (std::size_t p = 0; p < region.polygonCount(); ++p) {
+      polygons.emplace_back();
+      for (std::size_t ring = index(region.polygonOffsets()[p]); ring < index(region.polygonOffsets()[p + 1]); ++ring) {
+        const auto points = region.points().subspan(index(region.ringOffsets()[ring]),
+                                                    index(region.ringOffsets()[ring + 1] - region.ringOffsets()[ring]));
+        polygons.back().emplace_back(points.begin(), points.end());
+      }
+    }
+    return polygons;
+  }
+
+  /// Returns the outline of a cell in degrees, at a level, or at the level of each edge; no points if it is the whole
+  /// sphere.
+  degrees::Ring ringOf(CircleIndex cap, const sphere::Reach& reach, std::optional<int> level) {
+    const Sampler sampler = samplerOf(cap, level ? *level : levelOf(cap));
     CellSide circle;
     circle.border.offset = reach.cotangent().value_or(0);
     degrees::Ring ring;
-    const std::vector<Placed> pieces = placed(cap, reach);
+    const std::vector<Placed> pieces = placed(cap, reach, level);
     if (pieces.empty()) {
       if (!reach.angle) return ring;
       const BorderPoint start = sampler.pointOf(circle, 0, circle.border.offset);
@@ -226,7 +341,7 @@ class CellPolygons {
   }
 
   /// Returns the pieces of all sides of a cell, in order.
-  std::vector<Placed> placed(CircleIndex cap, const sphere::Reach& reach) {
+  std::vector<Placed> placed(CircleIndex cap, const sphere::Reach& reach, std::optional<int> level) {
     std::vector<Placed> result;
     double toEast = 0;
     double before = 0;
@@ -238,9 +353,9 @@ class CellPolygons {
       before = toEast + side.to;
       std::vector<CellPart> parts = sphere::partsOf(side, reach.cotangent());
       std::erase_if(parts, [](const CellPart& part) { return part.isOnCircle; });
-      const CircleIndex left = diagram_.circleOf(side.side - side.side % 2);
-      if (!isFollowed_[at(left)]) follow(left);
-      const std::vector<Piece>& pieces = pieces_[at(SphereDiagram::edgeOf(side.side))];
+      const CircleIndex other = diagram_.neighborOf(side.side);
+      const std::vector<Piece>& pieces =
+          piecesOf(SphereDiagram::edgeOf(side.side), level ? *level : std::max(levelOf(cap), levelOf(other)));
       for (std::size_t k = 0; k < pieces.size(); ++k) {
         const Piece piece = side.side % 2 == 0 ? pieces[k] : reversed(pieces[pieces.size() - 1 - k]);
         // By rounding alone, a piece may have a length from one side only.
@@ -254,42 +369,66 @@ class CellPolygons {
     return result;
   }
 
-  /// Finds the pieces of the edges that have a cap to their left.
-  void follow(CircleIndex cap) {
-    isFollowed_[at(cap)] = true;
-    const Sampler sampler(places_[cap], tolerance_);
-    const sphere::Reach reach = sphere::reachOf(diagram_, cap, maxDistance_);
-    for (const CellSide& side : sphere::sidesOf(diagram_, places_, cap)) {
+  /// Returns the pieces of an edge. Those of all edges to the right of a cap are found together at level 0.
+  const std::vector<Piece>& piecesOf(EdgeIndex edge, int level) {
+    const CircleIndex left = diagram_.edges[at(edge)].left;
+    if (level == 0 && isFollowed_[at(left)]) return pieces_[at(edge)];
+    const auto found = level == 0 ? raised_.end() : raised_.find({edge, level});
+    if (found != raised_.end()) return found->second;
+    const Sampler sampler = samplerOf(left, level);
+    const sphere::Reach reach = sphere::reachOf(diagram_, left, maxDistance_);
+    for (const CellSide& side : sphere::sidesOf(diagram_, places_, left)) {
       if (side.side % 2 == 1) continue;
-      const auto endOf = [&](double bearing, VertexIndex vertex) {
-        const double cotangent = side.cotangentAt(bearing);
-        if (vertex == kNone) return sampler.pointOf(side, bearing, cotangent);
-        return BorderPoint{bearing, angleOf(1, cotangent), points_[at(vertex)]};
-      };
-      for (const CellPart& part : sphere::partsOf(side, reach.cotangent())) {
-        if (part.isOnCircle) continue;
-        Piece piece;
-        piece.startsAtVertex = part.from == side.from;
-        piece.endsAtVertex = part.to == side.to;
-        const BorderPoint start =
-            endOf(part.from, piece.startsAtVertex ? diagram_.originOf(side.side) : VertexIndex(kNone));
-        BorderPoint end = endOf(part.to, piece.endsAtVertex ? diagram_.targetOf(side.side) : VertexIndex(kNone));
-        // A border without vertices ends where it starts.
-        if (part.to - part.from == 2 * kPi) end.degrees = start.degrees;
-        piece.points.push_back(start.degrees);
-        sampler.follow(side, start, end, piece.points);
-        pieces_[at(SphereDiagram::edgeOf(side.side))].push_back(std::move(piece));
+      const EdgeIndex its = SphereDiagram::edgeOf(side.side);
+      if (level == 0) {
+        pieces_[at(its)] = followed(side, sampler, reach);
+      } else if (its == edge) {
+        return raised_[{edge, level}] = followed(side, sampler, reach);
       }
     }
+    isFollowed_[at(left)] = true;
+    return pieces_[at(edge)];
   }
+
+  std::vector<Piece> followed(const CellSide& side, const Sampler& sampler, const sphere::Reach& reach) const {
+    const auto endOf = [&](double bearing, VertexIndex vertex) {
+      const double cotangent = side.cotangentAt(bearing);
+      if (vertex == kNone) return sampler.pointOf(side, bearing, cotangent);
+      return BorderPoint{bearing, angleOf(1, cotangent), points_[at(vertex)]};
+    };
+    std::vector<Piece> pieces;
+    for (const CellPart& part : sphere::partsOf(side, reach.cotangent())) {
+      if (part.isOnCircle) continue;
+      Piece piece;
+      piece.startsAtVertex = part.from == side.from;
+      piece.endsAtVertex = part.to == side.to;
+      const BorderPoint start =
+          endOf(part.from, piece.startsAtVertex ? diagram_.originOf(side.side) : VertexIndex(kNone));
+      BorderPoint end = endOf(part.to, piece.endsAtVertex ? diagram_.targetOf(side.side) : VertexIndex(kNone));
+      // A border without vertices ends where it starts.
+      if (part.to - part.from == 2 * kPi) end.degrees = start.degrees;
+      piece.points.push_back(start.degrees);
+      sampler.follow(side, start, end, piece.points);
+      pieces.push_back(std::move(piece));
+    }
+    return pieces;
+  }
+
+  Sampler samplerOf(CircleIndex cap, int level) const {
+    return {places_[cap], tolerance_, std::ldexp(1.0, -kLevelBits * level)};
+  }
+
+  static constexpr int kUnknown = -1;
 
   const SphereDiagram& diagram_;
   const Places places_;
   const double tolerance_;  ///< an angle
   const std::optional<double> maxDistance_;
+  std::vector<int> levels_;  ///< of each cap, or kUnknown
   std::vector<bool> isFollowed_;
-  std::vector<std::vector<Piece>> pieces_;  ///< of each edge, in its direction
-  std::vector<Point> points_;               ///< of each vertex, in degrees
+  std::vector<std::vector<Piece>> pieces_;                             ///< of each edge at level 0, in its direction
+  std::map<std::pair<std::int32_t, int>, std::vector<Piece>> raised_;  ///< of some edges at other levels
+  std::vector<Point> points_;                                          ///< of each vertex, in degrees
 };
 
 }  // namespace

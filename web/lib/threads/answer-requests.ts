@@ -4,11 +4,13 @@ import { CircleVoronoiError, type PostedError, postedError, reasonOf } from '../
 import { loadedOnce } from '../base/loaded-once.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import createRegionsModule from '../generated/circle-voronoi-regions.js'
+import createSphereModule from '../generated/circle-voronoi-sphere.js'
 import type { DiagramEditor } from '../wasm/editor.ts'
 import type { FitStep } from '../wasm/fit.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../wasm/library.ts'
 import type { Progress } from '../wasm/options.ts'
 import { regionsOf } from '../wasm/regions.ts'
+import { spheresOf } from '../wasm/sphere.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 import type {
   CallResult,
@@ -34,6 +36,7 @@ export function answerRequests(): void {
   let library: Promise<CircleVoronoi> | undefined
   const answerCalls = editing()
   const fitted = fitting()
+  const onSphere = loadedOnce((wasm: CompiledWasm) => spheresOf(createSphereModule, wasm))
 
   port.onmessage = async ({ data }) => {
     if ('module' in data) {
@@ -51,10 +54,12 @@ export function answerRequests(): void {
       return
     }
     const tell = (told: Reply) => port.postMessage(told)
-    const reply = await ('fit' in data
-      ? fitted(data, tell)
-      : computed(data, library as Promise<CircleVoronoi>, tell)
-    ).catch((error: unknown): Reply => ({ error: posted(error) }))
+    const answer = async (): Promise<Reply> => {
+      if ('fit' in data) return fitted(data, tell)
+      if ('sphere' in data) return { sphere: (await onSphere(data.wasm)).computed(data.sphere) }
+      return computed(data, library as Promise<CircleVoronoi>, tell)
+    }
+    const reply = await answer().catch((error: unknown): Reply => ({ error: posted(error) }))
     port.postMessage(reply, buffersIn(reply))
   }
 }
@@ -116,6 +121,7 @@ function posted(error: unknown): PostedError {
 
 function buffersIn(reply: Reply): ArrayBuffer[] {
   if ('diagram' in reply) return buffersOf(reply.diagram)
+  if ('sphere' in reply) return buffersOf(reply.sphere)
   if ('periodic' in reply) return [...buffersOf(reply.periodic), ...buffersOf(reply.periodic.diagram)]
   if ('periodicFit' in reply) {
     const { periodic, ...fit } = reply.periodicFit

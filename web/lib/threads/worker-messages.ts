@@ -10,6 +10,8 @@ import type { PeriodicData } from '../diagram/periodic-diagram.ts'
 import type { RingArrays } from '../regions/region-shape.ts'
 import type { AreaFit, FitInput, FitStep, PeriodicAreaFit } from '../wasm/fit.ts'
 import type { Options, Stage } from '../wasm/options.ts'
+import type { SphereInput } from '../wasm/sphere.ts'
+import type { SphereData } from '../wasm/sphere-diagram.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 
 export interface Start {
@@ -17,7 +19,7 @@ export interface Start {
 }
 
 /** The computation to run, and whether to report its progress or its steps. */
-export type Request = ComputeRequest | FitRequest
+export type Request = ComputeRequest | FitRequest | SphereRequest
 
 export interface ComputeRequest {
   readonly circles: Float64s
@@ -34,6 +36,11 @@ export interface FitRequest {
   /** The module that made the region. */
   readonly wasm: CompiledWasm
   readonly tellsProgress: boolean
+}
+
+export interface SphereRequest {
+  readonly sphere: SphereInput
+  readonly wasm: CompiledWasm
 }
 
 /** A call of an editor: `edit` creates the editor, the other names are its methods. */
@@ -56,5 +63,6 @@ export type Reply =
   | { readonly periodic: PeriodicData }
   | { readonly fit: Omit<AreaFit, 'diagram'> & { readonly diagram: DiagramData } }
   | { readonly periodicFit: Omit<PeriodicAreaFit, 'periodic'> & { readonly periodic: PeriodicData } }
+  | { readonly sphere: SphereData }
   | { readonly results: readonly CallResult[] }
   | { readonly error: PostedError }

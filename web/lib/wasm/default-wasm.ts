@@ -12,6 +12,11 @@ export function defaultComparisonWasm(): WasmSource {
   return new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
 }
 
+/** The address of `circle-voronoi-sphere.wasm`. */
+export function defaultSphereWasm(): WasmSource {
+  return new URL('../generated/circle-voronoi-sphere.wasm', import.meta.url)
+}
+
 /** The address of `circle-voronoi-regions.wasm`. */
 export function defaultRegionsWasm(): WasmSource {
   return new URL('../generated/circle-voronoi-regions.wasm', import.meta.url)

@@ -235,6 +235,10 @@ declare module '*/generated/circle-voronoi-regions.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmRegionsModule>
 }
 
+declare module '*/generated/circle-voronoi-sphere.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<object>
+}
+
 declare module '*/generated/circle-voronoi-comparison.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmComparisonModule>
 }

@@ -12,6 +12,10 @@ export function defaultComparisonWasm(): URL {
   return new URL('../lib/generated/circle-voronoi-comparison.wasm', import.meta.url)
 }
 
+export function defaultSphereWasm(): URL {
+  return new URL('../lib/generated/circle-voronoi-sphere.wasm', import.meta.url)
+}
+
 export function defaultRegionsWasm(): URL {
   return new URL('../lib/generated/circle-voronoi-regions.wasm', import.meta.url)
 }
