@@ -22,7 +22,10 @@ const BUNDLED = {
 /** Wraps the WebAssembly modules of web/lib as JavaScript, and makes bundle.js, which contains everything. */
 async function lib() {
   mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
-  for (const name of ['', '-comparison', '-files', '-regions', '-sphere'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
+  for (const name of ['', '-comparison', '-files', '-regions', '-sphere'].flatMap((name) => [
+    `${name}.js`,
+    `${name}.wasm`,
+  ])) {
     const file = `lib/generated/circle-voronoi${name}`
     copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
   }

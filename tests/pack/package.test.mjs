@@ -86,7 +86,17 @@ describe('is well made', () => {
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), tarball(), ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/regions', '/comparison', '/sphere', '/files', '/link', ...ELEMENT])
+    for (const name of [
+      '',
+      '/worker',
+      '/worker-thread',
+      '/regions',
+      '/comparison',
+      '/sphere',
+      '/files',
+      '/link',
+      ...ELEMENT,
+    ])
       assert.ok(judged.includes(`"circle-voronoi${name}"`), judged)
   })
 

@@ -41,7 +41,7 @@ std::vector<CircleIndex> hidersOf(const SphereDiagram& diagram) {
   return hiders;
 }
 
-/// The polygons of a row, rounded. Those that rounding would turn into crossing rings keep all digits.
+/// The polygons of a row, rounded. Polygons whose rings would cross by rounding keep all digits.
 std::vector<std::vector<PointRing>> rowOf(const ClippedPolygons& all, std::size_t row, const DecimalGrid& grid) {
   const auto at = [](const auto& list, std::size_t i) { return static_cast<std::size_t>(list[i]); };
   std::vector<std::vector<PointRing>> polygons;

@@ -369,7 +369,7 @@ class CellPolygons {
     return result;
   }
 
-  /// Returns the pieces of an edge. Those of all edges to the right of a cap are found together at level 0.
+  /// Returns the pieces of an edge. At level 0, all edges of its left cap are followed together.
   const std::vector<Piece>& piecesOf(EdgeIndex edge, int level) {
     const CircleIndex left = diagram_.edges[at(edge)].left;
     if (level == 0 && isFollowed_[at(left)]) return pieces_[at(edge)];

@@ -87,7 +87,7 @@ interface CellCollection {
   }[]
 }
 
-/** What a diagram in the memory of the module can answer. */
+/** The functions of the module that answer questions about a diagram in its memory. */
 export interface SphereModule {
   findCap(globe: number, longitude: number, latitude: number): number
   distanceFromCap(globe: number, cap: number, longitude: number, latitude: number): number

@@ -118,7 +118,7 @@ export function newestSphereWasm(): CompiledWasm | undefined {
 
 let newest: CompiledWasm | undefined
 
-/** What a computation on a sphere needs, after checks. */
+/** The checked arguments of `computeSphere`. */
 export interface SphereInput {
   readonly caps: Float64s
   readonly radius: number
