@@ -321,14 +321,15 @@ class DiscSearch {
     }
   }
 
-  /// Returns whether the region contains a point, given the thing nearest to it. Beside a side, that decides.
+  /// Returns whether the region contains a point, given the thing nearest to it. To the left of a side, that decides.
   bool contains(Point p, std::int32_t nearest, double distance) const {
     if (at(nearest) >= circles_.size() && distance > kRoundingOfTouch) {
       const Side& side = sides_[at(nearest) - circles_.size()];
       const Vector along = vectorTo(side.from, side.to);
       const Vector v = vectorTo(side.from, p);
       const double ahead = dot(along, v);
-      if (ahead > 0 && ahead < dot(along, along)) return cross(along, v) > 0;
+      // Where the two sides of a wall are a few units of rounding apart, either may seem to be the nearest.
+      if (ahead > 0 && ahead < dot(along, along) && cross(along, v) > 0) return true;
     }
     return region_.contains(there(p));
   }
