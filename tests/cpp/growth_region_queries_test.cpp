@@ -64,10 +64,8 @@ TEST(GrowthInRegions, OfClearestPaths) {
   expectGrowth({"clearestPath", "region_queries.h", pathIn, kCorridors});
 }
 
-// In long spirals the steps grow by 5.6: places outside are looked up in the region, as a wall may be a few units of
-// rounding thick.
 TEST(GrowthInRegions, OfLargestDiscs) {
-  static const std::array kFamilies = {kUniform, kHub, kHoles};
+  static const std::array kFamilies = {kUniform, kHub, kSpiral, kHoles};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kFamilies});
   static const std::array kTeeth = {kComb};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kTeeth, 2000});

@@ -31,6 +31,9 @@ const CircleAttributes& attributesOf(const SphereExportOptions& options) {
 
 Result<void> check(const SphereDiagram& diagram, const SphereExportOptions& options) {
   if (auto checked = checkDigits(options.digits); !checked) return checked;
+  if (!std::isfinite(options.maxDistance.value_or(0))) {
+    return errorWith(ErrorCode::badOption, "The maximum distance must be a finite number.");
+  }
   return checkAttributes(attributesOf(options), diagram.caps.size());
 }
 

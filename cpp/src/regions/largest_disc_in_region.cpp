@@ -296,7 +296,7 @@ class DiscSearch {
     // A way from outside into the region crosses the boundary, and is at least as long up to there as to the nearest
     // thing: a side, or a circle that covers the boundary where its sides are not kept.
     const double mostFromOutside = reach - std::abs(least);
-    if (!(square.most < mostFromOutside) && !contains(square.center, square.near[nearest], least)) {
+    if (!(square.most < mostFromOutside) && !contains(square, distances, nearest)) {
       square.most = mostFromOutside;
       opposite = &first;
       if (!mayBeLarger(square.most)) return;
@@ -321,17 +321,21 @@ class DiscSearch {
     }
   }
 
-  /// Returns whether the region contains a point, given the thing nearest to it. To the left of a side, that decides.
-  bool contains(Point p, std::int32_t nearest, double distance) const {
-    if (at(nearest) >= circles_.size() && distance > kRoundingOfTouch) {
-      const Side& side = sides_[at(nearest) - circles_.size()];
+  /// Returns whether the region contains the center of a square, whose things have the given distances. Beside a side
+  /// that is certainly the nearest, its left is inside. The two sides of a wall may be a few units of rounding apart.
+  bool contains(const Square& square, const std::vector<Distance>& distances, std::size_t nearest) const {
+    const double least = distances[nearest].value;
+    const auto isAsNear = [&](const Distance& other) { return other.value <= least + kRoundingOfTouch; };
+    const std::size_t thing = at(square.near[nearest]);
+    if (thing >= circles_.size() && least > kRoundingOfTouch &&
+        std::count_if(distances.begin(), distances.end(), isAsNear) == 1) {
+      const Side& side = sides_[thing - circles_.size()];
       const Vector along = vectorTo(side.from, side.to);
-      const Vector v = vectorTo(side.from, p);
+      const Vector v = vectorTo(side.from, square.center);
       const double ahead = dot(along, v);
-      // Where the two sides of a wall are a few units of rounding apart, either may seem to be the nearest.
-      if (ahead > 0 && ahead < dot(along, along) && cross(along, v) > 0) return true;
+      if (ahead > 0 && ahead < dot(along, along)) return cross(along, v) > 0;
     }
-    return region_.contains(there(p));
+    return region_.contains(there(square.center));
   }
 
   /// Returns whether a bound leaves room for a larger disc than the best one.
