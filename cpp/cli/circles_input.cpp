@@ -88,11 +88,11 @@ void noteSkipped(const CircleFile& file, ProgressLine& progress) {
        progress);
 }
 
-void noteHidden(std::size_t hidden, std::size_t count, ProgressLine& progress) {
+void noteHidden(std::size_t hidden, std::size_t count, const std::string& unit, ProgressLine& progress) {
   if (4 * hidden <= count) return;
   note(std::to_string(hidden) + " of " + std::to_string(count) +
-           " circles are hidden inside others and have no cell. Perhaps their radii have another unit than x and y, as "
-           "meters and degrees do (see --sphere and --project), or are diameters or another column (see --radius).",
+           " circles are hidden inside others and have no cell. Perhaps their radii have " + unit +
+           ", or are diameters or another column (see --radius).",
        progress);
 }
 

@@ -77,6 +77,7 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   settleInput(command, arguments.input);
   refuseUnused(command, arguments);
+  arguments.output.isOnSphere = arguments.sphere.isAsked;
   settle(arguments.output);
   check(arguments.sphere, command, arguments.output);
   check(arguments.tile, arguments.output);
@@ -131,7 +132,8 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
     });
   }
   noteSkipped(file, progress);
-  noteHidden(diagram.hidden.size(), diagram.circles.size(), progress);
+  noteHidden(diagram.hidden.size(), diagram.circles.size(),
+             "another unit than x and y, as meters and degrees do (see --sphere and --project)", progress);
   writeDiagram(arguments.output, name, diagram, progress);
 }
 

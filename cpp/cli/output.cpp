@@ -183,7 +183,7 @@ void settle(Output& output) {
     output.format = ending.empty() ? kDefaultFormat : ending;
   }
   if (output.format == "stats" && output.digits) throw CommandError{kBadInput, "--digits is not for --format stats."};
-  if (!kExports.contains(output.format)) {
+  if (!kExports.contains(output.format) && !output.isOnSphere) {
     if (const char* unused = drawingOption(output))
       throw CommandError{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
   }

@@ -29,6 +29,7 @@ struct Output {
   std::string regionFile;       ///< empty for none
   bool dissolve = false;        ///< whether polygons of the region that overlap are merged
   bool isRegionNeeded = false;  ///< whether the command itself uses the region, whatever the format
+  bool isOnSphere = false;      ///< whether the diagram is one on a sphere, whose formats use other options
   double tolerance = 0;         ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};

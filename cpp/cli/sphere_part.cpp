@@ -45,14 +45,23 @@ void check(const SpherePart& part, const CLI::App& command, const Output& output
   for (const char* option : {"--bounds", "--region"}) {
     if (command.count(option) == 0) continue;
     throw CommandError{kBadInput,
-                       std::string("--sphere takes no ") + option +
-                           ": cut the polygons with another program, for example as docs/cookbook.md shows."};
+                       std::string("--sphere takes no ") + option + ": cut the polygons with another program."};
   }
   for (const char* option : {"--project", "--lattice", "--known", "--trace", "--method"}) {
     if (command.count(option) > 0) throw CommandError{kBadInput, std::string("--sphere takes no ") + option + "."};
   }
-  if (kSphereFormats.contains(output.format)) return;
-  throw CommandError{kBadInput, "--sphere needs --format json, csv, geojson or geojsonl."};
+  if (!kSphereFormats.contains(output.format)) {
+    throw CommandError{kBadInput, "--sphere needs --format json, csv, geojson or geojsonl."};
+  }
+  const auto refuse = [&](const char* option, bool isUsed, const char* formats) {
+    if (command.count(option) == 0 || isUsed) return;
+    throw CommandError{kBadInput, std::string(option) + " needs --format " + formats + "."};
+  };
+  const bool isDrawn = output.format.starts_with("geojson");
+  refuse("--tolerance", isDrawn, "geojson or geojsonl");
+  for (const char* option : {"--max-distance", "--digits"}) {
+    refuse(option, isDrawn || output.format == "csv", "csv, geojson or geojsonl");
+  }
 }
 
 void computeOnSphere(const SpherePart& part, const Output& output, const CirclesInput& input, CircleFile file,
@@ -65,7 +74,7 @@ void computeOnSphere(const SpherePart& part, const Output& output, const Circles
   const auto diagram = computeSphere(caps, {kEarthRadii.at(part.unit), input.weights(), threads});
   if (!diagram) fail(diagram.error(), name + ": ");
   noteSkipped(file, progress);
-  noteHidden(diagram->hidden.size(), caps.size(), progress);
+  noteHidden(diagram->hidden.size(), caps.size(), "another unit (see --unit)", progress);
   SphereExportOptions options;
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   options.maxDistance = output.maxDistance;

@@ -124,6 +124,19 @@ TEST_F(CliSphere, AUnitIsThatOfRadiiAndAreas) {
   EXPECT_NEAR(cut / (4 * kPi * kEarthRadius * kEarthRadius * sine * sine), 1, 1e-13);
 }
 
+TEST_F(CliSphere, ATableHasCellsCutAtADistance) {
+  const std::string two = write("two.csv", "lon,lat,r\n0,0,40\n90,10,0\n");
+  const auto file =
+      readCircleFile(textOf("compute " + two + " --sphere --max-distance 60 --digits 3 --format csv"), "cells");
+  ASSERT_TRUE(file) << file.error().message;
+  const double sine = std::sin(50 / kEarthRadius);
+  const auto areas = numbersIn(file->attributes, "area");
+  const auto perimeters = numbersIn(file->attributes, "perimeter");
+  ASSERT_TRUE(areas && perimeters);
+  EXPECT_NEAR(areas->at(0), 4 * kPi * kEarthRadius * kEarthRadius * sine * sine, 0.001);
+  EXPECT_NEAR(perimeters->at(0), 2 * kPi * kEarthRadius * std::sin(100 / kEarthRadius), 0.001);
+}
+
 TEST_F(CliSphere, OneCapHasTheWholeSphere) {
   const std::string one = write("one.csv", "lat;lon\n10,5;20,25\n");
   const Json json = Json::parse(textOf("compute " + one + " --sphere --points --format geojson"));
@@ -132,8 +145,10 @@ TEST_F(CliSphere, OneCapHasTheWholeSphere) {
 }
 
 TEST_F(CliSphere, OptionsOfThePlaneAreRefused) {
-  for (const std::string option : {"--bounds 0,0,1,1 --format geojson", "--project local", "--lattice 1,0,0,1",
-                                   "--method flip", "--known 0,0,1,1", "--format svg", "--format stats"}) {
+  for (const std::string option :
+       {"--bounds 0,0,1,1 --format geojson", "--project local", "--lattice 1,0,0,1", "--method flip", "--known 0,0,1,1",
+        "--format svg", "--format stats", "--max-distance 9 --format json", "--digits 3 --format json",
+        "--tolerance 1 --format csv", "--tolerance 1 --format json"}) {
     const auto outcome = run("compute " + cities_ + " --sphere " + option);
     EXPECT_EQ(outcome.status, 2) << option;
     EXPECT_TRUE(outcome.out.empty());

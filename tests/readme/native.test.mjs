@@ -63,6 +63,7 @@ function check(command, printed) {
   if (command.includes('stats')) assert.equal(JSON.parse(text).certificate.certified, true)
   else if (command.includes('certify')) assert.match(text, /^certified: 1000 circles/)
   else if (command.includes('--lattice')) checkRepeated(output, text)
+  else if (command.includes('--sphere')) checkStations(output, text)
   else if (command.includes(' fit ')) checkAreas(JSON.parse(text))
   else if (output.endsWith('.geojson')) {
     assert.equal(JSON.parse(text).features.length, command.includes('shops') ? 3 : 1000)
@@ -80,6 +81,15 @@ function checkRepeated(output, text) {
   const sum = features.reduce((area, { properties }) => area + properties.area, 0)
   assert.equal(features.length, 1000)
   assert.ok(Math.abs(sum / 1600 - 1) < 1e-12)
+}
+
+/** Checks the cells of three stations: whole ones, which cover the Earth, or a table of cells that are cut at a distance. */
+function checkStations(output, text) {
+  if (output.endsWith('.csv')) return assert.equal(text.trim().split('\n').length, 4)
+  const { features } = JSON.parse(text)
+  const sum = features.reduce((area, { properties }) => area + properties.area, 0)
+  assert.equal(features.length, 3)
+  assert.ok(Math.abs(sum / (4 * Math.PI * 6371.0088 ** 2) - 1) < 1e-12)
 }
 
 /** Checks that areas are proportional to populations, and that the attributes of towns are kept. */

@@ -46,8 +46,8 @@ Result<void> writeSphereGeoJsonLines(std::ostream& out, const SphereDiagram& dia
 Result<void> writeSphereCsv(std::ostream& out, const SphereDiagram& diagram, const SphereExportOptions& options = {});
 
 /// Writes the diagram as JSON: radius, rounding, caps, hidden, vertices and edges, with indices as in SphereDiagram,
-/// and `weights` if radii are weights. All numbers read back to the same bits; of the options only the attributes are
-/// used.
+/// and `weights` if radii are weights. All numbers read back to the same bits. Tolerance, maximum distance and digits
+/// have no effect.
 Result<void> writeSphereJson(std::ostream& out, const SphereDiagram& diagram, const SphereExportOptions& options = {});
 
 }  // namespace circle_voronoi
