@@ -59,7 +59,7 @@ def _radii(frame: Any, r: Any) -> Floats:
     return _column(frame, r or "r") if r is None or isinstance(r, str) else column(r, len(frame), "r")
 
 
-def _first(frame: Any, given: str | None, usual: tuple[str, ...]) -> str:
+def _first(frame: Any, given: Any, usual: tuple[str, ...]) -> Any:
     """Return the name of a column that the user gave, or the first of the usual names that the table has in any case."""
     if given is not None:
         return given

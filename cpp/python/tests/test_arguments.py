@@ -113,6 +113,7 @@ KINDS = {
     "needed region": Kind(CIRCLES[:3, :2], 7, *options(None, CROSSED)),
     "bounds": Kind(None, *options((0, 0, 1), 5, "x", (0, 0, 1, "1"), (0, 0, 0, 1), (0, 0, NAN, 1))),
     "distance": Kind(None, *options([1], "x", 1j, NAN)),
+    "finite distance": Kind(None, *options([1], "x", 1j, NAN, INF)),
     "tolerance": Kind(0.1, *options([1], "x", 1j, 0, -1, NAN, INF)),
     "unused": Kind(None, *options(1, "x", (0, 0, 9, 9), CIRCLES[:3, :2], [{}] * 4)),
     "method": Kind("auto", *options("fast", 5, None)),
@@ -125,6 +126,13 @@ KINDS = {
     "times": Kind(0, *options("x", None, -1, 0.5, True)),
     "attributes": Kind(None, [{}], 5, "abcd", [5] * 4, Wrong([{}, {"a": {1}}, {}, {}], row=1)),
 }
+KINDS["caps"] = Kind(
+    CIRCLES,
+    *KINDS["rows"].wrong[:-1],  # any number is a longitude
+    Wrong([[0, 0, 1], [0, 91, 0]], "coordinateTooLarge", 1),
+    Wrong([[0, 0, 20_020], [0, 0, 1]], "coordinateTooLarge", 0),
+)
+KINDS["places"] = Kind(*([KINDS["points"].right] + KINDS["points"].wrong), Wrong([[0, 1], [0, -91]], row=1))
 LIMITS = {"bounds": "bounds", "region": "region", "max_distance": "distance"}
 WITHIN = {"bounds": "bounds", "region": "region", "tolerance": "tolerance"}
 FIT = {"tolerance": "tolerance", "max_steps": "steps", "relax": "times", "weights": "starting weights"}
@@ -139,6 +147,10 @@ def of(name):
 def to_bytes(format):
     """A call of `to_bytes` with a format."""
     return lambda **more: cv.compute(CIRCLES).to_bytes(format, **more)
+
+
+def sphere(name):
+    return lambda *args, **more: getattr(cv.compute_sphere(CIRCLES), name)(*args, **more)
 
 
 def periodic(name):
@@ -166,6 +178,13 @@ FUNCTIONS = [
     (periodic("neighbors"), ["index"], {}),
     (periodic("find"), ["points"], {}),
     (periodic("polygons"), [], {"tolerance": "tolerance"}),
+    (cv.compute_sphere, ["caps"], {"radius": "tolerance", "threads": "threads", "lon": "unused"}),
+    (lambda r: cv.compute_sphere(CIRCLES[:, :2], r=r), ["column"], {}),
+    (lambda lat, r: cv.compute_sphere(CIRCLES[:, 0], lat, r), ["column", "column"], {}),
+    (sphere("neighbors"), ["index"], {}),
+    (sphere("find"), ["places"], {}),
+    *((sphere(name), [], {"max_distance": "finite distance"}) for name in ("areas", "perimeters")),
+    (sphere("polygons"), [], {"tolerance": "tolerance", "max_distance": "finite distance"}),
 ]
 
 

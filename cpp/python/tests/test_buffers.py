@@ -33,6 +33,9 @@ TAKERS = {
     "compute, r": (lambda given: cv.compute(CIRCLES[:, :2], r=given), (4,)),
     "compute_periodic": (lambda given: cv.compute_periodic(given, (30, 0), (0, 30)), ("n", 3)),
     "compute_periodic, a": (lambda given: cv.compute_periodic(CIRCLES, given, (-40, 30)), (2,)),
+    "compute_sphere": (lambda given: cv.compute_sphere(given), ("n", 3)),
+    "compute_sphere, lat": (lambda given: cv.compute_sphere(CIRCLES[:, 0], given, CIRCLES[:, 2]), (4,)),
+    "SphereDiagram.find": (lambda given: cv.compute_sphere(CIRCLES).find(given), ("n", 2)),
     "find": (lambda given: cv.compute(CIRCLES).find(given), ("n", 2)),
     "PeriodicDiagram.find": (lambda given: cv.compute_periodic(CIRCLES, (30, 0), (0, 30)).find(given), ("n", 2)),
     "clearest_path, start": (lambda given: cv.compute(CIRCLES).clearest_path(given, (1, 2)), (2,)),
@@ -136,6 +139,7 @@ BAD = {
 ACCEPTED = {
     ("no dimension", "compute, r"),
     ("no dimension", "compute, y"),
+    ("no dimension", "compute_sphere, lat"),
     ("no dimension", "fit_areas, weights"),
     ("no dimension", "fit_areas, areas"),
     ("no dimension", "fit_areas_periodic, areas"),

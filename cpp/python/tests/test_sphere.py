@@ -123,29 +123,3 @@ def test_few_circles_have_a_diagram():
     two = cv.compute_sphere([[0, 90, 0], [0, -90, 100]])
     assert two.closest_pair() == (0, 1, pytest.approx(np.pi * cv.EARTH_RADIUS - 100))
     assert two.neighbors(0).tolist() == [1] and sorted(two.edges[0].tolist()) == [-1, -1, 0, 1]
-
-
-@pytest.mark.parametrize(
-    "run, code, row",
-    [
-        (lambda: cv.compute_sphere([[0, 0, 0], [0, 91, 0]]), "coordinateTooLarge", 1),
-        (lambda: cv.compute_sphere([[0, 0, -1]]), "negativeRadius", 0),
-        (lambda: cv.compute_sphere([[0, np.nan, 0]]), "nonFinite", 0),
-        (lambda: cv.compute_sphere([[0, 0, 4]], radius=1), "coordinateTooLarge", 0),
-        (lambda: cv.compute_sphere([[0, 0]]), "badInput", None),
-        (lambda: cv.compute_sphere(None), "badInput", None),
-        (lambda: cv.compute_sphere([0, 1], [2]), "badInput", None),
-        (lambda: cv.compute_sphere([], lon="x"), "badOption", None),
-        (lambda: cv.compute_sphere([], radius=0), "badOption", None),
-        (lambda: cv.compute_sphere([], threads=-1), "badOption", None),
-        (lambda: cv.compute_sphere([[0, 0, 0]]).find([[0, 95]]), "badInput", 0),
-        (lambda: cv.compute_sphere([[0, 0, 0]]).neighbors(1), "badInput", None),
-        (lambda: cv.compute_sphere([[0, 0, 0]]).polygons(tolerance=0), "badOption", None),
-        (lambda: cv.compute_sphere([[0, 0, 0]]).areas(max_distance="far"), "badOption", None),
-        (lambda: cv.compute_sphere([[0, 0, 0]]).areas(max_distance=np.nan), "badOption", None),
-    ],
-)
-def test_a_wrong_argument_has_a_code_and_a_row(run, code, row):
-    with pytest.raises(cv.CircleVoronoiError) as caught:
-        run()
-    assert (caught.value.code, caught.value.circle) == (code, row)
