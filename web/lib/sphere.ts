@@ -10,9 +10,10 @@ import { checkLoadOptions, type LoadOptions } from './wasm/load-options.ts'
 import { type Spheres, spheresOf } from './wasm/sphere.ts'
 import { compileWasm } from './wasm/wasm.ts'
 
-export type { Cap, CapAccessors, Caps, SphereOptions, Spheres } from './wasm/sphere.ts'
+export type { Cap, CapAccessors, Caps, PlaceAccessor, SphereOptions, Spheres } from './wasm/sphere.ts'
 export { EARTH_RADIUS } from './wasm/sphere.ts'
 export type {
+  CellCollection,
   FarthestPlace,
   SphereCellOptions,
   SphereData,

@@ -77,8 +77,12 @@ export interface FarthestPlace {
   readonly caps: readonly number[]
 }
 
-/** A GeoJSON feature collection of cells. */
-interface CellCollection {
+/**
+ * The cells of a sphere as a GeoJSON FeatureCollection.
+ *
+ * @category Spheres
+ */
+export interface CellCollection {
   readonly type: 'FeatureCollection'
   readonly features: readonly {
     readonly type: 'Feature'

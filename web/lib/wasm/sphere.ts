@@ -34,7 +34,7 @@ export interface Cap {
  *
  * @category Spheres
  */
-type PlaceAccessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
+export type PlaceAccessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
 
 /**
  * Options of `computeSphere`.
