@@ -238,6 +238,12 @@ std::vector<CapInput> families() {
     tiny.push_back({24 + random.uniform(0, 1e-8), 60 + random.uniform(0, 5e-9), random.uniform(0, 1e-7)});
   }
   add("within a millimeter", tiny);
+  tiny.resize(36);
+  tiny.push_back({-156, -60, 0});
+  add("within a millimeter, and one opposite", tiny);
+  add("a vertex opposite three nearby points", {{10.00000000858517, 20.000000005874586, 0},
+                                                {10.00000000982261, 20.00000000120966, 0},
+                                                {10.000000005983424, 20.000000009586113, 0}});
   std::vector<Cap> hemisphere;
   for (int k = 0; k < 60; ++k) hemisphere.push_back({random.uniform(-60, 60), random.uniform(-60, 60), 0});
   add("within a hemisphere", hemisphere);

@@ -8,6 +8,7 @@ import * as index from '../../web/lib/index.ts'
 import { CircleVoronoiError, ConvexPolygon, type ErrorCode, type Lattice, SvgPath } from '../../web/lib/index.ts'
 import * as links from '../../web/lib/link.ts'
 import * as regionFunctions from '../../web/lib/regions.ts'
+import * as sphereFunctions from '../../web/lib/sphere.ts'
 import { EditorClient } from '../../web/lib/threads/editor-client.ts'
 import * as workers from '../../web/lib/worker.ts'
 import { library } from './library.ts'
@@ -38,6 +39,8 @@ const trace = library.trace(CIRCLES)
 const regions = await regionFunctions.loadRegions()
 const region = regions.region([POLYGON.map(({ x, y }) => [x, y])])
 const files = await fileFunctions.loadFiles()
+const spheres = await sphereFunctions.loadSphere()
+const sphere = spheres.computeSphere(CIRCLES)
 const worker = workers.createWorker()
 const client = new EditorClient({} as WebAssembly.Module, false, () => {})
 const curve = index.edgeCurve(diagram, 0)
@@ -92,6 +95,20 @@ const noCircles: readonly Wrong[] = [
   ...wrongCircles('nonFinite', 1, 4, Number.NaN),
   ...wrongCircles('nonFinite', 0, 2, Infinity),
   ...wrongCircles('coordinateTooLarge', 2, 6, -1e29),
+]
+const noPlaces: readonly Wrong[] = [
+  ...input(5, 'x', null, {}, new Float64Array(4), new Float32Array(5), ...lost(CIRCLES)),
+  [[[0, 0, 1], [5, 5], []], 'badInput', 1],
+  [[0, 0, 1], 'badInput', 0],
+  [[null], 'badInput', 0],
+  [[{ lon: 1, lat: 2, r: 3 }], 'badInput', 0],
+  [rows(changed(7, '8')), 'badInput', 2],
+]
+const noCaps: readonly Wrong[] = [
+  ...wrongCircles('nonFinite', 1, 3, Number.NaN),
+  ...wrongCircles('nonFinite', 0, 2, Infinity),
+  ...wrongCircles('coordinateTooLarge', 2, 7, 91),
+  ...wrongCircles('coordinateTooLarge', 0, 2, 20016),
 ]
 const negative = wrongCircles('negativeRadius', 1, 5, -1)
 const oneCircle = (own: number | undefined): Wrong[] => [
@@ -149,9 +166,14 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
   hint: [0, input(...NO_NUMBERS)],
   length: [1, input(...NO_NUMBERS, Number.NaN)],
   above0: [1, input(...NO_NUMBERS, undefined, Number.NaN, 0, -1, Infinity)],
+  longitude: [1, input(...NO_NUMBERS, undefined, Number.NaN, Infinity)],
+  latitude: [1, input(...NO_NUMBERS, undefined, Number.NaN, Infinity, 91)],
   circles: [CIRCLES, [...noCircles, ...negative]],
   sent: [CIRCLES, input(...lost(CIRCLES))],
   weights: [CIRCLES, noCircles],
+  places: [CIRCLES, [...noPlaces, ...noCaps, ...negative]],
+  weightedPlaces: [CIRCLES, [...noPlaces, ...noCaps]],
+  sentPlaces: [CIRCLES, noPlaces],
   newCircle: [[3, 3, 1], oneCircle(undefined)],
   circle0: [[0, 0, 2], oneCircle(0)],
   array: [CIRCLES, input(...things, new Float64Array(4), ...lost(CIRCLES))],
@@ -208,6 +230,8 @@ const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
   region: option(5, [], {}, 'x', null),
   maxDistance: option('1', Number.NaN, Infinity, 2 ** 101, null),
   anyDistance: option(1),
+  ground: option('1', Number.NaN, Infinity, null),
+  sphereRadius: option(0, -1, Number.NaN, Infinity, '1', null),
   tolerance: option(0, -1, Number.NaN, Infinity, '1', null),
   digits: option(-1, 0.5, Number.NaN, '3', null),
   context: option({}, 5, 'x'),
@@ -278,6 +302,7 @@ const EDITING = 'weights:truth ids nextId'
 const FITTING =
   'region lattice shares:truth tolerance:number maxSteps:count relax:count weights:startWeights onStep:function signal'
 const READING = 'name:text weights:truth points:truth x:text y:text radius:text id:text skipInvalid:truth'
+const COMPUTING_SPHERE = 'weights:truth radius:sphereRadius longitude:function latitude:function r:function'
 const IN_THREAD = `${COMPUTING} ${FINDING} method:name candidates:name signal`
 
 /** Methods with limits of cells. */
@@ -339,6 +364,16 @@ const ROWS: readonly Row[] = [
   row(regions, 'fitAreas', 'sites areas', FITTING, { region }),
   row(regions, 'region', 'shape', 'dissolve:truth'),
   row(region, 'contains', 'number number'),
+  row(spheres, 'computeSphere', 'places', COMPUTING_SPHERE),
+  row(spheres, 'computeSphere', 'weightedPlaces', COMPUTING_SPHERE, { weights: true }),
+  row(worker, 'computeSphere', 'sentPlaces', `${COMPUTING_SPHERE.replace(':sphereRadius', ':name')} signal`),
+  row(sphere, 'find', 'longitude latitude'),
+  row(sphere, 'distanceFrom', 'circle longitude latitude'),
+  row(sphere, 'neighbors', 'circle', 'none'),
+  ...['cellArea', 'cellPerimeter'].map((name) => row(sphere, name, 'circle', 'maxDistance:ground')),
+  ...['cellAreas', 'cellPerimeters'].map((name) => row(sphere, name, '', 'maxDistance:ground')),
+  row(sphere, 'cellPolygon', 'circle', 'maxDistance:ground tolerance'),
+  row(sphere, 'toGeoJSON', '', 'maxDistance:ground tolerance'),
   row(comparison, 'computeComparison', 'circles metric'),
   row(files, 'readCircles', 'circleText', READING),
   row(files, 'readCircleFile', 'circleText', READING),
@@ -383,6 +418,7 @@ const ROWS: readonly Row[] = [
   row(index, 'loadCircleVoronoi', '', 'wasm'),
   row(regionFunctions, 'loadRegions', '', 'wasm'),
   row(fileFunctions, 'loadFiles', '', 'wasm'),
+  row(sphereFunctions, 'loadSphere', '', 'wasm'),
   row(comparisons, 'loadComparison', '', 'wasm library'),
   row(workers, 'createWorker', '', 'wasm'),
   row({ encodeLink: (lattice: Lattice) => links.encodeLink({ lattice }) }, 'encodeLink', 'lattice'),
@@ -486,6 +522,7 @@ const SINGLE: readonly (readonly [title: string, code: ErrorCode, act: () => unk
     'badOption',
     () => library.compute(CIRCLES, { method: 'touching-disc', candidates: 'uniform', samples: 0 }),
   ],
+  ['a cap as large as a small sphere', 'coordinateTooLarge', () => spheres.computeSphere([[0, 0, 4]], { radius: 1 })],
   [
     'a region and a lattice',
     'badOption',
@@ -548,16 +585,16 @@ it('properties and files of a diagram of which an array has lost its memory are 
 describe('the table', () => {
   /** Functions without arguments, or whose arguments cannot be wrong. */
   const OTHERS: readonly string[] = [
-    ...['begin', 'cellPolygons', 'certificate', 'constructor', 'contactsCsv', 'dispose', 'ids', 'renew', 'size'],
-    ...['snapshot', 'toJSON', 'update'],
+    ...['begin', 'cellPolygons', 'certificate', 'constructor', 'contactsCsv', 'dispose', 'farthestPlace', 'ids'],
+    ...['renew', 'size', 'snapshot', 'toJSON', 'update'],
   ]
 
   it('has every public function', () => {
     const names = new Set(ROWS.map(({ name }) => name))
     const missing = new Set<string>()
-    const modules = [index, comparisons, fileFunctions, regionFunctions, workers, links]
-    const loaded = [library, editor, client, worker, comparison, files, regions, region]
-    for (const owner of [...modules, ...loaded, diagram, periodic, snapshot, trace] as object[]) {
+    const modules = [index, comparisons, fileFunctions, regionFunctions, sphereFunctions, workers, links]
+    const loaded = [library, editor, client, worker, comparison, files, regions, region, spheres]
+    for (const owner of [...modules, ...loaded, diagram, periodic, sphere, snapshot, trace] as object[]) {
       for (let level = owner; level !== Object.prototype && level !== null; level = Object.getPrototypeOf(level)) {
         for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(level))) {
           if (typeof value === 'function' && !names.has(name) && !names.has(`new ${name}`)) missing.add(name)

@@ -123,10 +123,12 @@ std::optional<Projection> projectedFrom(CircleIndex pole, const SphereDiagram& d
   return result;
 }
 
-/// Projects from the largest cap, which no other hides, or if much is lost to rounding there from another one.
+/// Projects from the largest cap, which no other hides, or if much is lost to rounding there from another one. Among
+/// caps of the same size, those in the middle of the order come first: they are rarely at the rim of a group.
 Projection projected(const SphereDiagram& diagram, const Places& places) {
+  const auto middle = static_cast<std::int32_t>(diagram.caps.size() / 2);
   const auto rank = [&](CircleIndex i) {
-    return std::tuple(-diagram.caps[at(i)].r, places[i].latitude, places[i].longitude, std::int32_t{i});
+    return std::tuple(-diagram.caps[at(i)].r, std::abs(std::int32_t{i} - middle), std::int32_t{i});
   };
   std::vector<CircleIndex> candidates(diagram.caps.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i] = static_cast<std::int32_t>(i);
